@@ -1,0 +1,17 @@
+use glam::DVec3;
+
+/// A ray r(t) = S + tV: a starting point and a vector (slide "Rays").
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// S, the point where the ray starts.
+    pub start: DVec3,
+    /// V, the way it goes: of any length but 0, not normalised.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// The point r(t) = S + tV; t counts lengths of V.
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.start + t * self.direction
+    }
+}

@@ -1,0 +1,21 @@
+use crate::{Camera, Ray, colour::rgb8};
+use glam::DVec3;
+use image::RgbImage;
+
+/// The picture in which each pixel has the mean `colour` of the rays through it, drawn in parallel.
+///
+/// Each pixel is cut into a grid of `samples` × `samples` sub-pixels, with a ray through the centre
+/// of each.
+pub fn render(camera: &Camera, samples: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
+    let side = f64::from(samples);
+    let offsets: Vec<f64> = (0..samples).map(|k| (f64::from(k) + 0.5) / side - 0.5).collect();
+    RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
+        let mut sum = DVec3::ZERO;
+        for v in &offsets {
+            for u in &offsets {
+                sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
+            }
+        }
+        rgb8(sum / (side * side))
+    })
+}

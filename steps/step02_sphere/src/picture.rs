@@ -1,0 +1,19 @@
+use crate::{Camera, Ray, Sphere, direction_colour, render};
+use glam::DVec3;
+use image::RgbImage;
+
+/// The one sphere of this step.
+pub const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+
+/// The colour that `ray` sees: the sphere's where it hits, otherwise its own direction.
+pub fn colour(ray: &Ray) -> DVec3 {
+    match SPHERE.intersect(ray).first_hit() {
+        Some(_) => DVec3::new(0.95, 0.45, 0.35),
+        None => direction_colour(ray),
+    }
+}
+
+/// The picture of step 2: one sphere before the directions of step 1.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    render(camera, samples, colour)
+}

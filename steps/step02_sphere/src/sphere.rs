@@ -1,0 +1,31 @@
+use crate::{Ray, Roots, quadratic};
+use glam::DVec3;
+
+/// A sphere, the points at one distance from its centre (slide "The Sphere").
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// (x₀, y₀, z₀), the point in its middle.
+    pub centre: DVec3,
+    /// r, the distance from the centre to the surface; above 0.
+    pub radius: f64,
+}
+
+impl Sphere {
+    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets the sphere.
+    ///
+    /// The lecture's sphere is at the origin; here S is taken relative to the centre.
+    pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
+        let s = ray.start - self.centre;
+        let v = ray.direction;
+        let a = v.dot(v);
+        let b = 2.0 * s.dot(v);
+        let c = s.dot(s) - self.radius * self.radius;
+        (a, b, c)
+    }
+
+    /// Every t at which `ray` meets the sphere, those behind its start included.
+    pub fn intersect(&self, ray: &Ray) -> Roots {
+        let (a, b, c) = self.coefficients(ray);
+        quadratic(a, b, c)
+    }
+}

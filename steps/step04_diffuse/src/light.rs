@@ -1,0 +1,39 @@
+use glam::DVec3;
+
+/// How light fades with distance: it is divided by a + bd + cd².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attenuation {
+    /// The part that does not change with distance.
+    pub a: f64,
+    /// The part that grows with the distance d.
+    pub b: f64,
+    /// The part that grows with its square.
+    pub c: f64,
+}
+
+impl Attenuation {
+    /// a + bd + cd² at the distance `d` from the light.
+    pub fn at(&self, d: f64) -> f64 {
+        self.a + self.b * d + self.c * d * d
+    }
+}
+
+/// A light that shines from one point to all sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLight {
+    /// Where it is.
+    pub position: DVec3,
+    /// L_d, its intensity in red, green and blue; 0 or more.
+    pub diffuse: DVec3,
+    /// The a, b and c that its user chose.
+    pub attenuation: Attenuation,
+}
+
+impl PointLight {
+    /// The unit vector l from the point `p` to the light, and the distance d between them.
+    pub fn seen_from(&self, p: DVec3) -> (DVec3, f64) {
+        let to_light = self.position - p;
+        let d = to_light.length();
+        (to_light / d, d)
+    }
+}

@@ -1,0 +1,17 @@
+use glam::DVec3;
+
+/// How much of the light that reaches it a surface reflects: red, green and blue, 0 to 1 each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// R_a, the part of the ambient light.
+    pub ambient: DVec3,
+    /// R_d, the part of the light that it scatters all around.
+    pub diffuse: DVec3,
+}
+
+impl Surface {
+    /// A surface of one colour in ambient and diffuse light.
+    pub const fn of(colour: DVec3) -> Self {
+        Self { ambient: colour, diffuse: colour }
+    }
+}

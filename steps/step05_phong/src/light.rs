@@ -1,0 +1,11 @@
+use crate::PointLight;
+use glam::DVec3;
+
+/// A point light whose highlights may have a colour of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Its position, L_d and attenuation.
+    pub point: PointLight,
+    /// L_s, its intensity in highlights; 0 or more each for red, green and blue.
+    pub specular: DVec3,
+}

@@ -1,0 +1,13 @@
+use crate::Surface;
+use glam::DVec3;
+
+/// A surface that shines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// R_a and R_d.
+    pub surface: Surface,
+    /// R_s, the part of the light that it mirrors; 0 to 1 each for red, green and blue.
+    pub specular: DVec3,
+    /// n, the shininess: the larger, the smaller the highlight.
+    pub shininess: f64,
+}
