@@ -3,6 +3,6 @@ use image::Rgb;
 
 /// The 8-bit colour of an intensity I: round(255 · clamp(I, 0, 1)) for red, green and blue.
 pub(crate) fn rgb8(intensity: DVec3) -> Rgb<u8> {
-    let bytes = (255.0 * intensity.clamp(DVec3::ZERO, DVec3::ONE)).round();
-    Rgb([bytes.x as u8, bytes.y as u8, bytes.z as u8])
+    let rounded = 255.0 * intensity.clamp(DVec3::ZERO, DVec3::ONE) + 0.5;
+    Rgb([rounded.x as u8, rounded.y as u8, rounded.z as u8])
 }

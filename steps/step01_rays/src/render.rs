@@ -9,6 +9,7 @@ use image::RgbImage;
 pub fn render(camera: &Camera, samples: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     let side = f64::from(samples);
     let offsets: Vec<f64> = (0..samples).map(|k| (f64::from(k) + 0.5) / side - 0.5).collect();
+    let weight = 1.0 / (side * side);
     RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
         let mut sum = DVec3::ZERO;
         for v in &offsets {
@@ -16,6 +17,6 @@ pub fn render(camera: &Camera, samples: u32, colour: impl Fn(&Ray) -> DVec3 + Sy
                 sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
             }
         }
-        rgb8(sum / (side * side))
+        rgb8(sum * weight)
     })
 }

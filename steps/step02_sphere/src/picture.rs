@@ -8,7 +8,7 @@ pub const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 
 /// The colour that `ray` sees: the sphere's where it hits, otherwise its own direction.
 pub fn colour(ray: &Ray) -> DVec3 {
     match SPHERE.intersect(ray).first_hit() {
-        Some(_) => DVec3::new(0.95, 0.45, 0.35),
+        Some(_) => DVec3::new(0.91, 0.34, 0.28),
         None => direction_colour(ray),
     }
 }

@@ -1,0 +1,73 @@
+use crate::Difference;
+use crate::locked::{locked, target};
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::sync::LazyLock;
+use std::{env, fs};
+
+/// A program of one of the five steps, run in a folder of its own.
+pub struct Program {
+    name: &'static str,
+    /// The folder in which it runs.
+    pub folder: PathBuf,
+}
+
+impl Program {
+    /// The program of the step `name`, in an empty folder for the test `test`.
+    pub fn new(name: &'static str, test: &str) -> Self {
+        LazyLock::force(&BUILT);
+        Self { name, folder: folder(&format!("{name}-{test}")) }
+    }
+
+    /// Runs it with the arguments in `line`, which are separated by blanks.
+    pub fn run(&self, line: &str) -> Output {
+        let path = profile().join(self.name).with_extension(env::consts::EXE_EXTENSION);
+        let mut command = Command::new(&path);
+        let run = command.args(line.split_whitespace()).current_dir(&self.folder).output();
+        run.unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    /// Fails unless, run without arguments, it writes the locked picture and nothing else.
+    pub fn assert_writes_locked(&self) {
+        let output = self.run("");
+        assert!(output.status.success(), "{output:?}");
+        let file = format!("{}.png", self.name);
+        assert_eq!(self.files(), [file.as_str()]);
+        let written = image::open(self.folder.join(&file)).expect("a PNG").to_rgb8();
+        let difference = Difference::between(&locked(self.name), &written);
+        assert_eq!(difference.map(|difference| difference.to_string()), None, "{file}");
+    }
+
+    /// The names of the files in its folder, sorted.
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.folder).expect("the folder of the test");
+        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+}
+
+/// An empty folder in the target folder.
+pub fn folder(name: &str) -> PathBuf {
+    let folder = target().join("tests").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder in the target folder");
+    folder
+}
+
+/// Builds the programs of the steps once: `cargo test` by itself does not.
+static BUILT: LazyLock<()> = LazyLock::new(|| {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--workspace", "--bins", "--target-dir"]).arg(target());
+    if profile().ends_with("release") {
+        cargo.arg("--release");
+    }
+    let status = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).status();
+    assert!(status.is_ok_and(|status| status.success()), "cargo build --workspace --bins fails");
+});
+
+fn profile() -> PathBuf {
+    let program = env::current_exe().expect("a running program has a path");
+    program.ancestors().nth(2).expect("target/PROFILE/deps/program").to_owned()
+}

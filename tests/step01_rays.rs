@@ -1,0 +1,340 @@
+//! Step 1: the rays, the camera, the render loop and the program around the picture.
+
+use glam::{DVec2, DVec3};
+use image::{Rgb, RgbImage};
+use proptest::prelude::*;
+use std::collections::HashSet;
+use std::fs;
+use std::sync::Mutex;
+use step01_rays::{AspectRatio, Camera, Ray, Row, picture, render};
+use tests::{Program, assert_locked, camera};
+
+const PROGRAMS: [&str; 5] =
+    ["step01_rays", "step02_sphere", "step03_nearest", "step04_diffuse", "step05_phong"];
+
+/// Fields of view in degrees, from narrow to wide.
+const ANGLES: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * (1.0 + a.abs())
+}
+
+#[test]
+fn the_picture_is_locked() {
+    assert_locked("step01_rays", &picture(&camera(), 1));
+}
+
+#[test]
+fn the_program_writes_the_locked_picture() {
+    Program::new("step01_rays", "writes").assert_writes_locked();
+}
+
+#[test]
+fn the_program_says_what_it_wrote() {
+    let program = Program::new("step01_rays", "says");
+    let output = program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.starts_with("small.png: 64×48 pixels, 12288 rays in "), "{text}");
+    assert!(text.ends_with("s\n") && text.lines().count() == 1, "{text}");
+    let written = image::open(program.folder.join("small.png")).expect("a PNG").to_rgb8();
+    let same = picture(&Camera::new(64, 48, 60_f64.to_radians()), 2);
+    assert!(written == same, "the options do not reach the picture");
+}
+
+#[test]
+fn the_field_of_view_is_in_degrees() {
+    let program = Program::new("step01_rays", "degrees");
+    program.run("--width 32 --aspect 2.35:1 --fov 90 --output wide.png");
+    let written = image::open(program.folder.join("wide.png")).expect("a PNG").to_rgb8();
+    assert!(written == picture(&Camera::new(32, 14, std::f64::consts::FRAC_PI_2), 1));
+}
+
+#[test]
+fn help_and_version_succeed() {
+    for name in PROGRAMS {
+        let program = Program::new(name, "help");
+        let help = program.run("--help");
+        let text = String::from_utf8_lossy(&help.stdout).into_owned();
+        assert!(help.status.success() && help.stderr.is_empty());
+        for word in ["--width", "640", "--aspect", "16:9", "--fov", "60", "--samples", "--output"] {
+            assert!(text.contains(word), "{word} is missing: {text}");
+        }
+        assert!(text.contains(&format!("[default: {name}.png]")), "{text}");
+        let version = program.run("--version");
+        let text = String::from_utf8_lossy(&version.stdout).into_owned();
+        assert_eq!(text, format!("{name} {}\n", env!("CARGO_PKG_VERSION")));
+        assert_eq!(program.files(), [""; 0]);
+    }
+}
+
+#[test]
+fn an_existing_file_is_replaced() {
+    let program = Program::new("step01_rays", "replaces");
+    let file = program.folder.join("a.png");
+    fs::write(&file, "old").expect("a file");
+    assert!(program.run("--width 2 --output a.png").status.success());
+    assert!(image::open(file).is_ok());
+    assert_eq!(program.files(), ["a.png"]);
+}
+
+/// Bad arguments; the exit code; what the one sentence on standard error must hold.
+const BAD: &[(&str, i32, &[&str])] = &[
+    ("--width 0", 2, &["--width", "'0'", "2 to 16384"]),
+    ("--width 1", 2, &["--width", "'1'", "2 to 16384"]),
+    ("--width -3", 2, &["--width", "'-3'", "2 to 16384"]),
+    ("--width 16385", 2, &["--width", "'16385'", "2 to 16384"]),
+    ("--width 99999", 2, &["--width", "'99999'", "2 to 16384"]),
+    ("--width abc", 2, &["--width", "'abc'", "2 to 16384"]),
+    ("--width", 2, &["--width"]),
+    ("--aspect 0:9", 2, &["--aspect", "'0:9'", "W:H", "above 0"]),
+    ("--aspect 16", 2, &["--aspect", "'16'", "W:H"]),
+    ("--aspect 16:0", 2, &["--aspect", "'16:0'", "W:H"]),
+    ("--aspect -4:3", 2, &["--aspect", "'-4:3'", "W:H"]),
+    ("--aspect nan:1", 2, &["--aspect", "'nan:1'", "W:H"]),
+    ("--aspect 1:inf", 2, &["--aspect", "'1:inf'", "W:H"]),
+    ("--aspect 1281:1", 2, &["--aspect", "'1281:1'", "640", "1 to 16384 rows"]),
+    ("--aspect 1:25.602", 2, &["--aspect", "'1:25.602'", "640", "1 to 16384 rows"]),
+    ("--fov 0", 2, &["--fov", "'0'", "above 0 and below 180"]),
+    ("--fov 180", 2, &["--fov", "'180'", "above 0 and below 180"]),
+    ("--fov -10", 2, &["--fov", "'-10'", "above 0 and below 180"]),
+    ("--fov nan", 2, &["--fov", "'nan'", "above 0 and below 180"]),
+    ("--fov inf", 2, &["--fov", "'inf'", "above 0 and below 180"]),
+    ("--samples 0", 2, &["--samples", "'0'", "1 to 16"]),
+    ("--samples 17", 2, &["--samples", "'17'", "1 to 16"]),
+    ("--output old.jpg", 2, &["--output", "'old.jpg'", ".png"]),
+    ("--output folder", 2, &["--output", "'folder'", ".png"]),
+    ("--output nowhere/a.png", 1, &["--output", "'nowhere/a.png'", "folder that is there"]),
+    ("--output folder.png", 1, &["--output", "'folder.png'", "files that can be written"]),
+    ("--output locked.png", 1, &["--output", "'locked.png'", "read-only"]),
+    ("--colour red", 2, &["--colour", "--help"]),
+    ("picture.png", 2, &["picture.png", "--help"]),
+];
+
+#[test]
+fn bad_input_gets_one_sentence_and_changes_nothing() {
+    for name in PROGRAMS {
+        let program = Program::new(name, "bad");
+        let own = format!("{name}.png");
+        for file in [&own, "old.jpg", "locked.png"] {
+            fs::write(program.folder.join(file), "old").expect("a file");
+        }
+        for folder in ["folder", "folder.png"] {
+            fs::create_dir(program.folder.join(folder)).expect("a folder");
+        }
+        read_only(&program, true);
+        let before = program.files();
+        for &(line, code, words) in BAD {
+            let output = program.run(line);
+            let text = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(code), "{line}: {text}");
+            assert!(output.stdout.is_empty(), "{line}");
+            assert!(text.starts_with("error: ") && text.lines().count() == 1, "{line}: {text}");
+            for word in words {
+                assert!(text.contains(word), "{line}: no {word:?} in: {text}");
+            }
+            assert_eq!(program.files(), before, "{line}");
+            for file in [&own, "old.jpg", "locked.png"] {
+                let content = fs::read(program.folder.join(file)).expect("a file");
+                assert_eq!(content, b"old", "{line} changed {file}");
+            }
+        }
+        read_only(&program, false);
+    }
+}
+
+fn read_only(program: &Program, readonly: bool) {
+    let path = program.folder.join("locked.png");
+    let mut permissions = fs::metadata(&path).expect("a file").permissions();
+    permissions.set_readonly(readonly);
+    fs::set_permissions(path, permissions).expect("permissions");
+}
+
+#[test]
+fn the_limits_are_allowed() {
+    let program = Program::new("step01_rays", "limits");
+    for line in [
+        "--width 2",
+        "--width 16384 --aspect 16384:1",
+        "--width 2 --aspect 2:16384",
+        "--aspect 1280:1",
+        "--fov 0.001 --width 2",
+        "--fov 179.999 --width 2",
+        "--samples 16 --width 2",
+        "--width 20 --output UPPER.PNG",
+    ] {
+        let output = program.run(line);
+        assert!(output.status.success(), "{line}: {output:?}");
+    }
+}
+
+#[test]
+fn r_of_t_is_s_plus_t_v() {
+    let ray = Ray { start: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::new(0.0, -2.0, 4.0) };
+    assert_eq!(ray.at(0.0), ray.start);
+    assert_eq!(ray.at(1.5), DVec3::new(1.0, -1.0, 9.0));
+    assert_eq!(ray.at(-1.0), DVec3::new(1.0, 4.0, -1.0));
+}
+
+#[test]
+fn the_row_encloses_theta_and_is_its_own_mirror_image() {
+    for degrees in ANGLES {
+        let row = Row::new(5, f64::to_radians(degrees));
+        let all: Vec<DVec2> = row.directions().collect();
+        assert_eq!(all.len(), 5);
+        assert!(close(all[0].angle_to(all[4]).abs().to_degrees(), degrees));
+        for (left, right) in all.iter().zip(all.iter().rev()) {
+            assert!(close(left.x, -right.x) && left.y == 1.0 && right.y == 1.0);
+        }
+        assert!(all[0].x < 0.0);
+    }
+}
+
+#[test]
+fn neighbours_in_the_row_differ_by_d() {
+    let row = Row::new(640, 60_f64.to_radians());
+    let d = row.matrix.x_axis;
+    assert!(close(d.x, 2.0 * 30_f64.to_radians().tan() / 639.0) && d.y == 0.0);
+    for i in 0..639 {
+        let i = f64::from(i);
+        assert!((row.direction(i + 1.0) - row.direction(i)).distance(d) < 1e-12);
+    }
+}
+
+#[test]
+fn outermost_columns_enclose_theta_and_are_mirror_images() {
+    for degrees in ANGLES {
+        let camera = Camera::new(101, 75, f64::to_radians(degrees));
+        let (left, right) = (camera.ray(0.0, 37.0).direction, camera.ray(100.0, 37.0).direction);
+        assert!(close(left.angle_between(right).to_degrees(), degrees));
+        let (top, bottom) = (camera.ray(0.0, 0.0).direction, camera.ray(100.0, 74.0).direction);
+        assert!(top.distance(-bottom.with_z(1.0)) < 1e-12, "{top} {bottom}");
+        assert!(top.x < 0.0 && 0.0 < top.y && top.z == -1.0);
+    }
+}
+
+#[test]
+fn neighbouring_rays_differ_by_d_u_and_d_v() {
+    let camera = camera();
+    let (d_u, d_v) = (camera.matrix.x_axis, camera.matrix.y_axis);
+    for (i, j) in [(0.0, 0.0), (17.0, 300.0), (638.0, 358.0)] {
+        let v = camera.ray(i, j).direction;
+        assert!((camera.ray(i + 1.0, j).direction - v).distance(d_u) < 1e-12);
+        assert!((camera.ray(i, j + 1.0).direction - v).distance(d_v) < 1e-12);
+    }
+    assert!(0.0 < d_u.x && d_v.y < 0.0);
+}
+
+#[test]
+fn pixels_are_square_for_the_four_aspect_ratios() {
+    for (text, rows) in [("4:3", 480), ("16:9", 360), ("2.35:1", 272), ("2.59:1", 247)] {
+        let aspect: AspectRatio = text.parse().expect(text);
+        assert_eq!(aspect.v_res(640), Some(rows));
+        let camera = Camera::new(640, rows, 1.0);
+        assert_eq!(camera.matrix.x_axis.length(), camera.matrix.y_axis.length());
+        let (top, bottom) = (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
+        assert!(close(top.direction.y, -bottom.direction.y));
+    }
+}
+
+#[test]
+fn the_rows_of_a_ratio_are_rounded_and_limited() {
+    let rows = |width, height, h_res| AspectRatio { width, height }.v_res(h_res);
+    assert_eq!(rows(1280.0, 1.0, 640), Some(1));
+    assert_eq!(rows(1281.0, 1.0, 640), None);
+    assert_eq!(rows(1.0, 16384.0, 2), None);
+    assert_eq!(rows(2.0, 16384.0, 2), Some(16384));
+}
+
+#[test]
+fn the_middle_row_of_the_camera_is_the_row_in_2d() {
+    let (camera, row) = (Camera::new(9, 5, 1.2), Row::new(9, 1.2));
+    for i in 0..9 {
+        let (v, flat) = (camera.ray(i.into(), 2.0).direction, row.direction(i.into()));
+        assert!(close(v.x, flat.x) && v.y.abs() < 1e-12 && v.z == -flat.y);
+    }
+}
+
+#[test]
+fn every_ray_starts_at_c() {
+    let camera = Camera { centre: DVec3::new(1.0, 2.0, 3.0), ..camera() };
+    assert_eq!(camera.ray(3.0, 4.0).start, camera.centre);
+    assert_eq!(Camera::new(4, 3, 1.0).centre, DVec3::ZERO);
+}
+
+#[test]
+fn samples_are_the_centres_of_the_sub_pixels() {
+    for samples in 1..=4 {
+        let camera = Camera::new(4, 3, 1.0);
+        let seen = Mutex::new(Vec::new());
+        render(&camera, samples, |ray| {
+            seen.lock().expect("no panic").push(camera.matrix.inverse() * ray.direction);
+            DVec3::ZERO
+        });
+        let seen = seen.into_inner().expect("no panic");
+        assert_eq!(seen.len(), (12 * samples * samples) as usize);
+        // In units of half a sub-pixel from the corner of the picture, every place is odd.
+        let halves = f64::from(2 * samples);
+        let places: HashSet<_> = seen
+            .iter()
+            .map(|place| {
+                let [u, v] = [place.x, place.y].map(|at| (at + 0.5) * halves);
+                assert!((u - u.round()).abs() < 1e-9 && (v - v.round()).abs() < 1e-9);
+                assert!(u.round() as i64 % 2 == 1 && v.round() as i64 % 2 == 1);
+                (u.round() as i64, v.round() as i64)
+            })
+            .collect();
+        assert_eq!(places.len(), seen.len());
+    }
+}
+
+#[test]
+fn a_pixel_is_the_mean_of_its_samples() {
+    let camera = Camera::new(2, 1, 1.0);
+    let middle = camera.ray(0.0, 0.0).direction.x;
+    // One of the two sub-columns of the left pixel is white, the other black.
+    let half = |ray: &Ray| DVec3::splat(if ray.direction.x < middle { 1.0 } else { 0.0 });
+    assert_eq!(render(&camera, 2, half).get_pixel(0, 0), &Rgb([128; 3]));
+}
+
+#[test]
+fn intensities_are_clamped_and_rounded_to_8_bits() {
+    let camera = Camera::new(2, 1, 1.0);
+    for (intensity, byte) in [
+        (-1.0, 0),
+        (0.0, 0),
+        (0.49 / 255.0, 0),
+        (0.51 / 255.0, 1),
+        (0.5, 128),
+        (254.49 / 255.0, 254),
+        (254.51 / 255.0, 255),
+        (1.0, 255),
+        (7.0, 255),
+    ] {
+        let picture = render(&camera, 1, |_| DVec3::new(intensity, 0.0, 1.0));
+        assert_eq!(picture, RgbImage::from_pixel(2, 1, Rgb([byte, 0, 255])), "{intensity}");
+    }
+}
+
+#[test]
+fn columns_run_right_and_rows_run_down() {
+    let camera = Camera::new(3, 3, 1.0);
+    let picture = render(&camera, 1, |ray| ray.direction);
+    assert_eq!(picture.get_pixel(0, 0)[0], 0);
+    assert_ne!(picture.get_pixel(2, 0)[0], 0);
+    assert_ne!(picture.get_pixel(0, 0)[1], 0);
+    assert_eq!(picture.get_pixel(0, 2)[1], 0);
+}
+
+proptest! {
+    #[test]
+    fn ratios_are_read_as_they_are_written(width in 0.01..100.0, height in 0.01..100.0) {
+        let read = format!("{width}:{height}").parse();
+        prop_assert_eq!(read, Ok(AspectRatio { width, height }));
+    }
+
+    #[test]
+    fn whatever_is_typed_as_a_ratio_is_read_or_refused(text in ".*") {
+        let read = text.parse::<AspectRatio>();
+        prop_assert!(read.is_err() || text.contains(':'));
+    }
+}

@@ -1,0 +1,120 @@
+//! Step 2: the quadratic, the sphere, the meaning of t.
+
+use glam::DVec3;
+use proptest::prelude::*;
+use step02_sphere::{Ray, Roots, Sphere, picture, quadratic};
+use tests::{Program, assert_locked, camera, point, rays};
+
+const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+
+fn ahead(x: f64, z: f64) -> Ray {
+    Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z }
+}
+
+fn ts(roots: Roots) -> Vec<f64> {
+    match roots {
+        Roots::None => vec![],
+        Roots::One(t) => vec![t],
+        Roots::Two(near, far) => vec![near, far],
+    }
+}
+
+#[test]
+fn the_picture_is_locked() {
+    assert_locked("step02_sphere", &picture(&camera(), 1));
+}
+
+#[test]
+fn the_program_writes_the_locked_picture() {
+    Program::new("step02_sphere", "writes").assert_writes_locked();
+}
+
+#[test]
+fn the_discriminant_tells_three_cases_apart() {
+    assert_eq!(quadratic(1.0, 0.0, 1.0), Roots::None);
+    assert_eq!(quadratic(2.0, -8.0, 8.0), Roots::One(2.0));
+    assert_eq!(quadratic(2.0, -10.0, 8.0), Roots::Two(1.0, 4.0));
+    assert_eq!(quadratic(0.5, 1.0, -4.0), Roots::Two(-4.0, 2.0));
+}
+
+#[test]
+fn a_ray_along_the_axis_hits_at_4_and_6() {
+    assert_eq!(SPHERE.coefficients(&ahead(0.0, 0.0)), (1.0, -10.0, 24.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, 0.0)), Roots::Two(4.0, 6.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, 0.0)).first_hit(), Some(4.0));
+}
+
+#[test]
+fn a_tangent_touches_once_and_a_miss_not_at_all() {
+    assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)), Roots::One(5.0));
+    assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)).first_hit(), Some(5.0));
+    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)), Roots::None);
+    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)).first_hit(), None);
+}
+
+#[test]
+fn from_inside_the_far_root_is_the_hit() {
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -5.0)), Roots::Two(-1.0, 1.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -5.0)).first_hit(), Some(1.0));
+}
+
+#[test]
+fn behind_the_ray_is_no_hit() {
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -10.0)), Roots::Two(-6.0, -4.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -10.0)).first_hit(), None);
+    assert_eq!(SPHERE.intersect(&ahead(1.0, -10.0)).first_hit(), None);
+}
+
+#[test]
+fn t_of_0_is_no_hit() {
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -4.0)), Roots::Two(0.0, 2.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -4.0)).first_hit(), Some(2.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -6.0)), Roots::Two(-2.0, 0.0));
+    assert_eq!(SPHERE.intersect(&ahead(0.0, -6.0)).first_hit(), None);
+    assert_eq!(SPHERE.intersect(&ahead(1.0, -5.0)), Roots::One(0.0));
+    assert_eq!(SPHERE.intersect(&ahead(1.0, -5.0)).first_hit(), None);
+}
+
+proptest! {
+    #[test]
+    fn a_hit_satisfies_the_equation_of_the_sphere((sphere, ray) in rays()) {
+        for t in ts(sphere.intersect(&ray)) {
+            let distance = ray.at(t).distance(sphere.centre);
+            prop_assert!((distance - sphere.radius).abs() < 1e-6 * (1.0 + sphere.radius));
+        }
+    }
+
+    #[test]
+    fn a_ray_misses_when_its_line_passes_outside((sphere, ray) in rays()) {
+        let to_centre = sphere.centre - ray.start;
+        let apart = to_centre.cross(ray.direction).length() / ray.direction.length();
+        prop_assume!((apart - sphere.radius).abs() > 1e-6);
+        let count = ts(sphere.intersect(&ray)).len();
+        prop_assert_eq!(count, if apart < sphere.radius { 2 } else { 0 });
+    }
+
+    #[test]
+    fn the_smaller_root_comes_first((sphere, ray) in rays()) {
+        prop_assert!(ts(sphere.intersect(&ray)).is_sorted());
+    }
+
+    #[test]
+    fn scaling_v_by_k_divides_t_by_k((sphere, ray) in rays(), k in 0.1..10.0_f64) {
+        let scaled = Ray { direction: k * ray.direction, ..ray };
+        let hits = (sphere.intersect(&ray).first_hit(), sphere.intersect(&scaled).first_hit());
+        if let (Some(t), Some(u)) = hits {
+            prop_assume!((t - u * k).abs() < 0.01 * t);
+            prop_assert!((t - u * k).abs() < 1e-5 * (1.0 + t));
+            prop_assert!(ray.at(t).distance(scaled.at(u)) < 1e-5);
+        }
+    }
+
+    #[test]
+    fn moving_everything_by_one_offset_changes_nothing((sphere, ray) in rays(), by in point()) {
+        let moved = Sphere { centre: sphere.centre + by, ..sphere };
+        let ray_moved = Ray { start: ray.start + by, ..ray };
+        for (t, u) in ts(sphere.intersect(&ray)).iter().zip(ts(moved.intersect(&ray_moved))) {
+            prop_assert!((t - u).abs() < 1e-4 * (1.0 + t.abs()));
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Step 4: the normal, ambient and diffuse light.
+
+use glam::{DVec3, Vec3Swizzles};
+use proptest::prelude::*;
+use step04_diffuse::{
+    AMBIENT_LIGHT, Attenuation, COLOURS, LIGHTS, PointLight, Surface, ambient, colour, diffuse,
+    normal, picture,
+};
+use tests::{Program, assert_locked, camera, point, rays, unit};
+
+const GREY: DVec3 = DVec3::splat(0.5);
+
+/// A light of colour (1, 0.5, 0.25) with the given a, b and c.
+fn light(a: f64, b: f64, c: f64) -> PointLight {
+    PointLight {
+        position: DVec3::new(0.0, 3.0, 4.0),
+        diffuse: DVec3::new(1.0, 0.5, 0.25),
+        attenuation: Attenuation { a, b, c },
+    }
+}
+
+#[test]
+fn the_picture_is_locked() {
+    assert_locked("step04_diffuse", &picture(&camera(), 1));
+}
+
+#[test]
+fn the_program_writes_the_locked_picture() {
+    Program::new("step04_diffuse", "writes").assert_writes_locked();
+}
+
+#[test]
+fn ambient_light_is_r_a_times_l_a() {
+    let (r_a, l_a) = (DVec3::new(1.0, 0.5, 0.0), DVec3::new(0.5, 0.5, 0.5));
+    assert_eq!(ambient(r_a, l_a), DVec3::new(0.5, 0.25, 0.0));
+}
+
+#[test]
+fn a_surface_of_one_colour_reflects_it_in_both_terms() {
+    let colour = DVec3::new(0.1, 0.2, 0.3);
+    assert_eq!(Surface::of(colour), Surface { ambient: colour, diffuse: colour });
+}
+
+#[test]
+fn head_on_the_whole_light_is_scattered() {
+    let lit = diffuse(DVec3::Y, DVec3::Y, 5.0, GREY, &light(1.0, 0.0, 0.0));
+    assert_eq!(lit, DVec3::new(0.5, 0.25, 0.125));
+}
+
+#[test]
+fn at_60_degrees_half_of_it_is_scattered() {
+    let angle = 60_f64.to_radians();
+    let l = DVec3::new(angle.sin(), angle.cos(), 0.0);
+    let lit = diffuse(DVec3::Y, l, 5.0, GREY, &light(1.0, 0.0, 0.0));
+    assert!(lit.distance(DVec3::new(0.25, 0.125, 0.0625)) < 1e-15);
+}
+
+#[test]
+fn light_behind_the_surface_is_not_scattered() {
+    assert_eq!(diffuse(DVec3::Y, DVec3::NEG_Y, 5.0, GREY, &light(1.0, 0.0, 0.0)), DVec3::ZERO);
+}
+
+#[test]
+fn each_of_a_b_and_c_attenuates_alone() {
+    let at_3 = |a, b, c| Attenuation { a, b, c }.at(3.0);
+    assert_eq!([at_3(2.0, 0.0, 0.0), at_3(0.0, 2.0, 0.0), at_3(0.0, 0.0, 2.0)], [2.0, 6.0, 18.0]);
+    assert_eq!(at_3(1.0, 2.0, 3.0), 34.0);
+    let lit = |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, DVec3::ONE, &light(a, b, c)).x;
+    assert_eq!([lit(2.0, 0.0, 0.0), lit(0.0, 1.0, 0.0), lit(0.0, 0.0, 1.0)], [0.5, 0.25, 0.0625]);
+}
+
+#[test]
+fn l_and_d_lead_from_the_point_to_the_light() {
+    let (l, d) = light(1.0, 0.0, 0.0).seen_from(DVec3::ZERO);
+    assert_eq!(d, 5.0);
+    assert!(l.distance(DVec3::new(0.0, 0.6, 0.8)) < 1e-15);
+}
+
+#[test]
+fn each_light_has_its_own_colour_and_attenuation() {
+    assert!(LIGHTS[0].diffuse != LIGHTS[1].diffuse);
+    let [one, two] = LIGHTS.map(|light| light.attenuation);
+    assert!(one.a != two.a && one.b != two.b && one.c != two.c);
+}
+
+#[test]
+fn a_pixel_is_the_sum_of_the_ambient_term_and_every_light() {
+    // The ray through the middle of the largest sphere meets it head-on.
+    let sphere = step04_diffuse::SPHERES[0];
+    let ray = step04_diffuse::Ray { start: DVec3::ZERO, direction: sphere.centre };
+    let p = sphere.centre * (1.0 - sphere.radius / sphere.centre.length());
+    let n = (p - sphere.centre) / sphere.radius;
+    let mut sum = COLOURS[0] * AMBIENT_LIGHT;
+    for light in LIGHTS {
+        let Attenuation { a, b, c } = light.attenuation;
+        let d = light.position.distance(p);
+        let cosine = (light.position - p).dot(n) / d;
+        sum += COLOURS[0] / (a + b * d + c * d * d) * cosine.max(0.0) * light.diffuse;
+    }
+    assert!(colour(&ray).distance(sum) < 1e-12);
+}
+
+proptest! {
+    #[test]
+    fn the_normal_is_a_unit_vector_away_from_the_centre((sphere, ray) in rays()) {
+        let Some(t) = sphere.intersect(&ray).first_hit() else { return Ok(()) };
+        let n = normal(&sphere, ray.at(t));
+        prop_assert!((n.length() - 1.0).abs() < 1e-5);
+        prop_assert!((sphere.centre + sphere.radius * n).distance(ray.at(t)) < 1e-9);
+    }
+
+    #[test]
+    fn light_is_never_negative(n in unit(), l in unit(), d in 0.1..50.0, r_d in 0.0..1.0) {
+        let lit = diffuse(n, l, d, DVec3::splat(r_d), &light(0.1, 0.2, 0.3));
+        prop_assert!(0.0 <= lit.min_element());
+    }
+
+    #[test]
+    fn from_anywhere_l_has_length_1_and_leads_to_the_light(p in point()) {
+        let light = light(1.0, 0.0, 0.0);
+        prop_assume!(0.01 < p.distance(light.position));
+        let (l, d) = light.seen_from(p);
+        prop_assert!((l.length() - 1.0).abs() < 1e-12);
+        prop_assert!((p + d * l).distance(light.position) < 1e-9);
+    }
+
+    #[test]
+    fn swapping_red_and_blue_swaps_them_in_the_result(n in unit(), l in unit(), r_d in unit()) {
+        let r_d = r_d.abs();
+        let white = light(1.0, 0.0, 0.1);
+        let swapped = PointLight { diffuse: white.diffuse.zyx(), ..white };
+        let lit = diffuse(n, l, 3.0, r_d, &white);
+        prop_assert_eq!(diffuse(n, l, 3.0, r_d.zyx(), &swapped), lit.zyx());
+    }
+}

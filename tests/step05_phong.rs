@@ -1,0 +1,184 @@
+//! Step 5: reflection, the specular term and the whole Phong sum.
+
+use glam::{DVec3, Vec3Swizzles};
+use proptest::prelude::*;
+use step05_phong::{
+    AMBIENT_LIGHT, Attenuation, LIGHTS, Light, MATERIALS, Material, PointLight, SPHERES, Surface,
+    ambient, colour, diffuse, nearest, normal, phong, picture, reflect, specular, terms,
+};
+use tests::{Program, assert_locked, camera, point, unit};
+
+const MATERIAL: Material = Material {
+    surface: Surface { ambient: DVec3::new(0.1, 0.2, 0.3), diffuse: DVec3::new(0.4, 0.5, 0.6) },
+    specular: DVec3::new(0.7, 0.8, 0.9),
+    shininess: 3.0,
+};
+
+/// A light at `position`, with attenuation 1/2.
+fn light(position: DVec3) -> Light {
+    let attenuation = Attenuation { a: 2.0, b: 0.0, c: 0.0 };
+    let point = PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
+    Light { point, specular: DVec3::new(0.25, 0.5, 1.0) }
+}
+
+#[test]
+fn the_picture_is_locked() {
+    assert_locked("step05_phong", &picture(&camera(), 1));
+}
+
+#[test]
+fn the_program_writes_the_locked_picture() {
+    Program::new("step05_phong", "writes").assert_writes_locked();
+}
+
+#[test]
+fn head_on_l_is_its_own_reflection() {
+    assert_eq!(reflect(DVec3::Y, DVec3::Y), DVec3::Y);
+}
+
+#[test]
+fn l_is_reflected_to_the_other_side_of_n() {
+    assert_eq!(reflect(DVec3::new(0.6, 0.8, 0.0), DVec3::Y), DVec3::new(-0.6, 0.8, 0.0));
+}
+
+#[test]
+fn head_on_the_whole_light_is_mirrored() {
+    let lit = specular(DVec3::Y, DVec3::Y, 9.0, &MATERIAL, &light(DVec3::Y));
+    assert!(lit.distance(DVec3::new(0.0875, 0.2, 0.45)) < 1e-15);
+}
+
+#[test]
+fn the_shininess_is_the_exponent_of_the_cosine() {
+    let v = DVec3::new(3_f64.sqrt() / 2.0, 0.5, 0.0);
+    let lit = specular(DVec3::Y, v, 9.0, &MATERIAL, &light(DVec3::Y));
+    assert!(lit.distance(DVec3::new(0.0875, 0.2, 0.45) / 8.0) < 1e-15);
+}
+
+#[test]
+fn nothing_is_mirrored_away_from_the_eye() {
+    assert_eq!(specular(DVec3::Y, DVec3::NEG_Y, 9.0, &MATERIAL, &light(DVec3::Y)), DVec3::ZERO);
+}
+
+#[test]
+fn attenuation_fades_highlights_too() {
+    let mut light = light(DVec3::Y);
+    light.point.attenuation = Attenuation { a: 1.0, b: 2.0, c: 3.0 };
+    let lit = specular(DVec3::Y, DVec3::Y, 3.0, &MATERIAL, &light);
+    assert!(lit.distance(MATERIAL.specular * light.specular / 34.0) < 1e-15);
+}
+
+#[test]
+fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
+    // Behind the surface y = 0, low over the horizon: r·v is 0.6 although n·l < 0.
+    let (n, v) = (DVec3::Y, DVec3::new(-0.8, 0.6, 0.0));
+    let behind = light(DVec3::new(4.0, -3.0, 0.0));
+    let (l, _) = behind.point.seen_from(DVec3::ZERO);
+    assert!(n.dot(l) < 0.0 && 0.2 < reflect(l, n).dot(v));
+    let sum = phong(DVec3::ZERO, n, v, &MATERIAL, DVec3::ONE, &[behind]);
+    assert_eq!(sum.sum(), MATERIAL.surface.ambient);
+}
+
+#[test]
+fn a_light_on_the_horizon_gives_no_highlight() {
+    let beside = light(DVec3::X);
+    let sum = phong(DVec3::ZERO, DVec3::Y, DVec3::NEG_X, &MATERIAL, DVec3::ONE, &[beside]);
+    assert_eq!(sum.specular, DVec3::ZERO);
+}
+
+#[test]
+fn the_sum_runs_over_all_lights_and_all_terms() {
+    let lights = [light(DVec3::new(0.0, 4.0, 3.0)), light(DVec3::new(-4.0, 4.0, 2.0))];
+    let (p, n, v) = (DVec3::new(0.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.0, 0.8, -0.6));
+    let sum = phong(p, n, v, &MATERIAL, GREY, &lights);
+    let mut expected = [MATERIAL.surface.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
+    for light in &lights {
+        let (l, d) = light.point.seen_from(p);
+        expected[1] += diffuse(n, l, d, MATERIAL.surface.diffuse, &light.point);
+        expected[2] += specular(reflect(l, n), v, d, &MATERIAL, light);
+    }
+    assert_eq!([sum.ambient, sum.diffuse, sum.specular], expected);
+    assert!(0.0 < sum.specular.min_element() && 0.0 < sum.diffuse.min_element());
+    assert!(sum.sum().distance(expected.iter().sum()) < 1e-15);
+}
+
+const GREY: DVec3 = DVec3::splat(0.5);
+
+#[test]
+fn v_is_a_unit_vector_to_the_eye() {
+    let ray = camera().ray(245.0, 155.0);
+    let hit = nearest(&SPHERES, &ray).expect("the highlight of the largest sphere");
+    let (p, sphere) = (ray.at(hit.t), &SPHERES[hit.index]);
+    let v = (ray.start - p).normalize();
+    let sum = phong(p, normal(sphere, p), v, &MATERIALS[hit.index], AMBIENT_LIGHT, &LIGHTS);
+    let found = terms(&ray).expect("a hit");
+    assert!(0.1 < found.specular.max_element());
+    assert!(found.specular.distance(sum.specular) < 1e-12);
+    assert_eq!(colour(&ray), found.sum());
+    assert_eq!(found.ambient, ambient(MATERIALS[hit.index].surface.ambient, AMBIENT_LIGHT));
+}
+
+#[test]
+fn somewhere_in_view_a_surface_faces_away_from_a_light_although_r_v_is_above_0() {
+    let camera = camera();
+    let mut bright = 0;
+    for (i, j) in (0..360).flat_map(|j| (0..640).map(move |i| (i, j))) {
+        let ray = camera.ray(i.into(), j.into());
+        let Some(hit) = nearest(&SPHERES, &ray) else { continue };
+        let (p, v) = (ray.at(hit.t), -ray.direction.normalize());
+        let n = normal(&SPHERES[hit.index], p);
+        for light in &LIGHTS {
+            let (l, d) = light.point.seen_from(p);
+            let lit = specular(reflect(l, n), v, d, &MATERIALS[hit.index], light);
+            // Without the test of n·l, at least one of 255 steps of brightness.
+            bright += usize::from(n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element());
+        }
+    }
+    assert!(100 < bright, "only {bright} pixels");
+}
+
+proptest! {
+    #[test]
+    fn reflection_keeps_length_and_angle(l in unit(), n in unit()) {
+        let r = reflect(l, n);
+        prop_assert!((r.length() - 1.0).abs() < 1e-12);
+        prop_assert!((r.dot(n) - l.dot(n)).abs() < 1e-12);
+        prop_assert!(r.cross(l).dot(n).abs() < 1e-12);
+        prop_assert!(reflect(r, n).distance(l) < 1e-12);
+    }
+
+    #[test]
+    fn light_is_never_negative(p in point(), n in unit(), v in unit(), at in point()) {
+        prop_assume!(0.01 < p.distance(at));
+        let sum = phong(p, n, v, &MATERIAL, GREY, &[light(at)]);
+        for term in [sum.ambient, sum.diffuse, sum.specular] {
+            prop_assert!(0.0 <= term.min_element());
+        }
+    }
+
+    #[test]
+    fn swapping_red_and_blue_everywhere_swaps_them_in_the_result(
+        p in point(), n in unit(), v in unit(), at in point()
+    ) {
+        prop_assume!(0.01 < p.distance(at));
+        let (white, m) = (light(at), MATERIAL);
+        let swapped = Light {
+            point: PointLight { diffuse: white.point.diffuse.zyx(), ..white.point },
+            specular: white.specular.zyx(),
+        };
+        let surface = Surface { ambient: m.surface.ambient.zyx(), diffuse: m.surface.diffuse.zyx() };
+        let material = Material { surface, specular: m.specular.zyx(), ..m };
+        let l_a = DVec3::new(0.1, 0.2, 0.3);
+        let sum = phong(p, n, v, &m, l_a, &[white]).sum();
+        prop_assert_eq!(phong(p, n, v, &material, l_a.zyx(), &[swapped]).sum(), sum.zyx());
+    }
+
+    #[test]
+    fn moving_everything_by_one_offset_changes_nothing(
+        p in point(), n in unit(), v in unit(), at in point(), by in point()
+    ) {
+        prop_assume!(0.1 < p.distance(at));
+        let sum = phong(p, n, v, &MATERIAL, GREY, &[light(at)]).sum();
+        let moved = phong(p + by, n, v, &MATERIAL, GREY, &[light(at + by)]).sum();
+        prop_assert!(sum.distance(moved) < 1e-9);
+    }
+}
