@@ -4,12 +4,12 @@ use step04_diffuse::LIGHTS as POINT_LIGHTS;
 
 /// The material of each sphere, in the order of the spheres.
 pub const MATERIALS: [Material; 9] = [
-    shiny(0, 0.7, 60.0),
+    shiny(0, 0.7, 40.0),
     shiny(1, 0.15, 10.0),
     shiny(2, 0.8, 150.0),
     shiny(3, 0.4, 30.0),
     shiny(4, 0.5, 30.0),
-    shiny(5, 0.6, 80.0),
+    shiny(5, 0.6, 16.0),
     shiny(6, 0.9, 300.0),
     shiny(7, 0.5, 40.0),
     shiny(8, 0.4, 20.0),
