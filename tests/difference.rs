@@ -40,14 +40,19 @@ impl Difference {
     ///
     /// Equal pixels are black; the others are red, the brighter the farther apart.
     pub fn picture(locked: &RgbImage, new: &RgbImage) -> RgbImage {
-        let (width, height) = (locked.width().max(new.width()), locked.height().max(new.height()));
+        let (width, height) =
+            (locked.width().max(new.width()), locked.height().max(new.height()));
         let mut panels = RgbImage::new(3 * width, height);
         let _ = panels.copy_from(locked, 0, 0);
         let _ = panels.copy_from(new, width, 0);
         for (i, j, a) in locked.enumerate_pixels() {
             let far = new.get_pixel_checked(i, j).map_or(255, |b| apart(a, b));
             if 0 < far {
-                panels.put_pixel(2 * width + i, j, Rgb([far.saturating_add(80), far / 2, far / 4]));
+                panels.put_pixel(
+                    2 * width + i,
+                    j,
+                    Rgb([far.saturating_add(80), far / 2, far / 4]),
+                );
             }
         }
         panels
@@ -63,13 +68,18 @@ impl Display for Difference {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::Size((w, h), (new_w, new_h)) => {
-                write!(f, "the picture is {new_w}×{new_h} pixels, the locked one {w}×{h}")
+                write!(
+                    f,
+                    "the picture is {new_w}×{new_h} pixels, the locked one {w}×{h}"
+                )
             }
-            Self::Pixels { count, largest, first: (i, j), colours: (a, b) } => write!(
-                f,
-                "{count} pixels differ from the locked picture, by up to {largest} of 255; \
+            Self::Pixels { count, largest, first: (i, j), colours: (a, b) } => {
+                write!(
+                    f,
+                    "{count} pixels differ from the locked picture, by up to {largest} of 255; \
                  the first is in column {i}, row {j}: locked {a:?}, now {b:?}"
-            ),
+                )
+            }
         }
     }
 }
@@ -96,7 +106,10 @@ mod tests {
              column 2, row 1: locked [9, 9, 9], now [9, 8, 9]"
         );
         let picture = Difference::picture(&locked, &new);
-        let red = picture.enumerate_pixels().filter(|(.., p)| 80 <= p[0]).map(|(i, j, _)| (i, j));
+        let red = picture
+            .enumerate_pixels()
+            .filter(|(.., p)| 80 <= p[0])
+            .map(|(i, j, _)| (i, j));
         assert_eq!(red.collect::<Vec<_>>(), [(10, 1)]);
     }
 

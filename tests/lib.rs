@@ -1,4 +1,5 @@
-//! What the tests of the five steps share: locked pictures, programs to run, random input.
+//! What the tests of the five steps share: locked pictures, programs to run, random
+//! input.
 
 mod difference;
 mod locked;

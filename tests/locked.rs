@@ -7,26 +7,32 @@ use std::{env, fs, io::Cursor};
 
 /// The locked picture `name`, from its snapshot.
 pub fn locked(name: &str) -> RgbImage {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("snapshots/{name}.snap.png"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join(format!("snapshots/{name}.snap.png"));
     let picture = image::open(&path);
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
 
 /// Fails unless every pixel of `picture` is that of the locked picture `name`.
 ///
-/// Then it says how they differ, and writes a picture of the difference to the target folder.
+/// Then it says how they differ, and writes a picture of the difference to the
+/// target folder.
 pub fn assert_locked(name: &'static str, picture: &RgbImage) {
     let mut png = Cursor::new(Vec::new());
-    picture.write_to(&mut png, ImageFormat::Png).expect("a picture in memory can be encoded");
+    picture
+        .write_to(&mut png, ImageFormat::Png)
+        .expect("a picture in memory can be encoded");
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path("snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_comparator(Box::new(Pixels { name }));
-    settings.bind(|| assert_binary_snapshot!(&format!("{name}.png"), png.into_inner()));
+    settings
+        .bind(|| assert_binary_snapshot!(&format!("{name}.png"), png.into_inner()));
 }
 
-/// Compares decoded pixels, so that the same picture from another PNG encoder is the same.
+/// Compares decoded pixels, so that the same picture from another PNG encoder is
+/// the same.
 #[derive(Clone)]
 struct Pixels {
     name: &'static str,
@@ -34,16 +40,25 @@ struct Pixels {
 
 impl Comparator for Pixels {
     fn matches(&self, locked: &insta::Snapshot, new: &insta::Snapshot) -> bool {
-        let (Some(locked), Some(new)) = (decoded(locked), decoded(new)) else { return false };
-        let Some(difference) = Difference::between(&locked, &new) else { return true };
+        let (Some(locked), Some(new)) = (decoded(locked), decoded(new)) else {
+            return false;
+        };
+        let Some(difference) = Difference::between(&locked, &new) else {
+            return true;
+        };
         let path = target().join("differences").join(format!("{}.png", self.name));
         let saved = fs::create_dir_all(path.with_file_name(""))
             .map_err(Into::into)
             .and_then(|()| Difference::picture(&locked, &new).save(&path));
         eprintln!("{}: {difference}.", self.name);
         match saved {
-            Ok(()) => eprintln!("Locked, new and difference side by side: {}", path.display()),
-            Err(error) => eprintln!("No difference picture at {}: {error}", path.display()),
+            Ok(()) => eprintln!(
+                "Locked, new and difference side by side: {}",
+                path.display()
+            ),
+            Err(error) => {
+                eprintln!("No difference picture at {}: {error}", path.display())
+            }
         }
         false
     }
@@ -54,7 +69,9 @@ impl Comparator for Pixels {
 }
 
 fn decoded(snapshot: &insta::Snapshot) -> Option<RgbImage> {
-    let SnapshotContents::Binary(Some(png)) = snapshot.contents() else { return None };
+    let SnapshotContents::Binary(Some(png)) = snapshot.contents() else {
+        return None;
+    };
     Some(image::load_from_memory(png).ok()?.to_rgb8())
 }
 

@@ -21,27 +21,39 @@ impl Program {
 
     /// Runs it with the arguments in `line`, which are separated by blanks.
     pub fn run(&self, line: &str) -> Output {
-        let path = profile().join(self.name).with_extension(env::consts::EXE_EXTENSION);
+        let path =
+            profile().join(self.name).with_extension(env::consts::EXE_EXTENSION);
         let mut command = Command::new(&path);
-        let run = command.args(line.split_whitespace()).current_dir(&self.folder).output();
+        let run = command
+            .args(line.split_whitespace())
+            .current_dir(&self.folder)
+            .output();
         run.unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     }
 
-    /// Fails unless, run without arguments, it writes the locked picture and nothing else.
+    /// Fails unless, run without arguments, it writes the locked picture and
+    /// nothing else.
     pub fn assert_writes_locked(&self) {
         let output = self.run("");
         assert!(output.status.success(), "{output:?}");
         let file = format!("{}.png", self.name);
         assert_eq!(self.files(), [file.as_str()]);
-        let written = image::open(self.folder.join(&file)).expect("a PNG").to_rgb8();
+        let written =
+            image::open(self.folder.join(&file)).expect("a PNG").to_rgb8();
         let difference = Difference::between(&locked(self.name), &written);
-        assert_eq!(difference.map(|difference| difference.to_string()), None, "{file}");
+        assert_eq!(
+            difference.map(|difference| difference.to_string()),
+            None,
+            "{file}"
+        );
     }
 
     /// The names of the files in its folder, sorted.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.folder).expect("the folder of the test");
-        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let names = entries
+            .flatten()
+            .map(|entry| entry.file_name().to_string_lossy().into_owned());
         let mut names: Vec<_> = names.collect();
         names.sort();
         names
@@ -59,12 +71,17 @@ pub fn folder(name: &str) -> PathBuf {
 /// Builds the programs of the steps once: `cargo test` by itself does not.
 static BUILT: LazyLock<()> = LazyLock::new(|| {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--quiet", "--workspace", "--bins", "--target-dir"]).arg(target());
+    cargo
+        .args(["build", "--quiet", "--workspace", "--bins", "--target-dir"])
+        .arg(target());
     if profile().ends_with("release") {
         cargo.arg("--release");
     }
     let status = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).status();
-    assert!(status.is_ok_and(|status| status.success()), "cargo build --workspace --bins fails");
+    assert!(
+        status.is_ok_and(|status| status.success()),
+        "cargo build --workspace --bins fails"
+    );
 });
 
 fn profile() -> PathBuf {

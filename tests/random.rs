@@ -5,7 +5,8 @@ use step02_sphere::Sphere;
 
 /// Points within 10 of the origin along each axis.
 pub fn point() -> impl Strategy<Value = DVec3> {
-    (-10.0..10.0, -10.0..10.0, -10.0..10.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    (-10.0..10.0, -10.0..10.0, -10.0..10.0)
+        .prop_map(|(x, y, z)| DVec3::new(x, y, z))
 }
 
 /// Unit vectors.
@@ -19,12 +20,15 @@ pub fn sphere() -> impl Strategy<Value = Sphere> {
     (point(), 0.1..4.0).prop_map(|(centre, radius)| Sphere { centre, radius })
 }
 
-/// Rays of any length from such points; about half of them aim at the sphere that comes with them.
+/// Rays of any length from such points; about half of them aim at the sphere that
+/// comes with them.
 pub fn rays() -> impl Strategy<Value = (Sphere, Ray)> {
     (sphere(), point(), unit(), 0.1..5.0, 0.0..2.0).prop_map(aim)
 }
 
-fn aim((sphere, start, way, length, off): (Sphere, DVec3, DVec3, f64, f64)) -> (Sphere, Ray) {
+fn aim(
+    (sphere, start, way, length, off): (Sphere, DVec3, DVec3, f64, f64),
+) -> (Sphere, Ray) {
     let target = sphere.centre + off * sphere.radius * way;
     (sphere, Ray { start, direction: (target - start).normalize_or(way) * length })
 }

@@ -1,4 +1,5 @@
-//! Step 1: the rays, the camera, the render loop and the program around the picture.
+//! Step 1: the rays, the camera, the render loop and the program around the
+//! picture.
 
 use glam::{DVec2, DVec3};
 use image::{Rgb, RgbImage};
@@ -9,8 +10,13 @@ use std::sync::Mutex;
 use step01_rays::{AspectRatio, Camera, Ray, Row, picture, render};
 use tests::{Program, assert_locked, camera};
 
-const PROGRAMS: [&str; 5] =
-    ["step01_rays", "step02_sphere", "step03_nearest", "step04_diffuse", "step05_phong"];
+const PROGRAMS: [&str; 5] = [
+    "step01_rays",
+    "step02_sphere",
+    "step03_nearest",
+    "step04_diffuse",
+    "step05_phong",
+];
 
 /// Fields of view in degrees, from narrow to wide.
 const ANGLES: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];
@@ -32,11 +38,13 @@ fn the_program_writes_the_locked_picture() {
 #[test]
 fn the_program_says_what_it_wrote() {
     let program = Program::new("step01_rays", "says");
-    let output = program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
+    let output =
+        program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.starts_with("small.png: 64×48 pixels, 12288 rays in "), "{text}");
     assert!(text.ends_with("s\n") && text.lines().count() == 1, "{text}");
-    let written = image::open(program.folder.join("small.png")).expect("a PNG").to_rgb8();
+    let written =
+        image::open(program.folder.join("small.png")).expect("a PNG").to_rgb8();
     let same = picture(&Camera::new(64, 48, 60_f64.to_radians()), 2);
     assert!(written == same, "the options do not reach the picture");
 }
@@ -45,8 +53,11 @@ fn the_program_says_what_it_wrote() {
 fn the_field_of_view_is_in_degrees() {
     let program = Program::new("step01_rays", "degrees");
     program.run("--width 32 --aspect 2.35:1 --fov 90 --output wide.png");
-    let written = image::open(program.folder.join("wide.png")).expect("a PNG").to_rgb8();
-    assert!(written == picture(&Camera::new(32, 14, std::f64::consts::FRAC_PI_2), 1));
+    let written =
+        image::open(program.folder.join("wide.png")).expect("a PNG").to_rgb8();
+    assert!(
+        written == picture(&Camera::new(32, 14, std::f64::consts::FRAC_PI_2), 1)
+    );
 }
 
 #[test]
@@ -56,7 +67,16 @@ fn help_and_version_succeed() {
         let help = program.run("--help");
         let text = String::from_utf8_lossy(&help.stdout).into_owned();
         assert!(help.status.success() && help.stderr.is_empty());
-        for word in ["--width", "640", "--aspect", "16:9", "--fov", "60", "--samples", "--output"] {
+        for word in [
+            "--width",
+            "640",
+            "--aspect",
+            "16:9",
+            "--fov",
+            "60",
+            "--samples",
+            "--output",
+        ] {
             assert!(text.contains(word), "{word} is missing: {text}");
         }
         assert!(text.contains(&format!("[default: {name}.png]")), "{text}");
@@ -103,8 +123,16 @@ const BAD: &[(&str, i32, &[&str])] = &[
     ("--samples 17", 2, &["--samples", "'17'", "1 to 16"]),
     ("--output old.jpg", 2, &["--output", "'old.jpg'", ".png"]),
     ("--output folder", 2, &["--output", "'folder'", ".png"]),
-    ("--output nowhere/a.png", 1, &["--output", "'nowhere/a.png'", "folder that is there"]),
-    ("--output folder.png", 1, &["--output", "'folder.png'", "files that can be written"]),
+    (
+        "--output nowhere/a.png",
+        1,
+        &["--output", "'nowhere/a.png'", "folder that is there"],
+    ),
+    (
+        "--output folder.png",
+        1,
+        &["--output", "'folder.png'", "files that can be written"],
+    ),
     ("--output locked.png", 1, &["--output", "'locked.png'", "read-only"]),
     ("--colour red", 2, &["--colour", "--help"]),
     ("picture.png", 2, &["picture.png", "--help"]),
@@ -128,7 +156,10 @@ fn bad_input_gets_one_sentence_and_changes_nothing() {
             let text = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(code), "{line}: {text}");
             assert!(output.stdout.is_empty(), "{line}");
-            assert!(text.starts_with("error: ") && text.lines().count() == 1, "{line}: {text}");
+            assert!(
+                text.starts_with("error: ") && text.lines().count() == 1,
+                "{line}: {text}"
+            );
             for word in words {
                 assert!(text.contains(word), "{line}: no {word:?} in: {text}");
             }
@@ -169,7 +200,10 @@ fn the_limits_are_allowed() {
 
 #[test]
 fn r_of_t_is_s_plus_t_v() {
-    let ray = Ray { start: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::new(0.0, -2.0, 4.0) };
+    let ray = Ray {
+        start: DVec3::new(1.0, 2.0, 3.0),
+        direction: DVec3::new(0.0, -2.0, 4.0),
+    };
     assert_eq!(ray.at(0.0), ray.start);
     assert_eq!(ray.at(1.5), DVec3::new(1.0, -1.0, 9.0));
     assert_eq!(ray.at(-1.0), DVec3::new(1.0, 4.0, -1.0));
@@ -204,9 +238,11 @@ fn neighbours_in_the_row_differ_by_d() {
 fn outermost_columns_enclose_theta_and_are_mirror_images() {
     for degrees in ANGLES {
         let camera = Camera::new(101, 75, f64::to_radians(degrees));
-        let (left, right) = (camera.ray(0.0, 37.0).direction, camera.ray(100.0, 37.0).direction);
+        let (left, right) =
+            (camera.ray(0.0, 37.0).direction, camera.ray(100.0, 37.0).direction);
         assert!(close(left.angle_between(right).to_degrees(), degrees));
-        let (top, bottom) = (camera.ray(0.0, 0.0).direction, camera.ray(100.0, 74.0).direction);
+        let (top, bottom) =
+            (camera.ray(0.0, 0.0).direction, camera.ray(100.0, 74.0).direction);
         assert!(top.distance(-bottom.with_z(1.0)) < 1e-12, "{top} {bottom}");
         assert!(top.x < 0.0 && 0.0 < top.y && top.z == -1.0);
     }
@@ -226,12 +262,15 @@ fn neighbouring_rays_differ_by_d_u_and_d_v() {
 
 #[test]
 fn pixels_are_square_for_the_four_aspect_ratios() {
-    for (text, rows) in [("4:3", 480), ("16:9", 360), ("2.35:1", 272), ("2.59:1", 247)] {
+    for (text, rows) in
+        [("4:3", 480), ("16:9", 360), ("2.35:1", 272), ("2.59:1", 247)]
+    {
         let aspect: AspectRatio = text.parse().expect(text);
         assert_eq!(aspect.v_res(640), Some(rows));
         let camera = Camera::new(640, rows, 1.0);
         assert_eq!(camera.matrix.x_axis.length(), camera.matrix.y_axis.length());
-        let (top, bottom) = (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
+        let (top, bottom) =
+            (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
         assert!(close(top.direction.y, -bottom.direction.y));
     }
 }
@@ -249,7 +288,8 @@ fn the_rows_of_a_ratio_are_rounded_and_limited() {
 fn the_middle_row_of_the_camera_is_the_row_in_2d() {
     let (camera, row) = (Camera::new(9, 5, 1.2), Row::new(9, 1.2));
     for i in 0..9 {
-        let (v, flat) = (camera.ray(i.into(), 2.0).direction, row.direction(i.into()));
+        let (v, flat) =
+            (camera.ray(i.into(), 2.0).direction, row.direction(i.into()));
         assert!(close(v.x, flat.x) && v.y.abs() < 1e-12 && v.z == -flat.y);
     }
 }
@@ -267,18 +307,23 @@ fn samples_are_the_centres_of_the_sub_pixels() {
         let camera = Camera::new(4, 3, 1.0);
         let seen = Mutex::new(Vec::new());
         render(&camera, samples, |ray| {
-            seen.lock().expect("no panic").push(camera.matrix.inverse() * ray.direction);
+            seen.lock()
+                .expect("no panic")
+                .push(camera.matrix.inverse() * ray.direction);
             DVec3::ZERO
         });
         let seen = seen.into_inner().expect("no panic");
         assert_eq!(seen.len(), (12 * samples * samples) as usize);
-        // In units of half a sub-pixel from the corner of the picture, every place is odd.
+        // In units of half a sub-pixel from the corner of the picture, every place
+        // is odd.
         let halves = f64::from(2 * samples);
         let places: HashSet<_> = seen
             .iter()
             .map(|place| {
                 let [u, v] = [place.x, place.y].map(|at| (at + 0.5) * halves);
-                assert!((u - u.round()).abs() < 1e-9 && (v - v.round()).abs() < 1e-9);
+                assert!(
+                    (u - u.round()).abs() < 1e-9 && (v - v.round()).abs() < 1e-9
+                );
                 assert!(u.round() as i64 % 2 == 1 && v.round() as i64 % 2 == 1);
                 (u.round() as i64, v.round() as i64)
             })
@@ -292,7 +337,8 @@ fn a_pixel_is_the_mean_of_its_samples() {
     let camera = Camera::new(2, 1, 1.0);
     let middle = camera.ray(0.0, 0.0).direction.x;
     // One of the two sub-columns of the left pixel is white, the other black.
-    let half = |ray: &Ray| DVec3::splat(if ray.direction.x < middle { 1.0 } else { 0.0 });
+    let half =
+        |ray: &Ray| DVec3::splat(if ray.direction.x < middle { 1.0 } else { 0.0 });
     assert_eq!(render(&camera, 2, half).get_pixel(0, 0), &Rgb([128; 3]));
 }
 
@@ -311,7 +357,11 @@ fn intensities_are_clamped_and_rounded_to_8_bits() {
         (7.0, 255),
     ] {
         let picture = render(&camera, 1, |_| DVec3::new(intensity, 0.0, 1.0));
-        assert_eq!(picture, RgbImage::from_pixel(2, 1, Rgb([byte, 0, 255])), "{intensity}");
+        assert_eq!(
+            picture,
+            RgbImage::from_pixel(2, 1, Rgb([byte, 0, 255])),
+            "{intensity}"
+        );
     }
 }
 

@@ -24,20 +24,35 @@ fn the_program_writes_the_locked_picture() {
 #[test]
 fn the_nearest_wins_wherever_it_stands_in_the_list() {
     let hit = |list: &[Sphere]| nearest(list, &AHEAD);
-    assert_eq!(hit(&[at(-5.0), at(-9.0), at(-7.0)]), Some(Hit { t: 4.0, index: 0 }));
-    assert_eq!(hit(&[at(-9.0), at(-5.0), at(-7.0)]), Some(Hit { t: 4.0, index: 1 }));
-    assert_eq!(hit(&[at(-9.0), at(-7.0), at(-5.0)]), Some(Hit { t: 4.0, index: 2 }));
+    assert_eq!(
+        hit(&[at(-5.0), at(-9.0), at(-7.0)]),
+        Some(Hit { t: 4.0, index: 0 })
+    );
+    assert_eq!(
+        hit(&[at(-9.0), at(-5.0), at(-7.0)]),
+        Some(Hit { t: 4.0, index: 1 })
+    );
+    assert_eq!(
+        hit(&[at(-9.0), at(-7.0), at(-5.0)]),
+        Some(Hit { t: 4.0, index: 2 })
+    );
 }
 
 #[test]
 fn of_two_at_the_same_t_the_first_in_the_list_is_hit() {
-    assert_eq!(nearest(&[at(-5.0), at(-5.0)], &AHEAD), Some(Hit { t: 4.0, index: 0 }));
+    assert_eq!(
+        nearest(&[at(-5.0), at(-5.0)], &AHEAD),
+        Some(Hit { t: 4.0, index: 0 })
+    );
 }
 
 #[test]
 fn spheres_behind_and_missed_do_not_count() {
     let aside = Sphere { centre: DVec3::new(3.0, 0.0, -2.0), radius: 1.0 };
-    assert_eq!(nearest(&[at(2.0), aside, at(-9.0)], &AHEAD), Some(Hit { t: 8.0, index: 2 }));
+    assert_eq!(
+        nearest(&[at(2.0), aside, at(-9.0)], &AHEAD),
+        Some(Hit { t: 8.0, index: 2 })
+    );
     assert_eq!(nearest(&[at(2.0), aside], &AHEAD), None);
     assert_eq!(nearest(&[], &AHEAD), None);
 }
@@ -58,7 +73,8 @@ fn the_scene_tests_what_it_should() {
     let seen = seen();
     let shows = |index| seen.contains(&Some(index));
     // One lies behind the camera and does not show; all others do.
-    let behind: Vec<_> = (0..SPHERES.len()).filter(|&k| 0.0 < SPHERES[k].centre.z).collect();
+    let behind: Vec<_> =
+        (0..SPHERES.len()).filter(|&k| 0.0 < SPHERES[k].centre.z).collect();
     assert_eq!(behind.len(), 1);
     for index in 0..SPHERES.len() {
         assert_eq!(shows(index), !behind.contains(&index), "{index}");
@@ -68,7 +84,9 @@ fn the_scene_tests_what_it_should() {
     for (pixel, front) in seen.iter().enumerate() {
         let ray = camera.ray((pixel % 640) as f64, (pixel / 640) as f64);
         for back in (0..SPHERES.len()).filter(|&k| Some(k) != *front && k != 1) {
-            if let (Some(front), Some(_)) = (front, SPHERES[back].intersect(&ray).first_hit()) {
+            if let (Some(front), Some(_)) =
+                (front, SPHERES[back].intersect(&ray).first_hit())
+            {
                 hides.push((*front, back));
             }
         }
@@ -76,10 +94,17 @@ fn the_scene_tests_what_it_should() {
     assert!(hides.iter().any(|(front, back)| front < back && *front != 1));
     assert!(hides.iter().any(|(front, back)| back < front && *front != 1));
     // One of them, besides the ground, is cut off by the edge of the picture.
-    let edge = |pixel: usize| pixel % 640 == 0 || pixel % 640 == 639;
-    assert!((0..seen.len()).any(|p| edge(p) && seen[p].is_some_and(|index| index != 1)));
+    let edge = |pixel: usize| [0, 639].contains(&(pixel % 640));
+    assert!(
+        (0..seen.len()).any(|p| edge(p) && seen[p].is_some_and(|index| index != 1))
+    );
     // The ground is the largest by far, and fills the lower corners.
-    assert!(SPHERES.iter().enumerate().all(|(k, s)| k == 1 || s.radius < SPHERES[1].radius / 10.0));
+    assert!(
+        SPHERES
+            .iter()
+            .enumerate()
+            .all(|(k, s)| k == 1 || s.radius < SPHERES[1].radius / 10.0)
+    );
     assert_eq!(seen[359 * 640], Some(1));
 }
 

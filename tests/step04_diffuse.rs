@@ -3,8 +3,8 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step04_diffuse::{
-    AMBIENT_LIGHT, Attenuation, COLOURS, LIGHTS, PointLight, Surface, ambient, colour, diffuse,
-    normal, picture,
+    AMBIENT_LIGHT, Attenuation, COLOURS, LIGHTS, PointLight, Surface, ambient,
+    colour, diffuse, normal, picture,
 };
 use tests::{Program, assert_locked, camera, point, rays, unit};
 
@@ -57,16 +57,26 @@ fn at_60_degrees_half_of_it_is_scattered() {
 
 #[test]
 fn light_behind_the_surface_is_not_scattered() {
-    assert_eq!(diffuse(DVec3::Y, DVec3::NEG_Y, 5.0, GREY, &light(1.0, 0.0, 0.0)), DVec3::ZERO);
+    assert_eq!(
+        diffuse(DVec3::Y, DVec3::NEG_Y, 5.0, GREY, &light(1.0, 0.0, 0.0)),
+        DVec3::ZERO
+    );
 }
 
 #[test]
 fn each_of_a_b_and_c_attenuates_alone() {
     let at_3 = |a, b, c| Attenuation { a, b, c }.at(3.0);
-    assert_eq!([at_3(2.0, 0.0, 0.0), at_3(0.0, 2.0, 0.0), at_3(0.0, 0.0, 2.0)], [2.0, 6.0, 18.0]);
+    assert_eq!(
+        [at_3(2.0, 0.0, 0.0), at_3(0.0, 2.0, 0.0), at_3(0.0, 0.0, 2.0)],
+        [2.0, 6.0, 18.0]
+    );
     assert_eq!(at_3(1.0, 2.0, 3.0), 34.0);
-    let lit = |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, DVec3::ONE, &light(a, b, c)).x;
-    assert_eq!([lit(2.0, 0.0, 0.0), lit(0.0, 1.0, 0.0), lit(0.0, 0.0, 1.0)], [0.5, 0.25, 0.0625]);
+    let lit =
+        |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, DVec3::ONE, &light(a, b, c)).x;
+    assert_eq!(
+        [lit(2.0, 0.0, 0.0), lit(0.0, 1.0, 0.0), lit(0.0, 0.0, 1.0)],
+        [0.5, 0.25, 0.0625]
+    );
 }
 
 #[test]
@@ -95,7 +105,8 @@ fn a_pixel_is_the_sum_of_the_ambient_term_and_every_light() {
         let Attenuation { a, b, c } = light.attenuation;
         let d = light.position.distance(p);
         let cosine = (light.position - p).dot(n) / d;
-        sum += COLOURS[0] / (a + b * d + c * d * d) * cosine.max(0.0) * light.diffuse;
+        sum +=
+            COLOURS[0] / (a + b * d + c * d * d) * cosine.max(0.0) * light.diffuse;
     }
     assert!(colour(&ray).distance(sum) < 1e-12);
 }

@@ -1,15 +1,19 @@
 //! Step 5: reflection, the specular term and the whole Phong sum.
 
-use glam::{DVec3, Vec3Swizzles};
+use glam::{DMat3, DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    AMBIENT_LIGHT, Attenuation, LIGHTS, Light, MATERIALS, Material, PointLight, SPHERES, Surface,
-    ambient, colour, diffuse, nearest, normal, phong, picture, reflect, specular, terms,
+    AMBIENT_LIGHT, Attenuation, Camera, LIGHTS, Light, MATERIALS, Material, Phong,
+    PointLight, SPHERES, Surface, ambient, colour, diffuse, direction_colour,
+    nearest, normal, phong, picture, reflect, render, specular, terms,
 };
 use tests::{Program, assert_locked, camera, point, unit};
 
 const MATERIAL: Material = Material {
-    surface: Surface { ambient: DVec3::new(0.1, 0.2, 0.3), diffuse: DVec3::new(0.4, 0.5, 0.6) },
+    surface: Surface {
+        ambient: DVec3::new(0.1, 0.2, 0.3),
+        diffuse: DVec3::new(0.4, 0.5, 0.6),
+    },
     specular: DVec3::new(0.7, 0.8, 0.9),
     shininess: 3.0,
 };
@@ -17,7 +21,8 @@ const MATERIAL: Material = Material {
 /// A light at `position`, with attenuation 1/2.
 fn light(position: DVec3) -> Light {
     let attenuation = Attenuation { a: 2.0, b: 0.0, c: 0.0 };
-    let point = PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
+    let point =
+        PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
     Light { point, specular: DVec3::new(0.25, 0.5, 1.0) }
 }
 
@@ -32,13 +37,43 @@ fn the_program_writes_the_locked_picture() {
 }
 
 #[test]
+fn the_cover_is_locked() {
+    let camera = Camera::new(1280, 720, 60_f64.to_radians());
+    assert_locked("cover", &picture(&camera, 4));
+}
+
+#[test]
+fn each_term_alone_is_locked() {
+    let alone = |term: fn(Phong) -> DVec3| {
+        render(&camera(), 1, |ray| terms(ray).map_or(direction_colour(ray), term))
+    };
+    assert_locked("step05_ambient", &alone(|terms| terms.ambient));
+    assert_locked("step05_diffuse", &alone(|terms| terms.diffuse));
+    assert_locked("step05_specular", &alone(|terms| terms.specular));
+}
+
+#[test]
+fn the_matrix_on_the_slide_is_locked() {
+    let tan = 30_f64.to_radians().tan();
+    let (h_res, v_res) = (640.0, 360.0);
+    let d_u = DVec3::new(2.0 * tan / (h_res - 1.0), 0.0, 0.0);
+    let d_v = DVec3::new(0.0, -2.0 * v_res * tan / (h_res - 1.0), 0.0);
+    let v_0 = DVec3::new(-tan, v_res * tan / (h_res - 1.0), -1.0);
+    let matrix = DMat3::from_cols(d_u, d_v, v_0);
+    assert_locked("slide_matrix", &picture(&Camera { matrix, ..camera() }, 1));
+}
+
+#[test]
 fn head_on_l_is_its_own_reflection() {
     assert_eq!(reflect(DVec3::Y, DVec3::Y), DVec3::Y);
 }
 
 #[test]
 fn l_is_reflected_to_the_other_side_of_n() {
-    assert_eq!(reflect(DVec3::new(0.6, 0.8, 0.0), DVec3::Y), DVec3::new(-0.6, 0.8, 0.0));
+    assert_eq!(
+        reflect(DVec3::new(0.6, 0.8, 0.0), DVec3::Y),
+        DVec3::new(-0.6, 0.8, 0.0)
+    );
 }
 
 #[test]
@@ -56,7 +91,10 @@ fn the_shininess_is_the_exponent_of_the_cosine() {
 
 #[test]
 fn nothing_is_mirrored_away_from_the_eye() {
-    assert_eq!(specular(DVec3::Y, DVec3::NEG_Y, 9.0, &MATERIAL, &light(DVec3::Y)), DVec3::ZERO);
+    assert_eq!(
+        specular(DVec3::Y, DVec3::NEG_Y, 9.0, &MATERIAL, &light(DVec3::Y)),
+        DVec3::ZERO
+    );
 }
 
 #[test]
@@ -81,14 +119,23 @@ fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
 #[test]
 fn a_light_on_the_horizon_gives_no_highlight() {
     let beside = light(DVec3::X);
-    let sum = phong(DVec3::ZERO, DVec3::Y, DVec3::NEG_X, &MATERIAL, DVec3::ONE, &[beside]);
+    let sum = phong(
+        DVec3::ZERO,
+        DVec3::Y,
+        DVec3::NEG_X,
+        &MATERIAL,
+        DVec3::ONE,
+        &[beside],
+    );
     assert_eq!(sum.specular, DVec3::ZERO);
 }
 
 #[test]
 fn the_sum_runs_over_all_lights_and_all_terms() {
-    let lights = [light(DVec3::new(0.0, 4.0, 3.0)), light(DVec3::new(-4.0, 4.0, 2.0))];
-    let (p, n, v) = (DVec3::new(0.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.0, 0.8, -0.6));
+    let lights =
+        [light(DVec3::new(0.0, 4.0, 3.0)), light(DVec3::new(-4.0, 4.0, 2.0))];
+    let (p, n, v) =
+        (DVec3::new(0.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.0, 0.8, -0.6));
     let sum = phong(p, n, v, &MATERIAL, GREY, &lights);
     let mut expected = [MATERIAL.surface.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
     for light in &lights {
@@ -109,12 +156,22 @@ fn v_is_a_unit_vector_to_the_eye() {
     let hit = nearest(&SPHERES, &ray).expect("the highlight of the largest sphere");
     let (p, sphere) = (ray.at(hit.t), &SPHERES[hit.index]);
     let v = (ray.start - p).normalize();
-    let sum = phong(p, normal(sphere, p), v, &MATERIALS[hit.index], AMBIENT_LIGHT, &LIGHTS);
+    let sum = phong(
+        p,
+        normal(sphere, p),
+        v,
+        &MATERIALS[hit.index],
+        AMBIENT_LIGHT,
+        &LIGHTS,
+    );
     let found = terms(&ray).expect("a hit");
     assert!(0.1 < found.specular.max_element());
     assert!(found.specular.distance(sum.specular) < 1e-12);
     assert_eq!(colour(&ray), found.sum());
-    assert_eq!(found.ambient, ambient(MATERIALS[hit.index].surface.ambient, AMBIENT_LIGHT));
+    assert_eq!(
+        found.ambient,
+        ambient(MATERIALS[hit.index].surface.ambient, AMBIENT_LIGHT)
+    );
 }
 
 #[test]
@@ -130,7 +187,8 @@ fn somewhere_in_view_a_surface_faces_away_from_a_light_although_r_v_is_above_0()
             let (l, d) = light.point.seen_from(p);
             let lit = specular(reflect(l, n), v, d, &MATERIALS[hit.index], light);
             // Without the test of n·l, at least one of 255 steps of brightness.
-            bright += usize::from(n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element());
+            bright +=
+                usize::from(n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element());
         }
     }
     assert!(100 < bright, "only {bright} pixels");

@@ -8,10 +8,13 @@ pub(crate) fn samples(text: &str) -> Result<u32, String> {
     whole(text, 1..=16)
 }
 
-fn whole(text: &str, allowed: RangeInclusive<u32>) -> Result<u32, String> {
-    let (least, most) = (allowed.start(), allowed.end());
-    let number = text.parse().ok().filter(|number| allowed.contains(number));
-    number.ok_or_else(|| format!("allowed are whole numbers from {least} to {most}"))
+fn whole(text: &str, all: RangeInclusive<u32>) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number| all.contains(number));
+    number.ok_or(format!(
+        "allowed are whole numbers from {} to {}",
+        all.start(),
+        all.end()
+    ))
 }
 
 pub(crate) fn degrees(text: &str) -> Result<f64, &'static str> {
@@ -21,6 +24,7 @@ pub(crate) fn degrees(text: &str) -> Result<f64, &'static str> {
 
 pub(crate) fn png(text: &str) -> Result<PathBuf, &'static str> {
     let path = PathBuf::from(text);
-    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    let is_png =
+        path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
     is_png.then_some(path).ok_or("allowed are files whose name ends in .png")
 }

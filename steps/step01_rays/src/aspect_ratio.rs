@@ -1,7 +1,6 @@
 use std::str::FromStr;
 
-/// The shape of a picture, width to height, such as 16:9 or 2.35:1
-/// (slide "Quick Aside about Aspect Ratios").
+/// The shape of a picture, such as 16:9 (slide "Quick Aside about Aspect Ratios").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AspectRatio {
     /// The first number of the ratio; above 0.
@@ -25,7 +24,9 @@ impl FromStr for AspectRatio {
 
     /// Reads `W:H`, two finite numbers above 0.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let side = |text: &str| text.parse().ok().filter(|&x: &f64| x.is_finite() && 0.0 < x);
+        let side = |text: &str| {
+            text.parse().ok().filter(|&side: &f64| side.is_finite() && 0.0 < side)
+        };
         text.split_once(':')
             .and_then(|(w, h)| Some(Self { width: side(w)?, height: side(h)? }))
             .ok_or("allowed are two numbers above 0 as W:H, such as 16:9 or 2.35:1")

@@ -1,7 +1,7 @@
 use crate::Ray;
 use glam::{DMat3, DVec3};
 
-/// A pinhole camera with a virtual image plane in front of it (slide "A Basic 3D Camera Matrix").
+/// A pinhole camera and its matrix (slide "A Basic 3D Camera Matrix").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// C, the centre of projection: every ray starts here.
@@ -10,14 +10,14 @@ pub struct Camera {
     pub h_res: u32,
     /// vRes, the rows of the picture; at least 1.
     pub v_res: u32,
-    /// [D_u D_v V_0]: one pixel right, one pixel down, and the direction of the top left pixel.
+    /// [D_u D_v V_0]: one pixel right, one pixel down, the direction of the first.
     pub matrix: DMat3,
 }
 
 impl Camera {
-    /// A camera at the origin that looks along −z with y up, at focal length 1.
+    /// A camera at the origin that looks along −z with y up; its pixels are square.
     ///
-    /// The outermost columns enclose the angle `field_of_view`, θ, in radians; pixels are square.
+    /// Its outermost columns enclose the angle `field_of_view`, θ, in radians.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
         let tan = (field_of_view / 2.0).tan();
         let (columns, rows) = (f64::from(h_res - 1), f64::from(v_res - 1));
@@ -30,7 +30,7 @@ impl Camera {
 
     /// The ray through column `i` and row `j`, V_ij = [D_u D_v V_0] (i, j, 1)ᵀ.
     ///
-    /// Whole numbers are the centres of pixels, fractions the sub-pixels around them.
+    /// Whole numbers are centres of pixels, fractions are sub-pixels around them.
     pub fn ray(&self, i: f64, j: f64) -> Ray {
         Ray { start: self.centre, direction: self.matrix * DVec3::new(i, j, 1.0) }
     }

@@ -19,7 +19,7 @@ mod program;
 pub use aspect_ratio::AspectRatio;
 pub use camera::Camera;
 pub use picture::{direction_colour, picture};
-pub use program::run;
+pub use program::{Picture, run};
 pub use ray::Ray;
 pub use render::render;
 pub use row::Row;

@@ -2,8 +2,8 @@ use crate::{Camera, Ray, render};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The direction V of a ray as a pale colour: more red to the right, more green upwards, more blue
-/// ahead, that is along −z.
+/// The direction of a ray as a pale colour: red grows to the right, green upwards, and
+/// blue ahead, along −z.
 pub fn direction_colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
     0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)

@@ -2,13 +2,18 @@ use crate::{Camera, Ray, colour::rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The picture in which each pixel has the mean `colour` of the rays through it, drawn in parallel.
+/// Draws the picture in which each pixel has the mean `colour` of the rays through it.
 ///
-/// Each pixel is cut into a grid of `samples` × `samples` sub-pixels, with a ray through the centre
-/// of each.
-pub fn render(camera: &Camera, samples: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
+/// Each pixel is a grid of `samples` × `samples` sub-pixels, with a ray through the
+/// centre of each. All processors draw at once.
+pub fn render(
+    camera: &Camera,
+    samples: u32,
+    colour: impl Fn(&Ray) -> DVec3 + Sync,
+) -> RgbImage {
     let side = f64::from(samples);
-    let offsets: Vec<f64> = (0..samples).map(|k| (f64::from(k) + 0.5) / side - 0.5).collect();
+    let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+    let offsets: Vec<f64> = (0..samples).map(centre).collect();
     let weight = 1.0 / (side * side);
     RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
         let mut sum = DVec3::ZERO;

@@ -1,17 +1,16 @@
 use glam::{DMat2, DVec2};
 
-/// The rays of a flat camera: one row of directions from the origin, looking along +y
-/// (slide "Generating Rays in 2D").
+/// One row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// hRes, how many rays the row has; at least 2.
     pub h_res: u32,
-    /// [D V_0]: the first direction V_0, and the step D from one direction to the next.
+    /// [D V_0]: the step from one direction to the next, and the first direction.
     pub matrix: DMat2,
 }
 
 impl Row {
-    /// A row of `h_res` rays whose outermost two enclose the angle `field_of_view`, θ, in radians.
+    /// A row whose outermost rays enclose the angle `field_of_view`, θ, in radians.
     pub fn new(h_res: u32, field_of_view: f64) -> Self {
         let tan = (field_of_view / 2.0).tan();
         let d = DVec2::new(2.0 * tan / f64::from(h_res - 1), 0.0);
@@ -25,7 +24,7 @@ impl Row {
         self.matrix * DVec2::new(i, 1.0)
     }
 
-    /// All hRes directions, from left to right: i runs from 0 to hRes − 1.
+    /// All directions from left to right: i runs from 0 to hRes − 1.
     pub fn directions(&self) -> impl Iterator<Item = DVec2> {
         (0..self.h_res).map(|i| self.direction(f64::from(i)))
     }

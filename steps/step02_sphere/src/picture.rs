@@ -3,9 +3,10 @@ use glam::DVec3;
 use image::RgbImage;
 
 /// The one sphere of this step.
-pub const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+pub const SPHERE: Sphere =
+    Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
-/// The colour that `ray` sees: the sphere's where it hits, otherwise its own direction.
+/// The colour that `ray` sees: the sphere's where they meet, else its own direction.
 pub fn colour(ray: &Ray) -> DVec3 {
     match SPHERE.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),

@@ -1,4 +1,4 @@
-/// The real roots of a quadratic, in the three cases that its discriminant tells apart.
+/// The real roots of a quadratic: the three cases that its discriminant tells apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
     /// D < 0: none; the ray misses.
@@ -24,7 +24,7 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 impl Roots {
     /// The smallest t above 0: where a ray first meets the surface.
     ///
-    /// Below 0 a root lies behind the ray; at 0 it is the starting point itself, and no hit.
+    /// Below 0 a root lies behind the ray; 0 is the starting point, and no hit.
     pub fn first_hit(self) -> Option<f64> {
         match self {
             Roots::None => None,

@@ -11,9 +11,11 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets the sphere.
+    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets the
+    /// sphere.
     ///
-    /// The lecture's sphere is at the origin; here S is taken relative to the centre.
+    /// The lecture's sphere is at the origin; here S is taken relative to the
+    /// centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

@@ -9,7 +9,8 @@ pub struct Hit {
     pub index: usize,
 }
 
-/// The hit with the smallest t above 0 among all `spheres`, or None where `ray` misses them all.
+/// The hit with the smallest t above 0 among all `spheres`, or None where `ray`
+/// misses them all.
 pub fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
     for (index, sphere) in spheres.iter().enumerate() {

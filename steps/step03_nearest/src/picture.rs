@@ -2,7 +2,8 @@ use crate::{COLOURS, Camera, Ray, SPHERES, direction_colour, nearest, render};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: that of the nearest sphere, otherwise its own direction.
+/// The colour that `ray` sees: that of the nearest sphere, otherwise its own
+/// direction.
 pub fn colour(ray: &Ray) -> DVec3 {
     match nearest(&SPHERES, ray) {
         Some(hit) => COLOURS[hit.index],

@@ -20,6 +20,7 @@ pub use normal::normal;
 pub use picture::{colour, picture};
 pub use scene::{AMBIENT_LIGHT, LIGHTS};
 pub use step03_nearest::{
-    COLOURS, Camera, Hit, Ray, SPHERES, Sphere, direction_colour, nearest, render, run,
+    COLOURS, Camera, Hit, Ray, SPHERES, Sphere, direction_colour, nearest, render,
+    run,
 };
 pub use surface::Surface;

@@ -1,12 +1,12 @@
 use crate::{
-    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient, diffuse,
-    direction_colour, nearest, normal, render,
+    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient,
+    diffuse, direction_colour, nearest, normal, render,
 };
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: the nearest sphere in ambient and diffuse light, otherwise its own
-/// direction.
+/// The colour that `ray` sees: the nearest sphere in ambient and diffuse light,
+/// otherwise its own direction.
 pub fn colour(ray: &Ray) -> DVec3 {
     let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
     let p = ray.at(hit.t);

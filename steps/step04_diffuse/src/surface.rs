@@ -1,6 +1,7 @@
 use glam::DVec3;
 
-/// How much of the light that reaches it a surface reflects: red, green and blue, 0 to 1 each.
+/// How much of the light that reaches it a surface reflects: red, green and blue, 0
+/// to 1 each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// R_a, the part of the ambient light.

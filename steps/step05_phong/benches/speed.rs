@@ -26,9 +26,14 @@ fn five_spheres(bencher: Bencher, threads: usize) {
 /// As many spheres as told in a cube before the camera, on all threads.
 #[divan::bench(args = [5, 100, 1000], sample_count = 3)]
 fn spheres(bencher: Bencher, count: u32) {
-    let place = |k: u32| DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64);
+    let place = |k: u32| {
+        DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64)
+    };
     let spheres: Vec<Sphere> = (0..count)
-        .map(|k| Sphere { centre: place(k) - DVec3::new(4.5, 4.5, 18.0), radius: 0.4 })
+        .map(|k| Sphere {
+            centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
+            radius: 0.4,
+        })
         .collect();
     cast(bencher, 0, |ray| shade(&spheres, ray));
 }
@@ -37,7 +42,8 @@ fn spheres(bencher: Bencher, count: u32) {
 #[divan::bench(sample_count = 20)]
 fn encode(bencher: Bencher) {
     let image = picture(&camera(), 1);
-    bencher.bench(|| image.write_to(&mut Cursor::new(Vec::new()), ImageFormat::Png));
+    bencher
+        .bench(|| image.write_to(&mut Cursor::new(Vec::new()), ImageFormat::Png));
 }
 
 const FIVE: [Sphere; 5] = [
@@ -62,7 +68,10 @@ fn camera() -> Camera {
 }
 
 fn cast(bencher: Bencher, threads: usize, colour: impl Fn(&Ray) -> DVec3 + Sync) {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .expect("a pool of threads");
     let camera = camera();
     bencher
         .counter(ItemsCount::new(camera.h_res * camera.v_res))
@@ -74,5 +83,6 @@ fn shade(spheres: &[Sphere], ray: &Ray) -> DVec3 {
     let p = ray.at(hit.t);
     let n = normal(&spheres[hit.index], p);
     let v = -ray.direction.normalize();
-    phong(p, n, v, &MATERIALS[hit.index % MATERIALS.len()], AMBIENT_LIGHT, &[LIGHT]).sum()
+    phong(p, n, v, &MATERIALS[hit.index % MATERIALS.len()], AMBIENT_LIGHT, &[LIGHT])
+        .sum()
 }

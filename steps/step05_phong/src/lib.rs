@@ -19,6 +19,7 @@ pub use reflect::reflect;
 pub use scene::{LIGHTS, MATERIALS};
 pub use specular::specular;
 pub use step04_diffuse::{
-    AMBIENT_LIGHT, Attenuation, COLOURS, Camera, Hit, PointLight, Ray, SPHERES, Sphere, Surface,
-    ambient, diffuse, direction_colour, nearest, normal, render, run,
+    AMBIENT_LIGHT, Attenuation, COLOURS, Camera, Hit, PointLight, Ray, SPHERES,
+    Sphere, Surface, ambient, diffuse, direction_colour, nearest, normal, render,
+    run,
 };

@@ -19,8 +19,8 @@ impl Phong {
     }
 }
 
-/// The light that the point `p`, with unit normal `n`, sends along the unit vector `v` to the eye
-/// (slide "Phong Lighting").
+/// The light that the point `p`, with unit normal `n`, sends along the unit vector
+/// `v` to the eye (slide "Phong Lighting").
 ///
 /// A light behind the surface gives no highlight, whatever r·v is.
 pub fn phong(
@@ -32,7 +32,11 @@ pub fn phong(
     lights: &[Light],
 ) -> Phong {
     let Surface { ambient: r_a, diffuse: r_d } = material.surface;
-    let mut sum = Phong { ambient: ambient(r_a, l_a), diffuse: DVec3::ZERO, specular: DVec3::ZERO };
+    let mut sum = Phong {
+        ambient: ambient(r_a, l_a),
+        diffuse: DVec3::ZERO,
+        specular: DVec3::ZERO,
+    };
     for light in lights {
         let (l, d) = light.point.seen_from(p);
         sum.diffuse += diffuse(n, l, d, r_d, &light.point);

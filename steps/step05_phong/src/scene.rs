@@ -22,5 +22,9 @@ pub const LIGHTS: [Light; 2] = [
 ];
 
 const fn shiny(index: usize, r_s: f64, n: f64) -> Material {
-    Material { surface: Surface::of(COLOURS[index]), specular: DVec3::splat(r_s), shininess: n }
+    Material {
+        surface: Surface::of(COLOURS[index]),
+        specular: DVec3::splat(r_s),
+        shininess: n,
+    }
 }

@@ -1,11 +1,20 @@
 use crate::{Light, Material};
 use glam::DVec3;
 
-/// The specular term I_s = R_s / (a + bd + cd²) · max(r·v, 0)ⁿ · L_s (slide "Specular Term").
+/// The specular term I_s = R_s / (a + bd + cd²) · max(r·v, 0)ⁿ · L_s (slide
+/// "Specular Term").
 ///
-/// `r` and `v` are unit vectors: the mirrored way to the light, which is `d` away, and the way to
-/// the eye.
-pub fn specular(r: DVec3, v: DVec3, d: f64, material: &Material, light: &Light) -> DVec3 {
+/// `r` and `v` are unit vectors: the mirrored way to the light, which is `d` away,
+/// and the way to the eye.
+pub fn specular(
+    r: DVec3,
+    v: DVec3,
+    d: f64,
+    material: &Material,
+    light: &Light,
+) -> DVec3 {
     let n = material.shininess;
-    material.specular / light.point.attenuation.at(d) * r.dot(v).max(0.0).powf(n) * light.specular
+    material.specular / light.point.attenuation.at(d)
+        * r.dot(v).max(0.0).powf(n)
+        * light.specular
 }

@@ -1,0 +1,51 @@
+use super::Figure;
+use crate::svg::{Anchor, Drawing};
+use glam::dvec2;
+use step01_rays::AspectRatio;
+
+/// The lecture's four aspect ratios at one width.
+pub fn figure() -> Figure {
+    let mut drawing = Drawing::new(480.0, 300.0);
+    let named = [
+        ("4:3", "standard video"),
+        ("16:9", "widescreen video"),
+        ("2.35:1", "many movies"),
+        ("2.59:1", "Cinerama"),
+    ];
+    for (k, (ratio, name)) in named.into_iter().enumerate() {
+        let Ok(shape) = ratio.parse::<AspectRatio>() else { continue };
+        let rows = shape.v_res(640).map_or(0.0, f64::from);
+        let (width, height) = (190.0, 190.0 * rows / 640.0);
+        let middle = dvec2(
+            120.0 + 240.0 * f64::from(k as u32 % 2),
+            72.0 + 148.0 * f64::from(k as u32 / 2),
+        );
+        let half = dvec2(width, height) / 2.0;
+        let flip = dvec2(half.x, -half.y);
+        drawing.area(
+            "screen",
+            &[middle - half, middle + flip, middle + half, middle - flip],
+        );
+        drawing.label("strong", middle + dvec2(0.0, 0.0), Anchor::Middle, ratio);
+        drawing.label(
+            "quiet small",
+            middle + dvec2(0.0, 20.0),
+            Anchor::Middle,
+            &format!("640 × {rows}"),
+        );
+        drawing.label(
+            "quiet",
+            middle + dvec2(0.0, half.y + 20.0),
+            Anchor::Middle,
+            name,
+        );
+    }
+    Figure {
+        title: "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.",
+        caption:
+            "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
+                  get in each. The wider the format, the fewer the rows."
+                .to_string(),
+        drawing,
+    }
+}

@@ -1,0 +1,73 @@
+use super::Figure;
+use crate::svg::{Anchor, Drawing, View};
+use glam::{DVec2, dvec2};
+use step04_diffuse::{Attenuation, LIGHTS};
+
+/// What is left of a light at each distance, for several a, b and c.
+pub fn figure() -> Figure {
+    let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
+    let mut drawing = Drawing::new(480.0, 280.0);
+    for share in [0.25, 0.5, 0.75, 1.0] {
+        drawing.line(
+            "grid",
+            view.at(dvec2(0.0, share)),
+            view.at(dvec2(14.0, share)),
+        );
+        let label = format!("{share}");
+        drawing.label(
+            "quiet",
+            view.at(dvec2(0.0, share)) + dvec2(-8.0, 5.0),
+            Anchor::End,
+            &label,
+        );
+    }
+    for d in [2.0, 4.0, 6.0, 8.0, 10.0, 12.0] {
+        let at = view.at(dvec2(d, 0.0)) + dvec2(0.0, 22.0);
+        drawing.label("quiet", at, Anchor::Middle, &format!("{d}"));
+    }
+    drawing.arrow("axis", view.origin, view.at(dvec2(14.4, 0.0)));
+    drawing.arrow("axis", view.origin, view.at(dvec2(0.0, 1.14)));
+    let warm = LIGHTS[0].attenuation;
+    let curves = [
+        (
+            Attenuation { a: 1.0, b: 0.0, c: 0.0 },
+            "curve curve-1",
+            (9.0, -8.0, "$a$ = 1"),
+        ),
+        (
+            Attenuation { a: 1.0, b: 0.2, c: 0.0 },
+            "curve curve-2",
+            (10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
+        ),
+        (
+            Attenuation { a: 1.0, b: 0.0, c: 0.1 },
+            "curve curve-3",
+            (0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
+        ),
+        (warm, "curve curve-4", (7.4, -12.0, "the warm light")),
+    ];
+    for (attenuation, class, (d, shift, text)) in curves {
+        let share = |d: f64| attenuation.at(0.0) / attenuation.at(d);
+        let points: Vec<DVec2> = (0..=100)
+            .map(|k| f64::from(k) * 0.14)
+            .map(|d| view.at(dvec2(d, share(d))))
+            .collect();
+        drawing.path(class, &points);
+        let at = view.at(dvec2(d, share(d))) + dvec2(0.0, shift);
+        drawing.label(class, at, Anchor::Start, text);
+    }
+    drawing.label(
+        "",
+        view.at(dvec2(14.0, 0.0)) + dvec2(4.0, 22.0),
+        Anchor::Middle,
+        "$d$",
+    );
+    Figure {
+        title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
+        caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
+                  alone it never fades; $b$ makes it fade slowly, $c$ fast. The warm light of the scene \
+                  takes some of each."
+            .to_string(),
+        drawing,
+    }
+}

@@ -1,0 +1,74 @@
+use super::Figure;
+use crate::svg::{Anchor, Drawing, View};
+use glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
+
+/// max(r·v, 0)ⁿ for several n: as far from the point as it is bright, towards every
+/// v.
+pub fn figure() -> Figure {
+    let view = View { origin: dvec2(176.0, 258.0), scale: DVec2::splat(222.0) };
+    let r = DVec2::from_angle(FRAC_PI_4);
+    let mut drawing = Drawing::new(480.0, 300.0);
+    drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
+    for (k, n) in [1.0, 5.0, 20.0, 100.0].into_iter().enumerate() {
+        let lobe: Vec<DVec2> = (0..=180)
+            .map(|k| DVec2::from_angle(f64::from(k) / 180.0 * 2.0 * FRAC_PI_2))
+            .map(|v| view.at(highlight(r, v, n) * v))
+            .collect();
+        drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
+    }
+    let l = dvec2(-r.x, r.y);
+    drawing.arrow("light", view.at(0.85 * l), view.origin);
+    drawing.arrow("normal", view.origin, view.at(0.85 * DVec2::Y));
+    drawing.arrow("vector", view.origin, view.at(1.12 * r));
+    drawing.label(
+        "strong",
+        view.at(0.9 * l) + dvec2(-4.0, 2.0),
+        Anchor::End,
+        "$l$",
+    );
+    drawing.label(
+        "strong",
+        view.at(0.85 * DVec2::Y) + dvec2(0.0, -8.0),
+        Anchor::Middle,
+        "$n$",
+    );
+    drawing.label(
+        "strong",
+        view.at(1.12 * r) + dvec2(6.0, -2.0),
+        Anchor::Start,
+        "$r$",
+    );
+    for (n, angle, y) in [
+        (1.0, 0.12, 226.0),
+        (5.0, 0.33, 190.0),
+        (20.0, 0.55, 154.0),
+        (100.0, 0.7, 118.0),
+    ] {
+        let v = DVec2::from_angle(angle);
+        let at = view.at(highlight(r, v, n) * v);
+        let end = dvec2(418.0, y);
+        drawing.line("leader", at, end - dvec2(5.0, 5.0));
+        drawing.label("quiet", end, Anchor::Start, &n.to_string());
+    }
+    drawing.label("quiet", dvec2(418.0, 90.0), Anchor::Start, "exponent");
+    Figure {
+        title: "Lobes around the reflection vector r: for the exponents 1, 5, 20 and 100 they are ever narrower, and all of the same length along r.",
+        caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
+                  highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides."
+            .to_string(),
+        drawing,
+    }
+}
+
+/// What the step's own specular term makes of a white light, seen along `v`.
+fn highlight(r: DVec2, v: DVec2, shininess: f64) -> f64 {
+    let surface = Surface { ambient: DVec3::ZERO, diffuse: DVec3::ZERO };
+    let material = Material { surface, specular: DVec3::ONE, shininess };
+    let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
+    let point =
+        PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };
+    let light = Light { point, specular: DVec3::ONE };
+    specular(r.extend(0.0), v.extend(0.0), 1.0, &material, &light).x
+}

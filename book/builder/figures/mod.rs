@@ -1,0 +1,61 @@
+//! The figures: each is drawn by the step's own functions when the book is built.
+
+mod aspect_ratios;
+mod attenuation;
+mod frustum;
+mod hits;
+mod lambert;
+mod lobes;
+mod phong_vectors;
+mod ray;
+mod row;
+mod three_cases;
+
+use crate::caption;
+use crate::svg::Drawing;
+
+/// A drawing, what it shows, and what to look at.
+#[derive(Debug)]
+pub struct Figure {
+    /// What it shows, for those who can't see it.
+    pub title: &'static str,
+    /// What to look at; Markdown, with formulas.
+    pub caption: String,
+    /// The drawing itself.
+    pub drawing: Drawing,
+}
+
+/// The name that a chapter calls a figure by, and what draws it.
+type Named = (&'static str, fn() -> Figure);
+
+const FIGURES: [Named; 10] = [
+    ("ray", ray::figure),
+    ("row", row::figure),
+    ("frustum", frustum::figure),
+    ("aspect-ratios", aspect_ratios::figure),
+    ("three-cases", three_cases::figure),
+    ("hits-along-a-ray", hits::figure),
+    ("lambert", lambert::figure),
+    ("attenuation", attenuation::figure),
+    ("phong-vectors", phong_vectors::figure),
+    ("lobes", lobes::figure),
+];
+
+/// The name in `{{#figure name}}`.
+pub fn directive(source: &str) -> Option<&str> {
+    Some(source.strip_prefix("{{#figure ")?.strip_suffix("}}")?.trim())
+}
+
+/// The HTML of the figure called `name`.
+pub fn html(name: &str) -> Result<String, String> {
+    let (_, figure) = FIGURES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .ok_or_else(|| format!("there is no figure {name}"))?;
+    let Figure { title, caption, drawing } = figure();
+    Ok(format!(
+        "<figure class=\"drawing\" id=\"figure-{name}\">{}<figcaption>{}</figcaption></figure>\n",
+        drawing.html(title),
+        caption::html(&caption)?
+    ))
+}

@@ -1,0 +1,68 @@
+use super::Figure;
+use crate::svg::{Anchor, Drawing, View};
+use glam::{DVec2, dvec2};
+use std::f64::consts::FRAC_PI_3;
+use step01_rays::Row;
+
+/// The row of rays in 2D, with V_0 and D.
+pub fn figure() -> Figure {
+    let row = Row::new(7, FRAC_PI_3);
+    let view = View { origin: dvec2(240.0, 282.0), scale: DVec2::splat(205.0) };
+    let c = view.at(DVec2::ZERO);
+    let directions: Vec<DVec2> = row.directions().collect();
+    let mut drawing = Drawing::new(480.0, 320.0);
+    drawing.line("plane", view.at(dvec2(-0.86, 1.0)), view.at(dvec2(0.86, 1.0)));
+    drawing.line("guide", c, view.at(dvec2(0.0, 1.0)));
+    for &v in &directions[1..] {
+        drawing.line("ray faint", c, view.at(1.28 * v));
+    }
+    drawing.line(
+        "ray faint",
+        view.at(directions[0]),
+        view.at(1.28 * directions[0]),
+    );
+    for &v in &directions {
+        drawing.dot("ray", view.at(v));
+    }
+    let angle = |v: DVec2| v.to_angle();
+    drawing.arc("angle", c, 54.0, angle(directions[6]), angle(directions[0]));
+    drawing.label("", c + dvec2(13.0, -64.0), Anchor::Middle, "$θ$");
+    drawing.arrow("vector", c, view.at(directions[0]));
+    let step = |i: usize| [view.at(directions[i]), view.at(directions[i + 1])];
+    for i in [0, 1] {
+        let [from, to] = step(i);
+        drawing.arrow("accent", from, to);
+    }
+    let [from, to] = step(1);
+    drawing.label(
+        "accent",
+        (from + to) / 2.0 + dvec2(4.0, 24.0),
+        Anchor::Middle,
+        "$D$",
+    );
+    let middle = view.at(0.55 * directions[0]);
+    drawing.label("strong", middle + dvec2(-14.0, 4.0), Anchor::End, "$V_0$");
+    for i in [0, 1, 2, 6] {
+        let end = view.at(1.28 * directions[i]);
+        let label = format!("$i$ = {i}");
+        drawing.label("quiet", end + dvec2(0.0, -8.0), Anchor::Middle, &label);
+    }
+    let right = view.at(dvec2(0.86, 1.0)) + dvec2(-14.0, 20.0);
+    drawing.label("quiet", right, Anchor::Start, "image plane");
+    drawing.dot("eye", c);
+    drawing.label("strong", c + dvec2(0.0, 26.0), Anchor::Middle, "$C$");
+    drawing.line("guide", view.at(dvec2(0.86, 0.0)), view.at(dvec2(0.86, 0.86)));
+    drawing.label(
+        "quiet",
+        view.at(dvec2(0.86, 0.5)) + dvec2(8.0, 5.0),
+        Anchor::Start,
+        "1",
+    );
+    Figure {
+        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
+        caption: "The row of rays for $\\mathrm{hRes} = 7$ and $\\theta = 60°$. Follow $V_0$ to the left end \
+                  of the image plane; from there, every step $D$ leads to the next ray."
+            .to_string(),
+        drawing,
+    }
+}

@@ -1,0 +1,41 @@
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+
+/// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
+pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
+    let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
+    let converter =
+        LatexToMathML::new(MathCoreConfig::default()).map_err(|(error, ..)| {
+            format!("the macros of the book don't parse: {error}")
+        })?;
+    let converted =
+        converter.convert_with_local_state(latex, style).map_err(|error| {
+            format!("the formula {} does not parse: {error}", latex.trim())
+        })?;
+    let mathml = escape(&converted.mathml);
+    Ok(if display {
+        format!(r#"<span class="formula">{mathml}</span>"#)
+    } else {
+        mathml
+    })
+}
+
+/// Writes as entities what Markdown would read as markup between the tags of
+/// `mathml`.
+fn escape(mathml: &str) -> String {
+    let mut escaped = String::with_capacity(mathml.len());
+    let mut in_tag = false;
+    for c in mathml.chars() {
+        in_tag = (in_tag || c == '<') && c != '>';
+        match c {
+            '*' | '_' | '[' | ']' | '\\' | '|' | '`' | '~' | '\'' | '"' | '.'
+            | '-' | '$' | '!'
+                if !in_tag =>
+            {
+                escaped += &format!("&#{};", u32::from(c));
+            }
+            '\n' => escaped.push(' '),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,0 +1,114 @@
+use crate::caption;
+use crate::page::House;
+use anyhow::{Context, Result};
+use std::fs;
+use std::path::Path;
+
+/// A picture as a chapter asks for it: `![what it shows](pictures/name.png
+/// "Caption")`.
+#[derive(Debug)]
+pub struct Picture {
+    alt: String,
+    source: String,
+    caption: String,
+}
+
+impl Picture {
+    /// Takes the alt text from the Markdown of the picture.
+    pub fn new(markdown: &str, source: &str, caption: &str) -> Self {
+        let alt =
+            markdown.strip_prefix("![").and_then(|rest| rest.rsplit_once("]("));
+        Self {
+            alt: alt
+                .map_or("", |(alt, _)| alt)
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+            source: source.to_string(),
+            caption: caption.to_string(),
+        }
+    }
+
+    /// The picture alone, in its size.
+    pub fn html(&self, house: &House) -> Result<String, String> {
+        let Self { alt, source, .. } = self;
+        if alt.is_empty() {
+            return Err(format!(
+                "the picture {source} has no alt text: say what it shows"
+            ));
+        }
+        let bytes = fs::read(house.chapters.join(source))
+            .map_err(|_| format!("there is no picture {source}"))?;
+        let (width, height) = size(&bytes)
+            .ok_or_else(|| format!("the picture {source} is not a PNG file"))?;
+        Ok(format!(
+            r#"<img src="{}" alt="{}" width="{width}" height="{height}">"#,
+            caption::escape(source),
+            caption::escape(alt)
+        ))
+    }
+}
+
+/// A figure of the pictures of a paragraph, side by side if there are several.
+pub fn figure(pictures: &[Picture], house: &House) -> Result<String, String> {
+    let mut figures = String::new();
+    for picture in pictures {
+        let image = picture.html(house)?;
+        let caption = match picture.caption.as_str() {
+            "" => String::new(),
+            markdown => {
+                format!("<figcaption>{}</figcaption>", caption::html(markdown)?)
+            }
+        };
+        figures +=
+            &format!("<figure class=\"picture\">{image}{caption}</figure>\n");
+    }
+    Ok(match pictures {
+        [_] => figures,
+        _ => format!("<div class=\"pictures\">\n{figures}</div>\n"),
+    })
+}
+
+/// Width and height, which stand at a fixed place in a PNG file.
+fn size(png: &[u8]) -> Option<(u32, u32)> {
+    let number =
+        |at: usize| Some(u32::from_be_bytes(png.get(at..at + 4)?.try_into().ok()?));
+    png.starts_with(b"\x89PNG").then_some(())?;
+    Some((number(16)?, number(20)?))
+}
+
+/// Copies the locked snapshots beside the chapters, and removes pictures that are
+/// none.
+///
+/// A file that is right already is left alone, so that a watching program is not
+/// woken.
+pub fn copy_snapshots(house: &House) -> Result<()> {
+    let (from, to) =
+        (house.workspace.join("tests/snapshots"), house.chapters.join("pictures"));
+    fs::create_dir_all(&to)
+        .with_context(|| format!("{} can't be made", to.display()))?;
+    let mut names = vec![];
+    for snapshot in files(&from)? {
+        if let Some(name) = snapshot.strip_suffix(".snap.png") {
+            let name = format!("{name}.png");
+            let bytes =
+                fs::read(from.join(&snapshot)).with_context(|| snapshot.clone())?;
+            if fs::read(to.join(&name)).ok().as_ref() != Some(&bytes) {
+                fs::write(to.join(&name), bytes).with_context(|| name.clone())?;
+            }
+            names.push(name);
+        }
+    }
+    for stale in files(&to)?.iter().filter(|name| !names.contains(name)) {
+        fs::remove_file(to.join(stale)).with_context(|| stale.clone())?;
+    }
+    Ok(())
+}
+
+fn files(folder: &Path) -> Result<Vec<String>> {
+    let entries = fs::read_dir(folder)
+        .with_context(|| format!("no folder {}", folder.display()))?;
+    let names =
+        entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    names.collect()
+}

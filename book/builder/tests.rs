@@ -1,0 +1,137 @@
+//! What a chapter may hold, and each mistake that its author is told of.
+
+use crate::link;
+use crate::page::{House, Page, expand};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The house of these tests is this project itself.
+fn page(markdown: &str) -> Page {
+    let book = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let workspace = book.parent().unwrap_or(book).to_path_buf();
+    // The tests don't wait for a build to copy the pictures.
+    expand(markdown, &House { workspace, chapters: book.join("chapters") })
+}
+
+/// Asserts that the only mistake is on `line` and that it is told in these words.
+#[track_caller]
+fn wrong(markdown: &str, line: usize, words: &str) {
+    let mistakes = page(markdown).mistakes;
+    let [(found, what)] = &mistakes[..] else {
+        panic!("not one mistake: {mistakes:?}")
+    };
+    assert_eq!(*found, line, "{what}");
+    assert!(what.contains(words), "{what:?} does not say {words:?}");
+}
+
+#[track_caller]
+fn right(markdown: &str) -> String {
+    let page = page(markdown);
+    assert_eq!(page.mistakes, []);
+    page.markdown
+}
+
+const RAY: &str = "../../steps/step01_rays/src/ray.rs";
+
+fn listing(target: &str) -> String {
+    format!("# Title\n\n```rust\n{{{{#include {target}}}}}\n```\n")
+}
+
+#[test]
+fn a_listing_has_every_line_of_its_file() {
+    let file = include_str!("../../steps/step01_rays/src/ray.rs");
+    let markdown = right(&listing(RAY));
+    assert!(markdown.contains(file.trim_end()));
+    assert!(markdown.contains(r#"data-path="steps/step01_rays/src/ray.rs""#));
+    assert!(markdown.contains("step01_rays/src/<b>ray.rs</b>"));
+    assert!(!markdown.contains("class=\"part\""));
+}
+
+#[test]
+fn a_part_of_a_file_says_which_lines() {
+    let markdown = right(&listing(&format!("{RAY}:3:5")));
+    assert!(markdown.contains(r#"data-lines="3-5""#));
+    assert!(markdown.contains("lines 3–5 of "));
+}
+
+#[test]
+fn a_wrong_listing_is_a_mistake() {
+    wrong("# Title\n\n```rust\nfn main() {}\n```\n", 3, "Rust in the book is");
+    wrong("Text.\n\n~~~rs\nlet x = 1;\n~~~\n", 3, "Rust in the book is");
+    wrong("Text.\n\n    let x = 1;\n", 3, "fence that names its language");
+    wrong("Text.\n\n```\nlet x = 1;\n```\n", 3, "names no language");
+    wrong(&listing("../../steps/nowhere.rs"), 4, "no file");
+    wrong(&listing(&format!("{RAY}:nowhere")), 4, "no anchor nowhere");
+    wrong(&listing(&format!("{RAY}:3:9999")), 4, "lines, not 3:9999");
+    wrong(&listing(&format!("{RAY}:0")), 4, "no line number");
+    wrong(&listing(&format!("{RAY}}}}}\nlet x = 1; {{{{")), 4, "nothing else");
+    wrong(
+        "- item\n\n  ```rust\n  {{#include ../../steps/step01_rays/src/ray.rs}}\n  ```\n",
+        4,
+        "left margin",
+    );
+    wrong("{{#include ../../Cargo.toml}}\n", 1, "alone in a fence");
+}
+
+#[test]
+fn a_wrong_formula_is_a_mistake() {
+    wrong("One.\n\nTwo $\\nosuchcommand{x}$.\n", 3, "does not parse");
+    wrong("One.\n\n$$\\frac{1}{2\n", 3, "leftover $$");
+    wrong("It costs 5$ or so.\n", 1, "lone $");
+    wrong("<p>$x$</p>\n", 1, "no formula");
+    right("It costs 5\\$.\n");
+    assert!(right("So $a_i^2 * b$.").contains("<msubsup>"));
+}
+
+#[test]
+fn a_wrong_figure_value_or_directive_is_a_mistake() {
+    wrong("One.\n\n{{#figure nowhere}}\n", 3, "no figure nowhere");
+    wrong("See {{#figure ray}} here.\n", 1, "stands alone");
+    wrong("It is {{#value nothing}} long.\n", 1, "no value nothing");
+    wrong("It is $t = {{#value nothing}}$.\n", 1, "no value nothing");
+    wrong("One\n{{#playground x.rs}}\n", 2, "no directive");
+    wrong("One {{#value camera-step\n", 1, "no }}");
+    wrong("{{#predict Why?}}\n\nSo.\n", 1, "no {{#end}}");
+    wrong("So.\n\n{{#end}}\n", 3, "without a box");
+    assert!(
+        right("{{#predict Why $t$?}}\n\nSo.\n\n{{#end}}\n").contains("<details")
+    );
+    assert!(
+        right("It is $t = {{#value camera-tan}}$.").contains("<mn>0&#46;5774</mn>")
+    );
+    assert!(right("It is {{#value camera-v0-x}}.").contains("−0.5774"));
+}
+
+#[test]
+fn a_wrong_picture_is_a_mistake() {
+    wrong("One.\n\n![](pictures/step01_rays.png)\n", 3, "no alt text");
+    wrong("One.\n\n![What](pictures/nowhere.png)\n", 3, "no picture");
+    wrong("One.\n\n![What](SUMMARY.md)\n", 3, "not a PNG");
+    wrong(
+        "One.\n\n<img src=\"pictures/step01_rays.png\" alt=\"x\">\n",
+        3,
+        "write a picture as",
+    );
+}
+
+#[test]
+fn a_wrong_link_is_a_mistake() {
+    let one = page("# One title\n\n## One title\n\n{{#figure ray}}\n");
+    let (path, other) = (Path::new("one.md"), Path::new("two.md"));
+    let pages = BTreeMap::from([(path, &one), (other, &one)]);
+    let check = |target| link::check(target, path, &pages, Path::new("."));
+    for target in [
+        "#one-title",
+        "#one-title-1",
+        "two.md",
+        "two.md#figure-ray",
+        "https://a.example/b",
+    ] {
+        assert_eq!(check(target), None, "{target}");
+    }
+    for target in ["#nowhere", "three.md", "two.md#nowhere", "nowhere.png"] {
+        assert!(check(target).is_some(), "{target}");
+    }
+    let links = page("See [it](two.md) and\n[that](#there).\n").links;
+    assert_eq!(links, [(1, "two.md".to_string()), (2, "#there".to_string())]);
+}

@@ -1,0 +1,96 @@
+"use strict";
+
+// The search asks whether a key that is pressed belongs to something else on the page.
+function mdbook_something_else_has_focus(event) {
+    return /^(input|select|textarea)$/i.test(event.target.nodeName);
+}
+
+// Theme: follow the system, or stay light, or stay dark.
+{
+    const themes = ["auto", "light", "dark"];
+    const button = document.getElementById("theme-toggle");
+    const root = document.documentElement;
+    const show = theme => {
+        root.dataset.theme = theme;
+        button.title = `Theme: ${theme}`;
+        button.setAttribute("aria-label", `Theme: ${theme}`);
+    };
+    show(themes.includes(root.dataset.theme) ? root.dataset.theme : "auto");
+    button.addEventListener("click", () => {
+        show(themes[(themes.indexOf(root.dataset.theme) + 1) % themes.length]);
+        try { localStorage.setItem("theme", root.dataset.theme); } catch { /* private */ }
+    });
+}
+
+// Contents: open and close on small screens, mark this chapter and list its sections.
+{
+    const contents = document.getElementById("contents");
+    const toggle = document.getElementById("contents-toggle");
+    const open = yes => {
+        contents.classList.toggle("open", yes);
+        toggle.setAttribute("aria-expanded", yes);
+    };
+    toggle.addEventListener("click", () => open(!contents.classList.contains("open")));
+    contents.addEventListener("click", event => { if (event.target.closest("a")) open(false); });
+    const links = [...contents.querySelectorAll("a")];
+    const file = url => url.pathname.split("/").pop();
+    const here = links.find(a => file(a) === file(location))
+        ?? (["", "index.html"].includes(file(location)) ? links[0] : null);
+    if (here) {
+        here.setAttribute("aria-current", "page");
+        const list = document.createElement("ol");
+        list.className = "here";
+        for (const heading of document.querySelectorAll("main h2[id]")) {
+            const item = list.appendChild(document.createElement("li"));
+            const link = item.appendChild(document.createElement("a"));
+            link.href = `#${heading.id}`;
+            link.append(...heading.cloneNode(true).querySelector("a.header").childNodes);
+        }
+        if (list.children.length) here.closest("li").append(list);
+        if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
+    }
+}
+
+// Code: colours, and a button that copies a listing.
+for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
+    const text = code.textContent;
+    if (/language-(rust|toml)/.test(code.className)) hljs.highlightBlock(code);
+    const caption = code.closest(".listing")?.querySelector("figcaption");
+    if (!caption) continue;
+    const button = caption.appendChild(document.createElement("button"));
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "Copy";
+    button.setAttribute("aria-label", `Copy ${caption.querySelector(".path").textContent}`);
+    button.addEventListener("click", async () => {
+        try {
+            await navigator.clipboard.writeText(text);
+            button.textContent = "Copied";
+        } catch {
+            button.textContent = "Not copied";
+        }
+        setTimeout(() => { button.textContent = "Copy"; }, 1500);
+    });
+}
+
+// What scrolls sideways takes the focus, so that the keyboard can scroll it.
+{
+    const mend = () => {
+        for (const box of document.querySelectorAll("pre, .formula, .table-wrapper")) {
+            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+            else box.removeAttribute("tabindex");
+        }
+    };
+    mend();
+    addEventListener("resize", mend);
+    document.fonts?.ready.then(mend);
+}
+
+// The arrow keys turn to the chapters before and after.
+addEventListener("keydown", event => {
+    const busy = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target !== document.body;
+    if (busy) return;
+    const rel = { ArrowLeft: "prev", ArrowRight: "next" }[event.key];
+    const link = rel && document.querySelector(`.turn a[rel=${rel}]`);
+    if (link) location.href = link.href;
+});
