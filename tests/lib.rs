@@ -5,11 +5,13 @@ mod difference;
 mod locked;
 mod program;
 mod random;
+mod refusals;
 
 pub use difference::Difference;
 pub use locked::{assert_locked, locked};
 pub use program::{Program, folder};
 pub use random::{point, rays, sphere, unit};
+pub use refusals::assert_refuses_bad_input;
 
 use step01_rays::Camera;
 

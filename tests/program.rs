@@ -2,7 +2,7 @@ use crate::Difference;
 use crate::locked::{locked, target};
 use std::path::PathBuf;
 use std::process::{Command, Output};
-use std::sync::LazyLock;
+use std::sync::Once;
 use std::{env, fs};
 
 /// A program of one of the five steps, run in a folder of its own.
@@ -14,8 +14,11 @@ pub struct Program {
 
 impl Program {
     /// The program of the step `name`, in an empty folder for the test `test`.
+    ///
+    /// Builds it once: a test program may run that of one step only.
     pub fn new(name: &'static str, test: &str) -> Self {
-        LazyLock::force(&BUILT);
+        static BUILT: Once = Once::new();
+        BUILT.call_once(|| build(name));
         Self { name, folder: folder(&format!("{name}-{test}")) }
     }
 
@@ -48,6 +51,26 @@ impl Program {
         );
     }
 
+    /// Fails unless `--help` and `--version` tell what they should, and write no file.
+    pub fn assert_helps(&self) {
+        let help = self.run("--help");
+        let text = String::from_utf8_lossy(&help.stdout).into_owned();
+        assert!(help.status.success() && help.stderr.is_empty(), "{help:?}");
+        let own = format!("[default: {}.png]", self.name);
+        for word in
+            ["--width", "640", "--aspect", "16:9", "--fov", "60", "--samples", &own]
+        {
+            assert!(text.contains(word), "{word} is missing: {text}");
+        }
+        let version =
+            String::from_utf8_lossy(&self.run("--version").stdout).into_owned();
+        assert_eq!(
+            version,
+            format!("{} {}\n", self.name, env!("CARGO_PKG_VERSION"))
+        );
+        assert_eq!(self.files(), [""; 0]);
+    }
+
     /// The names of the files in its folder, sorted.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.folder).expect("the folder of the test");
@@ -68,22 +91,22 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Builds the programs of the steps once: `cargo test` by itself does not.
-static BUILT: LazyLock<()> = LazyLock::new(|| {
+/// Builds the program `name` of this test's profile: `cargo test` does not.
+fn build(name: &str) {
     // The dev profile writes to the folder `debug`; every other one to its own name.
     let profile = match profile().file_name().and_then(|name| name.to_str()) {
         Some("debug") | None => "dev".to_owned(),
         Some(name) => name.to_owned(),
     };
     let status = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--workspace", "--exclude=book", "--bins"])
+        .args(["build", "--quiet", "--package", name, "--bin", name])
         .args(["--profile", &profile, "--target-dir"])
         .arg(target())
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .status();
     let built = status.is_ok_and(|status| status.success());
-    assert!(built, "cargo build --workspace --exclude=book --bins fails");
-});
+    assert!(built, "cargo build --package {name} --bin {name} fails");
+}
 
 /// The folder of this test program's profile in the target folder.
 fn profile() -> PathBuf {

@@ -3,7 +3,9 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use step03_nearest::{Hit, Ray, SPHERES, Sphere, nearest, picture};
-use tests::{Program, assert_locked, camera, point, rays, sphere};
+use tests::{
+    Program, assert_locked, assert_refuses_bad_input, camera, point, rays, sphere,
+};
 
 const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
 
@@ -19,6 +21,16 @@ fn the_picture_is_locked() {
 #[test]
 fn the_program_writes_the_locked_picture() {
     Program::new("step03_nearest", "writes").assert_writes_locked();
+}
+
+#[test]
+fn the_program_helps() {
+    Program::new("step03_nearest", "helps").assert_helps();
+}
+
+#[test]
+fn the_program_refuses_bad_input() {
+    assert_refuses_bad_input("step03_nearest");
 }
 
 #[test]

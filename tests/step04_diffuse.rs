@@ -6,7 +6,9 @@ use step04_diffuse::{
     AMBIENT_LIGHT, Attenuation, COLOURS, LIGHTS, PointLight, Surface, ambient,
     colour, diffuse, normal, picture,
 };
-use tests::{Program, assert_locked, camera, point, rays, unit};
+use tests::{
+    Program, assert_locked, assert_refuses_bad_input, camera, point, rays, unit,
+};
 
 const GREY: DVec3 = DVec3::splat(0.5);
 
@@ -27,6 +29,16 @@ fn the_picture_is_locked() {
 #[test]
 fn the_program_writes_the_locked_picture() {
     Program::new("step04_diffuse", "writes").assert_writes_locked();
+}
+
+#[test]
+fn the_program_helps() {
+    Program::new("step04_diffuse", "helps").assert_helps();
+}
+
+#[test]
+fn the_program_refuses_bad_input() {
+    assert_refuses_bad_input("step04_diffuse");
 }
 
 #[test]

@@ -7,7 +7,9 @@ use step05_phong::{
     PointLight, SPHERES, Surface, ambient, colour, diffuse, direction_colour,
     nearest, normal, phong, picture, reflect, render, specular, terms,
 };
-use tests::{Program, assert_locked, camera, point, unit};
+use tests::{
+    Program, assert_locked, assert_refuses_bad_input, camera, point, unit,
+};
 
 const MATERIAL: Material = Material {
     surface: Surface {
@@ -37,9 +39,13 @@ fn the_program_writes_the_locked_picture() {
 }
 
 #[test]
-fn the_cover_is_locked() {
-    let camera = Camera::new(1280, 720, 60_f64.to_radians());
-    assert_locked("cover", &picture(&camera, 4));
+fn the_program_helps() {
+    Program::new("step05_phong", "helps").assert_helps();
+}
+
+#[test]
+fn the_program_refuses_bad_input() {
+    assert_refuses_bad_input("step05_phong");
 }
 
 #[test]
