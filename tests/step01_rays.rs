@@ -225,6 +225,23 @@ fn samples_are_the_centres_of_the_sub_pixels() {
 }
 
 #[test]
+fn the_samples_of_a_pixel_are_cast_from_left_to_right_and_down() {
+    let camera = Camera::new(2, 1, 1.0);
+    let seen = Mutex::new(Vec::new());
+    render(&camera, 3, |ray| {
+        seen.lock()
+            .expect("no panic")
+            .push(camera.matrix.inverse() * ray.direction);
+        DVec3::ZERO
+    });
+    let seen = seen.into_inner().expect("no panic");
+    let left: Vec<_> = seen.iter().filter(|place| place.x < 0.5).collect();
+    assert_eq!(left.len(), 9);
+    assert!(left.chunks(3).all(|row| row[0].x < row[1].x && row[1].x < row[2].x));
+    assert!(left[0].y < left[3].y && left[3].y < left[6].y);
+}
+
+#[test]
 fn a_pixel_is_the_mean_of_its_samples() {
     let camera = Camera::new(2, 1, 1.0);
     let middle = camera.ray(0.0, 0.0).direction.x;
