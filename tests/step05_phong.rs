@@ -113,7 +113,7 @@ fn attenuation_fades_highlights_too() {
 
 #[test]
 fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
-    // Behind the surface y = 0, low over the horizon: r·v is 0.6 although n·l < 0.
+    // Behind the surface y = 0, low over the horizon: r·v is 0.28 although n·l < 0.
     let (n, v) = (DVec3::Y, DVec3::new(-0.8, 0.6, 0.0));
     let behind = light(DVec3::new(4.0, -3.0, 0.0));
     let (l, _) = behind.point.seen_from(DVec3::ZERO);

@@ -17,10 +17,12 @@ mod listing;
 mod picture;
 mod svg;
 mod values;
+mod worked;
 
 mod browser;
 mod course;
 mod press;
+mod shading;
 
 #[cfg(test)]
 mod tests;

@@ -25,6 +25,13 @@ pub fn figure() -> Figure {
             view.at(sphere.centre.truncate()),
             view.scale.x * sphere.radius,
         );
+        drawing.label(
+            "quiet",
+            view.at(sphere.centre.truncate() + sphere.radius * DVec2::Y)
+                - dvec2(0.0, 9.0),
+            Anchor::Middle,
+            &format!("$k$ = {index}"),
+        );
     }
     drawing.line("guide", at(-2.7), at(0.0));
     drawing.arrow("ray", at(0.0), at(7.2));
@@ -53,8 +60,8 @@ pub fn figure() -> Figure {
     Figure {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
         caption: "Six values of $t$ on one line. Those below 0 belong to the sphere behind the start. Of the \
-                  others, the smallest is the hit you see; the order of the spheres in their list does \
-                  not matter."
+                  others, the smallest is the hit you see. $k$ is the sphere's place in the list; it \
+                  has no say in this."
             .to_string(),
         drawing,
     }

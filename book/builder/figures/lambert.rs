@@ -16,18 +16,12 @@ pub fn figure() -> Figure {
         // The beam has one width; the strip it lights is wider by 1 / cos.
         let half = 26.0 / share;
         let foot = |k: f64| ground + dvec2(k * half, 0.0);
-        let length = 150.0;
-        drawing.area(
-            "beam",
-            &[
-                foot(-1.0),
-                foot(1.0),
-                foot(1.0) + length * to_light,
-                foot(-1.0) + length * to_light,
-            ],
-        );
+        // Across the beam, at a right angle to it.
+        let across = dvec2(-to_light.y, to_light.x);
+        let start = |k: f64| ground + 165.0 * to_light + 26.0 * k * across;
+        drawing.area("beam", &[foot(-1.0), foot(1.0), start(1.0), start(-1.0)]);
         for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-            drawing.arrow("light", foot(k) + length * to_light, foot(k));
+            drawing.arrow("light", start(k), foot(k));
         }
         drawing.line(
             "ground",
@@ -38,8 +32,21 @@ pub fn figure() -> Figure {
         drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
         drawing.label("strong", ground + dvec2(0.0, -180.0), Anchor::Middle, "$n$");
         if 0.0 < angle {
-            drawing.arc("angle", ground, 58.0, FRAC_PI_2, FRAC_PI_2 + angle);
-            drawing.label("", ground + dvec2(-22.0, -66.0), Anchor::Middle, name);
+            drawing.arc("angle", ground, 92.0, FRAC_PI_2, FRAC_PI_2 + angle);
+            drawing.label("", ground + dvec2(-30.0, -100.0), Anchor::End, "$α$");
+            // The triangle whose leg is the beam's width and whose hypotenuse is
+            // the strip.
+            let corner = foot(-1.0);
+            drawing.line("vector", corner, corner + 52.0 * across);
+            drawing.arc("angle", corner, 24.0, 0.0, angle);
+            drawing.label("", corner + dvec2(34.0, -8.0), Anchor::Middle, "$α$");
+            let beyond = corner + 66.0 * across + dvec2(3.0, 3.0);
+            drawing.label("strong", beyond, Anchor::Middle, "$w$");
+        } else {
+            let top = start(0.0) + dvec2(0.0, 26.0);
+            drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
+            let beside = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
+            drawing.label("strong", beside, Anchor::Middle, "$w$");
         }
         let label =
             format!("$n$·$l$ = cos {name} = {}", (share * 1e3).round() / 1e3);

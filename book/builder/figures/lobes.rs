@@ -11,7 +11,7 @@ pub fn figure() -> Figure {
     let r = DVec2::from_angle(FRAC_PI_4);
     let mut drawing = Drawing::new(480.0, 300.0);
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    for (k, n) in [1.0, 5.0, 20.0, 100.0].into_iter().enumerate() {
+    for (k, n) in [1.0, 10.0, 40.0, 150.0].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
             .map(|k| DVec2::from_angle(f64::from(k) / 180.0 * 2.0 * FRAC_PI_2))
             .map(|v| view.at(highlight(r, v, n) * v))
@@ -19,7 +19,8 @@ pub fn figure() -> Figure {
         drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
     }
     let l = dvec2(-r.x, r.y);
-    drawing.arrow("light", view.at(0.85 * l), view.origin);
+    drawing.arc("guide", view.origin, 111.0, 0.0, 2.0 * FRAC_PI_2);
+    drawing.arrow("light", view.origin, view.at(0.85 * l));
     drawing.arrow("normal", view.origin, view.at(0.85 * DVec2::Y));
     drawing.arrow("vector", view.origin, view.at(1.12 * r));
     drawing.label(
@@ -42,9 +43,9 @@ pub fn figure() -> Figure {
     );
     for (n, angle, y) in [
         (1.0, 0.12, 226.0),
-        (5.0, 0.33, 190.0),
-        (20.0, 0.55, 154.0),
-        (100.0, 0.7, 118.0),
+        (10.0, 0.44, 190.0),
+        (40.0, 0.6, 154.0),
+        (150.0, 0.7, 118.0),
     ] {
         let v = DVec2::from_angle(angle);
         let at = view.at(highlight(r, v, n) * v);
@@ -52,11 +53,14 @@ pub fn figure() -> Figure {
         drawing.line("leader", at, end - dvec2(5.0, 5.0));
         drawing.label("quiet", end, Anchor::Start, &n.to_string());
     }
-    drawing.label("quiet", dvec2(418.0, 90.0), Anchor::Start, "exponent");
+    drawing.label("quiet", dvec2(418.0, 90.0), Anchor::Start, "$n$ =");
+    let half = view.origin + dvec2(-111.0, 22.0);
+    drawing.label("quiet", half, Anchor::Middle, "one half");
     Figure {
-        title: "Lobes around the reflection vector r: for the exponents 1, 5, 20 and 100 they are ever narrower, and all of the same length along r.",
+        title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
-                  highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides."
+                  highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
+                  Where a lobe crosses the dotted circle, the highlight is down to one half."
             .to_string(),
         drawing,
     }

@@ -8,7 +8,7 @@ use step05_phong::{Camera, LIGHTS, SPHERES, nearest, normal, reflect};
 /// l.
 pub fn figure() -> Figure {
     let camera = Camera::new(640, 360, FRAC_PI_3);
-    let ray = camera.ray(310.0, 120.0);
+    let ray = camera.ray(262.0, 132.0);
     let mut drawing = Drawing::new(480.0, 320.0);
     if let Some(hit) = nearest(&SPHERES, &ray) {
         let p = ray.at(hit.t);
@@ -19,7 +19,7 @@ pub fn figure() -> Figure {
     }
     Figure {
         title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
-        caption: "The four vectors where the ray through column 310, row 120 meets the large sphere. $l$ and $r$ \
+        caption: "The four vectors where the ray through column 262, row 132 meets the large sphere. $l$ and $r$ \
                   make the same angle with $n$. All four are one unit long; $v$ is drawn shorter because it \
                   leans out of the plane of the other three."
             .to_string(),

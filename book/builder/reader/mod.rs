@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
             Event::InlineMath(latex) => self.formula(latex, false),
             Event::DisplayMath(latex) => self.formula(latex, true),
             Event::Text(_) => self.dollars(range),
-            Event::Code(_) => Part::Literal,
+            Event::Code(code) => name(code),
             Event::Html(html) | Event::InlineHtml(html) => self.html(html, range),
             _ => Part::Plain,
         }
@@ -232,6 +232,16 @@ impl<'a> Reader<'a> {
             .collect();
         self.page
     }
+}
+
+/// A name in code, which a narrow column may break after :: and _ and nowhere else.
+fn name(code: &str) -> Part {
+    let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
+    if !code.chars().all(in_name) || !code.contains(['_', ':']) {
+        return Part::Literal;
+    }
+    let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
+    Part::Inline(Ok(format!("<code>{code}</code>")))
 }
 
 /// The text of an event in a heading, as mdBook reads it for the heading's id.

@@ -1,3 +1,7 @@
+mod appendices;
+mod step02_step03;
+mod step04_step05;
+
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::Camera;
@@ -6,7 +10,7 @@ use step02_sphere::{SPHERE, quadratic};
 /// A number of a worked example, by name, computed when the book is built.
 type Value = (&'static str, fn() -> String);
 
-const VALUES: [Value; 9] = [
+const VALUES: &[Value] = &[
     ("camera-tan", || short((FRAC_PI_3 / 2.0).tan())),
     ("camera-step", || short(camera().matrix.x_axis.x)),
     ("camera-v0-x", || short(camera().matrix.z_axis.x)),
@@ -64,10 +68,12 @@ pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String
             }
         });
     };
-    let (_, value) = VALUES
-        .iter()
-        .find(|(known, _)| *known == name)
-        .ok_or_else(|| format!("there is no value {name}"))?;
+    let (_, value) =
+        [VALUES, appendices::VALUES, step02_step03::VALUES, step04_step05::VALUES]
+            .concat()
+            .into_iter()
+            .find(|(known, _)| *known == name)
+            .ok_or_else(|| format!("there is no value {name}"))?;
     Ok(format!("{before}{}{}", write(&value()), fill(after, write)?))
 }
 
