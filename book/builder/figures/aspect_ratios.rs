@@ -16,10 +16,9 @@ pub fn figure() -> Figure {
         let Ok(shape) = ratio.parse::<AspectRatio>() else { continue };
         let rows = shape.v_res(640).map_or(0.0, f64::from);
         let (width, height) = (190.0, 190.0 * rows / 640.0);
-        let middle = dvec2(
-            120.0 + 240.0 * f64::from(k as u32 % 2),
-            72.0 + 148.0 * f64::from(k as u32 / 2),
-        );
+        let (column, line) = (f64::from(k as u32 % 2), f64::from(k as u32 / 2));
+        let bottom = 146.0 + 124.0 * line;
+        let middle = dvec2(120.0 + 240.0 * column, bottom - height / 2.0);
         let half = dvec2(width, height) / 2.0;
         let flip = dvec2(half.x, -half.y);
         drawing.area(

@@ -15,7 +15,7 @@ pub fn figure() -> Figure {
     let c = project(camera.centre);
     let (right, bottom) = (7.0, 4.0);
     let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
-    let mut drawing = Drawing::new(480.0, 280.0);
+    let mut drawing = Drawing::new(480.0, 310.0);
     drawing.area("plane", &corners.map(|(i, j)| at(i, j)));
     for i in 0..8 {
         let i = f64::from(i);
@@ -60,6 +60,13 @@ pub fn figure() -> Figure {
         Anchor::Start,
         "$i$ = 5, $j$ = 3",
     );
+    let corner = dvec2(44.0, 286.0) - c;
+    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
+        let tip = project(0.16 * axis);
+        drawing.arrow("axis", c + corner, tip + corner);
+        let label = tip + 0.32 * (tip - c) + corner + dvec2(0.0, 5.0);
+        drawing.label("quiet", label, Anchor::Middle, name);
+    }
     Figure {
         title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
         caption: "The frustum of a camera with 8 columns and 5 rows. $V_0$ leads from $C$ to the top left \
@@ -76,5 +83,5 @@ fn project(point: DVec3) -> DVec2 {
     let turned = glam::DQuat::from_rotation_x(0.3)
         * glam::DQuat::from_rotation_y(-0.72)
         * point;
-    dvec2(82.0 + 250.0 * turned.x, 192.0 - 250.0 * turned.y)
+    dvec2(82.0 + 250.0 * turned.x, 216.0 - 250.0 * turned.y)
 }

@@ -7,6 +7,7 @@ mod hits;
 mod lambert;
 mod lobes;
 mod phong_vectors;
+mod pinhole;
 mod ray;
 mod row;
 mod three_cases;
@@ -28,8 +29,9 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 10] = [
+const FIGURES: [Named; 11] = [
     ("ray", ray::figure),
+    ("pinhole", pinhole::figure),
     ("row", row::figure),
     ("frustum", frustum::figure),
     ("aspect-ratios", aspect_ratios::figure),

@@ -51,17 +51,19 @@ pub fn figure() -> Figure {
     drawing.label("quiet", right, Anchor::Start, "image plane");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), Anchor::Middle, "$C$");
-    drawing.line("guide", view.at(dvec2(0.86, 0.0)), view.at(dvec2(0.86, 0.86)));
-    drawing.label(
-        "quiet",
-        view.at(dvec2(0.86, 0.5)) + dvec2(8.0, 5.0),
-        Anchor::Start,
-        "1",
-    );
+    let (end, tan) = (directions[6], directions[6].x);
+    let corner = view.at(dvec2(tan, 0.0));
+    drawing.line("guide", view.at(end), corner);
+    drawing.line("guide", c, corner);
+    let side = view.at(dvec2(tan, 0.5)) + dvec2(10.0, 5.0);
+    drawing.label("quiet", side, Anchor::Start, "1");
+    let base = view.at(dvec2(tan / 2.0, 0.0)) + dvec2(6.0, 22.0);
+    drawing.label("quiet", base, Anchor::Middle, "tan $θ$/2");
     Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
-        caption: "The row of rays for $\\mathrm{hRes} = 7$ and $\\theta = 60°$. Follow $V_0$ to the left end \
-                  of the image plane; from there, every step $D$ leads to the next ray."
+        caption: "The row of rays for $\\mathit{hRes} = 7$ and $\\theta = 60°$. Follow $V_0$ to the left end \
+                  of the image plane; from there, every step $D$ leads to the next ray. The dotted \
+                  lines on the right are the sides of the triangle that gives half of its length."
             .to_string(),
         drawing,
     }

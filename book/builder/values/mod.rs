@@ -1,4 +1,5 @@
 mod appendices;
+mod step01;
 mod step02_step03;
 mod step04_step05;
 
@@ -68,12 +69,17 @@ pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String
             }
         });
     };
-    let (_, value) =
-        [VALUES, appendices::VALUES, step02_step03::VALUES, step04_step05::VALUES]
-            .concat()
-            .into_iter()
-            .find(|(known, _)| *known == name)
-            .ok_or_else(|| format!("there is no value {name}"))?;
+    let (_, value) = [
+        VALUES,
+        step01::VALUES,
+        appendices::VALUES,
+        step02_step03::VALUES,
+        step04_step05::VALUES,
+    ]
+    .concat()
+    .into_iter()
+    .find(|(known, _)| *known == name)
+    .ok_or_else(|| format!("there is no value {name}"))?;
     Ok(format!("{before}{}{}", write(&value()), fill(after, write)?))
 }
 

@@ -1,0 +1,46 @@
+use super::Figure;
+use crate::svg::{Anchor, Drawing, View};
+use glam::{DVec3, dvec2};
+use step01_rays::Ray;
+
+/// A pinhole camera from the side: the image behind the pinhole, and the one in front.
+pub fn figure() -> Figure {
+    let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
+    let [top, bottom] = [0.34, -0.2]
+        .map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
+    let at = |ray: &Ray, t: f64| view.at(ray.at(t).truncate());
+    let (film, plane, object) = (-1.0, 1.0, 2.3);
+    let c = view.at(dvec2(0.0, 0.0));
+    let mut drawing = Drawing::new(480.0, 236.0);
+    for t in [film, plane] {
+        let x = view.at(dvec2(t, 0.0)).x;
+        drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
+    }
+    let wall = |y: f64| view.at(dvec2(0.0, y));
+    drawing.line("ground", wall(0.82), wall(0.07));
+    drawing.line("ground", wall(-0.07), wall(-0.82));
+    for ray in [&top, &bottom] {
+        drawing.line("guide", at(ray, film), c);
+        drawing.line("ray", c, at(ray, object));
+    }
+    for t in [film, plane, object] {
+        drawing.arrow("second", at(&bottom, t), at(&top, t));
+    }
+    let below = |t: f64, y: f64| dvec2(view.at(dvec2(t, 0.0)).x, y);
+    for (t, name) in
+        [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")]
+    {
+        drawing.label("quiet", below(t, 198.0), Anchor::Middle, name);
+    }
+    for (t, place) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
+        drawing.label("quiet", below(t, 222.0), Anchor::Middle, place);
+    }
+    drawing.label("quiet", below(object, 198.0), Anchor::Middle, "scene");
+    Figure {
+        title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
+        caption: "The same two rays at three places. At $t = -1$, behind the pinhole, the image of the \
+                  arrow stands on its head. At $t = 1$, in front of it, the image is as large, and upright."
+            .to_string(),
+        drawing,
+    }
+}

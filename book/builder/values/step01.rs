@@ -1,0 +1,61 @@
+//! The numbers of the introduction and of chapter 1.
+
+use super::{Value, camera, short};
+use std::f64::consts::FRAC_PI_3;
+use step01_rays::{AspectRatio, Row, direction_colour, picture};
+
+pub(super) const VALUES: &[Value] = &[
+    ("step01-row-d", || short(row().matrix.x_axis.x)),
+    ("step01-row-v0", || short(row().direction(0.0).x)),
+    ("step01-row-v6", || short(row().direction(6.0).x)),
+    ("step01-row-middle-angle", || tenths(between(2.0, 3.0))),
+    ("step01-row-edge-angle", || tenths(between(0.0, 1.0))),
+    ("step01-row-short-angle", || tenths(between(0.0, 6.0 * 6.0 / 7.0))),
+    ("step01-step", || format!("{:.6}", camera().matrix.x_axis.x)),
+    ("step01-down", || format!("{:.6}", camera().matrix.y_axis.y)),
+    ("step01-tall", || {
+        let top = camera().ray(319.5, 0.0).direction;
+        let bottom = camera().ray(319.5, 359.0).direction;
+        tenths(top.angle_between(bottom).to_degrees())
+    }),
+    ("step01-pixel-x", || short(camera().ray(480.0, 90.0).direction.x)),
+    ("step01-pixel-y", || short(camera().ray(480.0, 90.0).direction.y)),
+    ("step01-pixel-colour", || pixel(480, 90)),
+    ("step01-corner-length", || short(camera().ray(0.0, 0.0).direction.length())),
+    ("step01-top-left", || pixel(0, 0)),
+    ("step01-top-right", || pixel(639, 0)),
+    ("step01-bottom-left", || pixel(0, 359)),
+    ("step01-bottom-right", || pixel(639, 359)),
+    ("step01-unit-blue", || {
+        let mut ray = camera().ray(0.0, 0.0);
+        ray.direction = ray.direction.normalize();
+        format!("{:.0}", 255.0 * direction_colour(&ray).z)
+    }),
+    ("step01-rows-scope", || {
+        let scope = AspectRatio { width: 2.35, height: 1.0 };
+        scope.v_res(640).map_or("none".to_string(), |rows| rows.to_string())
+    }),
+    ("step01-rays", || (camera().h_res * camera().v_res).to_string()),
+    ("step01-half-light", || format!("{:.2}", 0.5_f64.powf(2.2))),
+];
+
+/// The row of the figure: 7 rays, 60 degrees.
+fn row() -> Row {
+    Row::new(7, FRAC_PI_3)
+}
+
+/// The angle between two rays of that row, in degrees.
+fn between(i: f64, k: f64) -> f64 {
+    row().direction(i).angle_to(row().direction(k)).abs().to_degrees()
+}
+
+/// The colour of a pixel of step 1's picture.
+fn pixel(i: u32, j: u32) -> String {
+    let [red, green, blue] = picture(&camera(), 1).get_pixel(i, j).0;
+    format!("({red}, {green}, {blue})")
+}
+
+/// A number with one digit after the point.
+fn tenths(number: f64) -> String {
+    format!("{number:.1}")
+}
