@@ -8,7 +8,7 @@ mod random;
 mod refusals;
 
 pub use difference::Difference;
-pub use locked::{assert_locked, locked};
+pub use locked::{assert_locked, locked, target};
 pub use program::{Program, folder};
 pub use random::{point, rays, sphere, unit};
 pub use refusals::assert_refuses_bad_input;

@@ -76,7 +76,7 @@ fn decoded(snapshot: &insta::Snapshot) -> Option<RgbImage> {
 }
 
 /// The target folder: this test program runs from target/PROFILE/deps.
-pub(crate) fn target() -> PathBuf {
+pub fn target() -> PathBuf {
     let program = env::current_exe().expect("a running program has a path");
     program.ancestors().nth(3).expect("target/PROFILE/deps/program").to_owned()
 }

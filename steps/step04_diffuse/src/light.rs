@@ -35,6 +35,6 @@ impl PointLight {
     pub fn seen_from(&self, p: DVec3) -> (DVec3, f64) {
         let to_light = self.position - p;
         let d = to_light.length();
-        (to_light / d, d)
+        (to_light.normalize(), d)
     }
 }

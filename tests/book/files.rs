@@ -1,0 +1,61 @@
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::{fs, io};
+
+/// The files of a folder in memory, each by its path in that folder.
+///
+/// So a test can change one and see what a check says, and no file is touched.
+#[derive(Clone, Debug, Default)]
+pub struct Files(pub BTreeMap<String, Vec<u8>>);
+
+impl Files {
+    /// Reads every file in `folder` and in the folders in it.
+    pub fn read(folder: &Path) -> Self {
+        let mut files = Self::default();
+        let read = files.read_into("", folder);
+        read.unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+        files
+    }
+
+    fn read_into(&mut self, prefix: &str, folder: &Path) -> io::Result<()> {
+        for entry in fs::read_dir(folder)? {
+            let entry = entry?;
+            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+            if entry.file_type()?.is_dir() {
+                self.read_into(&format!("{name}/"), &entry.path())?;
+            } else {
+                self.0.insert(name, fs::read(entry.path())?);
+            }
+        }
+        Ok(())
+    }
+
+    /// The text of the file at `path`, if it is there and is text.
+    pub fn text(&self, path: &str) -> Option<&str> {
+        str::from_utf8(self.0.get(path)?).ok()
+    }
+
+    /// The paths and texts of all files whose path ends in `end`.
+    pub fn texts(&self, end: &str) -> impl Iterator<Item = (&str, &str)> {
+        let paths = self.0.keys().filter(move |path| path.ends_with(end));
+        paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
+    }
+
+    /// These files, with `from` replaced by `to` where it first stands in the file
+    /// at `path`.
+    #[track_caller]
+    pub fn with(&self, path: &str, from: &str, to: &str) -> Self {
+        let text = self.text(path).unwrap_or_else(|| panic!("no text {path}"));
+        assert!(text.contains(from), "{path} does not hold {from:?}");
+        let mut files = self.clone();
+        files.0.insert(path.to_string(), text.replacen(from, to, 1).into_bytes());
+        files
+    }
+
+    /// These files without the one at `path`.
+    pub fn without(&self, path: &str) -> Self {
+        let mut files = self.clone();
+        files.0.remove(path).unwrap_or_else(|| panic!("no file {path}"));
+        files
+    }
+}

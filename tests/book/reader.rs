@@ -1,0 +1,145 @@
+use crate::book::workspace;
+use crate::files::Files;
+use crate::listing::Listing;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs, io};
+use tests::{Difference, locked, target};
+
+/// The crates, in the order in which a reader writes them.
+pub const STEPS: [&str; 5] = [
+    "step01_rays",
+    "step02_sphere",
+    "step03_nearest",
+    "step04_diffuse",
+    "step05_phong",
+];
+
+/// A reader's workspace: what the book shows, and nothing else.
+pub struct Reader {
+    pub folder: PathBuf,
+}
+
+impl Reader {
+    /// Moves every crate out of the workspace, until its chapter is reached.
+    ///
+    /// A file that is moved keeps its time, so Cargo has nothing to do for it.
+    pub fn put_aside(&self) -> io::Result<()> {
+        for folder in ["steps", "later"] {
+            fs::create_dir_all(self.folder.join(folder))?;
+        }
+        for step in STEPS {
+            let here = self.folder.join("steps").join(step);
+            if here.is_dir() {
+                fs::rename(here, self.folder.join("later").join(step))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the files that the book has shown so far; `step` is the new one.
+    ///
+    /// A part of a file goes where its caption says.
+    pub fn write(
+        &self,
+        step: &str,
+        files: &BTreeMap<&str, Vec<Listing>>,
+    ) -> io::Result<()> {
+        let aside = self.folder.join("later").join(step);
+        if aside.is_dir() {
+            fs::rename(aside, self.folder.join("steps").join(step))?;
+        }
+        for path in Files::read(&self.folder.join("steps")).0.keys() {
+            let path = format!("steps/{path}");
+            if !files.contains_key(path.as_str()) {
+                fs::remove_file(self.folder.join(path))?;
+            }
+        }
+        for (path, parts) in files {
+            let mut parts: Vec<_> = parts.iter().collect();
+            parts.sort_by_key(|part| part.lines());
+            let lines = parts.iter().flat_map(|part| part.code.split('\n'));
+            let text: String = lines.flat_map(|line| [line, "\n"]).collect();
+            let path = self.folder.join(path);
+            if fs::read_to_string(&path).ok().as_ref() != Some(&text) {
+                fs::create_dir_all(path.with_file_name(""))?;
+                fs::write(path, text)?;
+            }
+        }
+        fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
+        Ok(())
+    }
+
+    /// What is wrong with the workspace now that the chapter of `step` is typed.
+    pub fn fault(&self, step: &str) -> io::Result<Option<String>> {
+        let program = self.folder.join("target/debug").join(step);
+        let program = program.with_extension(env::consts::EXE_EXTENSION);
+        let file = self.folder.join(format!("{step}.png"));
+        // What an earlier run left does not count.
+        for old in [&program, &file] {
+            let _ = fs::remove_file(old);
+        }
+        let output = self.cargo(step).output()?;
+        if !output.status.success() {
+            let text = String::from_utf8_lossy(&output.stderr);
+            let error = text.lines().find(|line| line.contains("error"));
+            return Ok(Some(format!("Cargo says: {}", error.unwrap_or(&text))));
+        }
+        if let Some(package) = self.unlocked()? {
+            return Ok(Some(format!(
+                "Cargo takes a package not in our lock: {package}"
+            )));
+        }
+        let ran = Command::new(program).current_dir(&self.folder).output();
+        let Ok(picture) = ran.map_err(Into::into).and_then(|_| image::open(file))
+        else {
+            return Ok(Some(format!("no program {step} writes {step}.png")));
+        };
+        let difference = Difference::between(&locked(step), &picture.to_rgb8());
+        Ok(difference.map(|how| format!("{step} draws another picture: {how}")))
+    }
+
+    /// A package in the lock that Cargo wrote, but not in ours, if there is one.
+    fn unlocked(&self) -> io::Result<Option<String>> {
+        let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
+        let (ours, theirs) = (lock(workspace())?, lock(&self.folder)?);
+        let (ours, theirs) = (packages(&ours), packages(&theirs));
+        Ok(theirs.difference(&ours).next().cloned())
+    }
+
+    /// Cargo, told to build the programs, and the benchmarks of `step`.
+    fn cargo(&self, step: &str) -> Command {
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(["build", "--offline", "--quiet", "--message-format", "short"]);
+        cargo.args(["--bins", "--target-dir", "target"]).current_dir(&self.folder);
+        if self.folder.join("steps").join(step).join("benches").is_dir() {
+            cargo.args(["--bench", "*"]);
+        }
+        // What the crates depend on is compiled already, for ours. As the crates have
+        // the names of ours, a setting of their own keeps them apart.
+        cargo.env("CARGO_BUILD_BUILD_DIR", target());
+        for step in STEPS {
+            let setting = format!("profile.dev.package.{step}.opt-level=0");
+            cargo.args(["--config", &setting]);
+        }
+        cargo
+    }
+}
+
+/// The packages in a lock file, each with its version.
+fn packages(lock: &str) -> BTreeSet<String> {
+    let lines = |package: &str| {
+        package.trim().lines().take(2).collect::<Vec<_>>().join(" ")
+    };
+    lock.split("[[package]]").skip(1).map(lines).collect()
+}
+
+#[test]
+fn packages_of_another_version_are_others() {
+    let lock =
+        |version: &str| format!("[[package]]\nname = \"a\"\nversion = {version}\n");
+    let (old, new) = (lock("1.0.0"), lock("1.0.1"));
+    assert_eq!(packages(&format!("{old}\n{new}")).len(), 2);
+    assert_eq!(packages(&old).difference(&packages(&new)).count(), 1);
+}

@@ -1,0 +1,153 @@
+//! Every line of every source file stands in the chapter of its step, once.
+
+use crate::book::{BOOK, Book, workspace};
+use crate::files::Files;
+use crate::listing::{Listing, lines};
+use crate::{assert_found, assert_none};
+use std::fs;
+use std::sync::LazyLock;
+
+/// The files of the five crates, and those beside the folder of the crates.
+pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
+    let mut files = Files::default();
+    for (path, bytes) in Files::read(&workspace().join("steps")).0 {
+        files.0.insert(format!("steps/{path}"), bytes);
+    }
+    for path in ["Cargo.toml", ".rustfmt.toml"] {
+        let bytes = fs::read(workspace().join(path));
+        files.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
+    }
+    files
+});
+
+/// Each listing that is not what its caption says, or not from a step.
+fn wrong_listings(book: &Book, source: &Files) -> Vec<String> {
+    let listings = book.chapters().into_iter().flat_map(Listing::all);
+    let checked = listings.map(|listing| listing.check(source.text(listing.path)));
+    checked.filter_map(Result::err).collect()
+}
+
+/// The page on which a file of a step has its place.
+fn home(path: &str) -> Option<String> {
+    let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
+    let page = if file.starts_with("examples/") { "solutions" } else { step };
+    Some(format!("{page}.html"))
+}
+
+/// Each file with a line that does not stand in its chapter, stands there twice or
+/// stands in another one too.
+fn wrong_files(book: &Book, source: &Files) -> Vec<String> {
+    let mut faults = vec![];
+    for (path, text) in source.texts("") {
+        let Some(home) = home(path) else { continue };
+        let mut times = vec![0; lines(text).len()];
+        for page in book.chapters() {
+            for listing in Listing::all(page).filter(|one| one.path == path) {
+                if page.name != home {
+                    let at = &listing.at;
+                    faults.push(format!(
+                        "The listing on {at} is from {path}, whose place is {home}."
+                    ));
+                } else if let Some((first, last)) = listing.lines() {
+                    let shown = times.iter_mut().take(last).skip(first.max(1) - 1);
+                    shown.for_each(|times| *times += 1);
+                }
+            }
+        }
+        if let Some(at) = times.iter().position(|&times| times != 1) {
+            let (line, times) = (at + 1, times[at]);
+            faults.push(format!(
+                "Line {line} of {path} stands {times} times in {home}, not once."
+            ));
+        }
+    }
+    faults
+}
+
+const PAGE: &str = "step01_rays.html";
+const RAY: &str = "steps/step01_rays/src/ray.rs";
+const FIGURE: &str =
+    r#"data-path="steps/step01_rays/src/ray.rs" data-lines="1-17""#;
+
+/// Fails unless one listing of `book` is wrong, and the sentence holds these words.
+#[track_caller]
+fn found(book: &Book, words: &[&str]) {
+    assert_found(&wrong_listings(book, &SOURCE), words);
+}
+
+#[test]
+fn every_listing_is_what_its_caption_says() {
+    assert_none(&wrong_listings(&BOOK, &SOURCE));
+}
+
+#[test]
+fn every_line_of_every_file_stands_in_its_chapter_once() {
+    assert_none(&wrong_files(&BOOK, &SOURCE));
+}
+
+#[test]
+fn a_changed_line_is_found() {
+    let (old, new) = ("self.start + t", "self.start - t");
+    let shown = "self.start - t * self.direction";
+    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "line 15", shown]);
+    let source = SOURCE.with(RAY, old, new);
+    let words = [PAGE, RAY, "line 15", shown];
+    assert_found(&wrong_listings(&BOOK, &source), &words);
+}
+
+#[test]
+fn a_missing_line_is_found() {
+    let line = "    /// S, the point where the ray starts.\n";
+    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "line 6", "pub start: DVec3"]);
+    let source = SOURCE.with(RAY, "use glam", "use std::fmt;\nuse glam");
+    let words = ["Line 18 of", RAY, "0 times", PAGE];
+    assert_found(&wrong_files(&BOOK, &source), &words);
+}
+
+#[test]
+fn a_line_too_many_is_found() {
+    let end = "self.start + t * self.direction\n    }\n}";
+    let book = BOOK.with(PAGE, end, &format!("{end}\n// The end"));
+    found(&book, &[PAGE, "goes on", "// The end"]);
+}
+
+#[test]
+fn a_file_without_a_listing_is_found() {
+    let mut source = SOURCE.clone();
+    source
+        .0
+        .insert("steps/step02_sphere/src/new.rs".to_string(), b"// New\n".into());
+    let words = ["Line 1 of steps/step02_sphere/src/new.rs", "0 times"];
+    assert_found(&wrong_files(&BOOK, &source), &words);
+}
+
+#[test]
+fn a_listing_that_stands_twice_or_in_another_chapter_is_found() {
+    let again =
+        format!("<figure class=\"listing\" {FIGURE}><code></code></figure></main>");
+    let book = BOOK.with(PAGE, "</main>", &again);
+    let words = ["Line 1 of", RAY, "2 times", PAGE];
+    assert_found(&wrong_files(&book, &SOURCE), &words);
+    let book = BOOK.with("step02_sphere.html", "</main>", &again);
+    let words = ["step02_sphere.html", RAY, PAGE];
+    assert_found(&wrong_files(&book, &SOURCE), &words);
+}
+
+#[test]
+fn a_wrong_place_is_found() {
+    let with_lines =
+        |lines| BOOK.with(PAGE, FIGURE, &FIGURE.replace("1-17", lines));
+    found(&with_lines("2-17"), &["caption", PAGE, "lines 2–17 of 17"]);
+    found(&with_lines("1-18"), &[PAGE, "1-18", RAY, "has 17"]);
+}
+
+#[test]
+fn rust_from_elsewhere_is_found() {
+    let typed = "<pre><code class=\"language-rust\">let x = 1;</code></pre>";
+    found(&BOOK.with_html(typed), &[PAGE, "no file"]);
+    let moved = FIGURE.replace("ray.rs", "way.rs");
+    found(&BOOK.with(PAGE, FIGURE, &moved), &[PAGE, "way.rs, which is no file"]);
+    let figure = "<figure class=\"listing\" data-path=\"book/builder/lib.rs\">";
+    let book = BOOK.with_html(&format!("{figure}{typed}</figure>"));
+    found(&book, &[PAGE, "book/builder/lib.rs", "not from a step"]);
+}

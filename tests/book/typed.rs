@@ -1,0 +1,76 @@
+//! The book suffices: what a reader types from it compiles and draws its pictures,
+//! at the end of each chapter.
+
+use crate::assert_found;
+use crate::book::{BOOK, Book};
+use crate::listing::Listing;
+use crate::reader::{Reader, STEPS};
+use crate::source::SOURCE;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use tests::target;
+
+/// Held by the test that types: all type into one folder, so that little is compiled
+/// twice.
+static TYPING: Mutex<()> = Mutex::new(());
+
+/// What is wrong at the end of the first chapter that does not suffice.
+fn fault(book: &Book) -> Option<String> {
+    let _typing = TYPING.lock();
+    let reader = Reader { folder: target().join("typed") };
+    let mut steps = STEPS.iter().peekable();
+    let mut files: BTreeMap<&str, Vec<Listing>> = BTreeMap::new();
+    reader.put_aside().expect("the crates can be moved");
+    for page in book.chapters() {
+        for listing in Listing::all(page) {
+            files.entry(listing.path).or_default().push(listing);
+        }
+        let Some(step) = steps.next_if(|step| page.name == format!("{step}.html"))
+        else {
+            continue;
+        };
+        let faults = reader.write(step, &files).and_then(|()| reader.fault(step));
+        let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
+        if let Some(what) = fault {
+            return Some(format!("At the end of {}, {what}.", page.name));
+        }
+    }
+    steps.next().map(|step| format!("The book has no chapter {step}.html."))
+}
+
+#[test]
+fn the_book_suffices_at_the_end_of_each_chapter() {
+    assert_eq!(fault(&BOOK), None);
+}
+
+const PHONG: &str = "step05_phong.html";
+
+#[test]
+fn a_program_that_does_not_compile_is_found() {
+    let book = BOOK.with(PHONG, "run(env!", "walk(env!");
+    let words = ["At the end of", PHONG, "steps/step05_phong/src/main.rs", "walk"];
+    assert_found(&Vec::from_iter(fault(&book)), &words);
+}
+
+#[test]
+fn another_picture_is_found() {
+    let two = "|camera, _| step05_phong::picture(camera, 2))";
+    let book = BOOK.with(PHONG, "step05_phong::picture)", two);
+    let words = [PHONG, "step05_phong draws another picture", "pixels"];
+    assert_found(&Vec::from_iter(fault(&book)), &words);
+}
+
+#[test]
+fn a_file_that_comes_a_chapter_too_late_is_found() {
+    let main = "steps/step03_nearest/src/main.rs";
+    let late = format!(
+        "<figure class=\"listing\" data-path=\"{main}\" data-lines=\"1-7\">\
+         <code class=\"language-rust\">{}</code></figure></main>",
+        SOURCE.text(main).expect("the program of step 3"),
+    );
+    let book = BOOK
+        .with("step03_nearest.html", &format!("\"{main}\""), "\"README\"")
+        .with("step04_diffuse.html", "</main>", &late);
+    let words = ["step03_nearest.html", "no program step03_nearest"];
+    assert_found(&Vec::from_iter(fault(&book)), &words);
+}
