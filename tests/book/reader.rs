@@ -75,29 +75,46 @@ impl Reader {
     pub fn fault(&self, step: &str) -> io::Result<Option<String>> {
         let program = self.folder.join("target/debug").join(step);
         let program = program.with_extension(env::consts::EXE_EXTENSION);
-        let file = self.folder.join(format!("{step}.png"));
         // What an earlier run left does not count.
-        for old in [&program, &file] {
-            let _ = fs::remove_file(old);
-        }
-        let output = self.cargo(step).output()?;
-        if !output.status.success() {
-            let text = String::from_utf8_lossy(&output.stderr);
-            let error = text.lines().find(|line| line.contains("error"));
-            return Ok(Some(format!("Cargo says: {}", error.unwrap_or(&text))));
+        let _ = fs::remove_file(&program);
+        if let Some(fault) = said(self.cargo(step))? {
+            return Ok(Some(fault));
         }
         if let Some(package) = self.unlocked()? {
             return Ok(Some(format!(
                 "Cargo takes a package not in our lock: {package}"
             )));
         }
+        Ok(self.other_picture(&program, step))
+    }
+
+    /// What is wrong with the solutions and starters, now that they are typed as well.
+    pub fn fault_of_examples(&self, names: &[&str]) -> io::Result<Option<String>> {
+        let mut cargo = self.cargo("examples");
+        cargo.arg("--examples");
+        if let Some(fault) = said(cargo)? {
+            return Ok(Some(fault));
+        }
+        let programs = self.folder.join("target/debug/examples");
+        let mut faults = names.iter().filter_map(|name| {
+            let program = programs.join(name);
+            let program = program.with_extension(env::consts::EXE_EXTENSION);
+            self.other_picture(&program, name)
+        });
+        Ok(faults.next())
+    }
+
+    /// How the picture that `program` writes differs from the locked one of its name.
+    fn other_picture(&self, program: &Path, name: &str) -> Option<String> {
+        let file = self.folder.join(format!("{name}.png"));
+        let _ = fs::remove_file(&file);
         let ran = Command::new(program).current_dir(&self.folder).output();
         let Ok(picture) = ran.map_err(Into::into).and_then(|_| image::open(file))
         else {
-            return Ok(Some(format!("no program {step} writes {step}.png")));
+            return Some(format!("no program {name} writes {name}.png"));
         };
-        let difference = Difference::between(&locked(step), &picture.to_rgb8());
-        Ok(difference.map(|how| format!("{step} draws another picture: {how}")))
+        let difference = Difference::between(&locked(name), &picture.to_rgb8());
+        difference.map(|how| format!("{name} draws another picture: {how}"))
     }
 
     /// A package in the lock that Cargo wrote, but not in ours, if there is one.
@@ -125,6 +142,14 @@ impl Reader {
         }
         cargo
     }
+}
+
+/// Why Cargo does not build, in its own words, where it does not.
+fn said(mut cargo: Command) -> io::Result<Option<String>> {
+    let output = cargo.output()?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let error = text.lines().find(|line| line.contains("error")).unwrap_or(&text);
+    Ok((!output.status.success()).then(|| format!("Cargo says: {error}")))
 }
 
 /// The packages in a lock file, each with its version.

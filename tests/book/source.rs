@@ -30,7 +30,9 @@ fn wrong_listings(book: &Book, source: &Files) -> Vec<String> {
 /// The page on which a file of a step has its place.
 fn home(path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let page = if file.starts_with("examples/") { "solutions" } else { step };
+    // A starter stands where its exercises do.
+    let solution = file.starts_with("examples/") && !file.ends_with("_starter.rs");
+    let page = if solution { "solutions" } else { step };
     Some(format!("{page}.html"))
 }
 

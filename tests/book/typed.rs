@@ -4,6 +4,7 @@
 use crate::assert_found;
 use crate::book::{BOOK, Book};
 use crate::listing::Listing;
+use crate::page::Page;
 use crate::reader::{Reader, STEPS};
 use crate::source::SOURCE;
 use std::collections::BTreeMap;
@@ -25,6 +26,16 @@ fn fault(book: &Book) -> Option<String> {
         for listing in Listing::all(page) {
             files.entry(listing.path).or_default().push(listing);
         }
+        if page.name == SOLUTIONS {
+            let last = STEPS[STEPS.len() - 1];
+            let written = reader.write(last, &files);
+            let faults =
+                written.and_then(|()| reader.fault_of_examples(&solutions(page)));
+            let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
+            if let Some(what) = fault {
+                return Some(format!("At the end of {SOLUTIONS}, {what}."));
+            }
+        }
         let Some(step) = steps.next_if(|step| page.name == format!("{step}.html"))
         else {
             continue;
@@ -36,6 +47,16 @@ fn fault(book: &Book) -> Option<String> {
         }
     }
     steps.next().map(|step| format!("The book has no chapter {step}.html."))
+}
+
+const SOLUTIONS: &str = "solutions.html";
+
+/// The names of the examples on the page of the solutions.
+fn solutions(page: &Page) -> Vec<&str> {
+    let paths = Listing::all(page).map(|listing| listing.path);
+    paths
+        .filter_map(|path| path.split_once("/examples/")?.1.strip_suffix(".rs"))
+        .collect()
 }
 
 #[test]
@@ -73,4 +94,17 @@ fn a_file_that_comes_a_chapter_too_late_is_found() {
         .with("step04_diffuse.html", "</main>", &late);
     let words = ["step03_nearest.html", "no program step03_nearest"];
     assert_found(&Vec::from_iter(fault(&book)), &words);
+}
+
+#[test]
+fn a_solution_that_draws_another_picture_is_found() {
+    let book = BOOK.with(
+        SOLUTIONS,
+        "fn picture(camera: &amp;Camera, samples: u32)",
+        "fn picture(camera: &amp;Camera, _: u32)",
+    );
+    assert_found(
+        &Vec::from_iter(fault(&book)),
+        &["At the end of", SOLUTIONS, "samples"],
+    );
 }

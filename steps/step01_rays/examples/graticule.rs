@@ -1,0 +1,35 @@
+//! The graticule: lines of constant longitude and latitude over the sky.
+
+use glam::DVec3;
+use image::RgbImage;
+use std::process::ExitCode;
+use step01_rays::{Camera, Ray, direction_colour, render, run};
+
+/// The angle from one line to the next.
+const SPACING: f64 = 5_f64.to_radians();
+
+/// How far `angle` is from the nearest multiple of the spacing.
+pub fn from_line(angle: f64) -> f64 {
+    (angle - (angle / SPACING).round() * SPACING).abs()
+}
+
+/// The colour that `ray` sees: lines, two pixels wide, where a pixel is the angle
+/// `pixel` wide, before its direction.
+fn colour(ray: &Ray, pixel: f64) -> DVec3 {
+    let v = ray.direction.normalize();
+    let (longitude, latitude) = (v.x.atan2(-v.z), v.y.asin());
+    // Meridians come together at the poles: there the same angle is a shorter way.
+    let away = from_line(latitude).min(from_line(longitude) * latitude.cos());
+    let covered = (1.5 - away / pixel).clamp(0.0, 1.0);
+    direction_colour(ray).lerp(DVec3::ONE, covered)
+}
+
+/// The picture: the sky of step 1 with its graticule.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    let pixel = camera.matrix.x_axis.length();
+    render(camera, samples, |ray| colour(ray, pixel))
+}
+
+fn main() -> ExitCode {
+    run("graticule", picture)
+}

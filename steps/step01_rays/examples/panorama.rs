@@ -1,0 +1,50 @@
+//! A panorama: 360 degrees around and 180 degrees up and down, from two angles.
+
+use glam::{DMat3, DVec3};
+use image::RgbImage;
+use std::f64::consts::{PI, TAU};
+use std::process::ExitCode;
+use step01_rays::{Camera, render, run};
+
+/// The unit vector at a longitude and a latitude; both are 0 ahead, along −z.
+pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
+    let around = DVec3::new(longitude.sin(), 0.0, -longitude.cos());
+    latitude.cos() * around + latitude.sin() * DVec3::Y
+}
+
+/// The direction V that belongs to a place (i, j, 1) of the panorama.
+///
+/// All columns share the whole circle, all rows the half circle from pole to pole.
+pub fn panoramic(camera: &Camera, place: DVec3) -> DVec3 {
+    let across = (place.x + 0.5) / f64::from(camera.h_res);
+    let down = (place.y + 0.5) / f64::from(camera.v_res);
+    direction((across - 0.5) * TAU, (0.5 - down) * PI)
+}
+
+/// What one sees along `v` from the middle of a tiled cube with coloured walls.
+fn colour(v: DVec3) -> DVec3 {
+    let wall = v / v.abs().max_element();
+    let colour = match wall.to_array() {
+        [1.0, ..] => DVec3::new(0.16, 0.60, 0.60),
+        [-1.0, ..] => DVec3::new(0.44, 0.47, 0.78),
+        [_, 1.0, _] => DVec3::new(0.97, 0.94, 0.90),
+        [_, -1.0, _] => DVec3::new(0.80, 0.76, 0.82),
+        [.., 1.0] => DVec3::new(0.96, 0.66, 0.56),
+        _ => DVec3::new(0.91, 0.34, 0.28),
+    };
+    let tile = (3.0 * wall).floor().element_sum().rem_euclid(2.0);
+    if tile < 1.0 { colour } else { 0.88 * colour }
+}
+
+/// The picture: the cube around the eye, all of it.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
+    let inverse: DMat3 = camera.matrix.inverse();
+    render(camera, samples, |ray| {
+        colour(panoramic(camera, inverse * ray.direction))
+    })
+}
+
+fn main() -> ExitCode {
+    run("panorama", picture)
+}

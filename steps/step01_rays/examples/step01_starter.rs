@@ -1,0 +1,21 @@
+//! Where the exercises of step 1 begin: step 1's own picture.
+
+use glam::DVec3;
+use image::RgbImage;
+use std::process::ExitCode;
+use step01_rays::{Camera, Ray, render, run};
+
+/// The colour that `ray` sees: its direction.
+fn colour(ray: &Ray) -> DVec3 {
+    let v = ray.direction;
+    0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)
+}
+
+/// The picture: the colour of every ray.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    render(camera, samples, colour)
+}
+
+fn main() -> ExitCode {
+    run(env!("CARGO_CRATE_NAME"), picture)
+}

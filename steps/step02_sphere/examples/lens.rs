@@ -1,0 +1,80 @@
+//! A lens: what two spheres have in common.
+
+use glam::DVec3;
+use image::RgbImage;
+use std::process::ExitCode;
+use step02_sphere::{Camera, Ray, Roots, Sphere, direction_colour, render, run};
+
+/// A piece of a ray: all t from where it enters a solid to where it leaves it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The t where it begins.
+    pub enter: f64,
+    /// The t where it ends; above `enter`.
+    pub leave: f64,
+}
+
+/// The ray itself: all t from 0.
+pub const RAY: Interval = Interval { enter: 0.0, leave: f64::INFINITY };
+
+impl Interval {
+    /// The piece of `ray` inside `sphere`, that behind its start included.
+    pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
+        match sphere.intersect(ray) {
+            Roots::Two(enter, leave) => Some(Self { enter, leave }),
+            Roots::One(_) | Roots::None => None,
+        }
+    }
+
+    /// What both have in common: from the later begin to the earlier end.
+    pub fn overlap(self, other: Self) -> Option<Self> {
+        let enter = self.enter.max(other.enter);
+        let leave = self.leave.min(other.leave);
+        (enter < leave).then_some(Self { enter, leave })
+    }
+}
+
+/// The piece of `ray` that lies inside all `spheres`.
+pub fn inside_all(spheres: &[Sphere], ray: &Ray) -> Option<Interval> {
+    spheres.iter().try_fold(RAY, |piece, sphere| {
+        piece.overlap(Interval::inside(sphere, ray)?)
+    })
+}
+
+/// The two spheres.
+pub const SPHERES: [Sphere; 2] = [
+    Sphere { centre: DVec3::new(-0.75, -0.15, -5.4), radius: 1.5 },
+    Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
+];
+
+/// The colour behind a solid of coloured glass: the longer the way through it, the
+/// less of `behind` is left.
+fn through(
+    behind: DVec3,
+    glass: DVec3,
+    solid: Option<Interval>,
+    ray: &Ray,
+) -> DVec3 {
+    let Some(Interval { enter, leave }) = solid else { return behind };
+    let way = (leave - enter) * ray.direction.length();
+    glass.lerp(behind, 1.0 / (1.0 + 2.0 * way))
+}
+
+/// The colour that `ray` sees: each sphere of pale glass, and the lens of red.
+fn colour(ray: &Ray) -> DVec3 {
+    let sky = direction_colour(ray);
+    let pale = |behind, sphere: &Sphere| {
+        through(behind, 0.5 * behind + 0.5, inside_all(&[*sphere], ray), ray)
+    };
+    let behind = SPHERES.iter().fold(sky, pale);
+    through(behind, DVec3::new(0.91, 0.20, 0.14), inside_all(&SPHERES, ray), ray)
+}
+
+/// The picture: two spheres of glass, and the lens in which they overlap.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    render(camera, samples, colour)
+}
+
+fn main() -> ExitCode {
+    run("lens", picture)
+}

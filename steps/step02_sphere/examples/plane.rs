@@ -1,0 +1,66 @@
+//! An infinite plane, checkered, under the sphere.
+
+use glam::DVec3;
+use image::RgbImage;
+use std::process::ExitCode;
+use step02_sphere::{Camera, Ray, SPHERE, direction_colour, render, run};
+
+/// A plane, the points p with n·(p − q) = 0.
+pub struct Plane {
+    /// q, any point of it.
+    pub point: DVec3,
+    /// n, at a right angle to it; of any length but 0.
+    pub normal: DVec3,
+}
+
+impl Plane {
+    /// The t above 0 at which `ray` meets the plane, t = n·(q − S) / n·V.
+    pub fn first_hit(&self, ray: &Ray) -> Option<f64> {
+        let along = self.normal.dot(ray.direction);
+        if along == 0.0 {
+            return None;
+        }
+        let t = self.normal.dot(self.point - ray.start) / along;
+        (0.0 < t).then_some(t)
+    }
+}
+
+/// The ground, on which the sphere stands.
+pub const GROUND: Plane =
+    Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
+
+/// The colour of the ground at the point `p`: squares of side 1, in two colours.
+fn checker(p: DVec3) -> DVec3 {
+    let square = p.x.floor() + p.z.floor();
+    if square.rem_euclid(2.0) == 0.0 {
+        DVec3::new(0.97, 0.94, 0.90)
+    } else {
+        DVec3::new(0.44, 0.47, 0.78)
+    }
+}
+
+/// The colour that `ray` sees: the nearer of sphere and ground, else its direction.
+fn colour(ray: &Ray) -> DVec3 {
+    let sphere = SPHERE.intersect(ray).first_hit();
+    let ground = GROUND.first_hit(ray);
+    match (sphere, ground) {
+        (Some(t), _) if ground.is_none_or(|u| t < u) => {
+            DVec3::new(0.91, 0.34, 0.28)
+        }
+        (_, Some(t)) => {
+            // Far away the squares are smaller than pixels: the sky takes over.
+            let far = ray.at(t).distance(ray.start) / 12.0;
+            direction_colour(ray).lerp(checker(ray.at(t)), 1.0 / (1.0 + far * far))
+        }
+        _ => direction_colour(ray),
+    }
+}
+
+/// The picture: the sphere of step 2 on a ground without end.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    render(camera, samples, colour)
+}
+
+fn main() -> ExitCode {
+    run("plane", picture)
+}

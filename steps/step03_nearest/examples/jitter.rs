@@ -1,0 +1,50 @@
+//! Better samples: one ray at a random place of each sub-pixel.
+
+use glam::DVec3;
+use image::RgbImage;
+use std::process::ExitCode;
+use step03_nearest::{Camera, Ray, direction_colour, render, run};
+
+/// Two numbers from 0 to 1 that look random, the same for the same `x` and `y`.
+pub fn noise(x: u32, y: u32) -> [f64; 2] {
+    let mut h = u64::from(x) << 32 | u64::from(y);
+    for _ in 0..3 {
+        h = (h ^ h >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+    [h >> 32, h & 0xffff_ffff].map(|half| half as f64 / 2_f64.powi(32))
+}
+
+/// The ray through a random place of the sub-pixel whose centre is at (i, j, 1).
+///
+/// A pixel has `side` × `side` sub-pixels.
+pub fn jittered(camera: &Camera, side: u32, centre: DVec3) -> Ray {
+    let side = f64::from(side);
+    // Column and row of the sub-pixel among those of the whole picture.
+    let (x, y) = ((centre.x + 0.5) * side, (centre.y + 0.5) * side);
+    let [u, v] = noise(x as u32, y as u32);
+    camera.ray(centre.x + (u - 0.5) / side, centre.y + (v - 0.5) / side)
+}
+
+/// The colour that `ray` sees: rings around the middle, the further out the finer.
+fn colour(ray: &Ray) -> DVec3 {
+    let v = ray.direction;
+    let rings = 2800.0 * (v.x * v.x + v.y * v.y);
+    direction_colour(ray) * if rings.fract() < 0.5 { 1.0 } else { 0.4 }
+}
+
+/// The picture: rays on a grid on the left, random ones on the right; at least 4×4.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    let side = samples.max(4);
+    // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
+    let inverse = camera.matrix.inverse();
+    render(camera, side, |ray| {
+        if ray.direction.x < 0.0 {
+            return colour(ray);
+        }
+        colour(&jittered(camera, side, inverse * ray.direction))
+    })
+}
+
+fn main() -> ExitCode {
+    run("jitter", picture)
+}

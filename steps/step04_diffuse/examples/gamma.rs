@@ -1,0 +1,40 @@
+//! The picture of step 4, its intensities encoded with the sRGB curve.
+
+use glam::DVec3;
+use image::{Rgb, RgbImage};
+use std::process::ExitCode;
+use step04_diffuse::{Camera, colour, run};
+
+/// The sRGB value of a linear intensity I, both from 0 to 1: a straight line near
+/// black, a power above.
+pub fn srgb(i: f64) -> f64 {
+    if i <= 0.0031308 { 12.92 * i } else { 1.055 * i.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The 8-bit colour of an intensity: clamped first, then encoded, then rounded.
+pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
+    let encoded = intensity.clamp(DVec3::ZERO, DVec3::ONE).map(srgb);
+    let rounded = 255.0 * encoded + 0.5;
+    Rgb([rounded.x as u8, rounded.y as u8, rounded.z as u8])
+}
+
+/// The picture: as `render` draws it, with the curve after each pixel's mean.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    let side = f64::from(samples);
+    let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+    let offsets: Vec<f64> = (0..samples).map(centre).collect();
+    let weight = 1.0 / (side * side);
+    RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
+        let mut sum = DVec3::ZERO;
+        for v in &offsets {
+            for u in &offsets {
+                sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
+            }
+        }
+        rgb8(sum * weight)
+    })
+}
+
+fn main() -> ExitCode {
+    run(env!("CARGO_CRATE_NAME"), picture)
+}
