@@ -1,13 +1,12 @@
 //! What the tests of the five steps share: locked pictures, programs to run, random
 //! input.
 
-mod difference;
 mod locked;
 mod program;
 mod random;
 mod refusals;
 
-pub use difference::Difference;
+pub use gallery::Difference;
 pub use locked::{assert_locked, locked, target};
 pub use program::{Program, folder};
 pub use random::{point, rays, sphere, unit};

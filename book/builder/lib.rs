@@ -12,6 +12,7 @@ mod boxes;
 mod caption;
 mod figures;
 mod formula;
+mod gallery;
 mod link;
 mod listing;
 mod picture;

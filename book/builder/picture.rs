@@ -1,5 +1,5 @@
-use crate::caption;
 use crate::page::House;
+use crate::{caption, gallery};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
@@ -77,8 +77,8 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
     Some((number(16)?, number(20)?))
 }
 
-/// Copies the locked snapshots beside the chapters, and removes pictures that are
-/// none.
+/// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
+/// there, and removes pictures that are neither.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -87,7 +87,7 @@ pub fn copy_snapshots(house: &House) -> Result<()> {
         (house.workspace.join("tests/snapshots"), house.chapters.join("pictures"));
     fs::create_dir_all(&to)
         .with_context(|| format!("{} can't be made", to.display()))?;
-    let mut names = vec![];
+    let mut names = gallery::draw(&to)?;
     for snapshot in files(&from)? {
         if let Some(name) = snapshot.strip_suffix(".snap.png") {
             let name = format!("{name}.png");

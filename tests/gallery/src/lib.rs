@@ -1,0 +1,33 @@
+//! The gallery of mistakes: what readers draw when one thing is wrong, and `check`,
+//! which knows each mistake by its picture.
+
+mod step;
+
+mod parts;
+mod section;
+
+mod mistake;
+mod mistakes;
+
+mod difference;
+mod locked;
+mod png;
+
+mod cause;
+mod recognise;
+mod sight;
+
+mod check;
+
+mod appendix;
+
+pub use appendix::appendix;
+pub use cause::Cause;
+pub use check::{Answer, check};
+pub use difference::Difference;
+pub use locked::{EXERCISES, locked, names};
+pub use mistake::{Mistake, mistakes};
+pub use parts::{FirstHit, Parts};
+pub use recognise::{Found, recognise};
+pub use section::Section;
+pub use step::Step;

@@ -1,0 +1,79 @@
+use crate::mistakes::{
+    angle, bytes, intersect, light, matrix, nearest, phong, ray, shade,
+};
+use crate::{Parts, Section, Step};
+use image::RgbImage;
+use step01_rays::Camera;
+
+/// One thing done wrong, and what is known of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Mistake {
+    /// Its name in file names: lower-case words with `-` between them.
+    pub name: &'static str,
+    /// The step in whose picture it is first told from the others.
+    pub step: Step,
+    /// The file of ours to compare with, seen from the root of the workspace.
+    pub file: &'static str,
+    /// The section of the book to go back to.
+    pub section: Section,
+    /// What is wrong, to be read after "the picture is what you get when".
+    pub when: &'static str,
+    /// What the picture shows, in one sentence.
+    pub sees: &'static str,
+    /// How it comes about or what is right, in one sentence.
+    pub says: &'static str,
+    /// Replaces the one part.
+    pub change: fn(&mut Parts),
+}
+
+/// Every mistake of the gallery, in the order of the steps' files.
+///
+/// Where two are made at once, the earlier comes first: angles before mirror images.
+pub fn mistakes() -> impl Iterator<Item = &'static Mistake> {
+    [
+        angle::ALL,
+        matrix::ALL,
+        ray::ALL,
+        bytes::ALL,
+        intersect::ALL,
+        nearest::ALL,
+        light::ALL,
+        shade::ALL,
+        phong::ALL,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+impl Mistake {
+    /// The picture of its step with this mistake in it.
+    pub fn picture(&self, camera: &Camera, samples: u32) -> RgbImage {
+        self.picture_in(self.step, camera, samples)
+    }
+
+    /// The picture of any step with this mistake in it: a later one keeps it.
+    pub fn picture_in(
+        &self,
+        step: Step,
+        camera: &Camera,
+        samples: u32,
+    ) -> RgbImage {
+        let mut parts = Parts::right(camera);
+        (self.change)(&mut parts);
+        parts.picture(step, samples)
+    }
+
+    /// The step whose code is wrong; the mistake may not show before a later one.
+    pub fn origin(&self) -> Step {
+        let mut steps = Step::ALL.into_iter();
+        let is_in = |step: &Step| self.file.contains(step.name());
+        steps.find(is_in).unwrap_or(self.step)
+    }
+
+    /// The steps in whose pictures the book shows it, and the names of those pictures.
+    pub fn shown(&self) -> impl Iterator<Item = (Step, String)> {
+        let own = (self.step, format!("mistake-{}", self.name));
+        let last = (Step::Phong, format!("mistake-{}-in-step-5", self.name));
+        [Some(own), (self.step == Step::Rays).then_some(last)].into_iter().flatten()
+    }
+}
