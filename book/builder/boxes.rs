@@ -3,7 +3,7 @@ use crate::caption;
 /// The boxes a chapter can have, and what stands before the author's own words in
 /// their heading.
 const KINDS: [(&str, &str); 3] =
-    [("predict", "Predict"), ("exercise", "Try it"), ("aside", "Aside")];
+    [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside")];
 
 /// The HTML for `{{#predict a question}}`, which begins a box, or `{{#end}}`, which
 /// ends it.

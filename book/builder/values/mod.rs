@@ -61,7 +61,7 @@ pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String
                     .to_string()
             }
             "figure" => "a figure stands alone in its paragraph".to_string(),
-            "predict" | "exercise" | "aside" | "end" => {
+            "predict" | "hints" | "aside" | "end" => {
                 "a box begins and ends with a paragraph of its own".to_string()
             }
             _ => {
