@@ -1,4 +1,4 @@
-//! The scene of step 4 at night, in the light of three spot lights.
+//! The scene of step 4 at night, in the light of four spot lights.
 
 use glam::DVec3;
 use image::RgbImage;
