@@ -52,7 +52,7 @@ pub(crate) const ALL: &[Mistake] = &[
         "starts-ahead",
         "V_0 looks straight ahead",
         "The middle of the scene is in the upper left corner.",
-        "The first ray goes through the corner: its x is −tan(θ/2), and its y is above 0.",
+        "The first ray goes through the centre of the corner pixel: its x is −tan(θ/2), and its y is above 0.",
         |parts| parts.camera.matrix.z_axis = DVec3::NEG_Z,
     ),
     wrong(

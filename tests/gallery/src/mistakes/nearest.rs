@@ -8,7 +8,7 @@ pub(crate) const ALL: &[Mistake] = &[
     wrong(
         "first-in-list",
         "the first sphere in the list that is hit is taken",
-        "The red sphere is before all others, whatever is nearer.",
+        "The ground covers what stands on it: the yellow sphere is gone.",
         "Ask every sphere, and keep the hit with the smallest t.",
         |parts| {
             parts.nearest = |all, ray, first_hit| hits(all, ray, first_hit).next()
