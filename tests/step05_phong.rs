@@ -17,7 +17,7 @@ const MATERIAL: Material = Material {
         diffuse: DVec3::new(0.4, 0.5, 0.6),
     },
     specular: DVec3::new(0.7, 0.8, 0.9),
-    shininess: 3.0,
+    shininess: 3,
 };
 
 /// A light at `position`, with attenuation 1/2.

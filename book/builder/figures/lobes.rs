@@ -11,7 +11,7 @@ pub fn figure() -> Figure {
     let r = DVec2::from_angle(FRAC_PI_4);
     let mut drawing = Drawing::new(480.0, 300.0);
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    for (k, n) in [1.0, 10.0, 40.0, 150.0].into_iter().enumerate() {
+    for (k, n) in [1, 10, 40, 150].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
             .map(|k| DVec2::from_angle(f64::from(k) / 180.0 * 2.0 * FRAC_PI_2))
             .map(|v| view.at(highlight(r, v, n) * v))
@@ -41,12 +41,9 @@ pub fn figure() -> Figure {
         Anchor::Start,
         "$r$",
     );
-    for (n, angle, y) in [
-        (1.0, 0.12, 226.0),
-        (10.0, 0.44, 190.0),
-        (40.0, 0.6, 154.0),
-        (150.0, 0.7, 118.0),
-    ] {
+    for (n, angle, y) in
+        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (150, 0.7, 118.0)]
+    {
         let v = DVec2::from_angle(angle);
         let at = view.at(highlight(r, v, n) * v);
         let end = dvec2(418.0, y);
@@ -67,7 +64,7 @@ pub fn figure() -> Figure {
 }
 
 /// What the step's own specular term makes of a white light, seen along `v`.
-fn highlight(r: DVec2, v: DVec2, shininess: f64) -> f64 {
+fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
     let surface = Surface { ambient: DVec3::ZERO, diffuse: DVec3::ZERO };
     let material = Material { surface, specular: DVec3::ONE, shininess };
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };

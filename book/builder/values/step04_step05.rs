@@ -52,10 +52,10 @@ pub(super) const VALUES: &[Value] = &[
     }),
     ("step05-cool-power", || {
         let Shaded { material, lights: [_, cool], .. } = example();
-        short(cool.r_dot_v.powf(material.shininess))
+        short(cool.r_dot_v.powi(material.shininess))
     }),
     ("step05-cool-specular", || vector(example().lights[1].specular)),
-    ("step05-shininess", || short(example().material.shininess)),
+    ("step05-shininess", || example().material.shininess.to_string()),
     ("step05-r-s", || short(example().material.specular.x)),
     ("step05-diffuse", || vector(example().terms.diffuse)),
     ("step05-specular", || vector(example().terms.specular)),
@@ -76,7 +76,7 @@ pub(super) const VALUES: &[Value] = &[
     ("step05-teal-v-length", || short(at(583, 215).ray.direction.length())),
     ("step05-teal-power", || {
         let Shaded { material, ray, .. } = at(583, 215);
-        short(ray.direction.length().powf(material.shininess))
+        short(ray.direction.length().powi(material.shininess))
     }),
 ];
 

@@ -1,11 +1,12 @@
 use crate::{Camera, Ray, colour::rgb8};
 use glam::DVec3;
 use image::RgbImage;
+use rayon::iter::{ParallelBridge, ParallelIterator};
 
 /// Draws the picture in which each pixel has the mean `colour` of the rays through it.
 ///
 /// Each pixel is a grid of `samples` × `samples` sub-pixels, with a ray through the
-/// centre of each. All processors draw at once.
+/// centre of each. All processors draw at once, a row each.
 pub fn render(
     camera: &Camera,
     samples: u32,
@@ -15,13 +16,18 @@ pub fn render(
     let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
     let offsets: Vec<f64> = (0..samples).map(centre).collect();
     let weight = 1.0 / (side * side);
-    RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
-        let mut sum = DVec3::ZERO;
-        for v in &offsets {
-            for u in &offsets {
-                sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
+    let mut image = RgbImage::new(camera.h_res, camera.v_res);
+    image.rows_mut().enumerate().par_bridge().for_each(|(j, row)| {
+        let camera = *camera; // a copy of the row's own: it can stay in registers
+        for (i, pixel) in row.enumerate() {
+            let mut sum = DVec3::ZERO;
+            for v in &offsets {
+                for u in &offsets {
+                    sum += colour(&camera.ray(i as f64 + u, j as f64 + v));
+                }
             }
+            *pixel = rgb8(sum * weight);
         }
-        rgb8(sum * weight)
-    })
+    });
+    image
 }

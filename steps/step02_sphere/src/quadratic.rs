@@ -27,10 +27,9 @@ impl Roots {
     /// Below 0 a root lies behind the ray; 0 is the starting point, and no hit.
     pub fn first_hit(self) -> Option<f64> {
         match self {
-            Roots::None => None,
-            Roots::One(t) => Some(t),
-            Roots::Two(near, far) => Some(if 0.0 < near { near } else { far }),
+            Roots::One(t) | Roots::Two(t, _) if 0.0 < t => Some(t),
+            Roots::Two(_, t) if 0.0 < t => Some(t),
+            _ => None,
         }
-        .filter(|&t| 0.0 < t)
     }
 }

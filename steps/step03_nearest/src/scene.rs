@@ -3,9 +3,9 @@ use glam::DVec3;
 
 /// The spheres of the scene that steps 3 to 5 share.
 pub const SPHERES: [Sphere; 9] = [
-    sphere(-0.65, -0.16, -7.4, 1.2), // the largest, in the middle
+    sphere(-0.65, -0.16, -7.4, 1.2), // the red one, in the middle
     sphere(0.0, -41.2, -11.0, 40.0), // the ground
-    sphere(0.45, -1.12, -5.8, 0.42), // a small one, before the largest
+    sphere(0.45, -1.12, -5.8, 0.42), // a small one, before the red one
     sphere(-3.0, -0.02, -10.2, 1.3), // far away on the left
     sphere(0.3, 0.4, 4.0, 1.2),      // behind the camera: never seen
     sphere(3.3, -0.69, -6.4, 0.9),   // partly outside the picture, on the right

@@ -28,7 +28,7 @@ pub fn specular(
     light: &Light,
 ) -> DVec3 {
     material.specular / light.point.attenuation.at(d)
-        * n.dot(h).max(0.0).powf(4.0 * material.shininess)
+        * n.dot(h).max(0.0).powi(4 * material.shininess)
         * light.specular
 }
 

@@ -13,8 +13,11 @@ pub fn specular(
     material: &Material,
     light: &Light,
 ) -> DVec3 {
-    let n = material.shininess;
+    let cosine = r.dot(v).max(0.0);
+    if cosine == 0.0 {
+        return DVec3::ZERO; // as at most points: spare them the power
+    }
     material.specular / light.point.attenuation.at(d)
-        * r.dot(v).max(0.0).powf(n)
+        * cosine.powi(material.shininess)
         * light.specular
 }

@@ -3,16 +3,18 @@ use std::fmt::Write;
 
 const HEAD: &str = "# What went wrong?
 
-Your picture is not ours, and you want to know why. Save it as a PNG file and ask:
+Your picture is not ours, and you want to know why. Ask in our folder:
 
 ```console
-$ cargo run --bin check -- my.png step03_nearest
+$ cargo run --bin check -- ../ray-casting/step03_nearest.png step03_nearest
 ```
 
 `check` compares every pixel. It knows all the mistakes below, two of them at once, \
 and each at any size and with any number of samples. Or look for your picture here. \
-Each was drawn by the five steps themselves, with one thing wrong in them. A mistake of \
-an early step stays in all pictures after it, so look under the earlier steps as well.
+Each was drawn by the five steps themselves, with one thing wrong in them, and stands \
+under the step in whose picture it is easiest to tell from the others. It stays in all \
+pictures after that one, and a few can be seen a step earlier already. So look under the \
+steps before and after yours as well.
 ";
 
 /// The appendix of the book that shows the whole gallery, as Markdown.

@@ -19,6 +19,7 @@ pub(crate) const CAMERA: Section = section(Step::Rays, "The camera");
 pub(crate) const BYTES: Section = section(Step::Rays, "From rays to a picture");
 pub(crate) const DIRECTIONS: Section =
     section(Step::Rays, "The direction as a colour");
+pub(crate) const PROGRAM: Section = section(Step::Rays, "The program around it");
 pub(crate) const MEETING: Section = section(Step::Sphere, "Where they meet");
 pub(crate) const FORMULA: Section = section(Step::Sphere, "The quadratic formula");
 pub(crate) const CENTRE: Section = section(Step::Sphere, "Any centre");

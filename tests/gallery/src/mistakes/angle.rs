@@ -4,16 +4,20 @@ use crate::{Mistake, Parts, Step, section};
 use step01_rays::Camera;
 
 pub(crate) const ALL: &[Mistake] = &[
-    wrong(
-        "degrees",
-        "the angle is in degrees",
-        "The view is far too wide, upside down and mirrored.",
-        "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
-        |parts| {
-            let Camera { h_res, v_res, .. } = parts.camera;
-            parts.camera = Camera::new(h_res, v_res, theta(parts).to_degrees());
-        },
-    ),
+    Mistake {
+        file: "steps/step01_rays/src/options.rs",
+        section: section::PROGRAM,
+        ..wrong(
+            "degrees",
+            "the angle is in degrees",
+            "The view is far too wide, upside down and mirrored.",
+            "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
+            |parts| {
+                let Camera { h_res, v_res, .. } = parts.camera;
+                parts.camera = Camera::new(h_res, v_res, theta(parts).to_degrees());
+            },
+        )
+    },
     wrong(
         "full-angle",
         "the tangent is that of θ, not of θ/2",

@@ -52,7 +52,7 @@ pub(crate) const ALL: &[Mistake] = &[
         SPECULAR,
         |parts| {
             parts.specular = |r, v, d, material, light| {
-                specular(r, v, d, &Material { shininess: 1.0, ..*material }, light)
+                specular(r, v, d, &Material { shininess: 1, ..*material }, light)
             };
         },
     ),
@@ -60,18 +60,19 @@ pub(crate) const ALL: &[Mistake] = &[
         "times-exponent",
         "r·v is multiplied by n, not raised to it",
         "Half of each sphere is white.",
-        "The exponent is a power: `powf`, not `*`.",
+        "The exponent is a power: `powi`, not `*`.",
         SPECULAR,
         |parts| {
             parts.specular = |r, v, d, material, light| {
                 let n = material.shininess;
-                n * specular(
-                    r,
-                    v,
-                    d,
-                    &Material { shininess: 1.0, ..*material },
-                    light,
-                )
+                f64::from(n)
+                    * specular(
+                        r,
+                        v,
+                        d,
+                        &Material { shininess: 1, ..*material },
+                        light,
+                    )
             };
         },
     ),
