@@ -220,7 +220,7 @@ fn oval(index: usize) -> (f64, f64) {
 
 /// A length on the image plane in pixels.
 fn pixels(length: f64) -> String {
-    format!("{:.1}", length / camera().matrix.x_axis.x)
+    format!("{:.2}", length / camera().matrix.x_axis.x)
 }
 
 fn point(p: DVec3) -> String {
