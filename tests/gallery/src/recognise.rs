@@ -15,7 +15,7 @@ pub struct Found {
 }
 
 /// The most rays that are cast to compare a picture with one cause.
-const RAYS: u64 = 3_000_000;
+const RAYS: u64 = 1_000_000;
 
 /// A channel that is off by this much may be so by rounding.
 const ROUNDING: u8 = 2;
@@ -33,18 +33,15 @@ pub fn recognise(yours: &RgbImage, steps: &[Step]) -> Option<Found> {
     for count in 0..=2 {
         let all = steps.iter().flat_map(|&step| Cause::all(step, count));
         let mut level = sieved(yours, all.collect());
-        let found = exact(yours, &level);
-        if found.is_some() {
-            return found;
+        level.sort_by_key(|(misses, _)| *misses);
+        let more = || exact(yours, &with_more_rays(yours, &level));
+        if let Some(found) = exact(yours, &level).or_else(more) {
+            return Some(found);
         }
         likely.append(&mut level);
     }
     likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
-    likely.truncate(160);
-    let samples = samples(yours, &likely);
-    for (_, cause) in &mut likely {
-        cause.samples = samples;
-    }
+    let likely = with_more_rays(yours, &likely);
     exact(yours, &likely).or_else(|| near(yours, &likely))
 }
 
@@ -125,6 +122,15 @@ fn rate(
     let places = scattered(yours, (count / cause.samples.pow(2)).max(48));
     let parts = cause.parts(yours.dimensions());
     misses(yours, &parts, cause, &places, rounding, most)
+}
+
+/// The likeliest of the causes, which come in this order, with the number of rays a
+/// pixel that explains most.
+fn with_more_rays(yours: &RgbImage, causes: &[Rated]) -> Vec<Rated> {
+    let samples = samples(yours, causes);
+    let more =
+        |(misses, cause): &Rated| (*misses, Cause { samples, ..cause.clone() });
+    causes.iter().take(160).map(more).collect()
 }
 
 /// The samples that explain best what the likeliest cause leaves unexplained.

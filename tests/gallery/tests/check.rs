@@ -1,7 +1,7 @@
 //! What `check` says of every picture that a reader may bring.
 
 use gallery::{Answer, Mistake, Parts, Step, check, locked, mistakes};
-use image::{Rgb, RgbImage, RgbaImage};
+use image::{Rgb, RgbImage, RgbaImage, imageops};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::{env, fs};
@@ -119,7 +119,7 @@ fn mistakes_are_named_at_another_size_and_number_of_samples() {
         ("no-exponent", Step::Phong, 1280, 720, 1),
         ("gamma", Step::Phong, 320, 180, 3),
         ("bgr", Step::Diffuse, 64, 36, 1),
-        ("last-in-list", Step::Nearest, 640, 360, 16),
+        ("last-in-list", Step::Nearest, 320, 180, 16),
     ];
     for (name, step, width, height, samples) in cases {
         let picture = made(step, &[name], &camera(width, height), samples);
@@ -139,8 +139,8 @@ fn right_pictures_of_another_size_or_number_of_samples_are_right_but_for_that() 
         (640, 480, 1, "--aspect 16:9 gives"),
         (400, 300, 1, "--width 640 --aspect 16:9 gives"),
         (640, 360, 2, "--samples 1 gives"),
-        (1280, 720, 4, "--width 640 gives"),
-        (640, 360, 16, "--samples 1 gives"),
+        (960, 540, 3, "--width 640 gives"),
+        (320, 180, 16, "--width 640 gives"),
     ];
     for (width, height, samples, option) in cases {
         for step in [Step::Nearest, Step::Phong] {
@@ -307,6 +307,51 @@ fn the_right_picture_of_another_step_is_told() {
     let Answer { text, .. } = asked("other", &picture, Some("step02_sphere"));
     assert!(text.contains("this is the picture of step01_rays, not of"), "{text}");
     assert!(text.contains(named("never-hits").when), "{text}");
+}
+
+/// The locked picture of an exercise.
+fn exercise() -> RgbImage {
+    locked("glass").expect("a locked picture")
+}
+
+#[test]
+fn the_right_picture_of_an_exercise_is_right() {
+    for name in [None, Some("glass")] {
+        let Answer { code, text } = asked("exercise", &exercise(), name);
+        let right = "Right: this is the picture of glass, in every pixel.";
+        assert_eq!((code, text.as_str()), (0, right));
+    }
+}
+
+#[test]
+fn mirror_images_and_swapped_channels_of_an_exercise_are_named() {
+    let (left, down) = (imageops::flip_horizontal, imageops::flip_vertical);
+    let mut swapped = exercise();
+    swapped.pixels_mut().for_each(|pixel| pixel.0.reverse());
+    for (picture, when) in [
+        (left(&exercise()), "x points left"),
+        (down(&exercise()), "y points down"),
+        (down(&left(&exercise())), "y points down, and x points left"),
+        (swapped, "red and blue change places"),
+    ] {
+        let Answer { code, text } = asked("turned", &picture, Some("glass"));
+        assert_eq!(code, 1, "{text}");
+        let told = format!("picture of glass is what you get when {when}.");
+        assert!(text.contains(&told), "{text}");
+    }
+}
+
+#[test]
+fn another_size_of_an_exercise_is_told() {
+    let small = imageops::thumbnail(&exercise(), 320, 180);
+    let Answer { code, text } = asked("small", &small, Some("glass"));
+    assert_eq!(code, 1, "{text}");
+    assert!(
+        text.contains("320×180 pixels, and the locked picture 640×360"),
+        "{text}"
+    );
+    assert!(text.contains("--width 640 gives that size."), "{text}");
+    assert!(!text.contains("what you get when"), "{text}");
 }
 
 fn run(arguments: &[&str]) -> Output {
