@@ -2,8 +2,9 @@ use crate::mistake::{Mistake, Mistakes};
 use crate::page::{self, House, Page};
 use crate::{link, picture};
 use anyhow::{Context, Result};
-use mdbook_preprocessor::book::{Book, BookItem};
+use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -39,14 +40,17 @@ impl Preprocessor for Course {
             chapters: root.join(&context.config.book.src),
         };
         picture::copy_snapshots(&house)?;
-        let mut pages = BTreeMap::new();
-        book.for_each_mut(|item| {
-            if let BookItem::Chapter(chapter) = item
-                && let Some(path) = &chapter.source_path
-            {
-                let page = page::expand(&chapter.content, &house);
-                chapter.content = page.markdown.clone();
-                pages.insert(path.clone(), page);
+        let chapters: Vec<_> = book.chapters().collect();
+        let expanded = chapters.par_iter().filter_map(|chapter| {
+            let page = page::expand(&chapter.content, &house);
+            Some((chapter.source_path.clone()?, page))
+        });
+        let pages: BTreeMap<PathBuf, Page> = expanded.collect();
+        book.for_each_chapter_mut(|chapter| {
+            let page =
+                chapter.source_path.as_ref().and_then(|path| pages.get(path));
+            if let Some(page) = page {
+                chapter.content.clone_from(&page.markdown);
             }
         });
         let mistakes = mistakes(&pages, &house);

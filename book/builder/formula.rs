@@ -2,6 +2,12 @@ use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
 pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
+    if latex.contains(r"\\[") {
+        let latex = latex.trim();
+        return Err(format!(
+            "the formula {latex} has a length after a line's end, which would be printed"
+        ));
+    }
     let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
     let converter =
         LatexToMathML::new(MathCoreConfig::default()).map_err(|(error, ..)| {

@@ -77,6 +77,7 @@ fn a_wrong_listing_is_a_mistake() {
 fn a_wrong_formula_is_a_mistake() {
     wrong("One.\n\nTwo $\\nosuchcommand{x}$.\n", 3, "does not parse");
     wrong("One.\n\n$$\\frac{1}{2\n", 3, "leftover $$");
+    wrong("One.\n\nTwo $a \\\\[4pt] b$.\n", 3, "a length after a line's end");
     wrong("It costs 5$ or so.\n", 1, "lone $");
     wrong("<p>$x$</p>\n", 1, "no formula");
     right("It costs 5\\$.\n");

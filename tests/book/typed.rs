@@ -68,8 +68,9 @@ const PHONG: &str = "step05_phong.html";
 
 #[test]
 fn a_program_that_does_not_compile_is_found() {
-    let book = BOOK.with(PHONG, "run(env!", "walk(env!");
-    let words = ["At the end of", PHONG, "steps/step05_phong/src/main.rs", "walk"];
+    let page = "step01_rays.html";
+    let book = BOOK.with(page, "run(env!", "walk(env!");
+    let words = ["At the end of", page, "steps/step01_rays/src/main.rs", "walk"];
     assert_found(&Vec::from_iter(fault(&book)), &words);
 }
 

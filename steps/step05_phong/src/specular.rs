@@ -15,7 +15,7 @@ pub fn specular(
 ) -> DVec3 {
     let cosine = r.dot(v).max(0.0);
     if cosine == 0.0 {
-        return DVec3::ZERO; // as at most points: spare them the power
+        return DVec3::ZERO; // as at many points: spare them the power
     }
     material.specular / light.point.attenuation.at(d)
         * cosine.powi(material.shininess)
