@@ -52,7 +52,7 @@ fn the_program_says_what_it_wrote() {
 }
 
 #[test]
-fn the_field_of_view_is_in_degrees() {
+fn the_program_takes_theta_in_degrees() {
     let program = Program::new("step01_rays", "degrees");
     program.run("--width 32 --aspect 2.35:1 --fov 90 --output wide.png");
     let written =
@@ -63,7 +63,7 @@ fn the_field_of_view_is_in_degrees() {
 }
 
 #[test]
-fn an_existing_file_is_replaced() {
+fn the_program_replaces_an_existing_file() {
     let program = Program::new("step01_rays", "replaces");
     let file = program.folder.join("a.png");
     fs::write(&file, "old").expect("a file");
@@ -73,7 +73,7 @@ fn an_existing_file_is_replaced() {
 }
 
 #[test]
-fn the_limits_are_allowed() {
+fn the_program_allows_the_limits() {
     let program = Program::new("step01_rays", "limits");
     for line in [
         "--width 2",
