@@ -18,7 +18,7 @@ pub fn render(
     let weight = 1.0 / (side * side);
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     image.rows_mut().enumerate().par_bridge().for_each(|(j, row)| {
-        let camera = *camera; // a copy of the row's own: it can stay in registers
+        let camera = *camera; // the row's own copy, which is quicker to read
         for (i, pixel) in row.enumerate() {
             let mut sum = DVec3::ZERO;
             for v in &offsets {

@@ -9,7 +9,6 @@ pub struct Material {
     /// R_s, the part of the light that it mirrors; 0 to 1 each for red, green and
     /// blue.
     pub specular: DVec3,
-    /// n, the shininess: the larger, the smaller the highlight;
-    /// above 0.
+    /// n, the shininess: the larger, the smaller the highlight; above 0.
     pub shininess: i32,
 }
