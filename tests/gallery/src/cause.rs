@@ -15,7 +15,7 @@ pub struct Cause {
 impl Cause {
     /// Every cause in `step` that takes `count` mistakes, 0 to 2, one ray a pixel.
     pub(crate) fn all(step: Step, count: usize) -> Vec<Self> {
-        let known: Vec<_> = mistakes().filter(|m| m.origin() <= step).collect();
+        let known: Vec<_> = mistakes().filter(|m| m.section.step <= step).collect();
         let cause =
             |mistakes: &[_]| Self { step, samples: 1, mistakes: mistakes.into() };
         match count {

@@ -179,12 +179,13 @@ fn verdict(guess: &Guess, name: &str) -> String {
 
 /// Where to go back to, to find one mistake.
 fn back(mistake: &Mistake) -> String {
-    let Mistake { says, section, file, .. } = mistake;
+    let Mistake { says, section, .. } = mistake;
     format!(
-        "  {says}\n  Go back to step {}, \"{}\" ({}), and compare with {file}.\n",
+        "  {says}\n  Go back to step {}, \"{}\" ({}), and compare with {}.\n",
         section.step.number(),
         section.heading,
         section.page(),
+        section.path(),
     )
 }
 

@@ -12,9 +12,8 @@ pub struct Mistake {
     pub name: &'static str,
     /// The step in whose picture it is first told from the others.
     pub step: Step,
-    /// The file of ours to compare with, seen from the root of the workspace.
-    pub file: &'static str,
-    /// The section of the book to go back to.
+    /// The section of the book to go back to; its step is the one whose code is wrong,
+    /// although the mistake may not show before a later one.
     pub section: Section,
     /// What is wrong, to be read after "the picture is what you get when".
     pub when: &'static str,
@@ -61,13 +60,6 @@ impl Mistake {
         let mut parts = Parts::right(camera);
         (self.change)(&mut parts);
         parts.picture(step, samples)
-    }
-
-    /// The step whose code is wrong; the mistake may not show before a later one.
-    pub fn origin(&self) -> Step {
-        let mut steps = Step::ALL.into_iter();
-        let is_in = |step: &Step| self.file.contains(step.name());
-        steps.find(is_in).unwrap_or(self.step)
     }
 
     /// The steps in whose pictures the book shows it, and the names of those pictures.

@@ -6,41 +6,64 @@ use crate::Step;
 pub struct Section {
     /// The step of the chapter.
     pub step: Step,
+    /// The file that it shows, in the folder `src` of the step.
+    pub file: &'static str,
     /// The heading, as it stands in the chapter.
     pub heading: &'static str,
 }
 
-const fn section(step: Step, heading: &'static str) -> Section {
-    Section { step, heading }
+const fn section(step: Step, file: &'static str, heading: &'static str) -> Section {
+    Section { step, file, heading }
 }
 
-pub(crate) const RAY: Section = section(Step::Rays, "A ray");
-pub(crate) const CAMERA: Section = section(Step::Rays, "The camera");
-pub(crate) const BYTES: Section = section(Step::Rays, "From rays to a picture");
+pub(crate) const RAY: Section = section(Step::Rays, "ray.rs", "A ray");
+pub(crate) const CAMERA: Section = section(Step::Rays, "camera.rs", "The camera");
+pub(crate) const BYTES: Section =
+    section(Step::Rays, "colour.rs", "From rays to a picture");
 pub(crate) const DIRECTIONS: Section =
-    section(Step::Rays, "The direction as a colour");
-pub(crate) const PROGRAM: Section = section(Step::Rays, "The program around it");
-pub(crate) const MEETING: Section = section(Step::Sphere, "Where they meet");
-pub(crate) const FORMULA: Section = section(Step::Sphere, "The quadratic formula");
-pub(crate) const CENTRE: Section = section(Step::Sphere, "Any centre");
-pub(crate) const ROOT: Section = section(Step::Sphere, "Which root");
-pub(crate) const NEAREST: Section = section(Step::Nearest, "The nearest hit");
-pub(crate) const NORMAL: Section = section(Step::Diffuse, "The normal");
-pub(crate) const AMBIENT: Section = section(Step::Diffuse, "Ambient light");
-pub(crate) const LAMBERT: Section = section(Step::Diffuse, "Facing away");
-pub(crate) const ATTENUATION: Section = section(Step::Diffuse, "Attenuation");
-pub(crate) const LIGHT: Section = section(Step::Diffuse, "Point lights");
-pub(crate) const DIFFUSE: Section = section(Step::Diffuse, "The diffuse term");
-pub(crate) const LIGHTS: Section = section(Step::Diffuse, "Two lights");
-pub(crate) const REFLECT: Section = section(Step::Phong, "The reflected vector");
-pub(crate) const SPECULAR: Section = section(Step::Phong, "The specular term");
-pub(crate) const SUM: Section = section(Step::Phong, "The sum");
-pub(crate) const EYE: Section = section(Step::Phong, "The way to the eye");
+    section(Step::Rays, "picture.rs", "The direction as a colour");
+pub(crate) const PROGRAM: Section =
+    section(Step::Rays, "options.rs", "The program around it");
+pub(crate) const MEETING: Section =
+    section(Step::Sphere, "sphere.rs", "Where they meet");
+pub(crate) const FORMULA: Section =
+    section(Step::Sphere, "quadratic.rs", "The quadratic formula");
+pub(crate) const CENTRE: Section = section(Step::Sphere, "sphere.rs", "Any centre");
+pub(crate) const ROOT: Section =
+    section(Step::Sphere, "quadratic.rs", "Which root");
+pub(crate) const NEAREST: Section =
+    section(Step::Nearest, "hit.rs", "The nearest hit");
+pub(crate) const NORMAL: Section =
+    section(Step::Diffuse, "normal.rs", "The normal");
+pub(crate) const AMBIENT: Section =
+    section(Step::Diffuse, "ambient.rs", "Ambient light");
+pub(crate) const LAMBERT: Section =
+    section(Step::Diffuse, "diffuse.rs", "Facing away");
+pub(crate) const ATTENUATION: Section =
+    section(Step::Diffuse, "light.rs", "Attenuation");
+pub(crate) const LIGHT: Section =
+    section(Step::Diffuse, "light.rs", "Point lights");
+pub(crate) const DIFFUSE: Section =
+    section(Step::Diffuse, "diffuse.rs", "The diffuse term");
+pub(crate) const LIGHTS: Section =
+    section(Step::Diffuse, "picture.rs", "Two lights");
+pub(crate) const REFLECT: Section =
+    section(Step::Phong, "reflect.rs", "The reflected vector");
+pub(crate) const SPECULAR: Section =
+    section(Step::Phong, "specular.rs", "The specular term");
+pub(crate) const SUM: Section = section(Step::Phong, "phong.rs", "The sum");
+pub(crate) const EYE: Section =
+    section(Step::Phong, "picture.rs", "The way to the eye");
 
 impl Section {
     /// Where it is in the built book: `step01_rays.html#the-camera`.
     pub fn page(&self) -> String {
         format!("{}.html#{}", self.step.name(), self.anchor())
+    }
+
+    /// The file, seen from the root of the workspace.
+    pub fn path(&self) -> String {
+        format!("steps/{}/src/{}", self.step.name(), self.file)
     }
 
     /// The id that the book gives to its heading.

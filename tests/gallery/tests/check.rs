@@ -36,8 +36,8 @@ fn assert_names(answer: &Answer, named: &[&Mistake]) {
     let told = format!("what you get when {}.", when.join(", and "));
     assert!(answer.text.contains(&told), "{told}\n{}", answer.text);
     assert!(!answer.text.contains(" in all but "), "{}", answer.text);
-    for Mistake { file, section, .. } in named {
-        assert!(answer.text.contains(file), "{}", answer.text);
+    for Mistake { section, .. } in named {
+        assert!(answer.text.contains(&section.path()), "{}", answer.text);
         assert!(answer.text.contains(&section.page()), "{}", answer.text);
     }
 }
@@ -96,7 +96,7 @@ fn mistakes_are_named_without_the_name_of_their_step() {
 
 #[test]
 fn mistakes_of_the_camera_and_of_bytes_are_named_in_the_last_step() {
-    for mistake in mistakes().filter(|mistake| mistake.origin() == Step::Rays) {
+    for mistake in mistakes().filter(|mistake| mistake.section.step == Step::Rays) {
         let picture = mistake.picture_in(Step::Phong, &camera(640, 360), 1);
         if picture == Step::Phong.picture(&camera(640, 360), 1) {
             continue;

@@ -5,80 +5,94 @@ use step01_rays::Camera;
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
-        file: "steps/step01_rays/src/options.rs",
+        name: "degrees",
+        step: Step::Rays,
         section: section::PROGRAM,
-        ..wrong(
-            "degrees",
-            "the angle is in degrees",
-            "The view is far too wide, upside down and mirrored.",
-            "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
-            |parts| {
-                let Camera { h_res, v_res, .. } = parts.camera;
-                parts.camera = Camera::new(h_res, v_res, theta(parts).to_degrees());
-            },
-        )
+        when: "the angle is in degrees",
+        sees: "The view is far too wide, upside down and mirrored.",
+        says: "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
+        change: |parts| {
+            let Camera { h_res, v_res, .. } = parts.camera;
+            parts.camera = Camera::new(h_res, v_res, theta(parts).to_degrees());
+        },
     },
-    wrong(
-        "full-angle",
-        "the tangent is that of θ, not of θ/2",
-        "The view is three times as wide, so everything is three times as small.",
-        "From the middle of the picture to its side is half of the angle.",
-        |parts| parts.camera = wide(parts, theta(parts).tan()),
-    ),
-    wrong(
-        "half-tangent",
-        "half the tangent of θ is taken for the tangent of θ/2",
-        "The view is too wide, and everything is a third smaller.",
-        "The half belongs inside: tan(θ/2), not tan(θ)/2.",
-        |parts| parts.camera = wide(parts, theta(parts).tan() / 2.0),
-    ),
-    wrong(
-        "no-tangent",
-        "θ/2 stands where its tangent should",
-        "The view is a tenth too narrow, and everything a tenth larger.",
-        "The image plane is flat: its half width is tan(θ/2), not θ/2.",
-        |parts| parts.camera = wide(parts, theta(parts) / 2.0),
-    ),
-    wrong(
-        "no-angle",
-        "the image plane runs from −1 to 1 whatever the angle is",
-        "The view is too wide, exactly as with `--fov 90`.",
-        "Its half width is tan(θ/2), and that is 1 for 90° only.",
-        |parts| parts.camera = wide(parts, 1.0),
-    ),
-    wrong(
-        "upright-angle",
-        "θ is taken from top to bottom",
-        "The view is too wide, and everything smaller by the shape of the picture.",
-        "OpenGL's angle is upright, the lecture's goes from left to right.",
-        |parts| {
+    Mistake {
+        name: "full-angle",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "the tangent is that of θ, not of θ/2",
+        sees: "The view is three times as wide, so everything is three times as small.",
+        says: "From the middle of the picture to its side is half of the angle.",
+        change: |parts| parts.camera = wide(parts, theta(parts).tan()),
+    },
+    Mistake {
+        name: "half-tangent",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "half the tangent of θ is taken for the tangent of θ/2",
+        sees: "The view is too wide, and everything is a third smaller.",
+        says: "The half belongs inside: tan(θ/2), not tan(θ)/2.",
+        change: |parts| parts.camera = wide(parts, theta(parts).tan() / 2.0),
+    },
+    Mistake {
+        name: "no-tangent",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "θ/2 stands where its tangent should",
+        sees: "The view is a tenth too narrow, and everything a tenth larger.",
+        says: "The image plane is flat: its half width is tan(θ/2), not θ/2.",
+        change: |parts| parts.camera = wide(parts, theta(parts) / 2.0),
+    },
+    Mistake {
+        name: "no-angle",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "the image plane runs from −1 to 1 whatever the angle is",
+        sees: "The view is too wide, exactly as with `--fov 90`.",
+        says: "Its half width is tan(θ/2), and that is 1 for 90° only.",
+        change: |parts| parts.camera = wide(parts, 1.0),
+    },
+    Mistake {
+        name: "upright-angle",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "θ is taken from top to bottom",
+        sees: "The view is too wide, and everything smaller by the shape of the picture.",
+        says: "OpenGL's angle is upright, the lecture's goes from left to right.",
+        change: |parts| {
             let tan = parts.camera.matrix.z_axis.y;
             parts.camera = wide(parts, parts.camera.matrix.z_axis.x.powi(2) / tan);
         },
-    ),
-    wrong(
-        "square-view",
-        "the view is as high as it is wide, though the picture is not",
-        "Everything is squeezed from top to bottom: spheres are flat ovals.",
-        "Pixels are square where D_v is as long as D_u, with hRes − 1 below both.",
-        |parts| high(parts, 1.0),
-    ),
-    wrong(
-        "ratio-upside-down",
-        "the aspect ratio is upside down",
-        "Everything is squeezed very flat.",
-        "The height of the view is its width times vRes/hRes, not hRes/vRes.",
-        |parts| {
+    },
+    Mistake {
+        name: "square-view",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "the view is as high as it is wide, though the picture is not",
+        sees: "Everything is squeezed from top to bottom: spheres are flat ovals.",
+        says: "Pixels are square where D_v is as long as D_u, with hRes − 1 below both.",
+        change: |parts| high(parts, 1.0),
+    },
+    Mistake {
+        name: "ratio-upside-down",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "the aspect ratio is upside down",
+        sees: "Everything is squeezed very flat.",
+        says: "The height of the view is its width times vRes/hRes, not hRes/vRes.",
+        change: |parts| {
             let Camera { h_res, v_res, .. } = parts.camera;
             high(parts, f64::from(h_res) / f64::from(v_res));
         },
-    ),
-    wrong(
-        "too-many-steps",
-        "hRes and vRes stand where hRes − 1 and vRes − 1 should",
-        "It looks right, but every edge is off by a fraction of a pixel.",
-        "Between hRes rays there are hRes − 1 steps.",
-        |parts| {
+    },
+    Mistake {
+        name: "too-many-steps",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "hRes and vRes stand where hRes − 1 and vRes − 1 should",
+        sees: "It looks right, but every edge is off by a fraction of a pixel.",
+        says: "Between hRes rays there are hRes − 1 steps.",
+        change: |parts| {
             let Camera { h_res, v_res, .. } = parts.camera;
             let columns = f64::from(h_res);
             let matrix = &mut parts.camera.matrix;
@@ -87,19 +101,21 @@ pub(crate) const ALL: &[Mistake] = &[
             matrix.y_axis.y = -2.0 * tan / columns;
             matrix.z_axis.y = f64::from(v_res) / columns * tan;
         },
-    ),
-    wrong(
-        "edge-to-edge",
-        "θ reaches from the left edge of the picture to its right edge",
-        "It looks right, but every edge is off by a fraction of a pixel.",
-        "Many courses measure it so; the lecture's θ lies between the middles of the \
+    },
+    Mistake {
+        name: "edge-to-edge",
+        step: Step::Rays,
+        section: section::CAMERA,
+        when: "θ reaches from the left edge of the picture to its right edge",
+        sees: "It looks right, but every edge is off by a fraction of a pixel.",
+        says: "Many courses measure it so; the lecture's θ lies between the middles of the \
          outermost pixels, which are hRes − 1 steps apart.",
-        |parts| {
+        change: |parts| {
             let columns = f64::from(parts.camera.h_res);
             let tan = -parts.camera.matrix.z_axis.x;
             parts.camera = wide(parts, tan * (columns - 1.0) / columns);
         },
-    ),
+    },
 ];
 
 /// θ of the camera, in radians.
@@ -118,16 +134,4 @@ fn high(parts: &mut Parts, ratio: f64) {
     let matrix = &mut parts.camera.matrix;
     matrix.z_axis.y = -matrix.z_axis.x * ratio;
     matrix.y_axis.y = -2.0 * matrix.z_axis.y / rows;
-}
-
-const fn wrong(
-    name: &'static str,
-    when: &'static str,
-    sees: &'static str,
-    says: &'static str,
-    change: fn(&mut Parts),
-) -> Mistake {
-    let (step, section) = (Step::Rays, section::CAMERA);
-    let file = "steps/step01_rays/src/camera.rs";
-    Mistake { name, step, file, section, when, sees, says, change }
 }
