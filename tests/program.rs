@@ -92,6 +92,8 @@ pub fn folder(name: &str) -> PathBuf {
 }
 
 /// Builds the program `name` of this test's profile: `cargo test` does not.
+///
+/// With the features that the whole workspace asks for, as all else is built.
 fn build(name: &str) {
     // The dev profile writes to the folder `debug`; every other one to its own name.
     let profile = match profile().file_name().and_then(|name| name.to_str()) {
@@ -99,13 +101,13 @@ fn build(name: &str) {
         Some(name) => name.to_owned(),
     };
     let status = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--package", name, "--bin", name])
+        .args(["build", "--quiet", "--workspace", "--bin", name])
         .args(["--profile", &profile, "--target-dir"])
         .arg(target())
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .status();
     let built = status.is_ok_and(|status| status.success());
-    assert!(built, "cargo build --package {name} --bin {name} fails");
+    assert!(built, "cargo build --workspace --bin {name} fails");
 }
 
 /// The folder of this test program's profile in the target folder.

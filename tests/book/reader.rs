@@ -22,46 +22,32 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// Moves every crate out of the workspace, until its chapter is reached.
+    /// Moves every file out of the crates, until the book shows it.
     ///
     /// A file that is moved keeps its time, so Cargo has nothing to do for it.
     pub fn put_aside(&self) -> io::Result<()> {
-        for folder in ["steps", "later"] {
-            fs::create_dir_all(self.folder.join(folder))?;
+        let steps = self.folder.join("steps");
+        fs::create_dir_all(&steps)?;
+        for path in Files::read(&steps).0.keys() {
+            rename(&steps.join(path), &self.folder.join("later/steps").join(path))?;
         }
-        for step in STEPS {
-            let here = self.folder.join("steps").join(step);
-            if here.is_dir() {
-                fs::rename(here, self.folder.join("later").join(step))?;
-            }
-        }
-        Ok(())
+        fs::remove_dir_all(&steps)
     }
 
-    /// Writes the files that the book has shown so far; `step` is the new one.
+    /// Writes the files that the book has shown so far.
     ///
     /// A part of a file goes where its caption says.
-    pub fn write(
-        &self,
-        step: &str,
-        files: &BTreeMap<&str, Vec<Listing>>,
-    ) -> io::Result<()> {
-        let aside = self.folder.join("later").join(step);
-        if aside.is_dir() {
-            fs::rename(aside, self.folder.join("steps").join(step))?;
-        }
-        for path in Files::read(&self.folder.join("steps")).0.keys() {
-            let path = format!("steps/{path}");
-            if !files.contains_key(path.as_str()) {
-                fs::remove_file(self.folder.join(path))?;
-            }
-        }
+    pub fn write(&self, files: &BTreeMap<&str, Vec<Listing>>) -> io::Result<()> {
         for (path, parts) in files {
             let mut parts: Vec<_> = parts.iter().collect();
             parts.sort_by_key(|part| part.lines());
             let lines = parts.iter().flat_map(|part| part.code.split('\n'));
             let text: String = lines.flat_map(|line| [line, "\n"]).collect();
+            let aside = self.folder.join("later").join(path);
             let path = self.folder.join(path);
+            if aside.is_file() {
+                rename(&aside, &path)?;
+            }
             if fs::read_to_string(&path).ok().as_ref() != Some(&text) {
                 fs::create_dir_all(path.with_file_name(""))?;
                 fs::write(path, text)?;
@@ -142,6 +128,12 @@ impl Reader {
         }
         cargo
     }
+}
+
+/// Moves a file into a folder that need not be there.
+fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to.with_file_name(""))?;
+    fs::rename(from, to)
 }
 
 /// Why Cargo does not build, in its own words, where it does not.

@@ -21,14 +21,13 @@ fn fault(book: &Book) -> Option<String> {
     let reader = Reader { folder: target().join("typed") };
     let mut steps = STEPS.iter().peekable();
     let mut files: BTreeMap<&str, Vec<Listing>> = BTreeMap::new();
-    reader.put_aside().expect("the crates can be moved");
+    reader.put_aside().expect("the files can be moved");
     for page in book.chapters() {
         for listing in Listing::all(page) {
             files.entry(listing.path).or_default().push(listing);
         }
         if page.name == SOLUTIONS {
-            let last = STEPS[STEPS.len() - 1];
-            let written = reader.write(last, &files);
+            let written = reader.write(&files);
             let faults =
                 written.and_then(|()| reader.fault_of_examples(&solutions(page)));
             let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
@@ -40,7 +39,7 @@ fn fault(book: &Book) -> Option<String> {
         else {
             continue;
         };
-        let faults = reader.write(step, &files).and_then(|()| reader.fault(step));
+        let faults = reader.write(&files).and_then(|()| reader.fault(step));
         let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
         if let Some(what) = fault {
             return Some(format!("At the end of {}, {what}.", page.name));

@@ -5,6 +5,7 @@ use image::{RgbImage, imageops};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// What `check` says, and its exit code.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,11 @@ pub struct Answer {
 
 /// A picture to compare with, and its name.
 type Named = (&'static str, RgbImage);
+
+/// All pictures that there are to compare with, or why one of them can't be had.
+static LOCKED: LazyLock<Result<Vec<Named>, String>> = LazyLock::new(|| {
+    names().into_iter().map(|name| Ok((name, locked(name)?))).collect()
+});
 
 /// Compares the picture in `file` with the locked picture `name`, or with the nearest
 /// where `name` is left out.
@@ -32,8 +38,7 @@ pub fn check(file: &Path, name: Option<&str>, folder: &Path) -> Answer {
             ));
         }
         let yours = png::read(file)?;
-        let locked = known.into_iter().map(|name| Ok((name, locked(name)?)));
-        compared(&yours, name, &locked.collect::<Result<Vec<_>, String>>()?, folder)
+        compared(&yours, name, LOCKED.as_deref()?, folder)
     };
     answer().unwrap_or_else(|sentence| Answer {
         code: 2,
