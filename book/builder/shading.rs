@@ -1,11 +1,11 @@
 //! The worked examples of steps 4 and 5: what the steps' own functions make of one
-//! pixel, and of the whole picture.
+//! pixel.
 
+use crate::worked::camera;
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_3;
 use step05_phong::{
-    Camera, Hit, LIGHTS, MATERIALS, Material, Phong, Ray, SPHERES, Sphere, colour,
-    diffuse, nearest, normal, phong, picture, reflect, render, specular,
+    Hit, LIGHTS, MATERIALS, Material, Phong, Ray, SPHERES, Sphere, diffuse,
+    nearest, normal, phong, picture, reflect, specular,
 };
 
 /// The pixel of both worked examples: its column i and its row j.
@@ -55,11 +55,6 @@ pub struct Lit {
     pub specular: DVec3,
 }
 
-/// The camera of the course's pictures.
-fn camera() -> Camera {
-    Camera::new(640, 360, FRAC_PI_3)
-}
-
 /// The pixel of the worked examples.
 pub fn example() -> Shaded {
     at(PIXEL.0, PIXEL.1)
@@ -102,37 +97,6 @@ pub fn pixel_of_step_4() -> [u8; 3] {
 /// The 8-bit colour of the example's pixel in the picture of step 5.
 pub fn pixel_of_step_5() -> [u8; 3] {
     picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0
-}
-
-/// How many pixels of the course's pictures are `true` to `test`.
-pub fn count(test: impl Fn(&Ray) -> bool) -> usize {
-    let camera = camera();
-    (0..camera.v_res)
-        .flat_map(|j| (0..camera.h_res).map(move |i| (i, j)))
-        .filter(|&(i, j)| test(&camera.ray(i.into(), j.into())))
-        .count()
-}
-
-/// How many pixels the gate of the specular term changes, and the most that it
-/// takes from a channel, of 255.
-pub fn gate() -> (usize, u8) {
-    let open = |ray: &Ray| {
-        let behind = |lit: &Lit| lit.n_dot_l <= 0.0;
-        let spill = shaded(ray).map_or(DVec3::ZERO, |shaded| {
-            let lights = shaded.lights.iter().filter(|lit| behind(lit));
-            lights.map(|lit| lit.specular).sum()
-        });
-        colour(ray) + spill
-    };
-    let pictures = [render(&camera(), 1, open), picture(&camera(), 1)];
-    let most = |k: usize| {
-        let channels = |channels: (&u8, &u8)| channels.0.abs_diff(*channels.1);
-        let pixels = [0, 1].map(|of| pictures[of].chunks_exact(3).nth(k));
-        let [Some(one), Some(other)] = pixels else { return 0 };
-        one.iter().zip(other).map(channels).max().unwrap_or(0)
-    };
-    let changes = (0..640 * 360).map(most).filter(|&change| 0 < change);
-    changes.fold((0, 0), |(count, max), change| (count + 1, max.max(change)))
 }
 
 /// The angle in degrees at which cosⁿ is 1/2.

@@ -2,6 +2,7 @@
 //! last pages.
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::FRAC_PI_3;
 use std::sync::LazyLock;
 use step01_rays::Row;
@@ -13,6 +14,16 @@ use step05_phong::{
 /// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
 pub fn camera() -> Camera {
     Camera::new(640, 360, FRAC_PI_3)
+}
+
+/// The sum of `number` over all rays of the course's pictures.
+pub fn count(number: impl Fn(&Ray) -> usize + Sync) -> usize {
+    let camera = camera();
+    let of_row = |j: u32| -> usize {
+        let rays = (0..camera.h_res).map(|i| camera.ray(i.into(), j.into()));
+        rays.map(|ray| number(&ray)).sum()
+    };
+    (0..camera.v_res).into_par_iter().map(of_row).sum()
 }
 
 /// The same camera with the matrix on the slide "A Basic 3D Camera Matrix".
@@ -90,18 +101,13 @@ fn ungated() -> (usize, u8) {
 pub static MIRRORED: LazyLock<(usize, usize)> = LazyLock::new(mirrored);
 
 fn mirrored() -> (usize, usize) {
-    let camera = camera();
-    let (mut hits, mut again) = (0, 0);
-    for (i, j) in (0..360).flat_map(|j| (0..640).map(move |i| (i, j))) {
-        let ray = camera.ray(i.into(), j.into());
-        let Some((p, n, index)) = seen(&ray) else { continue };
+    let again = |ray: &Ray| {
+        let Some((p, n, index)) = seen(ray) else { return false };
         let v = ray.direction;
         let mirrored = Ray { start: p, direction: v - 2.0 * n.dot(v) * n };
-        hits += 1;
-        again +=
-            usize::from(SPHERES[index].intersect(&mirrored).first_hit().is_some());
-    }
-    (hits, again)
+        SPHERES[index].intersect(&mirrored).first_hit().is_some()
+    };
+    (count(|ray| seen(ray).is_some().into()), count(|ray| again(ray).into()))
 }
 
 /// The point that a ray sees, the normal there, and the sphere's place in its list.

@@ -1,7 +1,7 @@
 //! The numbers of the appendices.
 
-use super::{Value, camera, short};
-use crate::worked;
+use super::{Value, grouped, short};
+use crate::worked::{self, camera};
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
 use step02_sphere::{Roots, quadratic};
@@ -135,14 +135,4 @@ fn depth(part: f64) -> String {
 /// A vector as it stands in a formula.
 fn triple(v: DVec3) -> String {
     format!("({}, {}, {})", short(v.x), short(v.y), short(v.z))
-}
-
-/// A whole number with a comma between thousands.
-fn grouped(number: f64) -> String {
-    let digits = format!("{number:.0}");
-    let comma = |at: usize| 0 < at && (digits.len() - at).is_multiple_of(3);
-    digits
-        .char_indices()
-        .map(|(at, c)| if comma(at) { format!(",{c}") } else { c.to_string() })
-        .collect()
 }

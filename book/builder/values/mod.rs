@@ -3,9 +3,11 @@ mod step01;
 mod step02_step03;
 mod step04_step05;
 
+use crate::worked::camera;
 use glam::DVec3;
+use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_3;
-use step01_rays::Camera;
+use std::sync::LazyLock;
 use step02_sphere::{SPHERE, quadratic};
 
 /// A number of a worked example, by name, computed when the book is built.
@@ -29,11 +31,6 @@ const VALUES: &[Value] = &[
     }),
 ];
 
-/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
-fn camera() -> Camera {
-    Camera::new(640, 360, FRAC_PI_3)
-}
-
 /// a, b and c for the ray through the pixel in column 300, row 150.
 fn coefficients() -> DVec3 {
     SPHERE.coefficients(&camera().ray(300.0, 150.0)).into()
@@ -45,6 +42,29 @@ fn short(number: f64) -> String {
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
+
+/// A whole number with a comma between thousands.
+fn grouped(number: f64) -> String {
+    let digits = format!("{number:.0}");
+    let comma = |at: usize| 0 < at && (digits.len() - at).is_multiple_of(3);
+    digits
+        .char_indices()
+        .map(|(at, c)| if comma(at) { format!(",{c}") } else { c.to_string() })
+        .collect()
+}
+
+/// All values by their names. Each is computed once, when a page first asks for it.
+static KNOWN: LazyLock<HashMap<&str, LazyLock<String>>> = LazyLock::new(|| {
+    let lists = [
+        VALUES,
+        step01::VALUES,
+        appendices::VALUES,
+        step02_step03::VALUES,
+        step04_step05::VALUES,
+    ];
+    let values = lists.into_iter().flatten();
+    values.map(|&(name, value)| (name, LazyLock::new(value))).collect()
+});
 
 /// Replaces each `{{#value name}}` in `text`, written by `write`.
 pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String> {
@@ -69,18 +89,9 @@ pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String
             }
         });
     };
-    let (_, value) = [
-        VALUES,
-        step01::VALUES,
-        appendices::VALUES,
-        step02_step03::VALUES,
-        step04_step05::VALUES,
-    ]
-    .concat()
-    .into_iter()
-    .find(|(known, _)| *known == name)
-    .ok_or_else(|| format!("there is no value {name}"))?;
-    Ok(format!("{before}{}{}", write(&value()), fill(after, write)?))
+    let value =
+        KNOWN.get(name).ok_or_else(|| format!("there is no value {name}"))?;
+    Ok(format!("{before}{}{}", write(value), fill(after, write)?))
 }
 
 fn first_line(text: &str) -> &str {

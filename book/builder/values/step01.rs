@@ -1,6 +1,7 @@
 //! The numbers of the introduction and of chapter 1.
 
-use super::{Value, camera, short};
+use super::{Value, short};
+use crate::worked::camera;
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, Row, direction_colour, picture};
 

@@ -1,6 +1,7 @@
 //! The numbers of chapters 2 and 3.
 
-use super::{Value, camera, short};
+use super::{Value, grouped, short};
+use crate::worked::{self, camera};
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::Ray;
@@ -154,20 +155,14 @@ fn both(sphere: &Sphere, ray: &Ray) -> (f64, f64) {
     }
 }
 
-/// The sum of `number` over all rays of a picture of the course, with commas.
-fn count(number: impl Fn(&Ray) -> usize) -> String {
-    let camera = camera();
-    let rays = (0..camera.v_res)
-        .flat_map(|j| (0..camera.h_res).map(move |i| (f64::from(i), f64::from(j))));
-    let sum: usize = rays.map(|(i, j)| number(&camera.ray(i, j))).sum();
-    let digits = sum.to_string();
-    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
-    groups.collect::<Vec<_>>().join(",")
+/// The sum of `number` over all rays of the course's pictures, with commas.
+fn count(number: impl Fn(&Ray) -> usize + Sync) -> String {
+    grouped(worked::count(number) as f64)
 }
 
 /// How many of those rays have a discriminant, for the sphere of step 2, that
 /// `is_so` holds for.
-fn count_d(is_so: impl Fn(f64) -> bool) -> String {
+fn count_d(is_so: impl Fn(f64) -> bool + Sync) -> String {
     count(|ray| is_so(discriminant(SPHERE.coefficients(ray).into())).into())
 }
 

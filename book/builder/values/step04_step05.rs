@@ -2,10 +2,10 @@
 
 use super::{Value, short};
 use crate::shading::{
-    Shaded, at, count, example, gate, half_width, pixel_of_step_4, pixel_of_step_5,
+    Shaded, at, example, half_width, pixel_of_step_4, pixel_of_step_5,
 };
+use crate::worked::{UNGATED, count};
 use glam::DVec3;
-
 use step05_phong::{LIGHTS, Ray, SPHERES, nearest};
 
 pub(super) const VALUES: &[Value] = &[
@@ -38,7 +38,9 @@ pub(super) const VALUES: &[Value] = &[
     ("step04-cool-at-10", || short(1.0 / LIGHTS[1].point.attenuation.at(10.0))),
     ("step04-clipped", || {
         let lit = |ray: &Ray| step04_diffuse::colour(ray).max_element();
-        count(|ray| nearest(&SPHERES, ray).is_some() && 1.0 < lit(ray)).to_string()
+        let clipped =
+            |ray: &Ray| nearest(&SPHERES, ray).is_some() && 1.0 < lit(ray);
+        count(|ray| clipped(ray).into()).to_string()
     }),
     ("step05-v", || vector(example().v)),
     ("step05-v-length", || short(example().ray.direction.length())),
@@ -67,8 +69,8 @@ pub(super) const VALUES: &[Value] = &[
     ("step05-half-40", || format!("{:.1}", half_width(40.0))),
     ("step05-half-150", || format!("{:.1}", half_width(150.0))),
     ("step05-half-300", || format!("{:.1}", half_width(300.0))),
-    ("step05-gate-pixels", || gate().0.to_string()),
-    ("step05-gate-most", || gate().1.to_string()),
+    ("step05-gate-pixels", || UNGATED.0.to_string()),
+    ("step05-gate-most", || UNGATED.1.to_string()),
     ("step05-edge-cosine", || short(at(605, 165).lights[1].n_dot_l)),
     ("step05-edge-below", || short(at(605, 166).lights[1].n_dot_l)),
     ("step05-edge-alignment", || short(at(605, 165).lights[1].r_dot_v)),
