@@ -16,8 +16,10 @@ pub struct Picture {
 impl Picture {
     /// Takes the alt text from the Markdown of the picture.
     pub fn new(markdown: &str, source: &str, caption: &str) -> Self {
+        // The caption may hold links of its own; the alt text ends before the first.
+        let end = format!("]({source}");
         let alt =
-            markdown.strip_prefix("![").and_then(|rest| rest.rsplit_once("]("));
+            markdown.strip_prefix("![").and_then(|rest| rest.split_once(&end));
         Self {
             alt: alt
                 .map_or("", |(alt, _)| alt)

@@ -44,6 +44,10 @@ fn wordless(page: &Page) -> Vec<String> {
     let pictures = page.all("img").filter(|img| silent(img.get("alt")));
     let pictures = pictures
         .map(|img| format!("The picture at {} has no alt text.", page.at(img)));
+    let images = page.all("img");
+    let markdown = images.filter(|img| img.get("alt").is_some_and(is_markdown));
+    let markdown = markdown
+        .map(|img| format!("The alt text at {} has Markdown in it.", page.at(img)));
     let drawings = page.all("svg").filter(|svg| {
         let mut titles = page.all("title").filter(|title| page.within(title, svg));
         page.around(svg).any(|e| e.tag == "figure")
@@ -51,7 +55,12 @@ fn wordless(page: &Page) -> Vec<String> {
     });
     let drawings = drawings
         .map(|svg| format!("The drawing at {} has no title.", page.at(svg)));
-    pictures.chain(drawings).collect()
+    pictures.chain(markdown).chain(drawings).collect()
+}
+
+/// Whether a link is left in a text.
+fn is_markdown(text: &str) -> bool {
+    text.contains("](")
 }
 
 /// Ids that stand for a second element.
@@ -90,6 +99,8 @@ fn a_picture_or_a_drawing_without_words_is_found() {
             &["step01_rays.html", "no alt text"],
         );
     }
+    let html = "<img src=\"a.png\" alt=\"A [link](b.html)\">";
+    assert_found(&faults(&BOOK.with_html(html)), &["step01_rays.html", "Markdown"]);
     for drawing in ["<path d=\"\"/>", "<title> </title>", "<g><title/></g>"] {
         let html = format!("<figure><svg>{drawing}</svg></figure>");
         let words = ["step01_rays.html", "no title"];

@@ -30,6 +30,8 @@ pub(super) const VALUES: &[Value] = &[
         format!("{:.1}", (1.0_f64 / 24.0).sqrt() / camera().matrix.x_axis.x)
     }),
     ("step02-fifth-pixels", || format!("{:.1}", 0.2 / camera().matrix.x_axis.x)),
+    ("step02-rim-radius", || format!("{:.2}", rim().0)),
+    ("step02-rim-depth", || short(rim().1)),
     ("step02-columns", || {
         let shows = |i: &u32| {
             let ray = camera().ray((*i).into(), 180.0);
@@ -122,6 +124,14 @@ fn along_axis() -> Ray {
 /// a, b and c for it and the sphere of step 2.
 fn on_axis() -> DVec3 {
     SPHERE.coefficients(&along_axis()).into()
+}
+
+/// The radius of the circle in which the rays that touch the sphere of step 2 do so,
+/// and its distance from the eye.
+fn rim() -> (f64, f64) {
+    let Sphere { centre, radius } = SPHERE;
+    let square_of_cosine = 1.0 - radius * radius / centre.length_squared();
+    (radius * square_of_cosine.sqrt(), centre.length() * square_of_cosine)
 }
 
 /// How many of 360 rays around the sphere of radius 1 at (1, 2, −5) have a D that
