@@ -1,4 +1,4 @@
-use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use math_core::{LatexToMathML, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
 pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
@@ -9,14 +9,10 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
         ));
     }
     let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
-    let converter =
-        LatexToMathML::new(MathCoreConfig::default()).map_err(|(error, ..)| {
-            format!("the macros of the book don't parse: {error}")
-        })?;
     let converted =
-        converter.convert_with_local_state(latex, style).map_err(|error| {
-            format!("the formula {} does not parse: {error}", latex.trim())
-        })?;
+        LatexToMathML::default().convert_with_local_state(latex, style).map_err(
+            |error| format!("the formula {} does not parse: {error}", latex.trim()),
+        )?;
     let mathml = escape(&converted.mathml);
     Ok(if display {
         format!(r#"<span class="formula">{mathml}</span>"#)

@@ -19,7 +19,10 @@ pub fn draw(folder: &Path) -> Result<Vec<String>> {
             let drawn = modified(&path).ok();
             if drawn.is_none() || drawn <= program {
                 let picture = mistake.picture_in(step, &camera, 2);
-                picture.save(&path).with_context(|| name.clone())?;
+                // Whole, or not at all: it will not be drawn again.
+                let part = folder.join(format!("part-{name}"));
+                picture.save(&part).with_context(|| name.clone())?;
+                fs::rename(&part, &path).with_context(|| name.clone())?;
             }
             names.push(name);
         }

@@ -9,7 +9,7 @@ pub fn id_of(heading: &str) -> String {
     letters.filter(|c| c.is_alphanumeric() || matches!(c, '_' | '-')).collect()
 }
 
-/// The id that a second heading of the same text gets: with a number at its end.
+/// `id`, or where a heading before has it, `id` with a number at its end.
 pub fn unique(id: &str, used: &[String]) -> String {
     let taken = |id: &String| used.contains(id);
     let numbered = (1..).map(|n| format!("{id}-{n}"));

@@ -1,23 +1,28 @@
 //! Builds the book, and opens it with `--open`.
 
 use anyhow::{Result, bail};
+use std::env;
+use std::ffi::OsString;
+use std::io::{Write, stderr, stdout};
 use std::path::Path;
 use std::process::ExitCode;
-use std::{env, time::Instant};
+use std::time::Instant;
 
 fn main() -> ExitCode {
-    match run(env::args().skip(1).collect()) {
+    match run(env::args_os().skip(1).collect()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{error:#}");
+            let _ = writeln!(stderr(), "{error:#}");
             ExitCode::FAILURE
         }
     }
 }
 
 /// Does what the arguments ask for.
-fn run(arguments: Vec<String>) -> Result<()> {
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+fn run(arguments: Vec<OsString>) -> Result<()> {
+    let arguments: Vec<_> =
+        arguments.iter().map(|word| word.to_string_lossy()).collect();
+    let arguments: Vec<&str> = arguments.iter().map(AsRef::as_ref).collect();
     match arguments[..] {
         [] => build(false),
         ["--open"] => build(true),
@@ -34,10 +39,10 @@ fn run(arguments: Vec<String>) -> Result<()> {
 /// Builds the book, says what was built and where, and opens it if `open` is set.
 fn build(open: bool) -> Result<()> {
     let start = Instant::now();
-    println!("Building the book …");
+    say("Building the book …");
     let built = book::build(Path::new(env!("CARGO_MANIFEST_DIR")))?;
     let index = built.folder.join("index.html");
-    println!(
+    say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
         built.chapters,
         built.listings,
@@ -45,10 +50,15 @@ fn build(open: bool) -> Result<()> {
         built.pictures,
         built.formulas,
         start.elapsed().as_secs_f64(),
-    );
-    println!("It begins at {}", index.display());
+    ));
+    say(&format!("It begins at {}", index.display()));
     if open && !book::open(&index) {
-        println!("There is no browser here to open it with.");
+        say("There is no browser here to open it with.");
     }
     Ok(())
+}
+
+/// Writes a line. Where nobody listens any more, the book is built all the same.
+fn say(line: &str) {
+    let _ = writeln!(stdout(), "{line}");
 }

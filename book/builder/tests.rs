@@ -106,8 +106,7 @@ fn a_wrong_figure_value_or_directive_is_a_mistake() {
 #[test]
 fn a_wrong_picture_is_a_mistake() {
     wrong("One.\n\n![](pictures/step01_rays.png)\n", 3, "no alt text");
-    let linked =
-        r#"![A sky.](pictures/step01_rays.png "[Step 1](SUMMARY.md): rays.")"#;
+    let linked = r#"![A sky.](../../tests/snapshots/step01_rays.snap.png "[Step 1](SUMMARY.md)")"#;
     assert!(right(linked).contains(r#"alt="A sky.""#));
     wrong("One.\n\n![What](pictures/nowhere.png)\n", 3, "no picture");
     wrong("One.\n\n![What](SUMMARY.md)\n", 3, "not a PNG");

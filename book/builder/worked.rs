@@ -1,14 +1,14 @@
 //! Worked examples that need more than one line: the cameras and the counts of the
 //! last pages.
 
+use ::gallery::{Difference, Parts, Step};
 use glam::{DMat2, DMat3, DVec2, DVec3};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::FRAC_PI_3;
 use std::sync::LazyLock;
 use step01_rays::Row;
 use step05_phong::{
-    Camera, LIGHTS, MATERIALS, Ray, SPHERES, Sphere, colour, nearest, normal,
-    picture, reflect, render, specular,
+    Camera, Ray, SPHERES, Sphere, nearest, normal, picture, reflect,
 };
 
 /// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
@@ -54,7 +54,7 @@ pub fn row_of_the_slide(i: f64) -> DVec2 {
     DMat2::from_cols(i * d, v_0) * DVec2::new(i, 1.0)
 }
 
-/// The sphere of step 2 seen along −z, from `x` beside its middle and at height `z`.
+/// a, b and c for the sphere of step 2 and a ray along −z that starts at (x, 0, z).
 pub fn ahead(x: f64, z: f64) -> (f64, f64, f64) {
     let ray = Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z };
     step02_sphere::SPHERE.coefficients(&ray)
@@ -72,28 +72,12 @@ pub fn behind() -> (f64, f64) {
 pub static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(ungated);
 
 fn ungated() -> (usize, u8) {
-    let rim = |ray: &Ray| {
-        let Some((p, n, index)) = seen(ray) else { return DVec3::ZERO };
-        let v = -ray.direction.normalize();
-        let lights = LIGHTS.iter().map(|light| (light, light.point.seen_from(p)));
-        let behind = lights.filter(|(_, (l, _))| n.dot(*l) <= 0.0);
-        behind
-            .map(|(light, (l, d))| {
-                specular(reflect(l, n), v, d, &MATERIALS[index], light)
-            })
-            .sum()
-    };
-    let right = picture(&camera(), 1);
-    let wrong = render(&camera(), 1, |ray| colour(ray) + rim(ray));
-    let apart: Vec<u8> = right
-        .pixels()
-        .zip(wrong.pixels())
-        .map(|(a, b)| {
-            a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
-        })
-        .filter(|&apart| 0 < apart)
-        .collect();
-    (apart.len(), apart.into_iter().max().unwrap_or(0))
+    let parts = Parts { lit: |_, _| true, ..Parts::right(&camera()) };
+    let wrong = parts.picture(Step::Phong, 1);
+    match Difference::between(&picture(&camera(), 1), &wrong) {
+        Some(Difference::Pixels { count, largest, .. }) => (count, largest),
+        _ => (0, 0),
+    }
 }
 
 /// How many pixels of the final picture show a sphere, and in how many of them the

@@ -43,7 +43,7 @@ pub fn elements(html: &str) -> Vec<Element> {
 }
 
 /// Elements that have no end.
-const VOID: [&str; 7] = ["br", "hr", "img", "input", "link", "meta", "base"];
+const VOID: [&str; 8] = ["br", "hr", "img", "input", "link", "meta", "base", "wbr"];
 
 /// The elements so far, and the places of those that are still open.
 #[derive(Default)]

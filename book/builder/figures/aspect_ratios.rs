@@ -25,7 +25,7 @@ pub fn figure() -> Figure {
             "screen",
             &[middle - half, middle + flip, middle + half, middle - flip],
         );
-        drawing.label("strong", middle + dvec2(0.0, 0.0), Anchor::Middle, ratio);
+        drawing.label("strong", middle, Anchor::Middle, ratio);
         drawing.label(
             "quiet small",
             middle + dvec2(0.0, 20.0),
@@ -41,10 +41,8 @@ pub fn figure() -> Figure {
     }
     Figure {
         title: "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.",
-        caption:
-            "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
-                  get in each. The wider the format, the fewer the rows."
-                .to_string(),
+        caption: "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
+                  get in each. The wider the format, the fewer the rows.",
         drawing,
     }
 }

@@ -71,8 +71,7 @@ pub fn figure() -> Figure {
         title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
         caption: "The pyramid of rays of a camera with 8 columns and 5 rows. $V_0$ leads from $C$ to the top left \
                   point, $D_u$ one column to the right, $D_v$ one row down. The point $i = 5$, $j = 3$ \
-                  is five steps of the one and three of the other away."
-            .to_string(),
+                  is five steps of the one and three of the other away.",
         drawing,
     }
 }

@@ -61,8 +61,7 @@ pub fn figure() -> Figure {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
         caption: "Six values of $t$ on one line. Those below 0 belong to the sphere behind the start. Of the \
                   others, the smallest is the hit you see. $k$ is the sphere's place in the list; it \
-                  has no say in this."
-            .to_string(),
+                  has no say in this.",
         drawing,
     }
 }

@@ -1,7 +1,7 @@
 use super::Figure;
 use crate::svg::{Anchor, Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
 
 /// max(r·v, 0)ⁿ for several n: as far from the point as it is bright, towards every
@@ -13,13 +13,13 @@ pub fn figure() -> Figure {
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     for (k, n) in [1, 10, 40, 150].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
-            .map(|k| DVec2::from_angle(f64::from(k) / 180.0 * 2.0 * FRAC_PI_2))
+            .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
             .map(|v| view.at(highlight(r, v, n) * v))
             .collect();
         drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
     }
     let l = dvec2(-r.x, r.y);
-    drawing.arc("guide", view.origin, 111.0, 0.0, 2.0 * FRAC_PI_2);
+    drawing.arc("guide", view.origin, 111.0, 0.0, PI);
     drawing.arrow("light", view.origin, view.at(0.85 * l));
     drawing.arrow("normal", view.origin, view.at(0.85 * DVec2::Y));
     drawing.arrow("vector", view.origin, view.at(1.12 * r));
@@ -57,8 +57,7 @@ pub fn figure() -> Figure {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
                   highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
-                  Where a lobe crosses the dotted circle, the highlight is down to one half."
-            .to_string(),
+                  Where a lobe crosses the dotted circle, the highlight is down to one half.",
         drawing,
     }
 }

@@ -21,7 +21,7 @@ pub struct Figure {
     /// What it shows, for those who can't see it.
     pub title: &'static str,
     /// What to look at; Markdown, with formulas.
-    pub caption: String,
+    pub caption: &'static str,
     /// The drawing itself.
     pub drawing: Drawing,
 }
@@ -58,6 +58,6 @@ pub fn html(name: &str) -> Result<String, String> {
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\">{}<figcaption>{}</figcaption></figure>\n",
         drawing.html(title),
-        caption::html(&caption)?
+        caption::html(caption)?
     ))
 }

@@ -21,8 +21,7 @@ pub fn figure() -> Figure {
         title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
         caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
                   make the same angle with $n$. All four are one unit long; $v$ is drawn shorter because it \
-                  leans out of the plane of the other three."
-            .to_string(),
+                  leans out of the plane of the other three.",
         drawing,
     }
 }

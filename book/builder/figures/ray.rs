@@ -30,8 +30,7 @@ pub fn figure() -> Figure {
     Figure {
         title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
         caption: "A ray. Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is below 0, \
-                  the point lies behind the start, on the same line but not on the ray."
-            .to_string(),
+                  the point lies behind the start, on the same line but not on the ray.",
         drawing,
     }
 }

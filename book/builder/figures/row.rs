@@ -63,8 +63,7 @@ pub fn figure() -> Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
         caption: "The row of rays for $\\mathit{hRes} = 7$ and $\\theta = 60°$. Follow $V_0$ to the left end \
                   of the image plane; from there, every step $D$ leads to the next ray. The dotted \
-                  lines on the right are the sides of the triangle that gives half of its length."
-            .to_string(),
+                  lines on the right are the sides of the triangle that gives half of its length.",
         drawing,
     }
 }

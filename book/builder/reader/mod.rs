@@ -213,7 +213,7 @@ impl<'a> Reader<'a> {
             from = range.end;
             // A comma stays on the line of the formula before it.
             let mark =
-                self.text[from..].chars().next().filter(|c| ",.;:?!)".contains(*c));
+                self.text[from..].chars().next().filter(|c| ",.;:?)".contains(*c));
             match mark.filter(|_| with.ends_with("</math>")) {
                 Some(mark) => {
                     self.page.markdown +=

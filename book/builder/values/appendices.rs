@@ -1,8 +1,7 @@
 //! The numbers of the appendices.
 
-use super::{Value, grouped, short};
+use super::{Value, grouped, short, vector};
 use crate::worked::{self, camera};
-use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
 use step02_sphere::{Roots, quadratic};
 use step03_nearest::SPHERES;
@@ -81,9 +80,9 @@ pub(super) const VALUES: &[Value] = &[
         short(down - worked::degrees_down(&camera(), 0.0))
     }),
     // where_next.md
-    ("next-basis-x", || triple(worked::basis().x_axis)),
-    ("next-basis-y", || triple(worked::basis().y_axis)),
-    ("next-basis-z", || triple(worked::basis().z_axis)),
+    ("next-basis-x", || vector(worked::basis().x_axis)),
+    ("next-basis-y", || vector(worked::basis().y_axis)),
+    ("next-basis-z", || vector(worked::basis().z_axis)),
     ("next-mirrored-hits", || grouped(worked::MIRRORED.0 as f64)),
     ("next-mirrored-again", || grouped(worked::MIRRORED.1 as f64)),
     ("next-depth-9", || depth(0.9)),
@@ -130,9 +129,4 @@ fn angle(j: f64) -> String {
 fn depth(part: f64) -> String {
     let left = |count: &i32| part.powi(*count) < 1.0 / 255.0;
     (1..).find(left).map_or("none".to_string(), |count| count.to_string())
-}
-
-/// A vector as it stands in a formula.
-fn triple(v: DVec3) -> String {
-    format!("({}, {}, {})", short(v.x), short(v.y), short(v.z))
 }

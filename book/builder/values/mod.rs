@@ -43,6 +43,11 @@ fn short(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
+/// A vector as (x, y, z).
+fn vector(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(short).join(", "))
+}
+
 /// A whole number with a comma between thousands.
 fn grouped(number: f64) -> String {
     let digits = format!("{number:.0}");

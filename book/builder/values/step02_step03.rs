@@ -1,6 +1,6 @@
 //! The numbers of chapters 2 and 3.
 
-use super::{Value, grouped, short};
+use super::{Value, grouped, short, vector};
 use crate::worked::{self, camera};
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_3;
@@ -18,7 +18,7 @@ pub(super) const VALUES: &[Value] = &[
     ("step02-v-x", || short(pixel().direction.x)),
     ("step02-v-y", || short(pixel().direction.y)),
     ("step02-far", || short(both(&SPHERE, &pixel()).1)),
-    ("step02-point", || point(pixel().at(both(&SPHERE, &pixel()).0))),
+    ("step02-point", || vector(pixel().at(both(&SPHERE, &pixel()).0))),
     ("step02-long", || short(pixel().direction.length())),
     ("step02-distance", || short(pixel().at(both(&SPHERE, &pixel()).0).length())),
     ("step02-rays", || count(|_| 1)),
@@ -226,9 +226,4 @@ fn oval(index: usize) -> (f64, f64) {
 /// A length on the image plane in pixels.
 fn pixels(length: f64) -> String {
     format!("{:.2}", length / camera().matrix.x_axis.x)
-}
-
-fn point(p: DVec3) -> String {
-    let [x, y, z] = p.to_array().map(short);
-    format!("({x}, {y}, {z})")
 }

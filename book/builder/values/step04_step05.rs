@@ -1,6 +1,6 @@
 //! The numbers of chapters 4 and 5.
 
-use super::{Value, short};
+use super::{Value, short, vector};
 use crate::shading::{
     Shaded, at, example, half_width, pixel_of_step_4, pixel_of_step_5,
 };
@@ -81,11 +81,6 @@ pub(super) const VALUES: &[Value] = &[
         short(ray.direction.length().powi(material.shininess))
     }),
 ];
-
-/// A vector as (x, y, z).
-fn vector(vector: DVec3) -> String {
-    format!("({})", vector.to_array().map(short).join(", "))
-}
 
 /// A vector as a column, for a formula.
 fn column(vector: DVec3) -> String {

@@ -31,5 +31,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("graticule", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

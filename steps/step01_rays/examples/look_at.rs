@@ -71,5 +71,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("look_at", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

@@ -1,6 +1,6 @@
 //! A panorama: 360 degrees around and 180 degrees up and down, from two angles.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use image::RgbImage;
 use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
@@ -39,12 +39,12 @@ fn colour(v: DVec3) -> DVec3 {
 /// The picture: the cube around the eye, all of it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
-    let inverse: DMat3 = camera.matrix.inverse();
+    let inverse = camera.matrix.inverse();
     render(camera, samples, |ray| {
         colour(panoramic(camera, inverse * ray.direction))
     })
 }
 
 fn main() -> ExitCode {
-    run("panorama", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

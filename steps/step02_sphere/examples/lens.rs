@@ -26,7 +26,7 @@ impl Interval {
         }
     }
 
-    /// What both have in common: from the later begin to the earlier end.
+    /// What both have in common: from the later beginning to the earlier end.
     pub fn overlap(self, other: Self) -> Option<Self> {
         let enter = self.enter.max(other.enter);
         let leave = self.leave.min(other.leave);
@@ -47,7 +47,7 @@ pub const SPHERES: [Sphere; 2] = [
     Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
 ];
 
-/// The colour behind a solid of coloured glass: the longer the way through it, the
+/// The colour seen through a solid of coloured glass: the longer the way through it, the
 /// less of `behind` is left.
 fn through(
     behind: DVec3,
@@ -76,5 +76,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("lens", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

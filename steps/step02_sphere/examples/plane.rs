@@ -62,5 +62,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("plane", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

@@ -105,5 +105,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("quadric", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

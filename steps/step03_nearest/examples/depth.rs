@@ -28,5 +28,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("depth", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

@@ -46,5 +46,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() -> ExitCode {
-    run("jitter", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

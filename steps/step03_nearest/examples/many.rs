@@ -162,5 +162,5 @@ fn petal(k: usize) -> DVec3 {
 }
 
 fn main() -> ExitCode {
-    run("many", picture)
+    run(env!("CARGO_CRATE_NAME"), picture)
 }

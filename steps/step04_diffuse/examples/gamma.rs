@@ -14,8 +14,7 @@ pub fn srgb(i: f64) -> f64 {
 /// The 8-bit colour of an intensity: clamped first, then encoded, then rounded.
 pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
     let encoded = intensity.clamp(DVec3::ZERO, DVec3::ONE).map(srgb);
-    let rounded = 255.0 * encoded + 0.5;
-    Rgb([rounded.x as u8, rounded.y as u8, rounded.z as u8])
+    Rgb((255.0 * encoded + 0.5).to_array().map(|channel| channel as u8))
 }
 
 /// The picture: as `render` draws it, with the curve after each pixel's mean.

@@ -5,8 +5,8 @@ use glam::DVec3;
 use image::RgbImage;
 use std::process::ExitCode;
 use step05_phong::{
-    AMBIENT_LIGHT, Camera, LIGHTS, Light, MATERIALS, Ray, SPHERES,
-    direction_colour, nearest, normal, phong, reflect, render, run,
+    AMBIENT_LIGHT, Camera, LIGHTS, MATERIALS, Ray, SPHERES, direction_colour,
+    nearest, normal, phong, reflect, render, run,
 };
 
 /// The refractive index of each sphere that is of glass.
@@ -25,33 +25,29 @@ pub const OFFSET: f64 = 1e-9;
 ///
 /// `ratio` is η, the refractive index that the ray leaves over the one it enters.
 pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {
-    let along = ratio * (v - v.dot(n) * n);
-    let rest = v.dot(v) - along.dot(along);
-    (0.0 <= rest).then(|| along - rest.sqrt() * n)
+    let s = ratio * (v - v.dot(n) * n);
+    let rest = v.dot(v) - s.dot(s);
+    (0.0 <= rest).then(|| s - rest.sqrt() * n)
 }
 
 /// The part of unpolarised light that the surface mirrors where `refract` bends `v`
 /// to `bent`, by Fresnel's equations; 0 to 1.
-pub fn mirrored_part(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
+pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     let (c_1, c_2) = (-v.dot(n), -bent.dot(n));
-    let r_s = (ratio * c_1 - c_2) / (ratio * c_1 + c_2);
-    let r_p = (c_1 - ratio * c_2) / (c_1 + ratio * c_2);
-    (r_s * r_s + r_p * r_p) / 2.0
+    // For light that swings across the plane of v and n, and within it.
+    let across = (ratio * c_1 - c_2) / (ratio * c_1 + c_2);
+    let within = (c_1 - ratio * c_2) / (c_1 + ratio * c_2);
+    (across * across + within * within) / 2.0
 }
 
-/// Says whether no sphere stands between `light` and the point `p` with unit normal
+/// Says whether a sphere stands between `light` and the point `p` with unit normal
 /// `n`; glass lets all of the light through.
-pub fn is_seen(
-    light: &Light,
-    p: DVec3,
-    n: DVec3,
-    glass: &[Option<f64>; 9],
-) -> bool {
+pub fn hidden(light: DVec3, p: DVec3, n: DVec3, glass: &[Option<f64>; 9]) -> bool {
     let start = p + OFFSET * n;
-    let to_light = Ray { start, direction: light.point.position - start };
-    SPHERES.iter().zip(glass).all(|(sphere, glass)| {
+    let to_light = Ray { start, direction: light - start };
+    SPHERES.iter().zip(glass).any(|(sphere, glass)| {
         let t = sphere.intersect(&to_light).first_hit();
-        glass.is_some() || t.is_none_or(|t| 1.0 <= t)
+        glass.is_none() && t.is_some_and(|t| t < 1.0)
     })
 }
 
@@ -62,8 +58,8 @@ pub fn colour(ray: &Ray, glass: &[Option<f64>; 9], depth: u32) -> DVec3 {
     let p = ray.at(hit.t);
     let n = normal(&SPHERES[hit.index], p);
     let v = -ray.direction.normalize();
-    let is_seen = |light: &Light| is_seen(light, p, n, glass);
-    let lights: Vec<Light> = LIGHTS.into_iter().filter(is_seen).collect();
+    let mut lights = LIGHTS.to_vec();
+    lights.retain(|light| !hidden(light.point.position, p, n, glass));
     let terms = phong(p, n, v, &MATERIALS[hit.index], AMBIENT_LIGHT, &lights);
     let Some(index) = glass[hit.index] else { return terms.sum() };
     if depth == 0 {
@@ -87,7 +83,7 @@ pub fn through_glass(
     let mirrored = next(&Ray { start: p + OFFSET * n, direction: reflect(-v, n) });
     let Some(bent) = refract(v, n, ratio) else { return mirrored };
     let refracted = next(&Ray { start: p - OFFSET * n, direction: bent });
-    let part = mirrored_part(v, bent, n, ratio);
+    let part = fresnel(v, bent, n, ratio);
     part * mirrored + (1.0 - part) * refracted
 }
 

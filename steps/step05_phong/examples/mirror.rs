@@ -5,8 +5,8 @@ use glam::DVec3;
 use image::RgbImage;
 use std::process::ExitCode;
 use step05_phong::{
-    AMBIENT_LIGHT, Camera, LIGHTS, Light, MATERIALS, Ray, SPHERES,
-    direction_colour, nearest, normal, phong, reflect, render, run,
+    AMBIENT_LIGHT, Camera, LIGHTS, MATERIALS, Ray, SPHERES, direction_colour,
+    nearest, normal, phong, reflect, render, run,
 };
 
 /// k, the part of its colour that each sphere mirrors, 0 to 1; the rest is its own.
@@ -19,12 +19,14 @@ pub const DEPTH: u32 = 10;
 /// surface again.
 pub const OFFSET: f64 = 1e-9;
 
-/// Says whether no sphere stands between `light` and the point `p` with unit normal
+/// Says whether a sphere stands between `light` and the point `p` with unit normal
 /// `n`.
-pub fn is_seen(light: &Light, p: DVec3, n: DVec3) -> bool {
+///
+/// V is the whole way to the light, so the light is at t = 1.
+pub fn hidden(light: DVec3, p: DVec3, n: DVec3) -> bool {
     let start = p + OFFSET * n;
-    let to_light = Ray { start, direction: light.point.position - start };
-    nearest(&SPHERES, &to_light).is_none_or(|hit| 1.0 <= hit.t)
+    let to_light = Ray { start, direction: light - start };
+    nearest(&SPHERES, &to_light).is_some_and(|hit| hit.t < 1.0)
 }
 
 /// The colour that `ray` sees where sphere number i mirrors the part `mirrors[i]`,
@@ -34,8 +36,8 @@ pub fn colour(ray: &Ray, mirrors: &[f64; 9], depth: u32) -> DVec3 {
     let p = ray.at(hit.t);
     let n = normal(&SPHERES[hit.index], p);
     let v = -ray.direction.normalize();
-    let lights: Vec<Light> =
-        LIGHTS.into_iter().filter(|light| is_seen(light, p, n)).collect();
+    let mut lights = LIGHTS.to_vec();
+    lights.retain(|light| !hidden(light.point.position, p, n));
     let terms = phong(p, n, v, &MATERIALS[hit.index], AMBIENT_LIGHT, &lights);
     let k = mirrors[hit.index];
     if k == 0.0 || depth == 0 {

@@ -201,7 +201,7 @@ fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
     let mut text = String::new();
     if (w, h) != (right_w, right_h) {
         let is_shape = (u64::from(w) * u64::from(right_h))
-            .abs_diff(u64::from(h * right_w))
+            .abs_diff(u64::from(h) * u64::from(right_w))
             <= u64::from(right_w);
         let width = (w != right_w).then(|| format!("--width {right_w}"));
         let divisor = (1..=right_h).rev().find(|n| right_w % n + right_h % n == 0);

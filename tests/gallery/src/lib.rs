@@ -22,12 +22,12 @@ mod check;
 mod appendix;
 
 pub use appendix::appendix;
-pub use cause::Cause;
+pub(crate) use cause::Cause;
 pub use check::{Answer, check};
 pub use difference::Difference;
-pub use locked::{EXERCISES, locked, names};
+pub use locked::{locked, names};
 pub use mistake::{Mistake, mistakes};
 pub use parts::{FirstHit, Parts};
-pub use recognise::{Found, recognise};
+pub(crate) use recognise::{Found, recognise};
 pub use section::Section;
 pub use step::Step;

@@ -8,13 +8,12 @@ use std::cmp::Reverse;
 pub struct Found {
     /// The causes that give it; several, where several give the same picture.
     pub causes: Vec<Cause>,
-    /// How many of the compared pixels differ from what they give.
+    /// How many of the compared pixels differ from what they give: of all, unless
+    /// they take very many rays.
     pub rest: usize,
-    /// How many pixels were compared: all, unless they take very many rays.
-    pub compared: usize,
 }
 
-/// The most rays that are cast to compare a picture with one cause.
+/// About how many rays are cast at most to compare a picture with one cause.
 const RAYS: u64 = 1_000_000;
 
 /// A channel that is off by this much may be so by rounding.
@@ -70,18 +69,13 @@ fn exact(yours: &RgbImage, causes: &[Rated]) -> Option<Found> {
             causes.iter().filter(|(_, cause)| cause.mistakes.len() == count);
         let few = level.filter(|rated| rate(yours, rated, 512, 0, 0).is_some());
         let few = few.filter(|rated| rate(yours, rated, 20_000, 0, 0).is_some());
-        let mut compared = 0;
-        let explains = |cause: &Cause| {
-            let (rest, all) = compare(yours, cause, 0);
-            compared = all;
-            rest == 0
-        };
+        let explains = |cause: &Cause| compare(yours, cause, 0).0 == 0;
         let causes = few.take(40).map(|(_, cause)| cause.clone());
         let mut causes: Vec<_> = causes.filter(explains).collect();
         causes.sort_by_key(|cause| {
             !cause.mistakes.iter().any(|m| m.step == cause.step)
         });
-        (!causes.is_empty()).then_some(Found { causes, rest: 0, compared })
+        (!causes.is_empty()).then_some(Found { causes, rest: 0 })
     })
 }
 
@@ -103,11 +97,8 @@ fn near(yours: &RgbImage, causes: &[Rated]) -> Option<Found> {
         0 => compared,
         _ => compare(yours, &right, ROUNDING).0,
     };
-    (rest * 200 < compared && rest * 10 < explained).then(|| Found {
-        causes: vec![cause.clone()],
-        rest,
-        compared,
-    })
+    (rest * 200 < compared && rest * 10 < explained)
+        .then(|| Found { causes: vec![cause.clone()], rest })
 }
 
 /// At how many of about `count` rays' pixels the picture differs, or None where it is

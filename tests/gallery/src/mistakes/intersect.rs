@@ -9,9 +9,9 @@ pub(crate) const ALL: &[Mistake] = &[
         name: "never-hits",
         step: Step::Sphere,
         section: section::MEETING,
-        when: "no ray meets any sphere, as b has lost its 2 or a sign in it is wrong",
+        when: "no ray meets any sphere, as b has lost its 2",
         sees: "There are no spheres: only the sky is left.",
-        says: "b is 2 S·V with S taken from the centre, and the near root begins with −b.",
+        says: "b is 2 S·V with S taken from the centre; in step 2, a wrong sign of b gives the same picture.",
         change: |parts| {
             parts.first_hit = |sphere, ray| {
                 let (a, b, c) = sphere.coefficients(ray);

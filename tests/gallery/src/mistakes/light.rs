@@ -92,7 +92,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Diffuse,
         section: section::ATTENUATION,
         when: "light does not fade with distance",
-        sees: "Everything is too bright, and bluish light is on all right sides.",
+        sees: "Nearly everything is too bright, and bluish light is on all right sides.",
         says: "The light is divided by a + bd + cd².",
         change: |parts| parts.attenuation = |_, _| 1.0,
     },

@@ -10,7 +10,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "the matrix is the slide's, to the letter",
-        sees: "Nearly all of the picture has one colour; only its top rows show more.",
+        sees: "Below its first few rows, nothing changes from top to bottom.",
         says: "The D_v of the slide has lost its denominator, so that the second row looks \
          down already.",
         change: |parts| {
@@ -39,7 +39,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "the matrix is given row by row to a function that takes columns",
-        sees: "A slanted line cuts the sky, and there are hardly any spheres.",
+        sees: "A slanted line cuts the sky; from step 2 on, red fills nearly all of the picture.",
         says: "`DMat3::from_cols` takes D_u, D_v and V_0, one after the other.",
         change: |parts| parts.camera.matrix = parts.camera.matrix.transpose(),
     },
@@ -100,7 +100,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "the camera looks along +z",
-        sees: "What is ahead is missing; what is behind the camera may be seen.",
+        sees: "The sky is green and orange, and what is ahead is missing.",
         says: "The camera looks down −z, so V_0 has a −1.",
         change: |parts| turned(parts, DVec3::new(1.0, 1.0, -1.0)),
     },

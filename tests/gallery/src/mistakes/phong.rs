@@ -95,7 +95,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Phong,
         section: section::SPECULAR,
         when: "the specular term is not divided by a + bd + cd²",
-        sees: "The highlights of the cool light are too bright.",
+        sees: "Most highlights are too bright; the cool one on the salmon sphere is too dark.",
         says: "Light fades before it is mirrored, as it does before it is scattered.",
         change: |parts| {
             parts.specular = |r, v, d, material, light| {
@@ -110,7 +110,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Phong,
         section: section::SPECULAR,
         when: "r·v may be below 0",
-        sees: "Spheres have a second highlight on the side away from the light.",
+        sees: "It looks right, but the ground is brighter by a few of 255.",
         says: "max(r·v, 0): a number below 0 to an even power is above 0 again.",
         change: |parts| {
             parts.specular = |r, v, d, material, light| {
@@ -123,7 +123,7 @@ pub(crate) const ALL: &[Mistake] = &[
         name: "no-gate",
         step: Step::Phong,
         section: section::SUM,
-        when: "a light behind the surface gives highlights",
+        when: "lights behind the surface give highlights",
         sees: "The teal sphere on the right has a wider, softer glint along its top.",
         says: "The slide has no such gate; we add light only where n·l is above 0.",
         change: |parts| parts.lit = |_, _| true,

@@ -10,7 +10,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "V is normalised",
-        sees: "The sky is darker towards the corners, where its rays have been shortened.",
+        sees: "The sky has less blue towards the corners, where its rays have been shortened.",
         says: "V stays as it comes out of the matrix, with a z of −1.",
         change: |parts| {
             parts.ray = |ray| Ray { direction: ray.direction.normalize(), ..ray };
@@ -43,7 +43,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Sphere,
         section: section::DIRECTIONS,
         when: "blue takes z, not −z",
-        sees: "The sky has too little blue: it is green and pink.",
+        sees: "The sky has too little blue: it is green and orange.",
         says: "Ahead is −z, so the blue grows with −z.",
         change: |parts| {
             parts.miss = |ray| {

@@ -49,7 +49,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Diffuse,
         section: section::DIFFUSE,
         when: "R_d is left out of the diffuse term",
-        sees: "The lit sides are white: the colour of the light, not that of the sphere.",
+        sees: "The lit sides have the colour of the light, not that of the sphere.",
         says: "The surface reflects only R_d of the light, in each of red, green and blue.",
         change: |parts| {
             parts.diffuse = |n, l, d, _, light| diffuse(n, l, d, DVec3::ONE, light);
@@ -78,7 +78,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Diffuse,
         section: section::AMBIENT,
         when: "R_a is left out of the ambient term",
-        sees: "Everything is pale, and the shadows are one bluish grey.",
+        sees: "Everything is pale, and the dark sides are one bluish grey.",
         says: "The surface reflects only R_a of the ambient light, in its own colour.",
         change: |parts| parts.ambient = |_, l_a| l_a,
     },
@@ -87,7 +87,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Diffuse,
         section: section::LIGHTS,
         when: "the ambient term is added for each light",
-        sees: "Everything is too bright, the shadows most of all.",
+        sees: "Everything is too bright, the dark sides most of all.",
         says: "I_a belongs to no light: it stands before the loop, and counts once.",
         change: |parts| parts.ambient = |r_a, l_a| 2.0 * r_a * l_a,
     },
@@ -104,9 +104,9 @@ pub(crate) const ALL: &[Mistake] = &[
         name: "last-light-only",
         step: Step::Diffuse,
         section: section::LIGHTS,
-        when: "each light replaces the one before it",
+        when: "only the last light counts",
         sees: "Only the cool light is left, on the right sides.",
-        says: "Add to the sum with `+=`: `=` forgets the light before.",
+        says: "Add to the sum with `+=`: `=` forgets what was there before.",
         change: |parts| parts.lights = &LIGHTS[1..],
     },
     Mistake {
