@@ -87,6 +87,11 @@ fn t_of_0_is_no_hit() {
     assert_eq!(SPHERE.intersect(&ahead(1.0, -5.0)).first_hit(), None);
 }
 
+/// How far the line of `ray` passes from `point`.
+fn apart(point: DVec3, ray: &Ray) -> f64 {
+    (point - ray.start).cross(ray.direction).length() / ray.direction.length()
+}
+
 proptest! {
     #[test]
     fn a_hit_satisfies_the_equation_of_the_sphere((sphere, ray) in rays()) {
@@ -98,8 +103,7 @@ proptest! {
 
     #[test]
     fn a_ray_misses_when_its_line_passes_outside((sphere, ray) in rays()) {
-        let to_centre = sphere.centre - ray.start;
-        let apart = to_centre.cross(ray.direction).length() / ray.direction.length();
+        let apart = apart(sphere.centre, &ray);
         prop_assume!((apart - sphere.radius).abs() > 1e-6);
         let count = ts(sphere.intersect(&ray)).len();
         prop_assert_eq!(count, if apart < sphere.radius { 2 } else { 0 });
@@ -113,11 +117,9 @@ proptest! {
     #[test]
     fn scaling_v_by_k_divides_t_by_k((sphere, ray) in rays(), k in 0.1..10.0_f64) {
         let scaled = Ray { direction: k * ray.direction, ..ray };
-        let to_centre = sphere.centre - ray.start;
-        let apart = to_centre.cross(ray.direction).length() / ray.direction.length();
         // At a tangent or from the surface, rounding decides which root is hit.
-        prop_assume!((apart - sphere.radius).abs() > 1e-4);
-        prop_assume!((to_centre.length() - sphere.radius).abs() > 1e-4);
+        prop_assume!((apart(sphere.centre, &ray) - sphere.radius).abs() > 1e-4);
+        prop_assume!((sphere.centre.distance(ray.start) - sphere.radius).abs() > 1e-4);
         let hits = (sphere.intersect(&ray).first_hit(), sphere.intersect(&scaled).first_hit());
         prop_assert_eq!(hits.0.is_some(), hits.1.is_some());
         if let (Some(t), Some(u)) = hits {

@@ -2,14 +2,14 @@
 
 use anyhow::{Result, bail};
 use std::env;
-use std::ffi::OsString;
 use std::io::{Write, stderr, stdout};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
 fn main() -> ExitCode {
-    match run(env::args_os().skip(1).collect()) {
+    let arguments = env::args_os().skip(1);
+    match run(arguments.map(|word| word.to_string_lossy().into_owned()).collect()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             let _ = writeln!(stderr(), "{error:#}");
@@ -19,10 +19,8 @@ fn main() -> ExitCode {
 }
 
 /// Does what the arguments ask for.
-fn run(arguments: Vec<OsString>) -> Result<()> {
-    let arguments: Vec<_> =
-        arguments.iter().map(|word| word.to_string_lossy()).collect();
-    let arguments: Vec<&str> = arguments.iter().map(AsRef::as_ref).collect();
+fn run(arguments: Vec<String>) -> Result<()> {
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments[..] {
         [] => build(false),
         ["--open"] => build(true),

@@ -12,7 +12,7 @@ pub struct Mistake {
     pub what: String,
 }
 
-/// Every mistake of the book, in the order of their files and lines; it stops the build.
+/// Every mistake of the book, in the order of files and lines; it stops the build.
 #[derive(Debug)]
 pub struct Mistakes(pub Vec<Mistake>);
 

@@ -106,8 +106,6 @@ fn a_wrong_figure_value_or_directive_is_a_mistake() {
 #[test]
 fn a_wrong_picture_is_a_mistake() {
     wrong("One.\n\n![](pictures/step01_rays.png)\n", 3, "no alt text");
-    let linked = r#"![A sky.](../../tests/snapshots/step01_rays.snap.png "[Step 1](SUMMARY.md)")"#;
-    assert!(right(linked).contains(r#"alt="A sky.""#));
     wrong("One.\n\n![What](pictures/nowhere.png)\n", 3, "no picture");
     wrong("One.\n\n![What](SUMMARY.md)\n", 3, "not a PNG");
     wrong(
@@ -137,4 +135,18 @@ fn a_wrong_link_is_a_mistake() {
     }
     let links = page("See [it](two.md) and\n[that](#there).\n").links;
     assert_eq!(links, [(1, "two.md".to_string()), (2, "#there".to_string())]);
+}
+
+const SKY: &str = "../../tests/snapshots/step01_rays.snap.png";
+
+#[test]
+fn a_caption_may_hold_a_link() {
+    let html = right(&format!(r#"![A sky.]({SKY} "[Step 1](SUMMARY.md).")"#));
+    assert!(html.contains(r#"alt="A sky.""#), "{html}");
+}
+
+#[test]
+fn a_picture_may_stand_right_after_a_formula() {
+    let html = right(&format!("Here $x$![A sky.]({SKY})."));
+    assert!(html.contains("</math><img "), "{html}");
 }

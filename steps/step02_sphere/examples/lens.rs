@@ -47,8 +47,8 @@ pub const SPHERES: [Sphere; 2] = [
     Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
 ];
 
-/// The colour seen through a solid of coloured glass: the longer the way through it, the
-/// less of `behind` is left.
+/// The colour seen through a solid of coloured glass: the longer the way through it,
+/// the less of `behind` is left.
 fn through(
     behind: DVec3,
     glass: DVec3,

@@ -159,6 +159,13 @@ fn right_pictures_of_another_size_or_number_of_samples_are_right_but_for_that() 
 }
 
 #[test]
+fn the_tallest_picture_is_told_its_size() {
+    let Answer { code, text } = asked("tall", &RgbImage::new(1, 6_800_000), None);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("--width 640 --aspect 16:9 gives that size."), "{text}");
+}
+
+#[test]
 fn two_mistakes_are_told_apart() {
     let cases: [(Step, &[&str]); 9] = [
         (Step::Nearest, &["y-down", "mirrored"]),
