@@ -1,25 +1,22 @@
 //! Step 1, stage 1 of the lecture: generate the rays from the eye.
 
 mod ray;
-mod row;
+pub use ray::Ray;
 
-mod aspect_ratio;
 mod camera;
+pub use camera::Camera;
 
 mod colour;
 mod render;
+pub use render::render;
 
 mod picture;
-
-mod allowed;
-mod file;
-mod options;
-mod program;
-
-pub use aspect_ratio::AspectRatio;
-pub use camera::Camera;
 pub use picture::{direction_colour, picture};
-pub use program::{Picture, run};
-pub use ray::Ray;
-pub use render::render;
+
+mod aspect_ratio;
+mod row;
+pub use aspect_ratio::AspectRatio;
 pub use row::Row;
+
+mod program;
+pub use program::run;

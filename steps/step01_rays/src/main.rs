@@ -1,7 +1,5 @@
 //! Draws step 1: each ray's direction as a colour.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    step01_rays::run(env!("CARGO_PKG_NAME"), step01_rays::picture)
+fn main() {
+    step01_rays::run(env!("CARGO_PKG_NAME"), step01_rays::picture);
 }

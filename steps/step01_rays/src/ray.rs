@@ -5,7 +5,7 @@ use glam::DVec3;
 pub struct Ray {
     /// S, the point where the ray starts.
     pub start: DVec3,
-    /// V, the way it goes: of any length but 0, not normalised.
+    /// V, its direction: of any length but 0, not normalised.
     pub direction: DVec3,
 }
 

@@ -2,6 +2,10 @@ use crate::{Camera, Ray, colour::rgb8};
 use glam::DVec3;
 use image::RgbImage;
 use rayon::iter::{ParallelBridge, ParallelIterator};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// How many rows are drawn so far, for a program that tells how long it will take.
+pub(crate) static ROWS: AtomicU32 = AtomicU32::new(0);
 
 /// Draws the picture in which each pixel has the mean `colour` of the rays through it.
 ///
@@ -18,7 +22,7 @@ pub fn render(
     let weight = 1.0 / (side * side);
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     image.rows_mut().enumerate().par_bridge().for_each(|(j, row)| {
-        let camera = *camera; // the row's own copy, which is quicker to read
+        let camera = *camera;
         for (i, pixel) in row.enumerate() {
             let mut sum = DVec3::ZERO;
             for v in &offsets {
@@ -28,6 +32,7 @@ pub fn render(
             }
             *pixel = rgb8(sum * weight);
         }
+        ROWS.fetch_add(1, Ordering::Relaxed);
     });
     image
 }

@@ -3,29 +3,22 @@ use glam::{DMat2, DVec2};
 /// One row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// hRes, how many rays the row has; at least 2.
-    pub h_res: u32,
     /// [D V_0]: the step from one direction to the next, and the first direction.
     pub matrix: DMat2,
 }
 
 impl Row {
-    /// A row whose outermost rays enclose the angle `field_of_view`, θ, in radians.
+    /// A row of `h_res` rays, of which the outermost enclose the angle `field_of_view`,
+    /// θ, in radians.
     pub fn new(h_res: u32, field_of_view: f64) -> Self {
         let tan = (field_of_view / 2.0).tan();
         let d = DVec2::new(2.0 * tan / f64::from(h_res - 1), 0.0);
         let v_0 = DVec2::new(-tan, 1.0);
-        let matrix = DMat2::from_cols(d, v_0);
-        Self { h_res, matrix }
+        Self { matrix: DMat2::from_cols(d, v_0) }
     }
 
-    /// The direction V_i = [D V_0] (i, 1)ᵀ.
+    /// The direction V_i = [D V_0] (i, 1)ᵀ; i runs from 0 to hRes − 1.
     pub fn direction(&self, i: f64) -> DVec2 {
         self.matrix * DVec2::new(i, 1.0)
-    }
-
-    /// All directions from left to right: i runs from 0 to hRes − 1.
-    pub fn directions(&self) -> impl Iterator<Item = DVec2> {
-        (0..self.h_res).map(|i| self.direction(f64::from(i)))
     }
 }

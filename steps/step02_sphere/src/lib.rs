@@ -1,11 +1,12 @@
 //! Step 2, stage 2 of the lecture: where a ray meets a sphere.
 
+pub use step01_rays::{Camera, Ray, direction_colour, render, run};
+
 mod quadratic;
+pub use quadratic::{Roots, quadratic};
+
 mod sphere;
+pub use sphere::Sphere;
 
 mod picture;
-
 pub use picture::{SPHERE, colour, picture};
-pub use quadratic::{Roots, quadratic};
-pub use sphere::Sphere;
-pub use step01_rays::{Camera, Ray, direction_colour, render, run};

@@ -6,9 +6,9 @@ use image::RgbImage;
 pub const SPHERE: Sphere =
     Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
-/// The colour that `ray` sees: the sphere's where they meet, else its own direction.
-pub fn colour(ray: &Ray) -> DVec3 {
-    match SPHERE.intersect(ray).first_hit() {
+/// The colour that `ray` sees: red where it meets `sphere`, else its own direction.
+pub fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
+    match sphere.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),
         None => direction_colour(ray),
     }
@@ -16,5 +16,5 @@ pub fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture of step 2: one sphere before the directions of step 1.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    render(camera, samples, |ray| colour(&SPHERE, ray))
 }

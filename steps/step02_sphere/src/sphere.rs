@@ -1,21 +1,19 @@
 use crate::{Ray, Roots, quadratic};
 use glam::DVec3;
 
-/// A sphere, the points at one distance from its centre (slide "The Sphere").
+/// A sphere, all points at the same distance from its centre (slide "The Sphere").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// (x₀, y₀, z₀), the point in its middle.
+    /// (x₀, y₀, z₀), the centre.
     pub centre: DVec3,
     /// r, the distance from the centre to the surface; above 0.
     pub radius: f64,
 }
 
 impl Sphere {
-    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets the
-    /// sphere.
+    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets it.
     ///
-    /// The lecture's sphere is at the origin; here S is taken relative to the
-    /// centre.
+    /// The lecture's sphere is at the origin; here S is taken from the centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

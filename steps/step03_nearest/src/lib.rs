@@ -1,12 +1,13 @@
-//! Step 3, stage 2 of the lecture: the nearest of several spheres.
+//! Step 3, stage 2 of the lecture: the nearest of several objects.
 
-mod hit;
-
-mod scene;
-
-mod picture;
-
-pub use hit::{Hit, nearest};
-pub use picture::{colour, picture};
-pub use scene::{COLOURS, SPHERES};
 pub use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
+
+mod nearest;
+mod object;
+pub use nearest::{Hit, nearest};
+pub use object::Object;
+
+mod objects;
+mod picture;
+pub use objects::objects;
+pub use picture::{colour, picture};

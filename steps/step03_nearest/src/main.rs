@@ -1,7 +1,5 @@
 //! Draws step 3: several spheres, each in its own flat colour.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    step03_nearest::run(env!("CARGO_PKG_NAME"), step03_nearest::picture)
+fn main() {
+    step03_nearest::run(env!("CARGO_PKG_NAME"), step03_nearest::picture);
 }

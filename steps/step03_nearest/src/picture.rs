@@ -1,17 +1,17 @@
-use crate::{COLOURS, Camera, Ray, SPHERES, direction_colour, nearest, render};
+use crate::{Camera, Object, Ray, direction_colour, nearest, objects, render};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: that of the nearest sphere, otherwise its own
-/// direction.
-pub fn colour(ray: &Ray) -> DVec3 {
-    match nearest(&SPHERES, ray) {
-        Some(hit) => COLOURS[hit.index],
+/// The colour that `ray` sees: the nearest object's, or else its own direction.
+pub fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
+    match nearest(objects, ray) {
+        Some(hit) => hit.object.material,
         None => direction_colour(ray),
     }
 }
 
-/// The picture of step 3: the spheres of the scene, each in its flat colour.
+/// The picture of step 3: the objects of the scene, each in its flat colour.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let objects = objects();
+    render(camera, samples, |ray| colour(&objects, ray))
 }

@@ -1,17 +1,15 @@
-use crate::PointLight;
+use crate::{PointLight, Surface};
 use glam::DVec3;
 
-/// The diffuse term I_d = R_d / (a + bd + cd²) · max(l·n, 0) · L_d (slide "Diffuse
-/// Term").
+/// I_d = R_d / (a + bd + cd²) · max(l·n, 0) · L_d (slide "Diffuse Term").
 ///
-/// `n` and `l` are unit vectors: the normal, and the way to the light, which is `d`
-/// away.
+/// `n` and `l` are unit vectors, to the outside and to the light; that is `d` away.
 pub fn diffuse(
     n: DVec3,
     l: DVec3,
     d: f64,
-    r_d: DVec3,
+    surface: &Surface,
     light: &PointLight,
 ) -> DVec3 {
-    r_d / light.attenuation.at(d) * l.dot(n).max(0.0) * light.diffuse
+    surface.diffuse / light.attenuation.at(d) * l.dot(n).max(0.0) * light.diffuse
 }

@@ -30,8 +30,7 @@ pub struct PointLight {
 }
 
 impl PointLight {
-    /// The unit vector l from the point `p` to the light, and the distance d
-    /// between them.
+    /// The unit vector l from the point `p` to the light, and the distance d.
     pub fn seen_from(&self, p: DVec3) -> (DVec3, f64) {
         let to_light = self.position - p;
         let d = to_light.length();

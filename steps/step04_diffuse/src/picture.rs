@@ -1,26 +1,25 @@
 use crate::{
-    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient,
-    diffuse, direction_colour, nearest, normal, render,
+    Camera, PointLight, Ray, Scene, Surface, ambient, diffuse, direction_colour,
+    render, scene, seen,
 };
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: the nearest sphere in ambient and diffuse light,
-/// otherwise its own direction.
-pub fn colour(ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let surface = Surface::of(COLOURS[hit.index]);
-    let mut intensity = ambient(surface.ambient, AMBIENT_LIGHT);
-    for light in &LIGHTS {
-        let (l, d) = light.seen_from(p);
-        intensity += diffuse(n, l, d, surface.diffuse, light);
+/// The colour that `ray` sees: the lit point, or else its own direction.
+pub fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    for light in &scene.lights {
+        let (l, d) = light.seen_from(point.p);
+        intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity
 }
 
 /// The picture of step 4: the scene in ambient and diffuse light.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let scene = scene();
+    render(camera, samples, |ray| colour(&scene, ray))
 }

@@ -1,21 +1,40 @@
-use crate::{Attenuation, PointLight};
+use crate::{Attenuation, Object, PointLight, Surface, objects};
 use glam::DVec3;
 
-/// L_a, the ambient light, the same everywhere.
-pub const AMBIENT_LIGHT: DVec3 = DVec3::new(0.32, 0.32, 0.42);
+/// What there is to see, and the light to see it in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene<M, L> {
+    /// The objects, of material `M`.
+    pub objects: Vec<Object<M>>,
+    /// L_a, the ambient light, the same everywhere.
+    pub ambient_light: DVec3,
+    /// The lights that have a place, of the kind `L`.
+    pub lights: Vec<L>,
+}
 
-/// The point lights.
-pub const LIGHTS: [PointLight; 2] = [
-    // The warm one, up on the left before the scene.
-    PointLight {
-        position: DVec3::new(-4.0, 5.0, -2.0),
-        diffuse: DVec3::new(1.0, 0.84, 0.64),
-        attenuation: Attenuation { a: 0.7, b: 0.02, c: 0.005 },
-    },
-    // The cool one, behind the scene on the right.
-    PointLight {
-        position: DVec3::new(5.5, 2.2, -11.5),
-        diffuse: DVec3::new(0.45, 0.6, 1.0),
-        attenuation: Attenuation { a: 0.5, b: 0.0, c: 0.02 },
-    },
-];
+/// The warm light, up on the left before the objects.
+pub const WARM: PointLight = PointLight {
+    position: DVec3::new(-4.0, 5.0, -2.0),
+    diffuse: DVec3::new(1.0, 0.84, 0.64),
+    attenuation: Attenuation { a: 0.7, b: 0.02, c: 0.005 },
+};
+
+/// The cool light, behind the objects on the right.
+pub const COOL: PointLight = PointLight {
+    position: DVec3::new(5.5, 2.2, -11.5),
+    diffuse: DVec3::new(0.45, 0.6, 1.0),
+    attenuation: Attenuation { a: 0.5, b: 0.0, c: 0.02 },
+};
+
+/// The objects of step 3 with matt surfaces of their colours, and two lamps.
+pub fn scene() -> Scene<Surface, PointLight> {
+    let matt = |Object { sphere, material }| Object {
+        sphere,
+        material: Surface::of(material),
+    };
+    Scene {
+        objects: objects().map(matt).into(),
+        ambient_light: DVec3::new(0.32, 0.32, 0.42),
+        lights: vec![WARM, COOL],
+    }
+}

@@ -1,7 +1,6 @@
 use glam::DVec3;
 
-/// How much of the light that reaches it a surface reflects: red, green and blue, 0
-/// to 1 each.
+/// How much light a surface reflects; 0 to 1 each for red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// R_a, the part of the ambient light.
@@ -12,7 +11,7 @@ pub struct Surface {
 
 impl Surface {
     /// A surface of one colour in ambient and diffuse light.
-    pub const fn of(colour: DVec3) -> Self {
+    pub fn of(colour: DVec3) -> Self {
         Self { ambient: colour, diffuse: colour }
     }
 }

@@ -14,13 +14,13 @@ fn main() {
 /// The locked scene, on one thread and on all (0).
 #[divan::bench(args = [1, 0], sample_count = 20)]
 fn locked_scene(bencher: Bencher, threads: usize) {
-    cast(bencher, threads, colour);
+    cast(bencher, threads, &scene());
 }
 
 /// Five spheres and one light, on one thread and on all (0).
 #[divan::bench(args = [1, 0], sample_count = 20)]
 fn five_spheres(bencher: Bencher, threads: usize) {
-    cast(bencher, threads, |ray| shade(&FIVE, ray));
+    cast(bencher, threads, &lit(FIVE.into()));
 }
 
 /// As many spheres as told in a cube before the camera, on all threads.
@@ -29,13 +29,11 @@ fn spheres(bencher: Bencher, count: u32) {
     let place = |k: u32| {
         DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64)
     };
-    let spheres: Vec<Sphere> = (0..count)
-        .map(|k| Sphere {
-            centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
-            radius: 0.4,
-        })
-        .collect();
-    cast(bencher, 0, |ray| shade(&spheres, ray));
+    let sphere = |k: u32| Sphere {
+        centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
+        radius: 0.4,
+    };
+    cast(bencher, 0, &lit((0..count).map(sphere).collect()));
 }
 
 /// The final picture as PNG bytes.
@@ -54,35 +52,38 @@ const FIVE: [Sphere; 5] = [
     Sphere { centre: DVec3::new(0.0, -21.0, -8.0), radius: 20.0 },
 ];
 
-const LIGHT: Light = Light {
-    point: PointLight {
+/// The spheres, of the materials of the locked scene in turn, in one white light.
+fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
+    let point = PointLight {
         position: DVec3::new(3.0, 4.0, 0.0),
         diffuse: DVec3::ONE,
         attenuation: Attenuation { a: 1.0, b: 0.0, c: 1.0 / 64.0 },
-    },
-    specular: DVec3::ONE,
-};
+    };
+    let scene = scene();
+    let materials = scene.objects.iter().map(|object| object.material).cycle();
+    let objects = spheres.into_iter().zip(materials);
+    Scene {
+        objects: objects
+            .map(|(sphere, material)| Object { sphere, material })
+            .collect(),
+        lights: vec![Light { point, specular: DVec3::ONE }],
+        ..scene
+    }
+}
 
 fn camera() -> Camera {
     Camera::new(1920, 1080, 60_f64.to_radians())
 }
 
-fn cast(bencher: Bencher, threads: usize, colour: impl Fn(&Ray) -> DVec3 + Sync) {
+fn cast(bencher: Bencher, threads: usize, scene: &Scene<Material, Light>) {
     let pool = ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
         .expect("a pool of threads");
     let camera = camera();
-    bencher
-        .counter(ItemsCount::new(camera.h_res * camera.v_res))
-        .bench(|| -> RgbImage { pool.install(|| render(&camera, 1, &colour)) });
-}
-
-fn shade(spheres: &[Sphere], ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(spheres, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&spheres[hit.index], p);
-    let v = -ray.direction.normalize();
-    phong(p, n, v, &MATERIALS[hit.index % MATERIALS.len()], AMBIENT_LIGHT, &[LIGHT])
-        .sum()
+    bencher.counter(ItemsCount::new(camera.h_res * camera.v_res)).bench(
+        || -> RgbImage {
+            pool.install(|| render(&camera, 1, |ray| colour(scene, ray)))
+        },
+    );
 }

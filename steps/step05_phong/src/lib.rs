@@ -1,25 +1,25 @@
 //! Step 5, stage 3 of the lecture: specular light and the whole Phong sum.
 
+pub use step04_diffuse::{
+    Attenuation, COOL, Camera, Hit, Object, Point, PointLight, Ray, Scene, Sphere,
+    Surface, WARM, ambient, diffuse, direction_colour, nearest, normal, objects,
+    render, run, seen,
+};
+
 mod reflect;
-mod specular;
+pub use reflect::reflect;
 
 mod light;
 mod material;
-mod phong;
-
-mod scene;
-
-mod picture;
-
+mod specular;
 pub use light::Light;
 pub use material::Material;
-pub use phong::{Phong, phong};
-pub use picture::{colour, picture, terms};
-pub use reflect::reflect;
-pub use scene::{LIGHTS, MATERIALS};
 pub use specular::specular;
-pub use step04_diffuse::{
-    AMBIENT_LIGHT, Attenuation, COLOURS, Camera, Hit, PointLight, Ray, SPHERES,
-    Sphere, Surface, ambient, diffuse, direction_colour, nearest, normal, render,
-    run,
-};
+
+mod phong;
+pub use phong::{Phong, phong};
+
+mod picture;
+mod scene;
+pub use picture::{colour, picture, terms};
+pub use scene::scene;

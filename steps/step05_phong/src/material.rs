@@ -6,8 +6,7 @@ use glam::DVec3;
 pub struct Material {
     /// R_a and R_d.
     pub surface: Surface,
-    /// R_s, the part of the light that it mirrors; 0 to 1 each for red, green and
-    /// blue.
+    /// R_s, the part of the light that it mirrors; 0 to 1 for red, green and blue.
     pub specular: DVec3,
     /// n, the shininess: the larger, the smaller the highlight; above 0.
     pub shininess: i32,

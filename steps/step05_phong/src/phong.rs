@@ -1,4 +1,4 @@
-use crate::{Light, Material, Surface, ambient, diffuse, reflect, specular};
+use crate::{Light, Material, Point, Ray, ambient, diffuse, reflect, specular};
 use glam::DVec3;
 
 /// The three terms of the light that leaves a point, each summed over all lights.
@@ -19,27 +19,25 @@ impl Phong {
     }
 }
 
-/// The light that the point `p`, with unit normal `n`, sends along the unit vector
-/// `v` to the eye (slide "Phong Lighting").
+/// The light that comes back along `ray` from `point` (slide "Phong Lighting").
 ///
-/// A light behind the surface gives no highlight, whatever r·v is.
+/// A light behind the surface gives no highlight.
 pub fn phong(
-    p: DVec3,
-    n: DVec3,
-    v: DVec3,
-    material: &Material,
-    l_a: DVec3,
+    ray: &Ray,
+    point: &Point<Material>,
+    ambient_light: DVec3,
     lights: &[Light],
 ) -> Phong {
-    let Surface { ambient: r_a, diffuse: r_d } = material.surface;
+    let Point { p, n, material } = *point;
+    let v = -ray.direction.normalize();
     let mut sum = Phong {
-        ambient: ambient(r_a, l_a),
+        ambient: ambient(material.surface.ambient, ambient_light),
         diffuse: DVec3::ZERO,
         specular: DVec3::ZERO,
     };
     for light in lights {
         let (l, d) = light.point.seen_from(p);
-        sum.diffuse += diffuse(n, l, d, r_d, &light.point);
+        sum.diffuse += diffuse(n, l, d, &material.surface, &light.point);
         if 0.0 < n.dot(l) {
             sum.specular += specular(reflect(l, n), v, d, material, light);
         }

@@ -1,0 +1,23 @@
+use crate::{Object, Ray};
+
+/// Where a ray first meets an object, and which object it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<'a, M> {
+    /// t in r(t) = S + tV; above 0.
+    pub t: f64,
+    /// The object, from the list that was searched.
+    pub object: &'a Object<M>,
+}
+
+/// The hit with the smallest t above 0, or None where `ray` misses all `objects`.
+pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
+    let mut nearest: Option<Hit<M>> = None;
+    for object in objects {
+        if let Some(t) = object.sphere.intersect(ray).first_hit()
+            && nearest.as_ref().is_none_or(|hit| t < hit.t)
+        {
+            nearest = Some(Hit { t, object });
+        }
+    }
+    nearest
+}
