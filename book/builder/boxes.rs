@@ -1,4 +1,4 @@
-use crate::caption;
+use crate::markdown::{directive, inline};
 
 /// The boxes a chapter can have, and what stands before the author's own words in
 /// their heading.
@@ -9,14 +9,12 @@ const KINDS: [(&str, &str); 3] =
 /// ends it.
 ///
 /// A reader opens the box to see what is in it.
-pub fn directive(source: &str) -> Option<Result<String, String>> {
-    if source == "{{#end}}" {
+pub fn html(kind: &str, words: &str) -> Option<Result<String, String>> {
+    if kind == "end" {
         return Some(Ok("</details>\n".to_string()));
     }
-    let (kind, words) =
-        source.strip_prefix("{{#")?.strip_suffix("}}")?.split_once(' ')?;
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
-    Some(caption::html(words).map(|words| {
+    Some(inline(words).map(|words| {
         format!(
             "<details class=\"{kind}\"><summary><span class=\"kind\">{label}</span> \
              <span>{words}</span></summary>\n"
@@ -26,24 +24,22 @@ pub fn directive(source: &str) -> Option<Result<String, String>> {
 
 /// Finds a box without its end, or an end without its box.
 pub fn balanced(text: &str) -> Result<(), (usize, String)> {
+    let wrong = |at, what: &str| Err((at, what.to_string()));
     let mut open = None;
     let mut at = 0;
     for line in text.split_inclusive('\n') {
-        let begins = KINDS
-            .iter()
-            .any(|(kind, _)| line.starts_with(&format!("{{{{#{kind} ")));
-        match open {
-            Some(_) if begins => {
-                return Err((at, "a box can't hold another box".to_string()));
+        let (kind, _) = directive(line.trim_end()).unwrap_or_default();
+        let begins = KINDS.iter().any(|(name, _)| *name == kind);
+        open = match open {
+            Some(_) if begins => return wrong(at, "a box can't hold another box"),
+            None if kind == "end" => {
+                return wrong(at, "{{#end}} without a box to end");
             }
-            None if line.starts_with("{{#end}}") => {
-                return Err((at, "{{#end}} without a box to end".to_string()));
-            }
-            _ if line.starts_with("{{#end}}") => open = None,
-            _ if begins => open = Some(at),
-            _ => {}
-        }
+            _ if begins => Some(at),
+            _ if kind == "end" => None,
+            open => open,
+        };
         at += line.len();
     }
-    open.map_or(Ok(()), |at| Err((at, "the box has no {{#end}}".to_string())))
+    open.map_or(Ok(()), |at| wrong(at, "the box has no {{#end}}"))
 }

@@ -1,29 +1,19 @@
-use crate::mistake::{Mistake, Mistakes};
-use crate::page::{self, House, Page};
-use crate::{link, picture};
+use crate::draft::{self, Chapter};
+use crate::fault::{Fault, Faults};
+use crate::files::CHAPTERS;
+use crate::picture;
 use anyhow::{Context, Result};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::io;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::path::{PathBuf, absolute};
 
 /// The preprocessor of this book: turns the chapters as they are written into plain
 /// Markdown.
-#[derive(Clone, Debug, Default)]
-pub struct Course {
-    pages: Arc<Mutex<BTreeMap<PathBuf, Page>>>,
-}
-
-impl Course {
-    /// The sum over all pages of what `count` finds in one; 0 before the book is
-    /// built.
-    pub fn count(&self, count: impl Fn(&Page) -> usize) -> usize {
-        self.pages.lock().map_or(0, |pages| pages.values().map(count).sum())
-    }
-}
+#[derive(Clone, Copy, Debug)]
+pub struct Course;
 
 impl Preprocessor for Course {
     fn name(&self) -> &str {
@@ -31,69 +21,38 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let root = context.root.canonicalize()?;
-        let house = House {
-            workspace: root
-                .parent()
-                .context("the book is a folder of a workspace")?
-                .to_path_buf(),
-            chapters: root.join(&context.config.book.src),
-        };
-        picture::copy_snapshots(&house)?;
+        let root = absolute(&context.root)?;
+        let workspace =
+            root.parent().context("the book is a folder of a workspace")?;
+        picture::copy_snapshots(workspace)?;
         let chapters: Vec<_> = book.chapters().collect();
         let expanded = chapters.par_iter().filter_map(|chapter| {
-            let page = page::expand(&chapter.content, &house);
-            Some((chapter.source_path.clone()?, page))
+            let expanded = draft::expand(&chapter.content, workspace);
+            Some((chapter.source_path.clone()?, expanded))
         });
-        let pages: BTreeMap<PathBuf, Page> = expanded.collect();
+        let expanded: BTreeMap<PathBuf, Chapter> = expanded.collect();
+        let mut faults = vec![];
         book.for_each_chapter_mut(|chapter| {
-            let page =
-                chapter.source_path.as_ref().and_then(|path| pages.get(path));
-            if let Some(page) = page {
-                chapter.content.clone_from(&page.markdown);
+            let Some(path) = &chapter.source_path else { return };
+            let Some(expanded) = expanded.get(path) else { return };
+            chapter.content.clone_from(&expanded.markdown);
+            let file = format!("{CHAPTERS}{}", path.display());
+            let fault = |(line, what)| Fault { file: file.clone(), line, what };
+            faults.extend(expanded.faults.iter().cloned().map(fault));
+            if path.components().count() != 1 {
+                let what = "a chapter stands in the folder of the chapters itself";
+                faults.push(fault((1, what.to_string())));
             }
         });
-        let mistakes = mistakes(&pages, &house);
-        if !mistakes.is_empty() {
-            return Err(Mistakes(mistakes).into());
-        }
-        if let Ok(mut kept) = self.pages.lock() {
-            *kept = pages;
-        }
+        Faults::check(faults)?;
         Ok(book)
     }
-}
-
-/// Every mistake of every page, its links included.
-fn mistakes(pages: &BTreeMap<PathBuf, Page>, house: &House) -> Vec<Mistake> {
-    let by_path: BTreeMap<&Path, &Page> =
-        pages.iter().map(|(p, page)| (p.as_path(), page)).collect();
-    let mut mistakes = vec![];
-    for (path, page) in pages {
-        let broken = page.links.iter().filter_map(|(line, target)| {
-            Some((*line, link::check(target, path, &by_path, &house.chapters)?))
-        });
-        let mut found: Vec<_> =
-            page.mistakes.iter().cloned().chain(broken).collect();
-        if path.components().count() != 1 {
-            found.push((
-                1,
-                "a chapter stands in the folder of the chapters itself".to_string(),
-            ));
-        }
-        found.sort();
-        let file = house.name(&house.chapters.join(path));
-        let mistake = |(line, what)| Mistake { file: file.clone(), line, what };
-        mistakes.extend(found.into_iter().map(mistake));
-    }
-    mistakes
 }
 
 /// Answers the mdbook program, which writes a book to our input and reads it from
 /// our output.
 pub fn answer() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(io::stdin())?;
-    let book = Course::default().run(&context, book)?;
-    serde_json::to_writer(io::stdout(), &book)?;
+    serde_json::to_writer(io::stdout(), &Course.run(&context, book)?)?;
     Ok(())
 }

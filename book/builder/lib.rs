@@ -3,31 +3,40 @@
 //! A chapter is Markdown. What it can hold beside that is in the modules of this
 //! crate: a listing, a formula, a figure, a value, a picture and a box.
 
-mod mistake;
+mod fault;
+mod files;
 
-mod page;
-mod reader;
+mod formula;
+mod markdown;
+mod svg;
 
 mod boxes;
-mod caption;
+mod excerpt;
 mod figures;
-mod formula;
 mod gallery;
-mod link;
-mod listing;
 mod picture;
-mod svg;
 mod values;
-mod worked;
+
+mod draft;
+
+mod element;
+mod link;
+mod page;
+mod site;
 
 mod browser;
 mod course;
 mod press;
-mod shading;
 
 #[cfg(test)]
 mod tests;
 
 pub use browser::open;
 pub use course::{Course, answer};
-pub use press::{Built, build};
+pub use element::Element;
+pub use fault::Fault;
+pub use files::Files;
+pub use link::faults;
+pub use page::Page;
+pub use press::build;
+pub use site::Site;

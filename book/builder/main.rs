@@ -1,36 +1,36 @@
 //! Builds the book, and opens it with `--open`.
 
 use anyhow::{Result, bail};
-use std::env;
+use clap::Parser;
 use std::io::{Write, stderr, stdout};
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-fn main() -> ExitCode {
-    let arguments = env::args_os().skip(1);
-    match run(arguments.map(|word| word.to_string_lossy().into_owned()).collect()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let _ = writeln!(stderr(), "{error:#}");
-            ExitCode::FAILURE
-        }
-    }
+/// Builds the book from its chapters, the five crates and the locked pictures.
+#[derive(Parser)]
+#[command(name = "cargo run --")]
+struct Options {
+    /// Open the book in the browser
+    #[arg(long)]
+    open: bool,
+    /// What the mdbook program asks
+    #[arg(hide = true)]
+    question: Vec<String>,
 }
 
-/// Does what the arguments ask for.
-fn run(arguments: Vec<String>) -> Result<()> {
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    match arguments[..] {
-        [] => build(false),
-        ["--open"] => build(true),
+fn main() -> ExitCode {
+    let Err(error) = run(Options::parse()) else { return ExitCode::SUCCESS };
+    let _ = writeln!(stderr(), "{error:#}");
+    ExitCode::FAILURE
+}
+
+fn run(Options { open, question }: Options) -> Result<()> {
+    let question: Vec<_> = question.iter().map(String::as_str).collect();
+    match question[..] {
+        [] => build(open),
         ["preprocess"] => book::answer(),
         ["preprocess", "supports", _] => Ok(()),
-        _ => {
-            bail!(
-                "allowed are no argument, which builds the book, and --open, which opens it too"
-            )
-        }
+        _ => bail!("allowed are no argument, which builds the book, and --open"),
     }
 }
 
@@ -38,17 +38,17 @@ fn run(arguments: Vec<String>) -> Result<()> {
 fn build(open: bool) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
-    let built = book::build(Path::new(env!("CARGO_MANIFEST_DIR")))?;
-    let index = built.folder.join("index.html");
+    let (folder, site) = book::build(&gallery::workspace().join("book"))?;
     say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
-        built.chapters,
-        built.listings,
-        built.figures,
-        built.pictures,
-        built.formulas,
+        site.chapters().len(),
+        site.count("figure", "listing"),
+        site.count("figure", "drawing"),
+        site.count("img", ""),
+        site.count("math", ""),
         start.elapsed().as_secs_f64(),
     ));
+    let index = folder.join("index.html");
     say(&format!("It begins at {}", index.display()));
     if open && !book::open(&index) {
         say("There is no browser here to open it with.");

@@ -1,66 +1,48 @@
-use crate::reader::Reader;
-use mdbook_markdown::pulldown_cmark::Options;
-use std::path::{Path, PathBuf};
+use crate::element::{Element, elements};
 
-/// Where a page finds what it includes.
+/// A page of the book, as a browser reads it.
 #[derive(Clone, Debug)]
-pub struct House {
-    /// The root of the workspace.
-    pub workspace: PathBuf,
-    /// The folder of the chapters.
-    pub chapters: PathBuf,
-}
-
-impl House {
-    /// How `path` reads from the root of the workspace, with / between its parts.
-    pub fn name(&self, path: &Path) -> String {
-        let path = path.strip_prefix(&self.workspace).unwrap_or(path);
-        let parts =
-            path.components().map(|part| part.as_os_str().to_string_lossy());
-        parts.collect::<Vec<_>>().join("/")
-    }
-}
-
-/// A chapter with everything in place, and what there is to check or to count in
-/// it.
-#[derive(Debug, Default)]
 pub struct Page {
-    /// Markdown that any program of mdBook's kind renders.
-    pub markdown: String,
-    /// Every link: the line it is on, and where it goes.
-    pub links: Vec<(usize, String)>,
-    /// Every id that a link can go to.
-    pub ids: Vec<String>,
-    /// What is wrong: the line, and what it is.
-    pub mistakes: Vec<(usize, String)>,
-    /// How many listings it has.
-    pub listings: usize,
-    /// How many figures it has.
-    pub figures: usize,
-    /// How many pictures it has.
-    pub pictures: usize,
-    /// How many formulas it has.
-    pub formulas: usize,
+    /// Its file, such as `step01_rays.html`.
+    pub name: String,
+    /// Every element of it, in the order in which they begin.
+    pub elements: Vec<Element>,
+    /// All of its text, with a space at each tag.
+    pub text: String,
 }
 
-/// Markdown as mdBook reads it, with formulas.
-pub fn options() -> Options {
-    Options::ENABLE_TABLES
-        | Options::ENABLE_FOOTNOTES
-        | Options::ENABLE_STRIKETHROUGH
-        | Options::ENABLE_TASKLISTS
-        | Options::ENABLE_HEADING_ATTRIBUTES
-        | Options::ENABLE_SMART_PUNCTUATION
-        | Options::ENABLE_DEFINITION_LIST
-        | Options::ENABLE_GFM
-        | Options::ENABLE_MATH
-}
+impl Page {
+    /// Reads the HTML of the page `name`.
+    pub fn new(name: &str, html: &str) -> Self {
+        let (elements, text) = elements(html);
+        Self { name: name.to_string(), elements, text }
+    }
 
-/// Puts listings, formulas, figures, values, pictures and boxes into the `text` of
-/// a chapter.
-pub fn expand(text: &str, house: &House) -> Page {
-    let mut reader = Reader::new(text, house);
-    reader.events();
-    reader.directives();
-    reader.finish()
+    /// Every element `tag`.
+    pub fn all(&self, tag: &str) -> impl Iterator<Item = &Element> {
+        self.elements.iter().filter(move |element| element.tag == tag)
+    }
+
+    /// The elements around an element, from the inside out.
+    pub fn around<'a>(
+        &'a self,
+        element: &Element,
+    ) -> impl Iterator<Item = &'a Element> {
+        let mut parent = element.parent;
+        std::iter::from_fn(move || {
+            let around = &self.elements[parent?];
+            parent = around.parent;
+            Some(around)
+        })
+    }
+
+    /// Whether `inner` stands somewhere in `outer`.
+    pub fn within(&self, inner: &Element, outer: &Element) -> bool {
+        self.around(inner).any(|around| std::ptr::eq(around, outer))
+    }
+
+    /// Where an element is, for the sentence about a fault.
+    pub fn at(&self, element: &Element) -> String {
+        format!("line {} of {}", element.line, self.name)
+    }
 }

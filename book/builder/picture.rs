@@ -1,5 +1,6 @@
-use crate::page::House;
-use crate::{caption, gallery};
+use crate::files::CHAPTERS;
+use crate::gallery;
+use crate::markdown::{escape, inline};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
@@ -18,48 +19,41 @@ impl Picture {
     pub fn new(markdown: &str, source: &str, caption: &str) -> Self {
         // The caption may hold links of its own; the alt text ends before the first.
         let end = format!("]({source}");
-        let alt =
-            markdown.strip_prefix("![").and_then(|rest| rest.split_once(&end));
-        Self {
-            alt: alt
-                .map_or("", |(alt, _)| alt)
-                .split_whitespace()
-                .collect::<Vec<_>>()
-                .join(" "),
-            source: source.to_string(),
-            caption: caption.to_string(),
-        }
+        let alt = markdown.trim_start_matches("![").split(&end);
+        let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
+        let (source, caption) = (source.to_string(), caption.to_string());
+        Self { alt: alt.join(" "), source, caption }
     }
 
     /// The picture alone, in its size.
-    pub fn html(&self, house: &House) -> Result<String, String> {
+    pub fn html(&self, workspace: &Path) -> Result<String, String> {
         let Self { alt, source, .. } = self;
         if alt.is_empty() {
             return Err(format!(
                 "the picture {source} has no alt text: say what it shows"
             ));
         }
-        let bytes = fs::read(house.chapters.join(source))
+        let bytes = fs::read(workspace.join(CHAPTERS).join(source))
             .map_err(|_| format!("there is no picture {source}"))?;
         let (width, height) = size(&bytes)
             .ok_or_else(|| format!("the picture {source} is not a PNG file"))?;
         Ok(format!(
             r#"<img src="{}" alt="{}" width="{width}" height="{height}">"#,
-            caption::escape(source),
-            caption::escape(alt)
+            escape(source),
+            escape(alt)
         ))
     }
 }
 
 /// A figure of the pictures of a paragraph, side by side if there are several.
-pub fn figure(pictures: &[Picture], house: &House) -> Result<String, String> {
+pub fn figure(pictures: &[Picture], workspace: &Path) -> Result<String, String> {
     let mut figures = String::new();
     for picture in pictures {
-        let image = picture.html(house)?;
+        let image = picture.html(workspace)?;
         let caption = match picture.caption.as_str() {
             "" => String::new(),
             markdown => {
-                format!("<figcaption>{}</figcaption>", caption::html(markdown)?)
+                format!("<figcaption>{}</figcaption>", inline(markdown)?)
             }
         };
         figures +=
@@ -84,9 +78,9 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
-pub fn copy_snapshots(house: &House) -> Result<()> {
-    let (from, to) =
-        (house.workspace.join("tests/snapshots"), house.chapters.join("pictures"));
+pub fn copy_snapshots(workspace: &Path) -> Result<()> {
+    let from = workspace.join("tests/snapshots");
+    let to = workspace.join(CHAPTERS).join("pictures");
     fs::create_dir_all(&to)
         .with_context(|| format!("{} can't be made", to.display()))?;
     let mut names = gallery::draw(&to)?;

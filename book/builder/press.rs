@@ -1,48 +1,24 @@
-use crate::Course;
+use crate::fault::Faults;
+use crate::{Course, Files, Site, link};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
-use mdbook_driver::book::BookItem;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
-/// What a build made.
-#[derive(Debug)]
-pub struct Built {
-    /// The folder of the HTML files.
-    pub folder: PathBuf,
-    /// How many chapters the book has.
-    pub chapters: usize,
-    /// How many listings there are in them.
-    pub listings: usize,
-    /// How many figures.
-    pub figures: usize,
-    /// How many pictures.
-    pub pictures: usize,
-    /// How many formulas.
-    pub formulas: usize,
-}
-
-/// Builds the book whose `book.toml` is in the folder `root`.
+/// Builds the book whose `book.toml` is in the folder `root`; returns the folder of
+/// its pages, and what is in it.
 ///
-/// A mistake in a chapter is an error that names its file and line; then nothing is
-/// written.
-pub fn build(root: &Path) -> Result<Built> {
-    let course = Course::default();
-    let mut book = MDBook::load(root)
+/// A fault in a chapter stops it before any page is written. A link that leads
+/// nowhere is found when all are.
+pub fn build(root: &Path) -> Result<(PathBuf, Site)> {
+    let root = absolute(root)?;
+    let mut book = MDBook::load(&root)
         .with_context(|| format!("the book in {} can't be read", root.display()))?;
     // Replaces the preprocessor of the same name in book.toml, which is this
     // program again.
-    book.with_preprocessor(course.clone());
+    book.with_preprocessor(Course);
     book.build()?;
     let folder = book.build_dir_for("html");
-    Ok(Built {
-        folder: folder.canonicalize().unwrap_or(folder),
-        chapters: book
-            .iter()
-            .filter(|item| matches!(item, BookItem::Chapter(_)))
-            .count(),
-        listings: course.count(|page| page.listings),
-        figures: course.count(|page| page.figures),
-        pictures: course.count(|page| page.pictures),
-        formulas: course.count(|page| page.formulas),
-    })
+    let site = Site::new(Files::read(&folder)?);
+    Faults::check(link::faults(&site))?;
+    Ok((folder, site))
 }

@@ -1,4 +1,4 @@
-use crate::caption::escape;
+use crate::markdown::escape;
 use glam::{DVec2, dvec2};
 use std::fmt::Write;
 
@@ -10,17 +10,6 @@ use std::fmt::Write;
 pub struct Drawing {
     size: DVec2,
     body: String,
-}
-
-/// Where a text begins, ends or has its middle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Anchor {
-    /// The text begins at the point.
-    Start,
-    /// The middle of the text is at the point.
-    Middle,
-    /// The text ends at the point.
-    End,
 }
 
 /// A map from the world, where y runs up, to a drawing.
@@ -108,14 +97,23 @@ impl Drawing {
         self.path(class, &points);
     }
 
-    /// A text, with symbols between dollar signs: `$V_0$` is a V with a 0 below the
-    /// line.
-    pub fn label(&mut self, class: &str, at: DVec2, anchor: Anchor, text: &str) {
-        let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        };
+    /// A text with its middle at a point, with symbols between dollar signs: `$V_0$`
+    /// is a V with a 0 below the line.
+    pub fn label(&mut self, class: &str, middle: DVec2, text: &str) {
+        self.text(class, middle, "middle", text);
+    }
+
+    /// A text that begins at a point.
+    pub fn label_from(&mut self, class: &str, start: DVec2, text: &str) {
+        self.text(class, start, "start", text);
+    }
+
+    /// A text that ends at a point.
+    pub fn label_to(&mut self, class: &str, end: DVec2, text: &str) {
+        self.text(class, end, "end", text);
+    }
+
+    fn text(&mut self, class: &str, at: DVec2, anchor: &str, text: &str) {
         let spans: String = text
             .split('$')
             .enumerate()

@@ -1,34 +1,28 @@
-//! What a chapter may hold, and each mistake that its author is told of.
+//! What a chapter may hold, and each fault that its author is told of.
 
-use crate::link;
-use crate::page::{House, Page, expand};
-use std::collections::BTreeMap;
-use std::path::Path;
+use crate::draft::{Chapter, expand};
+use crate::files::CHAPTERS;
+use crate::{Files, figures, values};
 
-/// The house of these tests is this project itself.
-fn page(markdown: &str) -> Page {
-    let book = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let workspace = book.parent().unwrap_or(book).to_path_buf();
-    // The tests don't wait for a build to copy the pictures.
-    expand(markdown, &House { workspace, chapters: book.join("chapters") })
+/// The workspace of these tests is this project itself.
+fn chapter(markdown: &str) -> Chapter {
+    expand(markdown, &::gallery::workspace())
 }
 
-/// Asserts that the only mistake is on `line` and that it is told in these words.
+/// Asserts that the only fault is on `line` and that it is told in these words.
 #[track_caller]
 fn wrong(markdown: &str, line: usize, words: &str) {
-    let mistakes = page(markdown).mistakes;
-    let [(found, what)] = &mistakes[..] else {
-        panic!("not one mistake: {mistakes:?}")
-    };
+    let faults = chapter(markdown).faults;
+    let [(found, what)] = &faults[..] else { panic!("not one fault: {faults:?}") };
     assert_eq!(*found, line, "{what}");
     assert!(what.contains(words), "{what:?} does not say {words:?}");
 }
 
 #[track_caller]
 fn right(markdown: &str) -> String {
-    let page = page(markdown);
-    assert_eq!(page.mistakes, []);
-    page.markdown
+    let Chapter { markdown, faults } = chapter(markdown);
+    assert_eq!(faults, []);
+    markdown
 }
 
 const RAY: &str = "../../steps/step01_rays/src/ray.rs";
@@ -49,9 +43,17 @@ fn a_listing_has_every_line_of_its_file() {
 
 #[test]
 fn a_part_of_a_file_says_which_lines() {
-    let markdown = right(&listing(&format!("{RAY}:3:5")));
-    assert!(markdown.contains(r#"data-lines="3-5""#));
-    assert!(markdown.contains("lines 3–5 of "));
+    let part = |part: &str| right(&listing(&format!("{RAY}:{part}")));
+    let (until, from) = (part("..impl Ray"), part("impl Ray.."));
+    assert!(until.contains(r#"data-lines="1-11""#) && !until.contains("impl Ray"));
+    assert!(from.contains("lines 12–17 of 17") && from.contains("rust\nimpl Ray"));
+    let between = part("pub struct..pub fn at");
+    // A part begins with the comments and attributes of its item.
+    assert!(
+        between.contains("rust\n/// A ray")
+            && between.ends_with("impl Ray {\n```\n\n</figure>\n\n\n"),
+        "{between}"
+    );
 }
 
 #[test]
@@ -61,9 +63,9 @@ fn a_wrong_listing_is_a_mistake() {
     wrong("Text.\n\n    let x = 1;\n", 3, "fence that names its language");
     wrong("Text.\n\n```\nlet x = 1;\n```\n", 3, "names no language");
     wrong(&listing("../../steps/nowhere.rs"), 4, "no file");
-    wrong(&listing(&format!("{RAY}:nowhere")), 4, "no anchor nowhere");
-    wrong(&listing(&format!("{RAY}:3:9999")), 4, "lines, not 3:9999");
-    wrong(&listing(&format!("{RAY}:0")), 4, "no line number");
+    wrong(&listing(&format!("{RAY}:3:5")), 4, "not 3:5");
+    wrong(&listing(&format!("{RAY}:..pub type")), 4, "begins with \"pub type\"");
+    wrong(&listing(&format!("{RAY}:impl Ray..use")), 4, "begins with \"use\"");
     wrong(&listing(&format!("{RAY}}}}}\nlet x = 1; {{{{")), 4, "nothing else");
     wrong(
         "- item\n\n  ```rust\n  {{#include ../../steps/step01_rays/src/ray.rs}}\n  ```\n",
@@ -88,6 +90,7 @@ fn a_wrong_formula_is_a_mistake() {
 fn a_wrong_figure_value_or_directive_is_a_mistake() {
     wrong("One.\n\n{{#figure nowhere}}\n", 3, "no figure nowhere");
     wrong("See {{#figure ray}} here.\n", 1, "stands alone");
+    wrong("So {{#by-hand it}} is.\n", 1, "stands alone");
     wrong("It is {{#value nothing}} long.\n", 1, "no value nothing");
     wrong("It is $t = {{#value nothing}}$.\n", 1, "no value nothing");
     wrong("One\n{{#playground x.rs}}\n", 2, "no directive");
@@ -96,6 +99,9 @@ fn a_wrong_figure_value_or_directive_is_a_mistake() {
     wrong("So.\n\n{{#end}}\n", 3, "without a box");
     assert!(
         right("{{#predict Why $t$?}}\n\nSo.\n\n{{#end}}\n").contains("<details")
+    );
+    assert!(
+        right("So.\n\n{{#by-hand axis_a}}\n").contains(r#"id="by-hand-axis_a""#)
     );
     assert!(
         right("It is $t = {{#value camera-tan}}$.").contains("<mn>0&#46;5774</mn>")
@@ -115,28 +121,6 @@ fn a_wrong_picture_is_a_mistake() {
     );
 }
 
-#[test]
-fn a_wrong_link_is_a_mistake() {
-    let one = page("# One title\n\n## One title\n\n{{#figure ray}}\n");
-    let (path, other) = (Path::new("one.md"), Path::new("two.md"));
-    let pages = BTreeMap::from([(path, &one), (other, &one)]);
-    let check = |target| link::check(target, path, &pages, Path::new("."));
-    for target in [
-        "#one-title",
-        "#one-title-1",
-        "two.md",
-        "two.md#figure-ray",
-        "https://a.example/b",
-    ] {
-        assert_eq!(check(target), None, "{target}");
-    }
-    for target in ["#nowhere", "three.md", "two.md#nowhere", "nowhere.png"] {
-        assert!(check(target).is_some(), "{target}");
-    }
-    let links = page("See [it](two.md) and\n[that](#there).\n").links;
-    assert_eq!(links, [(1, "two.md".to_string()), (2, "#there".to_string())]);
-}
-
 const SKY: &str = "../../tests/snapshots/step01_rays.snap.png";
 
 #[test]
@@ -149,4 +133,22 @@ fn a_caption_may_hold_a_link() {
 fn a_picture_may_stand_right_after_a_formula() {
     let html = right(&format!("Here $x$![A sky.]({SKY})."));
     assert!(html.contains("</math><img "), "{html}");
+}
+
+/// Each figure and each value that no chapter uses.
+fn unused(chapters: &str) -> Vec<String> {
+    let figures = figures::names().map(|name| format!("{{{{#figure {name}}}}}"));
+    let values = values::names().map(|name| format!("{{{{#value {name}}}}}"));
+    figures.chain(values).filter(|one| !chapters.contains(one)).collect()
+}
+
+#[test]
+fn every_figure_and_every_value_is_used() {
+    let folder = ::gallery::workspace().join(CHAPTERS);
+    let files = Files::read(&folder).expect("the chapters can be read");
+    let chapters: String = files.texts(".md").map(|(_, text)| text).collect();
+    assert_eq!(unused(&chapters), [""; 0]);
+    for one in ["{{#figure row}}", "{{#value slips-angle-2}}"] {
+        assert_eq!(unused(&chapters.replace(one, "")), [one]);
+    }
 }

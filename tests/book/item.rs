@@ -1,113 +1,127 @@
 //! The items of the five crates, by their names.
 
-use crate::files::Files;
-use crate::source::SOURCE;
+use book::Files;
+use std::collections::{BTreeMap, BTreeSet};
+use syn::visit::{self, Visit};
+use syn::{Field, Ident, ImplItem, Item, ItemFn, Type, Variant};
 
-/// Words before the name of an item.
-const KINDS: [&str; 6] = ["fn", "struct", "enum", "const", "static", "type"];
-
-/// Whether there is an item `name`: a function, a type or a constant, or as
-/// `Type::member` a function, a field or a variant of a type.
-pub fn is_there(source: &Files, name: &str) -> bool {
-    !bodies(source, name).is_empty()
+/// Every function, type and constant by its name, and every function, field and
+/// variant of a type as `Type::member`.
+#[derive(Default)]
+pub struct Items {
+    /// The words in each of them.
+    words: BTreeMap<String, BTreeSet<String>>,
+    /// The name of the item that is being read.
+    name: String,
 }
 
-/// Whether the function `function` speaks of a variable `name`.
-pub fn has_variable(source: &Files, function: &str, name: &str) -> bool {
-    let is_letter = |c: char| c.is_alphanumeric() || c == '_';
-    let bodies = bodies(source, function);
-    bodies.iter().any(|body| body.split(|c| !is_letter(c)).any(|word| word == name))
+impl Items {
+    /// Reads all files that are Rust.
+    pub fn of(source: &Files) -> Self {
+        let mut items = Self::default();
+        let files = source.texts(".rs").map(|(_, text)| syn::parse_file(text));
+        files.flatten().for_each(|file| items.visit_file(&file));
+        items
+    }
+
+    /// Whether there is an item `name`.
+    pub fn has(&self, name: &str) -> bool {
+        self.words.contains_key(name)
+    }
+
+    /// Whether the function `function` speaks of a variable `name`.
+    pub fn has_variable(&self, function: &str, name: &str) -> bool {
+        self.words.get(function).is_some_and(|words| words.contains(name))
+    }
+
+    /// Reads what is inside an item of this name, if it has one.
+    fn inside(&mut self, name: Option<&Ident>, read: impl FnOnce(&mut Self)) {
+        let Some(name) = name else { return read(self) };
+        let colons = if self.name.is_empty() { "" } else { "::" };
+        let inner = format!("{}{colons}{name}", self.name);
+        self.words.entry(inner.clone()).or_default();
+        let outer = std::mem::replace(&mut self.name, inner);
+        read(self);
+        self.name = outer;
+    }
 }
 
-/// The text of each item `name`, from its head to the line that closes it.
-fn bodies<'a>(source: &'a Files, name: &str) -> Vec<&'a str> {
-    let all = source.texts(".rs").flat_map(|(_, text)| blocks(text));
-    let Some((owner, member)) = name.split_once("::") else {
-        let named = all.filter(|(head, _)| is_named(head, name));
-        return named.map(|(_, block)| block).collect();
-    };
-    let mut found = vec![];
-    for (head, block) in all {
-        let (_, inside) = block.split_once('\n').unwrap_or_default();
-        let implements =
-            head.starts_with("impl") && head.ends_with(&format!(" {owner} {{"));
-        if implements || is_named(head, owner) {
-            // A field or a variant of a type begins with its name.
-            let is_member = |head| {
-                is_named(head, member) || !implements && begins(head, member)
-            };
-            let members = blocks(inside).filter(|(head, _)| is_member(head));
-            found.extend(members.map(|(_, member)| member));
+impl<'a> Visit<'a> for Items {
+    fn visit_item(&mut self, item: &'a Item) {
+        let name = match item {
+            Item::Fn(item) => Some(&item.sig.ident),
+            Item::Struct(item) => Some(&item.ident),
+            Item::Enum(item) => Some(&item.ident),
+            Item::Const(item) => Some(&item.ident),
+            Item::Static(item) => Some(&item.ident),
+            Item::Impl(item) => match &*item.self_ty {
+                Type::Path(of) => of.path.segments.last().map(|part| &part.ident),
+                _ => None,
+            },
+            _ => None,
+        };
+        self.inside(name, |items| visit::visit_item(items, item));
+    }
+
+    fn visit_impl_item(&mut self, item: &'a ImplItem) {
+        let ImplItem::Fn(function) = item else { return };
+        let name = Some(&function.sig.ident);
+        self.inside(name, |items| visit::visit_impl_item(items, item));
+    }
+
+    fn visit_field(&mut self, field: &'a Field) {
+        self.inside(field.ident.as_ref(), |items| visit::visit_field(items, field));
+    }
+
+    fn visit_variant(&mut self, variant: &'a Variant) {
+        self.inside(Some(&variant.ident), |_| {});
+    }
+
+    fn visit_ident(&mut self, word: &'a Ident) {
+        if let Some(words) = self.words.get_mut(&self.name) {
+            words.insert(word.to_string());
         }
     }
-    found
 }
 
-/// Whether an item that begins with `head` has this name.
-fn is_named(head: &str, name: &str) -> bool {
-    KINDS.iter().any(|kind| begins(head, &format!("{kind} {name}")))
-}
-
-/// Whether `head` begins with all of the words in `words`.
-fn begins(head: &str, words: &str) -> bool {
-    let rest = head.strip_prefix(words);
-    rest.is_some_and(|rest| {
-        !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')
-    })
-}
-
-/// Every line of a text that is no comment, without its `pub`, and the lines from
-/// there to the one that closes what it opens.
-fn blocks(text: &str) -> impl Iterator<Item = (&str, &str)> {
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    lines.map(move |line| {
-        let head = line.trim().trim_start_matches("pub(crate) ");
-        let head = head.trim_start_matches("pub ");
-        let function = head.strip_prefix("const ").filter(|f| f.starts_with("fn "));
-        let head = function.unwrap_or(head);
-        // `line` is a part of `text`.
-        let start = line.as_ptr().addr() - text.as_ptr().addr();
-        let indent = &line[..line.len() - line.trim_start().len()];
-        let close = format!("\n{indent}}}");
-        let opens = !line.ends_with([',', ';', '}']);
-        let length = text[start..].find(&close).filter(|_| opens);
-        (head, &text[start..start + length.unwrap_or(line.len())])
-    })
+/// Every test in a Rust file.
+pub fn tests(text: &str) -> Vec<ItemFn> {
+    let file = syn::parse_file(text).expect("the file is Rust");
+    let functions = file.items.into_iter().filter_map(|item| match item {
+        Item::Fn(function) => Some(function),
+        _ => None,
+    });
+    let is_test = |function: &ItemFn| {
+        function.attrs.iter().any(|attribute| attribute.path().is_ident("test"))
+    };
+    functions.filter(is_test).collect()
 }
 
 #[test]
 fn items_are_found_by_their_names() {
+    let items = Items::of(&crate::source::SOURCE);
     for name in [
         "Ray",
         "Ray::start",
         "Ray::at",
         "Roots",
+        "Roots::Two",
         "Roots::first_hit",
         "quadratic",
-        "SPHERES",
-        "AMBIENT_LIGHT",
+        "SPHERE",
         "Phong::sum",
         "AspectRatio::width",
-        "Picture",
-        "shiny",
+        "polished",
         "Surface::of",
     ] {
-        assert!(is_there(&SOURCE, name), "{name}");
+        assert!(items.has(name), "{name}");
     }
-    for name in [
-        "Way",
-        "Ray::end",
-        "Ray::radius",
-        "Sphere::start",
-        "Ray::self",
-        "quad",
-        "first_hit::t",
-    ] {
-        assert!(!is_there(&SOURCE, name), "{name}");
+    for name in
+        ["Way", "Ray::end", "Ray::radius", "Sphere::start", "Ray::self", "quad"]
+    {
+        assert!(!items.has(name), "{name}");
     }
-    assert!(has_variable(&SOURCE, "Row::new", "v_0"));
-    assert!(
-        has_variable(&SOURCE, "quadratic", "b")
-            && !has_variable(&SOURCE, "quadratic", "v_0")
-    );
+    assert!(items.has_variable("Row::new", "v_0"));
+    assert!(items.has_variable("quadratic", "b"));
+    assert!(!items.has_variable("quadratic", "v_0"));
 }

@@ -1,103 +1,13 @@
 //! Every link, anchor and picture leads to something in the book, and nothing is
 //! fetched from elsewhere.
 
-use crate::book::{BOOK, Book};
-use crate::element::Element;
-use crate::style::urls;
+use crate::book::BOOK;
 use crate::{assert_found, assert_none};
+use book::Site;
 
-/// Each link that leads nowhere, and all that would be fetched from elsewhere.
-fn faults(book: &Book) -> Vec<String> {
-    let mut faults = vec![];
-    for page in book.pages.values() {
-        for element in &page.elements {
-            for address in addresses(element) {
-                let leads_out = element.tag == "a" && is_elsewhere(address);
-                if let Err(what) = resolve(book, &page.name, address)
-                    && !leads_out
-                {
-                    faults.push(format!(
-                        "Line {} of {} {what}.",
-                        element.line, page.name
-                    ));
-                }
-            }
-        }
-    }
-    for (name, css) in book.files.texts(".css") {
-        for (line, css) in css.lines().enumerate() {
-            for address in urls(css) {
-                if let Err(what) = resolve(book, name, address) {
-                    faults.push(format!("Line {} of {name} {what}.", line + 1));
-                }
-            }
-        }
-    }
-    faults
-}
-
-/// Everything that an element leads to or loads.
-fn addresses(element: &Element) -> Vec<&str> {
-    if element.tag == "base" {
-        // Says where the book is, and fetches nothing.
-        return vec![];
-    }
-    let names = ["href", "src", "xlink:href", "poster", "data", "action"];
-    let mut found: Vec<_> =
-        names.iter().filter_map(|name| element.get(name)).collect();
-    let sets = element.get("srcset").into_iter().flat_map(|set| set.split(','));
-    found.extend(sets.filter_map(|one| one.split_whitespace().next()));
-    found.extend(element.get("style").into_iter().flat_map(urls));
-    if element.tag == "style" {
-        found.extend(urls(&element.text));
-    }
-    found
-}
-
-/// Whether an address names another place than the book.
-fn is_elsewhere(address: &str) -> bool {
-    let scheme = address.split(['/', '#', '?']).next().unwrap_or_default();
-    address.starts_with('/') || scheme.contains(':')
-}
-
-/// Says what is wrong with an address in the file `from`, if it is not that of
-/// something in the book.
-fn resolve(book: &Book, from: &str, address: &str) -> Result<(), String> {
-    if address.starts_with("data:") {
-        return Ok(());
-    }
-    if is_elsewhere(address) {
-        return Err(format!("fetches {address} from outside the book"));
-    }
-    let (path, id) = address.split_once('#').unwrap_or((address, ""));
-    let path = match path.split('?').next().unwrap_or_default() {
-        "" => from.to_string(),
-        path => joined(from, path),
-    };
-    if !book.files.0.contains_key(&path) {
-        return Err(format!("leads to {path}, which is not in the book"));
-    }
-    let has = |id| {
-        book.pages.get(&path)?.elements.iter().find(|e| e.get("id") == Some(id))
-    };
-    if id.is_empty() || has(id).is_some() {
-        return Ok(());
-    }
-    Err(format!("leads to #{id}, which is not in {path}"))
-}
-
-/// The path to which `path` leads from the file `from`.
-fn joined(from: &str, path: &str) -> String {
-    let mut parts: Vec<&str> = from.split('/').collect();
-    parts.pop();
-    for part in path.split('/') {
-        match part {
-            "." => {}
-            ".." if !parts.is_empty() => drop(parts.pop()),
-            part => parts.push(part),
-        }
-    }
-    parts.join("/")
+/// The faults that a build tells.
+fn faults(book: &Site) -> Vec<String> {
+    book::faults(book).iter().map(ToString::to_string).collect()
 }
 
 #[test]
@@ -120,7 +30,7 @@ fn a_broken_link_is_found() {
         ),
         ("<img src=\"pictures/nowhere.png\" alt=\"a\">", "pictures/nowhere.png"),
     ] {
-        let words = ["Line ", "step01_rays.html", what];
+        let words = ["step01_rays.html:", what];
         assert_found(&faults(&BOOK.with_html(html)), &words);
     }
     assert_none(&faults(&BOOK.with_html("<a href=\"https://a.example/b\">a</a>")));
@@ -145,7 +55,7 @@ fn what_is_fetched_from_elsewhere_is_found() {
         ("url(\"nowhere.woff2\")", "leads to fonts/nowhere.woff2"),
     ] {
         let book = BOOK.with("fonts/fonts.css", font, css);
-        assert_found(&faults(&book), &["Line 2 of fonts/fonts.css", what]);
+        assert_found(&faults(&book), &["fonts/fonts.css:2", what]);
     }
 }
 

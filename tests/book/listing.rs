@@ -1,7 +1,7 @@
 //! A listing is what its caption says: these lines of that file.
 
-use crate::element::Element;
-use crate::page::Page;
+use book::Element;
+use book::Page;
 
 /// Code on a page that is Rust, or that says which file it is from.
 #[derive(Clone, Debug)]
@@ -70,7 +70,7 @@ impl<'a> Listing<'a> {
         let source = source.ok_or(format!(
             "The listing on {at} is from {path}, which is no file."
         ))?;
-        let source = lines(source);
+        let source: Vec<&str> = source.lines().collect();
         let total = source.len();
         let within =
             |&(first, last): &_| 0 < first && first <= last && last <= total;
@@ -115,11 +115,4 @@ fn right_caption(path: &str, first: usize, last: usize, total: usize) -> String 
         (first, last) if first == last => format!("{path} line {first} of {total}"),
         _ => format!("{path} lines {first}–{last} of {total}"),
     }
-}
-
-/// The lines of a source file, those left out that mark a part for a chapter.
-pub fn lines(source: &str) -> Vec<&str> {
-    let marks =
-        |line: &str| line.contains("ANCHOR: ") || line.contains("ANCHOR_END: ");
-    source.lines().filter(|line| !marks(line)).collect()
 }

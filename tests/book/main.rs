@@ -4,28 +4,24 @@
 //! that a fault is found. The book is built once for all of them.
 
 mod book;
-mod element;
-mod files;
-mod page;
 
 mod listing;
 mod source;
 
-mod reader;
 mod typed;
+mod typist;
 
 mod link;
-mod style;
 
+mod locked;
 mod markup;
-mod picture;
 
 mod table;
 
+mod by_hand;
 mod item;
 mod lecture;
 mod notation;
-mod slides;
 
 mod prose;
 

@@ -1,16 +1,17 @@
 //! Nothing unexpanded is left, every picture and drawing has words for those who
 //! cannot see it, and an id stands for one thing.
 
-use crate::book::{BOOK, Book};
-use crate::page::Page;
+use crate::book::BOOK;
 use crate::{assert_found, assert_none};
+use book::Page;
+use book::Site;
 use std::collections::HashSet;
 
 /// What is only there when a directive or a formula was not expanded.
 const LEFTOVERS: [&str; 4] = ["{{#", "$$", r"\frac", r"\begin{"];
 
 /// Everything that is wrong with the elements of a page.
-fn faults(book: &Book) -> Vec<String> {
+fn faults(book: &Site) -> Vec<String> {
     let faults = book.pages.values().flat_map(|page| {
         unexpanded(page).into_iter().chain(wordless(page)).chain(repeated(page))
     });

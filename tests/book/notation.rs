@@ -1,11 +1,12 @@
 //! Every name in the notation tables exists in the code.
 
-use crate::book::{BOOK, Book};
-use crate::files::Files;
-use crate::item::{has_variable, is_there};
+use crate::book::BOOK;
+use crate::item::Items;
 use crate::source::SOURCE;
 use crate::table::rows;
 use crate::{assert_found, assert_none};
+use book::Files;
+use book::Site;
 
 const PAGE: &str = "notation.html";
 const COLUMN: &str = "In the code";
@@ -13,21 +14,22 @@ const COLUMN: &str = "In the code";
 /// Each name that stands for nothing in the code.
 ///
 /// A cell names items, as `Ray::at`, and variables, as `v_0` in `Camera::new`.
-fn faults(book: &Book, source: &Files) -> Vec<String> {
+fn faults(book: &Site, source: &Files) -> Vec<String> {
     let rows: Vec<_> = book.pages.get(PAGE).into_iter().flat_map(rows).collect();
     let cells: Vec<_> =
         rows.iter().filter_map(|row| Some((row, row.text(COLUMN)?))).collect();
     if cells.is_empty() {
         return vec![format!("No table of {PAGE} has a column {COLUMN:?}.")];
     }
+    let items = Items::of(source);
     let mut faults = vec![];
     for (row, cell) in cells {
         for name in cell.split(", ") {
             let found = match name.split_once(" in ") {
                 Some((variable, function)) => {
-                    has_variable(source, function, variable)
+                    items.has_variable(function, variable)
                 }
-                None => is_there(source, name),
+                None => items.has(name),
             };
             if !found {
                 faults.push(format!(

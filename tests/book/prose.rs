@@ -1,8 +1,8 @@
 //! The chapters keep the rules of style: calm words, and no Rust typed by hand.
 
-use crate::book::workspace;
-use crate::files::Files;
+use crate::book::files;
 use crate::{assert_found, assert_none};
+use book::Files;
 use mdbook_markdown::pulldown_cmark::{
     CodeBlockKind, Event, Options, Parser, Tag, TagEnd,
 };
@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 const WORDS: [&str; 3] = ["simply", "just", "obviously"];
 
 static CHAPTERS: LazyLock<Files> = LazyLock::new(|| {
-    let mut files = Files::read(&workspace().join("book/chapters"));
+    let mut files = files("book/chapters");
     files.0.retain(|path, _| path.ends_with(".md"));
     files
 });

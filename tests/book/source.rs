@@ -1,27 +1,29 @@
 //! Every line of every source file stands in the chapter of its step, once.
 
-use crate::book::{BOOK, Book, workspace};
-use crate::files::Files;
-use crate::listing::{Listing, lines};
+use crate::book::{BOOK, files};
+use crate::listing::Listing;
 use crate::{assert_found, assert_none};
+use book::Files;
+use book::Site;
+use gallery::workspace;
 use std::fs;
 use std::sync::LazyLock;
 
 /// The files of the five crates, and those beside the folder of the crates.
 pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
-    let mut files = Files::default();
-    for (path, bytes) in Files::read(&workspace().join("steps")).0 {
-        files.0.insert(format!("steps/{path}"), bytes);
+    let mut source = Files::default();
+    for (path, bytes) in files("steps").0 {
+        source.0.insert(format!("steps/{path}"), bytes);
     }
     for path in ["Cargo.toml", ".rustfmt.toml"] {
         let bytes = fs::read(workspace().join(path));
-        files.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
+        source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
     }
-    files
+    source
 });
 
 /// Each listing that is not what its caption says, or not from a step.
-fn wrong_listings(book: &Book, source: &Files) -> Vec<String> {
+fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
     let listings = book.chapters().into_iter().flat_map(Listing::all);
     let checked = listings.map(|listing| listing.check(source.text(listing.path)));
     checked.filter_map(Result::err).collect()
@@ -38,11 +40,11 @@ fn home(path: &str) -> Option<String> {
 
 /// Each file with a line that does not stand in its chapter, stands there twice or
 /// stands in another one too.
-fn wrong_files(book: &Book, source: &Files) -> Vec<String> {
+fn wrong_files(book: &Site, source: &Files) -> Vec<String> {
     let mut faults = vec![];
     for (path, text) in source.texts("") {
         let Some(home) = home(path) else { continue };
-        let mut times = vec![0; lines(text).len()];
+        let mut times = vec![0; text.lines().count()];
         for page in book.chapters() {
             for listing in Listing::all(page).filter(|one| one.path == path) {
                 if page.name != home {
@@ -73,7 +75,7 @@ const FIGURE: &str =
 
 /// Fails unless one listing of `book` is wrong, and the sentence holds these words.
 #[track_caller]
-fn found(book: &Book, words: &[&str]) {
+fn found(book: &Site, words: &[&str]) {
     assert_found(&wrong_listings(book, &SOURCE), words);
 }
 

@@ -1,5 +1,5 @@
-use crate::element::Element;
-use crate::page::Page;
+use book::Element;
+use book::Page;
 
 /// A row of a table, with the headings of its columns.
 pub struct Row<'a> {

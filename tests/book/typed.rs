@@ -2,11 +2,12 @@
 //! at the end of each chapter.
 
 use crate::assert_found;
-use crate::book::{BOOK, Book};
+use crate::book::BOOK;
 use crate::listing::Listing;
-use crate::page::Page;
-use crate::reader::{Reader, STEPS};
 use crate::source::SOURCE;
+use crate::typist::{STEPS, Typist};
+use book::Page;
+use book::Site;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use tests::target;
@@ -16,20 +17,20 @@ use tests::target;
 static TYPING: Mutex<()> = Mutex::new(());
 
 /// What is wrong at the end of the first chapter that does not suffice.
-fn fault(book: &Book) -> Option<String> {
+fn fault(book: &Site) -> Option<String> {
     let _typing = TYPING.lock();
-    let reader = Reader { folder: target().join("typed") };
+    let typist = Typist { folder: target().join("typed") };
     let mut steps = STEPS.iter().peekable();
     let mut files: BTreeMap<&str, Vec<Listing>> = BTreeMap::new();
-    reader.put_aside().expect("the files can be moved");
+    typist.put_aside().expect("the files can be moved");
     for page in book.chapters() {
         for listing in Listing::all(page) {
             files.entry(listing.path).or_default().push(listing);
         }
         if page.name == SOLUTIONS {
-            let written = reader.write(&files);
+            let written = typist.write(&files);
             let faults =
-                written.and_then(|()| reader.fault_of_examples(&solutions(page)));
+                written.and_then(|()| typist.fault_of_examples(&solutions(page)));
             let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
             if let Some(what) = fault {
                 return Some(format!("At the end of {SOLUTIONS}, {what}."));
@@ -39,7 +40,7 @@ fn fault(book: &Book) -> Option<String> {
         else {
             continue;
         };
-        let faults = reader.write(&files).and_then(|()| reader.fault(step));
+        let faults = typist.write(&files).and_then(|()| typist.fault(step));
         let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
         if let Some(what) = fault {
             return Some(format!("At the end of {}, {what}.", page.name));

@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing};
+use crate::svg::Drawing;
 use glam::dvec2;
 use step01_rays::AspectRatio;
 
@@ -7,14 +7,14 @@ use step01_rays::AspectRatio;
 pub fn figure() -> Figure {
     let mut drawing = Drawing::new(480.0, 300.0);
     let named = [
-        ("4:3", "standard video"),
-        ("16:9", "widescreen video"),
-        ("2.35:1", "many movies"),
-        ("2.59:1", "Cinerama"),
+        (4.0, 3.0, "standard video"),
+        (16.0, 9.0, "widescreen video"),
+        (2.35, 1.0, "many movies"),
+        (2.59, 1.0, "Cinerama"),
     ];
-    for (k, (ratio, name)) in named.into_iter().enumerate() {
-        let Ok(shape) = ratio.parse::<AspectRatio>() else { continue };
-        let rows = shape.v_res(640).map_or(0.0, f64::from);
+    for (k, (w, h, name)) in named.into_iter().enumerate() {
+        let rows = AspectRatio { width: w, height: h }.v_res(640);
+        let rows = rows.map_or(0.0, f64::from);
         let (width, height) = (190.0, 190.0 * rows / 640.0);
         let (column, line) = (f64::from(k as u32 % 2), f64::from(k as u32 / 2));
         let bottom = 146.0 + 124.0 * line;
@@ -25,19 +25,13 @@ pub fn figure() -> Figure {
             "screen",
             &[middle - half, middle + flip, middle + half, middle - flip],
         );
-        drawing.label("strong", middle, Anchor::Middle, ratio);
+        drawing.label("strong", middle, &format!("{w}:{h}"));
         drawing.label(
             "quiet small",
             middle + dvec2(0.0, 20.0),
-            Anchor::Middle,
             &format!("640 × {rows}"),
         );
-        drawing.label(
-            "quiet",
-            middle + dvec2(0.0, half.y + 20.0),
-            Anchor::Middle,
-            name,
-        );
+        drawing.label("quiet", middle + dvec2(0.0, half.y + 20.0), name);
     }
     Figure {
         title: "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.",

@@ -1,7 +1,7 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
-use step04_diffuse::{Attenuation, LIGHTS};
+use step04_diffuse::{Attenuation, WARM};
 
 /// What is left of a light at each distance, for several a, b and c.
 pub fn figure() -> Figure {
@@ -14,20 +14,18 @@ pub fn figure() -> Figure {
             view.at(dvec2(14.0, share)),
         );
         let label = format!("{share}");
-        drawing.label(
+        drawing.label_to(
             "quiet",
             view.at(dvec2(0.0, share)) + dvec2(-8.0, 5.0),
-            Anchor::End,
             &label,
         );
     }
     for d in [2.0, 4.0, 6.0, 8.0, 10.0, 12.0] {
         let at = view.at(dvec2(d, 0.0)) + dvec2(0.0, 22.0);
-        drawing.label("quiet", at, Anchor::Middle, &format!("{d}"));
+        drawing.label("quiet", at, &format!("{d}"));
     }
     drawing.arrow("axis", view.origin, view.at(dvec2(14.4, 0.0)));
     drawing.arrow("axis", view.origin, view.at(dvec2(0.0, 1.14)));
-    let warm = LIGHTS[0].attenuation;
     let curves = [
         (
             Attenuation { a: 1.0, b: 0.0, c: 0.0 },
@@ -44,7 +42,7 @@ pub fn figure() -> Figure {
             "curve curve-3",
             (0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
         ),
-        (warm, "curve curve-4", (7.4, -12.0, "the warm light")),
+        (WARM.attenuation, "curve curve-4", (7.4, -12.0, "the warm light")),
     ];
     for (attenuation, class, (d, shift, text)) in curves {
         let share = |d: f64| attenuation.at(0.0) / attenuation.at(d);
@@ -54,14 +52,9 @@ pub fn figure() -> Figure {
             .collect();
         drawing.path(class, &points);
         let at = view.at(dvec2(d, share(d))) + dvec2(0.0, shift);
-        drawing.label(class, at, Anchor::Start, text);
+        drawing.label_from(class, at, text);
     }
-    drawing.label(
-        "",
-        view.at(dvec2(14.0, 0.0)) + dvec2(4.0, 22.0),
-        Anchor::Middle,
-        "$d$",
-    );
+    drawing.label("", view.at(dvec2(14.0, 0.0)) + dvec2(4.0, 22.0), "$d$");
     Figure {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \

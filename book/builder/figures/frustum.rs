@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing};
+use crate::svg::Drawing;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::Camera;
@@ -33,39 +33,28 @@ pub fn figure() -> Figure {
     drawing.line("guide", c, along);
     drawing.arrow("vector", c, project(v_0));
     let label = (c + project(v_0)) / 2.0 + dvec2(-6.0, -12.0);
-    drawing.label("strong", label, Anchor::End, "$V_0$");
+    drawing.label_to("strong", label, "$V_0$");
     drawing.arrow("accent", project(v_0), project(v_0 + d_u));
     drawing.arrow("second", project(v_0), project(v_0 + d_v));
-    drawing.label(
-        "accent",
-        project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0),
-        Anchor::Middle,
-        "$D_u$",
-    );
-    drawing.label(
+    drawing.label("accent", project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0), "$D_u$");
+    drawing.label_from(
         "second",
         project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0),
-        Anchor::Start,
         "$D_v$",
     );
     drawing.dot("eye", c);
-    drawing.label("strong", c + dvec2(-12.0, 6.0), Anchor::End, "$C$");
+    drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");
     let p = at(5.0, 3.0);
     drawing.arrow("ray", c, project(camera.ray(5.0, 3.0).at(1.42)));
     drawing.dot("ray", p);
     let tip = project(camera.ray(5.0, 3.0).at(1.42));
-    drawing.label(
-        "quiet",
-        tip + dvec2(10.0, 5.0),
-        Anchor::Start,
-        "$i$ = 5, $j$ = 3",
-    );
+    drawing.label_from("quiet", tip + dvec2(10.0, 5.0), "$i$ = 5, $j$ = 3");
     let corner = dvec2(44.0, 286.0) - c;
     for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
         let tip = project(0.16 * axis);
         drawing.arrow("axis", c + corner, tip + corner);
         let label = tip + 0.32 * (tip - c) + corner + dvec2(0.0, 5.0);
-        drawing.label("quiet", label, Anchor::Middle, name);
+        drawing.label("quiet", label, name);
     }
     Figure {
         title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",

@@ -1,25 +1,28 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
 use step02_sphere::Roots;
-use step03_nearest::{Ray, Sphere, nearest};
+use step03_nearest::{Object, Ray, Sphere, nearest};
 
 /// One ray through several spheres, one behind its start, and every t on it.
 pub fn figure() -> Figure {
     let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
-    let sphere = |x, y, radius| Sphere { centre: DVec3::new(x, y, 0.0), radius };
-    let spheres =
-        [sphere(5.3, 0.35, 1.0), sphere(-1.5, 0.2, 0.7), sphere(2.4, -0.3, 0.8)];
+    let object = |x, y, radius, k| {
+        let sphere = Sphere { centre: DVec3::new(x, y, 0.0), radius };
+        Object { sphere, material: k }
+    };
+    let objects = [
+        object(5.3, 0.35, 1.0, 0),
+        object(-1.5, 0.2, 0.7, 1),
+        object(2.4, -0.3, 0.8, 2),
+    ];
     let view = View { origin: dvec2(136.0, 100.0), scale: DVec2::splat(46.0) };
     let at = |t: f64| view.at(ray.at(t).truncate());
-    let seen = nearest(&spheres, &ray);
+    let seen = nearest(&objects, &ray);
     let mut drawing = Drawing::new(480.0, 210.0);
-    for (index, sphere) in spheres.iter().enumerate() {
-        let class = if seen.is_some_and(|hit| hit.index == index) {
-            "object seen"
-        } else {
-            "object"
-        };
+    for Object { sphere, material: k } in &objects {
+        let is_seen = seen.is_some_and(|hit| hit.object.material == *k);
+        let class = if is_seen { "object seen" } else { "object" };
         drawing.circle(
             class,
             view.at(sphere.centre.truncate()),
@@ -29,15 +32,14 @@ pub fn figure() -> Figure {
             "quiet",
             view.at(sphere.centre.truncate() + sphere.radius * DVec2::Y)
                 - dvec2(0.0, 9.0),
-            Anchor::Middle,
-            &format!("$k$ = {index}"),
+            &format!("$k$ = {k}"),
         );
     }
     drawing.line("guide", at(-2.7), at(0.0));
     drawing.arrow("ray", at(0.0), at(7.2));
     drawing.dot("eye", at(0.0));
-    drawing.label("strong", at(0.0) + dvec2(0.0, -12.0), Anchor::Middle, "$S$");
-    for sphere in &spheres {
+    drawing.label("strong", at(0.0) + dvec2(0.0, -12.0), "$S$");
+    for Object { sphere, .. } in &objects {
         let Roots::Two(near, far) = sphere.intersect(&ray) else { continue };
         for t in [near, far] {
             let class = match seen {
@@ -51,12 +53,11 @@ pub fn figure() -> Figure {
             drawing.label(
                 if class == "hit" { "hit" } else { "quiet" },
                 dvec2(at(t).x, 190.0),
-                Anchor::Middle,
                 &label,
             );
         }
     }
-    drawing.label("", dvec2(at(0.0).x, 190.0), Anchor::Middle, "$t$ =");
+    drawing.label("", dvec2(at(0.0).x, 190.0), "$t$ =");
     Figure {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
         caption: "Six values of $t$ on one line. Those below 0 belong to the sphere behind the start. Of the \

@@ -1,8 +1,8 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing};
+use crate::svg::Drawing;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
-use step04_diffuse::{Attenuation, PointLight, diffuse};
+use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
 
 /// One beam of light that falls straight down and at 60 degrees, and the ground
 /// that it lights.
@@ -30,29 +30,29 @@ pub fn figure() -> Figure {
         );
         drawing.line("lit", foot(-1.0), foot(1.0));
         drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
-        drawing.label("strong", ground + dvec2(0.0, -180.0), Anchor::Middle, "$n$");
+        drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
         if 0.0 < angle {
             drawing.arc("angle", ground, 92.0, FRAC_PI_2, FRAC_PI_2 + angle);
-            drawing.label("", ground + dvec2(-30.0, -100.0), Anchor::End, "$α$");
+            drawing.label_to("", ground + dvec2(-30.0, -100.0), "$α$");
             // The triangle whose leg is the beam's width and whose hypotenuse is
             // the strip.
             let corner = foot(-1.0);
             drawing.line("vector", corner, corner + 52.0 * across);
             drawing.arc("angle", corner, 24.0, 0.0, angle);
-            drawing.label("", corner + dvec2(34.0, -8.0), Anchor::Middle, "$α$");
+            drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
             let beyond = corner + 66.0 * across + dvec2(3.0, 3.0);
-            drawing.label("strong", beyond, Anchor::Middle, "$w$");
+            drawing.label("strong", beyond, "$w$");
         } else {
             let top = start(0.0) + dvec2(0.0, 26.0);
             drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
             let beside = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
-            drawing.label("strong", beside, Anchor::Middle, "$w$");
+            drawing.label("strong", beside, "$w$");
         }
         let label =
             format!("$n$·$l$ = cos {name} = {}", (share * 1e3).round() / 1e3);
-        drawing.label("", ground + dvec2(0.0, 34.0), Anchor::Middle, &label);
+        drawing.label("", ground + dvec2(0.0, 34.0), &label);
         let strip = format!("strip × {}", (1.0 / share * 1e3).round() / 1e3);
-        drawing.label("quiet", ground + dvec2(0.0, 58.0), Anchor::Middle, &strip);
+        drawing.label("quiet", ground + dvec2(0.0, 58.0), &strip);
     }
     Figure {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
@@ -68,5 +68,5 @@ fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light =
         PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };
-    diffuse(DVec3::Y, l.extend(0.0), 1.0, DVec3::ONE, &light).x
+    diffuse(DVec3::Y, l.extend(0.0), 1.0, &Surface::of(DVec3::ONE), &light).x
 }

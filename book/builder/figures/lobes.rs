@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
@@ -23,24 +23,9 @@ pub fn figure() -> Figure {
     drawing.arrow("light", view.origin, view.at(0.85 * l));
     drawing.arrow("normal", view.origin, view.at(0.85 * DVec2::Y));
     drawing.arrow("vector", view.origin, view.at(1.12 * r));
-    drawing.label(
-        "strong",
-        view.at(0.9 * l) + dvec2(-4.0, 2.0),
-        Anchor::End,
-        "$l$",
-    );
-    drawing.label(
-        "strong",
-        view.at(0.85 * DVec2::Y) + dvec2(0.0, -8.0),
-        Anchor::Middle,
-        "$n$",
-    );
-    drawing.label(
-        "strong",
-        view.at(1.12 * r) + dvec2(6.0, -2.0),
-        Anchor::Start,
-        "$r$",
-    );
+    drawing.label_to("strong", view.at(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
+    drawing.label("strong", view.at(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
+    drawing.label_from("strong", view.at(1.12 * r) + dvec2(6.0, -2.0), "$r$");
     for (n, angle, y) in
         [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (150, 0.7, 118.0)]
     {
@@ -48,11 +33,11 @@ pub fn figure() -> Figure {
         let at = view.at(highlight(r, v, n) * v);
         let end = dvec2(418.0, y);
         drawing.line("leader", at, end - dvec2(5.0, 5.0));
-        drawing.label("quiet", end, Anchor::Start, &n.to_string());
+        drawing.label_from("quiet", end, &n.to_string());
     }
-    drawing.label("quiet", dvec2(418.0, 90.0), Anchor::Start, "$n$ =");
+    drawing.label_from("quiet", dvec2(418.0, 90.0), "$n$ =");
     let half = view.origin + dvec2(-111.0, 22.0);
-    drawing.label("quiet", half, Anchor::Middle, "one half");
+    drawing.label("quiet", half, "one half");
     Figure {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
@@ -64,7 +49,7 @@ pub fn figure() -> Figure {
 
 /// What the step's own specular term makes of a white light, seen along `v`.
 fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
-    let surface = Surface { ambient: DVec3::ZERO, diffuse: DVec3::ZERO };
+    let surface = Surface::of(DVec3::ZERO);
     let material = Material { surface, specular: DVec3::ONE, shininess };
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let point =

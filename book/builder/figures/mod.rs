@@ -12,7 +12,7 @@ mod ray;
 mod row;
 mod three_cases;
 
-use crate::caption;
+use crate::markdown::inline;
 use crate::svg::Drawing;
 
 /// A drawing, what it shows, and what to look at.
@@ -43,9 +43,10 @@ const FIGURES: [Named; 11] = [
     ("lobes", lobes::figure),
 ];
 
-/// The name in `{{#figure name}}`.
-pub fn directive(source: &str) -> Option<&str> {
-    Some(source.strip_prefix("{{#figure ")?.strip_suffix("}}")?.trim())
+/// The name of every figure.
+#[cfg(test)]
+pub fn names() -> impl Iterator<Item = &'static str> {
+    FIGURES.iter().map(|(name, _)| *name)
 }
 
 /// The HTML of the figure called `name`.
@@ -53,11 +54,11 @@ pub fn html(name: &str) -> Result<String, String> {
     let (_, figure) = FIGURES
         .iter()
         .find(|(known, _)| *known == name)
-        .ok_or_else(|| format!("there is no figure {name}"))?;
+        .ok_or(format!("there is no figure {name}"))?;
     let Figure { title, caption, drawing } = figure();
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\">{}<figcaption>{}</figcaption></figure>\n",
         drawing.html(title),
-        caption::html(caption)?
+        inline(caption)?
     ))
 }

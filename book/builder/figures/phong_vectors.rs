@@ -1,21 +1,17 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
+use crate::values::camera;
 use glam::{DVec2, DVec3, dvec2};
-use std::f64::consts::FRAC_PI_3;
-use step05_phong::{Camera, LIGHTS, SPHERES, nearest, normal, reflect};
+use step05_phong::{WARM, objects, reflect, seen};
 
 /// n, l, r and v at a hit of the scene, seen at a right angle to the plane of n and
 /// l.
 pub fn figure() -> Figure {
-    let camera = Camera::new(640, 360, FRAC_PI_3);
-    let ray = camera.ray(262.0, 132.0);
+    let ray = camera().ray(262.0, 132.0);
     let mut drawing = Drawing::new(480.0, 320.0);
-    if let Some(hit) = nearest(&SPHERES, &ray) {
-        let p = ray.at(hit.t);
-        let n = normal(&SPHERES[hit.index], p);
-        let v = -ray.direction.normalize();
-        let (l, _) = LIGHTS[0].point.seen_from(p);
-        draw(&mut drawing, n, l, v);
+    if let Some(point) = seen(&objects(), &ray) {
+        let (l, _) = WARM.seen_from(point.p);
+        draw(&mut drawing, point.n, l, -ray.direction.normalize());
     }
     Figure {
         title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
@@ -46,7 +42,7 @@ fn draw(drawing: &mut Drawing, n: DVec3, l: DVec3, v: DVec3) {
     for (class, vector, name, shift) in vectors {
         let tip = view.at(flat(vector));
         drawing.arrow(class, p, tip);
-        drawing.label("strong", tip + shift, Anchor::Middle, name);
+        drawing.label("strong", tip + shift, name);
     }
     drawing.dot("hit", p);
 }

@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec3, dvec2};
 use step01_rays::Ray;
 
@@ -30,12 +30,12 @@ pub fn figure() -> Figure {
     for (t, name) in
         [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")]
     {
-        drawing.label("quiet", below(t, 198.0), Anchor::Middle, name);
+        drawing.label("quiet", below(t, 198.0), name);
     }
     for (t, place) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
-        drawing.label("quiet", below(t, 222.0), Anchor::Middle, place);
+        drawing.label("quiet", below(t, 222.0), place);
     }
-    drawing.label("quiet", below(object, 198.0), Anchor::Middle, "scene");
+    drawing.label("quiet", below(object, 198.0), "scene");
     Figure {
         title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
         caption: "The same two rays at three places. At $t = -1$, behind the pinhole, the image of the \

@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::Row;
@@ -9,7 +9,7 @@ pub fn figure() -> Figure {
     let row = Row::new(7, FRAC_PI_3);
     let view = View { origin: dvec2(240.0, 282.0), scale: DVec2::splat(205.0) };
     let c = view.at(DVec2::ZERO);
-    let directions: Vec<DVec2> = row.directions().collect();
+    let directions: Vec<DVec2> = (0..7).map(|i| row.direction(i.into())).collect();
     let mut drawing = Drawing::new(480.0, 320.0);
     drawing.line("plane", view.at(dvec2(-0.86, 1.0)), view.at(dvec2(0.86, 1.0)));
     drawing.line("guide", c, view.at(dvec2(0.0, 1.0)));
@@ -26,7 +26,7 @@ pub fn figure() -> Figure {
     }
     let angle = |v: DVec2| v.to_angle();
     drawing.arc("angle", c, 54.0, angle(directions[6]), angle(directions[0]));
-    drawing.label("", c + dvec2(13.0, -64.0), Anchor::Middle, "$θ$");
+    drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, view.at(directions[0]));
     let step = |i: usize| [view.at(directions[i]), view.at(directions[i + 1])];
     for i in [0, 1] {
@@ -34,31 +34,26 @@ pub fn figure() -> Figure {
         drawing.arrow("accent", from, to);
     }
     let [from, to] = step(1);
-    drawing.label(
-        "accent",
-        (from + to) / 2.0 + dvec2(4.0, 24.0),
-        Anchor::Middle,
-        "$D$",
-    );
+    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
     let middle = view.at(0.55 * directions[0]);
-    drawing.label("strong", middle + dvec2(-14.0, 4.0), Anchor::End, "$V_0$");
+    drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     for i in [0, 1, 2, 6] {
         let end = view.at(1.28 * directions[i]);
         let label = format!("$i$ = {i}");
-        drawing.label("quiet", end + dvec2(0.0, -8.0), Anchor::Middle, &label);
+        drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
     }
     let right = view.at(dvec2(0.86, 1.0)) + dvec2(-14.0, 20.0);
-    drawing.label("quiet", right, Anchor::Start, "image plane");
+    drawing.label_from("quiet", right, "image plane");
     drawing.dot("eye", c);
-    drawing.label("strong", c + dvec2(0.0, 26.0), Anchor::Middle, "$C$");
+    drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
     let (end, tan) = (directions[6], directions[6].x);
     let corner = view.at(dvec2(tan, 0.0));
     drawing.line("guide", view.at(end), corner);
     drawing.line("guide", c, corner);
     let side = view.at(dvec2(tan, 0.5)) + dvec2(10.0, 5.0);
-    drawing.label("quiet", side, Anchor::Start, "1");
+    drawing.label_from("quiet", side, "1");
     let base = view.at(dvec2(tan / 2.0, 0.0)) + dvec2(6.0, 22.0);
-    drawing.label("quiet", base, Anchor::Middle, "tan $θ$/2");
+    drawing.label("quiet", base, "tan $θ$/2");
     Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
         caption: "The row of rays for $\\mathit{hRes} = 7$ and $\\theta = 60°$. Follow $V_0$ to the left end \

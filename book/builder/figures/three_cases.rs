@@ -1,5 +1,5 @@
 use super::Figure;
-use crate::svg::{Anchor, Drawing, View};
+use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
 use step02_sphere::{Ray, Roots, Sphere};
 
@@ -25,8 +25,8 @@ pub fn figure() -> Figure {
         let below =
             View { origin: dvec2(x - 2.1 * 33.0, 246.0), scale: dvec2(33.0, 17.0) };
         let on_ray = |t: f64| above.at(ray.at(t).truncate());
-        drawing.label("strong", dvec2(x, 20.0), Anchor::Middle, case);
-        drawing.label("quiet", dvec2(x, 40.0), Anchor::Middle, count);
+        drawing.label("strong", dvec2(x, 20.0), case);
+        drawing.label("quiet", dvec2(x, 40.0), count);
         drawing.circle("object", above.origin, 33.0);
         drawing.arrow("ray", on_ray(0.0), on_ray(4.25));
         drawing.dot("eye", on_ray(0.0));
@@ -49,16 +49,10 @@ pub fn figure() -> Figure {
         drawing.label(
             "quiet",
             below.at(dvec2(4.35, 0.0)) + dvec2(-2.0, 18.0),
-            Anchor::Middle,
             "$t$",
         );
     }
-    drawing.label(
-        "",
-        dvec2(240.0, 318.0),
-        Anchor::Middle,
-        "$at^2$ + $bt$ + $c$ along each ray",
-    );
+    drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
     Figure {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
         caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \

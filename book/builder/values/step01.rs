@@ -1,17 +1,21 @@
 //! The numbers of the introduction and of chapter 1.
 
-use super::{Value, short};
-use crate::worked::camera;
+use super::Value;
+use super::worked::{camera, rgb, short, tenths};
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, Row, direction_colour, picture};
 
-pub(super) const VALUES: &[Value] = &[
+pub const VALUES: &[Value] = &[
+    ("camera-tan", || short((FRAC_PI_3 / 2.0).tan())),
+    ("camera-step", || short(camera().matrix.x_axis.x)),
+    ("camera-v0-x", || short(camera().matrix.z_axis.x)),
+    ("camera-v0-y", || short(camera().matrix.z_axis.y)),
     ("step01-row-d", || short(row().matrix.x_axis.x)),
     ("step01-row-v0", || short(row().direction(0.0).x)),
     ("step01-row-v6", || short(row().direction(6.0).x)),
-    ("step01-row-middle-angle", || tenths(between(2.0, 3.0))),
-    ("step01-row-edge-angle", || tenths(between(0.0, 1.0))),
-    ("step01-row-short-angle", || tenths(between(0.0, 6.0 * 6.0 / 7.0))),
+    ("step01-row-middle-angle", || between(2.0, 3.0)),
+    ("step01-row-edge-angle", || between(0.0, 1.0)),
+    ("step01-row-short-angle", || between(0.0, 6.0 * 6.0 / 7.0)),
     ("step01-step", || format!("{:.6}", camera().matrix.x_axis.x)),
     ("step01-down", || format!("{:.6}", camera().matrix.y_axis.y)),
     ("step01-tall", || {
@@ -46,17 +50,11 @@ fn row() -> Row {
 }
 
 /// The angle between two rays of that row, in degrees.
-fn between(i: f64, k: f64) -> f64 {
-    row().direction(i).angle_to(row().direction(k)).abs().to_degrees()
+fn between(i: f64, k: f64) -> String {
+    tenths(row().direction(i).angle_to(row().direction(k)).abs().to_degrees())
 }
 
 /// The colour of a pixel of step 1's picture.
 fn pixel(i: u32, j: u32) -> String {
-    let [red, green, blue] = picture(&camera(), 1).get_pixel(i, j).0;
-    format!("({red}, {green}, {blue})")
-}
-
-/// A number with one digit after the point.
-fn tenths(number: f64) -> String {
-    format!("{number:.1}")
+    rgb(picture(&camera(), 1).get_pixel(i, j).0)
 }

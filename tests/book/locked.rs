@@ -1,17 +1,17 @@
 //! Every picture in the book is a locked one, the very same file, or one that the
 //! gallery of mistakes draws.
 
-use crate::book::{BOOK, Book, workspace};
-use crate::files::Files;
+use crate::book::{BOOK, files};
 use crate::{assert_found, assert_none};
+use book::Files;
+use book::Site;
 use gallery::{Mistake, mistakes};
 use std::sync::LazyLock;
 
-static SNAPSHOTS: LazyLock<Files> =
-    LazyLock::new(|| Files::read(&workspace().join("tests/snapshots")));
+static SNAPSHOTS: LazyLock<Files> = LazyLock::new(|| files("tests/snapshots"));
 
 /// Each picture in a chapter that is not, byte for byte, the snapshot of its name.
-fn faults(book: &Book, snapshots: &Files) -> Vec<String> {
+fn faults(book: &Site, snapshots: &Files) -> Vec<String> {
     let mut faults = vec![];
     for page in book.chapters() {
         for img in page.all("img") {

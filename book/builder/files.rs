@@ -2,6 +2,23 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
 
+/// The folder of the chapters, as seen from the root of the workspace.
+pub const CHAPTERS: &str = "book/chapters/";
+
+/// The path to which `path` leads from the file or folder/ `from`.
+pub fn joined(from: &str, path: &str) -> String {
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in path.split('/') {
+        match part {
+            "." => {}
+            ".." if !parts.is_empty() => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
 /// The files of a folder in memory, each by its path in that folder.
 ///
 /// So a test can change one and see what a check says, and no file is touched.
@@ -10,11 +27,10 @@ pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
 impl Files {
     /// Reads every file in `folder` and in the folders in it.
-    pub fn read(folder: &Path) -> Self {
+    pub fn read(folder: &Path) -> io::Result<Self> {
         let mut files = Self::default();
-        let read = files.read_into("", folder);
-        read.unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-        files
+        files.read_into("", folder)?;
+        Ok(files)
     }
 
     fn read_into(&mut self, prefix: &str, folder: &Path) -> io::Result<()> {

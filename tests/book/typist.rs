@@ -1,6 +1,6 @@
-use crate::book::workspace;
-use crate::files::Files;
 use crate::listing::Listing;
+use book::Files;
+use gallery::workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,18 +17,18 @@ pub const STEPS: [&str; 5] = [
 ];
 
 /// A reader's workspace: what the book shows, and nothing else.
-pub struct Reader {
+pub struct Typist {
     pub folder: PathBuf,
 }
 
-impl Reader {
+impl Typist {
     /// Moves every file out of the crates, until the book shows it.
     ///
     /// A file that is moved keeps its time, so Cargo has nothing to do for it.
     pub fn put_aside(&self) -> io::Result<()> {
         let steps = self.folder.join("steps");
         fs::create_dir_all(&steps)?;
-        for path in Files::read(&steps).0.keys() {
+        for path in Files::read(&steps)?.0.keys() {
             rename(&steps.join(path), &self.folder.join("later/steps").join(path))?;
         }
         fs::remove_dir_all(&steps)
@@ -106,7 +106,7 @@ impl Reader {
     /// A package in the lock that Cargo wrote, but not in ours, if there is one.
     fn unlocked(&self) -> io::Result<Option<String>> {
         let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
-        let (ours, theirs) = (lock(workspace())?, lock(&self.folder)?);
+        let (ours, theirs) = (lock(&workspace())?, lock(&self.folder)?);
         let (ours, theirs) = (packages(&ours), packages(&theirs));
         Ok(theirs.difference(&ours).next().cloned())
     }
@@ -122,6 +122,8 @@ impl Reader {
         // What the crates depend on is compiled already, for ours. As the crates have
         // the names of ours, a setting of their own keeps them apart.
         cargo.env("CARGO_BUILD_BUILD_DIR", target());
+        // So that the programs are where we look for them.
+        cargo.env_remove("CARGO_BUILD_TARGET");
         for step in STEPS {
             let setting = format!("profile.dev.package.{step}.opt-level=0");
             cargo.args(["--config", &setting]);

@@ -1,0 +1,280 @@
+use crate::markdown::{self, directive};
+use crate::{boxes, excerpt, figures, formula, picture, values};
+use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use std::ops::Range;
+use std::path::Path;
+
+/// A chapter with everything in place.
+#[derive(Debug)]
+pub struct Chapter {
+    /// Markdown that any program of mdBook's kind renders.
+    pub markdown: String,
+    /// What is wrong: the line, and what it is.
+    pub faults: Vec<(usize, String)>,
+}
+
+/// Puts listings, formulas, figures, values, pictures and boxes into the `text` of
+/// a chapter.
+pub fn expand(text: &str, workspace: &Path) -> Chapter {
+    let (edits, faults, literal, shown) = Default::default();
+    let mut draft = Draft { text, workspace, edits, faults, literal, shown };
+    draft.events();
+    draft.values();
+    draft.finish()
+}
+
+/// A chapter as it is read once, from top to bottom.
+struct Draft<'a> {
+    text: &'a str,
+    workspace: &'a Path,
+    /// The parts to replace, and the text to put there.
+    edits: Vec<(Range<usize>, String)>,
+    /// What is wrong, and where.
+    faults: Vec<(usize, String)>,
+    /// The parts that are code, where a minus stays a hyphen.
+    literal: Vec<Range<usize>>,
+    /// The listings so far, by their ids.
+    shown: Vec<String>,
+}
+
+/// What a part of a chapter turns out to be.
+enum Part {
+    /// Something that stays as it is.
+    Plain,
+    /// Code, which stays as it is, and in which nothing but values is looked for.
+    Literal,
+    /// A part of a line, to be replaced.
+    Inline(Result<String, String>),
+    /// A block at the left margin, to be replaced.
+    Block(Result<String, String>),
+}
+
+type Events<'a> = [(Event<'a>, Range<usize>)];
+
+impl Draft<'_> {
+    fn events(&mut self) {
+        let events = Parser::new_ext(self.text, markdown::options());
+        let events: Vec<_> = events.into_offset_iter().collect();
+        let mut from = 0;
+        for (index, (event, range)) in events.iter().enumerate() {
+            if range.start < from {
+                continue;
+            }
+            let with = match self.part(event, &events[index..], range) {
+                Part::Plain => continue,
+                Part::Literal => {
+                    self.literal.push(range.clone());
+                    from = range.end;
+                    continue;
+                }
+                Part::Inline(with) => with,
+                Part::Block(with) => with.and_then(|with| self.block(with, range)),
+            };
+            if let Err(what) = &with {
+                let at = self.text[range.clone()].find("{{#").unwrap_or(0);
+                self.faults.push((range.start + at, what.clone()));
+            }
+            self.edits.push((range.clone(), with.unwrap_or_default()));
+            from = range.end;
+        }
+    }
+
+    fn block(&self, html: String, range: &Range<usize>) -> Result<String, String> {
+        let before = &self.text[..range.start];
+        let at_margin = before.is_empty() || before.ends_with('\n');
+        let what = "a listing, figure or picture stands at the left margin";
+        at_margin.then(|| format!("\n{html}\n")).ok_or(what.to_string())
+    }
+
+    fn part(
+        &mut self,
+        event: &Event,
+        events: &Events,
+        range: &Range<usize>,
+    ) -> Part {
+        let source = &self.text[range.clone()];
+        match event {
+            Event::Start(Tag::CodeBlock(kind)) => self.code_block(kind, source),
+            Event::Start(Tag::Paragraph) => self.paragraph(events, range),
+            Event::Start(Tag::Image { dest_url, title, .. }) => {
+                let picture = picture::Picture::new(source, dest_url, title);
+                Part::Inline(picture.html(self.workspace))
+            }
+            Event::InlineMath(latex) => Part::Inline(formula(latex, false)),
+            Event::DisplayMath(latex) => Part::Inline(formula(latex, true)),
+            Event::Text(_) => self.dollars(range),
+            Event::Code(code) => {
+                let in_name =
+                    |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
+                if !code.chars().all(in_name) || !code.contains(['_', ':']) {
+                    return Part::Literal;
+                }
+                Part::Inline(Ok(markdown::name(code)))
+            }
+            Event::Html(html) | Event::InlineHtml(html) => match wrong_html(html) {
+                Some(what) => Part::Inline(Err(what.to_string())),
+                None => Part::Plain,
+            },
+            _ => Part::Plain,
+        }
+    }
+
+    /// A fence: an include becomes a listing, other code is checked for its
+    /// language.
+    fn code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
+        let wrong = |what: &str| Part::Inline(Err(what.to_string()));
+        let CodeBlockKind::Fenced(info) = kind else {
+            return wrong("code stands in a fence that names its language");
+        };
+        let language = info.split([',', ' ']).next().unwrap_or_default();
+        let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
+        let content = lines[..lines.len().saturating_sub(1)].join("\n");
+        if content.trim_start().starts_with("{{#include") {
+            let excerpt = excerpt::read(language, &content, self.workspace);
+            return Part::Block(excerpt.map(|excerpt| {
+                let id = Some(excerpt.id()).filter(|id| !self.shown.contains(id));
+                self.shown.extend(id.clone());
+                excerpt.html(id.as_deref())
+            }));
+        }
+        match language.to_lowercase().as_str() {
+            "" => wrong("the fence names no language; text is one, too"),
+            "rust" | "rs" => {
+                wrong("Rust in the book is one {{#include …}} and nothing else")
+            }
+            _ => Part::Literal,
+        }
+    }
+
+    /// A paragraph: a figure, the name of a test, the edge of a box, pictures, or
+    /// text.
+    fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
+        let (kind, words) =
+            directive(self.text[range.clone()].trim()).unwrap_or_default();
+        match kind {
+            "figure" => return Part::Block(figures::html(words.trim())),
+            "by-hand" => return Part::Block(Ok(by_hand(words.trim()))),
+            _ => {}
+        }
+        if let Some(html) = boxes::html(kind, words) {
+            return Part::Block(html);
+        }
+        match &self.pictures(events, range)[..] {
+            [] => Part::Plain,
+            pictures => Part::Block(picture::figure(pictures, self.workspace)),
+        }
+    }
+
+    /// The pictures of a paragraph of nothing but pictures.
+    fn pictures(
+        &self,
+        events: &Events,
+        range: &Range<usize>,
+    ) -> Vec<picture::Picture> {
+        let mut pictures = vec![];
+        let mut inside = false;
+        for (event, inner) in
+            events.iter().take_while(|(_, inner)| inner.start < range.end).skip(1)
+        {
+            match event {
+                Event::Start(Tag::Image { dest_url, title, .. }) => {
+                    inside = true;
+                    let markdown = &self.text[inner.clone()];
+                    pictures.push(picture::Picture::new(markdown, dest_url, title));
+                }
+                Event::End(TagEnd::Image) => inside = false,
+                Event::SoftBreak | Event::End(TagEnd::Paragraph) => {}
+                _ if inside => {}
+                _ => return vec![],
+            }
+        }
+        pictures
+    }
+
+    /// Finds dollar signs that are no formula.
+    fn dollars(&mut self, range: &Range<usize>) -> Part {
+        if let Some(at) =
+            self.text[range.clone()].find('$').map(|at| range.start + at)
+            && !self.text[..at].ends_with(['\\', '$'])
+        {
+            let what = if self.text[at..].starts_with("$$") {
+                "a leftover $$: its formula has no end, or its braces don't match"
+            } else {
+                "a lone $: write \\$ where no formula is meant"
+            };
+            self.faults.push((at, what.to_string()));
+        }
+        Part::Plain
+    }
+
+    /// Puts values in place, and finds directives that are left.
+    fn values(&mut self) {
+        let text = self.text;
+        let done: Vec<_> =
+            self.edits.iter().map(|(range, _)| range.clone()).collect();
+        let inside = |ranges: &[Range<usize>], at| {
+            ranges.iter().any(|range| range.contains(&at))
+        };
+        for (at, _) in text.match_indices("{{#") {
+            if inside(&done, at) {
+                continue;
+            }
+            let end = text[at..].find("}}").map_or(text.len(), |end| at + end + 2);
+            // In code, a minus stays a hyphen.
+            let minus = if inside(&self.literal, at) { "-" } else { "−" };
+            match values::fill(&text[at..end], |value| value.replace('-', minus)) {
+                Ok(value) => self.edits.push((at..end, value)),
+                Err(what) => self.faults.push((at, what)),
+            }
+        }
+        self.faults.extend(boxes::balanced(text).err());
+    }
+
+    /// The chapter, with every edit made.
+    fn finish(mut self) -> Chapter {
+        self.edits.sort_by_key(|(range, _)| range.start);
+        let mut markdown = String::new();
+        let mut from = 0;
+        for (range, with) in &self.edits {
+            markdown += &self.text[from..range.start];
+            from = range.end;
+            // A comma stays on the line of the formula before it.
+            let mark =
+                self.text[from..].chars().next().filter(|c| ",.;:?)".contains(*c));
+            match mark.filter(|_| with.ends_with("</math>")) {
+                Some(mark) => {
+                    markdown +=
+                        &format!("<span class=\"tight\">{with}{mark}</span>");
+                    from += mark.len_utf8();
+                }
+                None => markdown += with,
+            }
+        }
+        markdown += &self.text[from..];
+        self.faults.sort();
+        let line = |at: usize| 1 + self.text[..at].matches('\n').count();
+        let faults = self.faults.into_iter().map(|(at, what)| (line(at), what));
+        Chapter { markdown, faults: faults.collect() }
+    }
+}
+
+fn formula(latex: &str, display: bool) -> Result<String, String> {
+    let latex = values::fill(latex, |value| value.to_string())?;
+    formula::mathml(&latex, display)
+}
+
+/// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
+fn by_hand(test: &str) -> String {
+    let name = markdown::name(test);
+    format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
+}
+
+/// What is wrong with a piece of HTML in a chapter.
+fn wrong_html(html: &str) -> Option<&'static str> {
+    let wrong = [
+        ("<img", "write a picture as ![what it shows](pictures/…)"),
+        ("<pre", "code stands in a fence, not in HTML"),
+        ("$", "no formula is read in a line of HTML"),
+    ];
+    wrong.iter().find(|(part, _)| html.contains(part)).map(|(_, what)| *what)
+}

@@ -1,0 +1,58 @@
+use crate::formula;
+use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
+
+/// Markdown as mdBook reads it, with formulas.
+pub fn options() -> Options {
+    Options::ENABLE_TABLES
+        | Options::ENABLE_FOOTNOTES
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_TASKLISTS
+        | Options::ENABLE_HEADING_ATTRIBUTES
+        | Options::ENABLE_SMART_PUNCTUATION
+        | Options::ENABLE_DEFINITION_LIST
+        | Options::ENABLE_GFM
+        | Options::ENABLE_MATH
+}
+
+/// The HTML of one paragraph of Markdown, formulas included, without the tags of
+/// the paragraph.
+pub fn inline(markdown: &str) -> Result<String, String> {
+    let mut events = vec![];
+    for event in Parser::new_ext(markdown, options()) {
+        events.push(match event {
+            Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => {
+                continue;
+            }
+            Event::InlineMath(latex) | Event::DisplayMath(latex) => {
+                Event::InlineHtml(formula::mathml(&latex, false)?.into())
+            }
+            other => other,
+        });
+    }
+    let mut text = String::new();
+    html::push_html(&mut text, events.into_iter());
+    if text.contains('$') {
+        return Err("a lone $ in the caption".to_string());
+    }
+    Ok(text.replace('\n', " "))
+}
+
+/// Escapes `text` for HTML, attributes included.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// The kind and the words of a directive such as `{{#figure ray}}`.
+pub fn directive(source: &str) -> Option<(&str, &str)> {
+    let inside = source.strip_prefix("{{#")?.strip_suffix("}}")?;
+    Some(inside.split_once(' ').unwrap_or((inside, "")))
+}
+
+/// A name in code, which a narrow column may break after :: and _ and nowhere else.
+pub fn name(code: &str) -> String {
+    let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
+    format!("<code>{code}</code>")
+}

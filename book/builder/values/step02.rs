@@ -1,0 +1,103 @@
+//! The numbers of chapter 2.
+
+use super::Value;
+use super::worked::{
+    ahead, camera, counted, discriminant, pixels, roots, short, tenths, vector,
+};
+use glam::{DVec2, DVec3};
+use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
+
+pub const VALUES: &[Value] = &[
+    ("sphere-a", || short(SPHERE.coefficients(&pixel()).0)),
+    ("sphere-b", || short(SPHERE.coefficients(&pixel()).1)),
+    ("sphere-c", || short(SPHERE.coefficients(&pixel()).2)),
+    ("sphere-discriminant", || short(discriminant(&SPHERE, &pixel()))),
+    ("sphere-near", || short(roots(&SPHERE, &pixel())[0])),
+    ("step02-axis-a", || short(SPHERE.coefficients(&axis()).0)),
+    ("step02-axis-b", || short(SPHERE.coefficients(&axis()).1)),
+    ("step02-axis-c", || short(SPHERE.coefficients(&axis()).2)),
+    ("step02-axis-d", || short(discriminant(&SPHERE, &axis()))),
+    ("step02-axis-near", || short(roots(&SPHERE, &axis())[0])),
+    ("step02-axis-far", || short(roots(&SPHERE, &axis())[1])),
+    ("step02-v-x", || short(pixel().direction.x)),
+    ("step02-v-y", || short(pixel().direction.y)),
+    ("step02-far", || short(roots(&SPHERE, &pixel())[1])),
+    ("step02-point", || vector(point())),
+    ("step02-long", || short(pixel().direction.length())),
+    ("step02-distance", || short(point().length())),
+    ("step02-rays", || counted(|_| 1)),
+    ("step02-misses", || counted(|ray| (discriminant(&SPHERE, ray) < 0.0).into())),
+    ("step02-touches", || {
+        counted(|ray| (discriminant(&SPHERE, ray) == 0.0).into())
+    }),
+    ("step02-crosses", || counted(|ray| (0.0 < discriminant(&SPHERE, ray)).into())),
+    ("step02-edge", || short((1.0_f64 / 24.0).sqrt())),
+    ("step02-edge-pixels", || tenths(pixels((1.0_f64 / 24.0).sqrt()))),
+    ("step02-fifth-pixels", || tenths(pixels(0.2))),
+    ("step02-rim-radius", || format!("{:.2}", rim().0)),
+    ("step02-rim-depth", || short(rim().1)),
+    ("step02-columns", || {
+        let shows = |&i: &u32| is_met(&camera().ray(i.into(), 180.0));
+        (0..640).filter(shows).count().to_string()
+    }),
+    ("step02-without-a", || {
+        counted(|ray| {
+            let (_, b, c) = SPHERE.coefficients(ray);
+            (quadratic(1.0, b, c) != Roots::None).into()
+        })
+    }),
+    ("step02-normalised", || {
+        counted(|ray| {
+            let unit = Ray { direction: ray.direction.normalize(), ..*ray };
+            (is_met(ray) != is_met(&unit)).into()
+        })
+    }),
+    ("step02-edge-misses", || edge_rays(|d| d < 0.0)),
+    ("step02-edge-touches", || edge_rays(|d| d == 0.0)),
+    ("step02-edge-crosses", || edge_rays(|d| 0.0 < d)),
+];
+
+/// The ray from the origin along −z.
+fn axis() -> Ray {
+    ahead(0.0, 0.0)
+}
+
+/// The ray through the pixel in column 300, row 150.
+fn pixel() -> Ray {
+    camera().ray(300.0, 150.0)
+}
+
+/// Where it meets the sphere.
+fn point() -> DVec3 {
+    pixel().at(roots(&SPHERE, &pixel())[0])
+}
+
+fn is_met(ray: &Ray) -> bool {
+    SPHERE.intersect(ray).first_hit().is_some()
+}
+
+/// The radius of the circle in which the rays that touch the sphere do so, and its
+/// distance from the eye.
+fn rim() -> (f64, f64) {
+    let Sphere { centre, radius } = SPHERE;
+    let square_of_cosine = 1.0 - radius * radius / centre.length_squared();
+    (radius * square_of_cosine.sqrt(), centre.length() * square_of_cosine)
+}
+
+/// How many of 360 rays around the sphere of radius 1 at (1, 2, −5) have a D that
+/// `is_so` holds for.
+///
+/// In real numbers every one of them touches it.
+fn edge_rays(is_so: impl Fn(f64) -> bool) -> String {
+    let sphere = Sphere { centre: DVec3::new(1.0, 2.0, -5.0), radius: 1.0 };
+    let axis = sphere.centre.normalize();
+    let (u, v) = axis.any_orthonormal_pair();
+    let (sin, cos) = (1.0 / sphere.centre.length()).asin().sin_cos();
+    let ray = |degrees: u32| {
+        let side = DVec2::from_angle(f64::from(degrees).to_radians());
+        let direction = cos * axis + sin * (side.x * u + side.y * v);
+        Ray { start: DVec3::ZERO, direction }
+    };
+    let is_so = |&degrees: &u32| is_so(discriminant(&sphere, &ray(degrees)));
+    (0..360).filter(is_so).count().to_string()
+}

@@ -1,0 +1,67 @@
+//! The numbers of the last chapter.
+
+use super::Value;
+use super::worked::{count, counted, grouped, short, vector};
+use glam::{DMat3, DVec3};
+use step04_diffuse::{Object, Point, Ray, Sphere, objects, seen};
+use step05_phong::reflect;
+
+pub const VALUES: &[Value] = &[
+    ("next-basis-x", || vector(basis().x_axis)),
+    ("next-basis-y", || vector(basis().y_axis)),
+    ("next-basis-z", || vector(basis().z_axis)),
+    ("next-mirrored-hits", || {
+        let objects = objects();
+        counted(|ray| seen(&objects, ray).is_some().into())
+    }),
+    ("next-mirrored-again", || {
+        let objects = objects();
+        let itself = objects
+            .map(|Object { sphere, .. }| Object { sphere, material: sphere });
+        counted(|ray| {
+            seen(&itself, ray).is_some_and(|point| meets(ray, &point)).into()
+        })
+    }),
+    ("next-depth-9", || depth(0.9)),
+    ("next-depth-5", || depth(0.5)),
+    ("next-critical", || short((1.0_f64 / 1.5).asin().to_degrees())),
+    ("next-tests", || grouped((count(|_| 1) * objects().len()) as f64)),
+    ("next-tests-many", || grouped((count(|_| 1) * 1000) as f64)),
+    ("next-half-byte", || short(light_of_byte(128.0))),
+    ("next-byte-of-half", || short(byte_of_light(0.5))),
+];
+
+/// Whether the ray mirrored at `point` meets the sphere of that point again.
+fn meets(ray: &Ray, point: &Point<Sphere>) -> bool {
+    let mirrored =
+        Ray { start: point.p, direction: -reflect(ray.direction, point.n) };
+    point.material.intersect(&mirrored).first_hit().is_some()
+}
+
+/// How many mirrors that reflect this part leave less than one step of 8 bits.
+fn depth(part: f64) -> String {
+    let left = |count: &i32| part.powi(*count) < 1.0 / 255.0;
+    (1..).find(left).map_or("none".to_string(), |count| count.to_string())
+}
+
+/// The basis x', y', z' of a camera at (4, 2, 0) that looks at the middle of the
+/// largest sphere, as columns.
+fn basis() -> DMat3 {
+    let Sphere { centre, .. } = objects()[0].sphere;
+    let z = (DVec3::new(4.0, 2.0, 0.0) - centre).normalize();
+    let x = DVec3::Y.cross(z).normalize();
+    DMat3::from_cols(x, z.cross(x), z)
+}
+
+/// The part of a screen's light that a byte of sRGB stands for.
+fn light_of_byte(byte: f64) -> f64 {
+    let x = byte / 255.0;
+    if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The byte of sRGB that stands for a part of a screen's light.
+fn byte_of_light(x: f64) -> f64 {
+    let encoded =
+        if x <= 0.0031308 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round()
+}

@@ -1,0 +1,107 @@
+//! What the values of several chapters share.
+
+use ::gallery::{Difference, Mistake, mistakes};
+use glam::DVec3;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::f64::consts::FRAC_PI_3;
+use std::sync::LazyLock;
+use step02_sphere::{Roots, Sphere};
+use step05_phong::{Camera, Ray, picture};
+
+/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
+pub fn camera() -> Camera {
+    Camera::new(640, 360, FRAC_PI_3)
+}
+
+/// A ray along −z that starts at (x, 0, z).
+pub fn ahead(x: f64, z: f64) -> Ray {
+    Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z }
+}
+
+/// The sum of `number` over all rays of the course's pictures.
+pub fn count(number: impl Fn(&Ray) -> usize + Sync) -> usize {
+    let camera = camera();
+    let of_row = |j: u32| -> usize {
+        let rays = (0..camera.h_res).map(|i| camera.ray(i.into(), j.into()));
+        rays.map(|ray| number(&ray)).sum()
+    };
+    (0..camera.v_res).into_par_iter().map(of_row).sum()
+}
+
+/// That sum with commas.
+pub fn counted(number: impl Fn(&Ray) -> usize + Sync) -> String {
+    grouped(count(number) as f64)
+}
+
+/// A length on the image plane, in pixels.
+pub fn pixels(length: f64) -> f64 {
+    length / camera().matrix.x_axis.x
+}
+
+/// b² − 4ac of a ray and a sphere.
+pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
+    let (a, b, c) = sphere.coefficients(ray);
+    b * b - 4.0 * a * c
+}
+
+/// Both t, the same twice where the ray touches, NaN where it misses.
+pub fn roots(sphere: &Sphere, ray: &Ray) -> [f64; 2] {
+    match sphere.intersect(ray) {
+        Roots::None => [f64::NAN; 2],
+        Roots::One(t) => [t; 2],
+        Roots::Two(near, far) => [near, far],
+    }
+}
+
+/// Both t, with "and" between them.
+pub fn both(sphere: &Sphere, ray: &Ray) -> String {
+    roots(sphere, ray).map(short).join(" and ")
+}
+
+/// The mistake `name` of the gallery.
+pub fn mistake(name: &str) -> &'static Mistake {
+    let mut found = mistakes().filter(|mistake| mistake.name == name);
+    found.next().unwrap_or_else(|| panic!("the gallery has no mistake {name}"))
+}
+
+/// Without the test of n·l: how many pixels of the final picture change, and by how
+/// much at most.
+pub static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
+    let wrong = mistake("no-gate").picture(&camera(), 1);
+    match Difference::between(&picture(&camera(), 1), &wrong) {
+        Some(Difference::Pixels { count, largest, .. }) => (count, largest),
+        _ => (0, 0),
+    }
+});
+
+/// A number with four digits after the point, zeros at the end left out.
+pub fn short(number: f64) -> String {
+    let text = format!("{number:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}
+
+/// A number with one digit after the point.
+pub fn tenths(number: f64) -> String {
+    format!("{number:.1}")
+}
+
+/// A whole number with a comma between thousands.
+pub fn grouped(number: f64) -> String {
+    let digits = format!("{number:.0}");
+    let comma = |at: usize| 0 < at && (digits.len() - at).is_multiple_of(3);
+    let digits = digits.char_indices();
+    digits
+        .map(|(at, c)| format!("{}{c}", if comma(at) { "," } else { "" }))
+        .collect()
+}
+
+/// A vector as (x, y, z).
+pub fn vector(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(short).join(", "))
+}
+
+/// An 8-bit colour as (red, green, blue).
+pub fn rgb(channels: [u8; 3]) -> String {
+    format!("({})", channels.map(|channel| channel.to_string()).join(", "))
+}
