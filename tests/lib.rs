@@ -10,7 +10,7 @@ mod random;
 mod refusals;
 
 pub use difference::Difference;
-pub use locked::{assert_locked, locked, target};
+pub use locked::{assert_locked, here, locked, target};
 pub use program::{Program, folder};
 pub use random::{point, rays, sphere, unit};
 pub use refusals::assert_refuses_bad_input;

@@ -2,13 +2,12 @@ use crate::Difference;
 use image::{ImageFormat, RgbImage};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, assert_binary_snapshot};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs, io::Cursor};
 
 /// The locked picture `name`, from its snapshot.
 pub fn locked(name: &str) -> RgbImage {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join(format!("snapshots/{name}.snap.png"));
+    let path = here().join(format!("snapshots/{name}.snap.png"));
     let picture = image::open(&path);
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
@@ -23,7 +22,7 @@ pub fn assert_locked(name: &'static str, picture: &RgbImage) {
         .write_to(&mut png, ImageFormat::Png)
         .expect("a picture in memory can be encoded");
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path("snapshots");
+    settings.set_snapshot_path(here().join("snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_comparator(Box::new(Pixels { name }));
@@ -75,8 +74,16 @@ fn decoded(snapshot: &insta::Snapshot) -> Option<RgbImage> {
     Some(image::load_from_memory(png).ok()?.to_rgb8())
 }
 
-/// The target folder: this test program runs from target/PROFILE/deps.
+/// The folder of these tests, which may have moved since they were compiled.
+pub fn here() -> PathBuf {
+    let package = env::var("CARGO_MANIFEST_DIR").map_or("..".into(), PathBuf::from);
+    package.join("../tests")
+}
+
+/// The target folder, marked by Cargo, in which this test program lies.
 pub fn target() -> PathBuf {
     let program = env::current_exe().expect("a running program has a path");
-    program.ancestors().nth(3).expect("target/PROFILE/deps/program").to_owned()
+    let mut around = program.ancestors();
+    let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
+    target.expect("a target folder").to_owned()
 }

@@ -1,5 +1,5 @@
 use crate::Difference;
-use crate::locked::{locked, target};
+use crate::locked::{here, locked, target};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -22,16 +22,18 @@ impl Program {
         Self { name, folder: folder(&format!("{name}-{test}")) }
     }
 
-    /// Runs it with the arguments in `line`, which are separated by blanks.
+    /// Runs it with the arguments in `line`, which are separated by single blanks.
     pub fn run(&self, line: &str) -> Output {
-        let path =
-            profile().join(self.name).with_extension(env::consts::EXE_EXTENSION);
+        let path = self.path();
         let mut command = Command::new(&path);
-        let run = command
-            .args(line.split_whitespace())
-            .current_dir(&self.folder)
-            .output();
+        let arguments = line.split(' ').filter(|argument| !argument.is_empty());
+        let run = command.args(arguments).current_dir(&self.folder).output();
         run.unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    /// The file of the program.
+    pub fn path(&self) -> PathBuf {
+        profile().join(self.name).with_extension(env::consts::EXE_EXTENSION)
     }
 
     /// Fails unless, run without arguments, it writes the locked picture and
@@ -51,23 +53,24 @@ impl Program {
         );
     }
 
-    /// Fails unless `--help` and `--version` tell what they should, and write no file.
+    /// Fails unless `--help` tells what it should, and writes no file.
     pub fn assert_helps(&self) {
         let help = self.run("--help");
         let text = String::from_utf8_lossy(&help.stdout).into_owned();
         assert!(help.status.success() && help.stderr.is_empty(), "{help:?}");
-        let own = format!("[default: {}.png]", self.name);
-        for word in
-            ["--width", "640", "--aspect", "16:9", "--fov", "60", "--samples", &own]
-        {
+        for word in [
+            "--width",
+            "640",
+            "--aspect",
+            "16:9",
+            "--fov",
+            "60",
+            "--samples",
+            "--output",
+            self.name,
+        ] {
             assert!(text.contains(word), "{word} is missing: {text}");
         }
-        let version =
-            String::from_utf8_lossy(&self.run("--version").stdout).into_owned();
-        assert_eq!(
-            version,
-            format!("{} {}\n", self.name, env!("CARGO_PKG_VERSION"))
-        );
         assert_eq!(self.files(), [""; 0]);
     }
 
@@ -91,27 +94,32 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Builds the program `name` of this test's profile: `cargo test` does not.
+/// Builds the program `name` for this test's platform and profile: `cargo test` does not.
 ///
 /// With the features that the whole workspace asks for, as all else is built.
 fn build(name: &str) {
+    let (folder, target) = (profile(), target());
+    let inside =
+        folder.strip_prefix(&target).expect("a folder in the target folder");
+    let inside = inside.to_str().expect("Cargo's own names").replace('\\', "/");
+    let (platform, profile) = inside.split_once('/').unwrap_or(("", &inside));
     // The dev profile writes to the folder `debug`; every other one to its own name.
-    let profile = match profile().file_name().and_then(|name| name.to_str()) {
-        Some("debug") | None => "dev".to_owned(),
-        Some(name) => name.to_owned(),
-    };
-    let status = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--workspace", "--bin", name])
-        .args(["--profile", &profile, "--target-dir"])
-        .arg(target())
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .status();
-    let built = status.is_ok_and(|status| status.success());
+    let profile = if profile == "debug" { "dev" } else { profile };
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
+    cargo.args(["--profile", profile, "--target-dir"]).arg(&target);
+    if platform.is_empty() {
+        cargo.env_remove("CARGO_BUILD_TARGET");
+    } else {
+        cargo.args(["--target", platform]);
+    }
+    let built = cargo.current_dir(here()).status();
+    let built = built.is_ok_and(|status| status.success());
     assert!(built, "cargo build --workspace --bin {name} fails");
 }
 
-/// The folder of this test program's profile in the target folder.
+/// The folder of this test program's profile: target/debug, or target/PLATFORM/debug.
 fn profile() -> PathBuf {
     let program = env::current_exe().expect("a running program has a path");
-    program.ancestors().nth(2).expect("target/PROFILE/deps/program").to_owned()
+    program.ancestors().nth(2).expect("PROFILE/deps/program").to_owned()
 }

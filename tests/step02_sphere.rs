@@ -132,7 +132,11 @@ proptest! {
     fn moving_everything_by_one_offset_changes_nothing((sphere, ray) in rays(), by in point()) {
         let moved = Sphere { centre: sphere.centre + by, ..sphere };
         let ray_moved = Ray { start: ray.start + by, ..ray };
-        for (t, u) in ts(sphere.intersect(&ray)).iter().zip(ts(moved.intersect(&ray_moved))) {
+        // At a tangent, rounding decides how many roots there are.
+        prop_assume!((apart(sphere.centre, &ray) - sphere.radius).abs() > 1e-6);
+        let (ts, us) = (ts(sphere.intersect(&ray)), ts(moved.intersect(&ray_moved)));
+        prop_assert_eq!(ts.len(), us.len());
+        for (t, u) in ts.iter().zip(us) {
             prop_assert!((t - u).abs() < 1e-4 * (1.0 + t.abs()));
         }
     }

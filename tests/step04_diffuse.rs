@@ -3,14 +3,15 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step04_diffuse::{
-    AMBIENT_LIGHT, Attenuation, COLOURS, LIGHTS, PointLight, Surface, ambient,
-    colour, diffuse, normal, picture,
+    Attenuation, COOL, Object, PointLight, Ray, Sphere, Surface, WARM, ambient,
+    colour, diffuse, normal, objects, picture, scene, seen,
 };
 use tests::{
     Program, assert_locked, assert_refuses_bad_input, camera, point, rays, unit,
 };
 
-const GREY: DVec3 = DVec3::splat(0.5);
+const GREY: Surface =
+    Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
 
 /// A light of colour (1, 0.5, 0.25) with the given a, b and c.
 fn light(a: f64, b: f64, c: f64) -> PointLight {
@@ -55,7 +56,7 @@ fn a_surface_of_one_colour_reflects_it_in_both_terms() {
 
 #[test]
 fn head_on_the_whole_light_is_scattered() {
-    let lit = diffuse(DVec3::Y, DVec3::Y, 5.0, GREY, &light(1.0, 0.0, 0.0));
+    let lit = diffuse(DVec3::Y, DVec3::Y, 5.0, &GREY, &light(1.0, 0.0, 0.0));
     assert_eq!(lit, DVec3::new(0.5, 0.25, 0.125));
 }
 
@@ -63,14 +64,14 @@ fn head_on_the_whole_light_is_scattered() {
 fn at_60_degrees_half_of_it_is_scattered() {
     let angle = 60_f64.to_radians();
     let l = DVec3::new(angle.sin(), angle.cos(), 0.0);
-    let lit = diffuse(DVec3::Y, l, 5.0, GREY, &light(1.0, 0.0, 0.0));
+    let lit = diffuse(DVec3::Y, l, 5.0, &GREY, &light(1.0, 0.0, 0.0));
     assert!(lit.distance(DVec3::new(0.25, 0.125, 0.0625)) < 1e-15);
 }
 
 #[test]
 fn light_behind_the_surface_is_not_scattered() {
     assert_eq!(
-        diffuse(DVec3::Y, DVec3::NEG_Y, 5.0, GREY, &light(1.0, 0.0, 0.0)),
+        diffuse(DVec3::Y, DVec3::NEG_Y, 5.0, &GREY, &light(1.0, 0.0, 0.0)),
         DVec3::ZERO
     );
 }
@@ -83,8 +84,8 @@ fn each_of_a_b_and_c_attenuates_alone() {
         [2.0, 6.0, 18.0]
     );
     assert_eq!(at_3(1.0, 2.0, 3.0), 34.0);
-    let lit =
-        |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, DVec3::ONE, &light(a, b, c)).x;
+    let white = Surface::of(DVec3::ONE);
+    let lit = |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, &white, &light(a, b, c)).x;
     assert_eq!(
         [lit(2.0, 0.0, 0.0), lit(0.0, 1.0, 0.0), lit(0.0, 0.0, 1.0)],
         [0.5, 0.25, 0.0625]
@@ -99,28 +100,37 @@ fn l_and_d_lead_from_the_point_to_the_light() {
 }
 
 #[test]
-fn each_light_has_its_own_colour_and_attenuation() {
-    assert!(LIGHTS[0].diffuse != LIGHTS[1].diffuse);
-    let [one, two] = LIGHTS.map(|light| light.attenuation);
-    assert!(one.a != two.a && one.b != two.b && one.c != two.c);
+fn the_scene_is_that_of_step_3_in_two_lights() {
+    let scene = scene();
+    assert_eq!(scene.lights, [WARM, COOL]);
+    for (lit, flat) in scene.objects.iter().zip(objects()) {
+        let material = Surface::of(flat.material);
+        assert_eq!(*lit, Object { sphere: flat.sphere, material });
+    }
+    assert_eq!(scene.objects.len(), 9);
 }
 
 #[test]
 fn a_pixel_is_the_sum_of_the_ambient_term_and_every_light() {
     // The ray through the middle of the largest sphere meets it head-on.
-    let sphere = step04_diffuse::SPHERES[0];
-    let ray = step04_diffuse::Ray { start: DVec3::ZERO, direction: sphere.centre };
+    let [Object { sphere, material: r }, ..] = objects();
+    let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
     let p = sphere.centre * (1.0 - sphere.radius / sphere.centre.length());
     let n = (p - sphere.centre) / sphere.radius;
-    let mut sum = COLOURS[0] * AMBIENT_LIGHT;
-    for light in LIGHTS {
+    let mut sum = r * scene().ambient_light;
+    for light in scene().lights {
         let Attenuation { a, b, c } = light.attenuation;
         let d = light.position.distance(p);
         let cosine = (light.position - p).dot(n) / d;
-        sum +=
-            COLOURS[0] / (a + b * d + c * d * d) * cosine.max(0.0) * light.diffuse;
+        sum += r / (a + b * d + c * d * d) * cosine.max(0.0) * light.diffuse;
     }
-    assert!(colour(&ray).distance(sum) < 1e-12);
+    assert!(colour(&scene(), &ray).distance(sum) < 1e-12);
+}
+
+#[test]
+fn a_ray_that_meets_nothing_sees_no_point() {
+    let up = Ray { start: DVec3::ZERO, direction: DVec3::Y };
+    assert_eq!(seen(&objects(), &up), None);
 }
 
 proptest! {
@@ -130,11 +140,16 @@ proptest! {
         let n = normal(&sphere, ray.at(t));
         prop_assert!((n.length() - 1.0).abs() < 1e-5);
         prop_assert!((sphere.centre + sphere.radius * n).distance(ray.at(t)) < 1e-9);
+        let behind = Sphere { centre: ray.start - 9.0 * ray.direction, radius: 0.1 };
+        let objects = [(behind, 'b'), (sphere, 's')];
+        let objects = objects.map(|(sphere, material)| Object { sphere, material });
+        let point = seen(&objects, &ray).map(|point| (point.p, point.n, *point.material));
+        prop_assert_eq!(point, Some((ray.at(t), n, 's')));
     }
 
     #[test]
     fn light_is_never_negative(n in unit(), l in unit(), d in 0.1..50.0, r_d in 0.0..1.0) {
-        let lit = diffuse(n, l, d, DVec3::splat(r_d), &light(0.1, 0.2, 0.3));
+        let lit = diffuse(n, l, d, &Surface::of(DVec3::splat(r_d)), &light(0.1, 0.2, 0.3));
         prop_assert!(0.0 <= lit.min_element());
     }
 
@@ -152,7 +167,7 @@ proptest! {
         let r_d = r_d.abs();
         let white = light(1.0, 0.0, 0.1);
         let swapped = PointLight { diffuse: white.diffuse.zyx(), ..white };
-        let lit = diffuse(n, l, 3.0, r_d, &white);
-        prop_assert_eq!(diffuse(n, l, 3.0, r_d.zyx(), &swapped), lit.zyx());
+        let lit = diffuse(n, l, 3.0, &Surface::of(r_d), &white);
+        prop_assert_eq!(diffuse(n, l, 3.0, &Surface::of(r_d.zyx()), &swapped), lit.zyx());
     }
 }

@@ -1,11 +1,11 @@
 //! Step 5: reflection, the specular term and the whole Phong sum.
 
-use glam::{DMat3, DVec3, Vec3Swizzles};
+use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    AMBIENT_LIGHT, Attenuation, Camera, LIGHTS, Light, MATERIALS, Material, Phong,
-    PointLight, SPHERES, Surface, ambient, colour, diffuse, direction_colour,
-    nearest, normal, phong, picture, reflect, render, specular, terms,
+    Attenuation, Light, Material, Phong, Point, PointLight, Ray, Surface, ambient,
+    colour, diffuse, direction_colour, objects, phong, picture, reflect, render,
+    scene, seen, specular, terms,
 };
 use tests::{
     Program, assert_locked, assert_refuses_bad_input, camera, point, unit,
@@ -26,6 +26,12 @@ fn light(position: DVec3) -> Light {
     let point =
         PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
     Light { point, specular: DVec3::new(0.25, 0.5, 1.0) }
+}
+
+/// The light from `p`, whose unit normal is `n`, along the unit vector `v` to the eye.
+fn from(p: DVec3, n: DVec3, v: DVec3, l_a: DVec3, lights: &[Light]) -> Phong {
+    let ray = Ray { start: p + 3.0 * v, direction: -v };
+    phong(&ray, &Point { p, n, material: &MATERIAL }, l_a, lights)
 }
 
 #[test]
@@ -50,23 +56,15 @@ fn the_program_refuses_bad_input() {
 
 #[test]
 fn each_term_alone_is_locked() {
+    let scene = scene();
     let alone = |term: fn(Phong) -> DVec3| {
-        render(&camera(), 1, |ray| terms(ray).map_or(direction_colour(ray), term))
+        render(&camera(), 1, |ray| {
+            terms(&scene, ray).map_or(direction_colour(ray), term)
+        })
     };
     assert_locked("step05_ambient", &alone(|terms| terms.ambient));
     assert_locked("step05_diffuse", &alone(|terms| terms.diffuse));
     assert_locked("step05_specular", &alone(|terms| terms.specular));
-}
-
-#[test]
-fn the_matrix_on_the_slide_is_locked() {
-    let tan = 30_f64.to_radians().tan();
-    let (h_res, v_res) = (640.0, 360.0);
-    let d_u = DVec3::new(2.0 * tan / (h_res - 1.0), 0.0, 0.0);
-    let d_v = DVec3::new(0.0, -2.0 * v_res * tan / (h_res - 1.0), 0.0);
-    let v_0 = DVec3::new(-tan, v_res * tan / (h_res - 1.0), -1.0);
-    let matrix = DMat3::from_cols(d_u, d_v, v_0);
-    assert_locked("slide_matrix", &picture(&Camera { matrix, ..camera() }, 1));
 }
 
 #[test]
@@ -118,21 +116,14 @@ fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
     let behind = light(DVec3::new(4.0, -3.0, 0.0));
     let (l, _) = behind.point.seen_from(DVec3::ZERO);
     assert!(n.dot(l) < 0.0 && 0.2 < reflect(l, n).dot(v));
-    let sum = phong(DVec3::ZERO, n, v, &MATERIAL, DVec3::ONE, &[behind]);
+    let sum = from(DVec3::ZERO, n, v, DVec3::ONE, &[behind]);
     assert_eq!(sum.sum(), MATERIAL.surface.ambient);
 }
 
 #[test]
 fn a_light_on_the_horizon_gives_no_highlight() {
     let beside = light(DVec3::X);
-    let sum = phong(
-        DVec3::ZERO,
-        DVec3::Y,
-        DVec3::NEG_X,
-        &MATERIAL,
-        DVec3::ONE,
-        &[beside],
-    );
+    let sum = from(DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::ONE, &[beside]);
     assert_eq!(sum.specular, DVec3::ZERO);
 }
 
@@ -142,11 +133,11 @@ fn the_sum_runs_over_all_lights_and_all_terms() {
         [light(DVec3::new(0.0, 4.0, 3.0)), light(DVec3::new(-4.0, 4.0, 2.0))];
     let (p, n, v) =
         (DVec3::new(0.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.0, 0.8, -0.6));
-    let sum = phong(p, n, v, &MATERIAL, GREY, &lights);
+    let sum = from(p, n, v, GREY, &lights);
     let mut expected = [MATERIAL.surface.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
     for light in &lights {
         let (l, d) = light.point.seen_from(p);
-        expected[1] += diffuse(n, l, d, MATERIAL.surface.diffuse, &light.point);
+        expected[1] += diffuse(n, l, d, &MATERIAL.surface, &light.point);
         expected[2] += specular(reflect(l, n), v, d, &MATERIAL, light);
     }
     assert_eq!([sum.ambient, sum.diffuse, sum.specular], expected);
@@ -158,43 +149,48 @@ const GREY: DVec3 = DVec3::splat(0.5);
 
 #[test]
 fn v_is_a_unit_vector_to_the_eye() {
-    let ray = camera().ray(245.0, 155.0);
-    let hit = nearest(&SPHERES, &ray).expect("the highlight of the largest sphere");
-    let (p, sphere) = (ray.at(hit.t), &SPHERES[hit.index]);
-    let v = (ray.start - p).normalize();
-    let sum = phong(
-        p,
-        normal(sphere, p),
-        v,
-        &MATERIALS[hit.index],
-        AMBIENT_LIGHT,
-        &LIGHTS,
-    );
-    let found = terms(&ray).expect("a hit");
+    let (scene, ray) = (scene(), camera().ray(245.0, 155.0));
+    let point =
+        seen(&scene.objects, &ray).expect("the highlight of the red sphere");
+    let long = Ray { direction: 3.0 * ray.direction, ..ray };
+    let sum = phong(&long, &point, scene.ambient_light, &scene.lights);
+    let found = terms(&scene, &ray).expect("a hit");
     assert!(0.1 < found.specular.max_element());
     assert!(found.specular.distance(sum.specular) < 1e-12);
-    assert_eq!(colour(&ray), found.sum());
+    assert_eq!(colour(&scene, &ray), found.sum());
     assert_eq!(
         found.ambient,
-        ambient(MATERIALS[hit.index].surface.ambient, AMBIENT_LIGHT)
+        ambient(point.material.surface.ambient, scene.ambient_light)
     );
 }
 
 #[test]
+fn each_object_has_the_place_and_the_colour_that_step_3_gave_it() {
+    let scene = scene();
+    assert_eq!(scene.objects.len(), 9);
+    for (shiny, flat) in scene.objects.iter().zip(objects()) {
+        assert_eq!(shiny.sphere, flat.sphere);
+        assert_eq!(shiny.material.surface, Surface::of(flat.material));
+    }
+    let matt = step04_diffuse::scene();
+    let lights: Vec<_> = scene.lights.iter().map(|light| light.point).collect();
+    assert_eq!((scene.ambient_light, lights), (matt.ambient_light, matt.lights));
+}
+
+#[test]
 fn somewhere_in_view_a_surface_faces_away_from_a_light_although_r_v_is_above_0() {
-    let camera = camera();
+    let (camera, scene) = (camera(), scene());
     let mut bright = 0;
     for (i, j) in (0..360).flat_map(|j| (0..640).map(move |i| (i, j))) {
         let ray = camera.ray(i.into(), j.into());
-        let Some(hit) = nearest(&SPHERES, &ray) else { continue };
-        let (p, v) = (ray.at(hit.t), -ray.direction.normalize());
-        let n = normal(&SPHERES[hit.index], p);
-        for light in &LIGHTS {
-            let (l, d) = light.point.seen_from(p);
-            let lit = specular(reflect(l, n), v, d, &MATERIALS[hit.index], light);
+        let Some(point) = seen(&scene.objects, &ray) else { continue };
+        let v = -ray.direction.normalize();
+        for light in &scene.lights {
+            let (l, d) = light.point.seen_from(point.p);
+            let lit = specular(reflect(l, point.n), v, d, point.material, light);
             // Without the test of n·l, at least one of 255 steps of brightness.
-            bright +=
-                usize::from(n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element());
+            let counts = point.n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element();
+            bright += usize::from(counts);
         }
     }
     assert!(100 < bright, "only {bright} pixels");
@@ -213,7 +209,7 @@ proptest! {
     #[test]
     fn light_is_never_negative(p in point(), n in unit(), v in unit(), at in point()) {
         prop_assume!(0.01 < p.distance(at));
-        let sum = phong(p, n, v, &MATERIAL, GREY, &[light(at)]);
+        let sum = from(p, n, v, GREY, &[light(at)]);
         for term in [sum.ambient, sum.diffuse, sum.specular] {
             prop_assert!(0.0 <= term.min_element());
         }
@@ -232,8 +228,10 @@ proptest! {
         let surface = Surface { ambient: m.surface.ambient.zyx(), diffuse: m.surface.diffuse.zyx() };
         let material = Material { surface, specular: m.specular.zyx(), ..m };
         let l_a = DVec3::new(0.1, 0.2, 0.3);
-        let sum = phong(p, n, v, &m, l_a, &[white]).sum();
-        prop_assert_eq!(phong(p, n, v, &material, l_a.zyx(), &[swapped]).sum(), sum.zyx());
+        let ray = Ray { start: p + v, direction: -v };
+        let sum = phong(&ray, &Point { p, n, material: &m }, l_a, &[white]).sum();
+        let again = phong(&ray, &Point { p, n, material: &material }, l_a.zyx(), &[swapped]);
+        prop_assert_eq!(again.sum(), sum.zyx());
     }
 
     #[test]
@@ -241,8 +239,8 @@ proptest! {
         p in point(), n in unit(), v in unit(), at in point(), by in point()
     ) {
         prop_assume!(0.1 < p.distance(at));
-        let sum = phong(p, n, v, &MATERIAL, GREY, &[light(at)]).sum();
-        let moved = phong(p + by, n, v, &MATERIAL, GREY, &[light(at + by)]).sum();
+        let sum = from(p, n, v, GREY, &[light(at)]).sum();
+        let moved = from(p + by, n, v, GREY, &[light(at + by)]).sum();
         prop_assert!(sum.distance(moved) < 1e-9);
     }
 }
