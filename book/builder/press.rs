@@ -2,7 +2,7 @@ use crate::fault::Faults;
 use crate::{Course, Files, Site, link};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
-use std::path::{Path, PathBuf, absolute};
+use std::path::{Component, Path, PathBuf, absolute};
 
 /// Builds the book whose `book.toml` is in the folder `root`; returns the folder of
 /// its pages, and what is in it.
@@ -17,7 +17,13 @@ pub fn build(root: &Path) -> Result<(PathBuf, Site)> {
     // program again.
     book.with_preprocessor(Course);
     book.build()?;
-    let folder = book.build_dir_for("html");
+    let mut folder = PathBuf::new();
+    for part in book.build_dir_for("html").components() {
+        match part {
+            Component::ParentDir => drop(folder.pop()),
+            part => folder.push(part),
+        }
+    }
     let site = Site::new(Files::read(&folder)?);
     Faults::check(link::faults(&site))?;
     Ok((folder, site))

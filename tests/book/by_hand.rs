@@ -1,7 +1,6 @@
 //! What a chapter works out by hand, the step's tests by hand hold.
 
 use crate::book::BOOK;
-use crate::item::tests;
 use crate::source::SOURCE;
 use crate::typist::STEPS;
 use crate::{assert_found, assert_none};
@@ -9,7 +8,10 @@ use book::{Files, Page, Site};
 use std::collections::BTreeMap;
 use syn::punctuated::Punctuated;
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprUnary, LitFloat, Local, Macro, Token, UnOp};
+use syn::{
+    BinOp, Expr, ExprBinary, ExprUnary, Item, ItemFn, LitFloat, Local, Macro,
+    Token, UnOp,
+};
 
 /// Each name that stands in a chapter but not in the tests, or the other way round,
 /// and each number in a test that its chapter does not have there.
@@ -41,6 +43,16 @@ fn faults_of(step: &str, book: &Site, source: &Files) -> Vec<String> {
     let lost = labels.keys().map(|name| format!("{path} has no test {name}."));
     faults.extend(lost);
     faults
+}
+
+/// Every test in a Rust file.
+fn tests(text: &str) -> Vec<ItemFn> {
+    let file = syn::parse_file(text).expect("the file is Rust");
+    let tests = file.items.into_iter().filter_map(|item| match item {
+        Item::Fn(test) if !test.attrs.is_empty() => Some(test),
+        _ => None,
+    });
+    tests.collect()
 }
 
 /// Each test that a page names, and the text from the heading or the name before.
@@ -77,12 +89,19 @@ fn shown(text: &str) -> Vec<f64> {
     numbers
 }
 
-/// The numbers with a point in a test, outside of its `let`; `5e-5` is a tolerance.
+/// The numbers with a point in a test: those in a `let` are given, those in a product
+/// are the formula's, and 5e-5 is a tolerance.
 #[derive(Default)]
 struct Asserted(Vec<f64>);
 
 impl Visit<'_> for Asserted {
     fn visit_local(&mut self, _: &Local) {}
+
+    fn visit_expr_binary(&mut self, binary: &ExprBinary) {
+        if !matches!(binary.op, BinOp::Mul(_)) {
+            visit::visit_expr_binary(self, binary);
+        }
+    }
 
     fn visit_macro(&mut self, assertion: &Macro) {
         let arguments = Punctuated::<Expr, Token![,]>::parse_terminated;

@@ -3,7 +3,7 @@
 use book::Files;
 use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::{self, Visit};
-use syn::{Field, Ident, ImplItem, Item, ItemFn, Type, Variant};
+use syn::{Field, Ident, ImplItem, Item, Type, Variant};
 
 /// Every function, type and constant by its name, and every function, field and
 /// variant of a type as `Type::member`.
@@ -82,19 +82,6 @@ impl<'a> Visit<'a> for Items {
             words.insert(word.to_string());
         }
     }
-}
-
-/// Every test in a Rust file.
-pub fn tests(text: &str) -> Vec<ItemFn> {
-    let file = syn::parse_file(text).expect("the file is Rust");
-    let functions = file.items.into_iter().filter_map(|item| match item {
-        Item::Fn(function) => Some(function),
-        _ => None,
-    });
-    let is_test = |function: &ItemFn| {
-        function.attrs.iter().any(|attribute| attribute.path().is_ident("test"))
-    };
-    functions.filter(is_test).collect()
 }
 
 #[test]

@@ -51,7 +51,7 @@ fn every_name_is_in_the_code() {
 fn a_name_that_is_not_in_the_code_is_found() {
     for (name, wrong) in [
         ("<td><code>Ray::<wbr>start", "<td><code>Ray::origin"),
-        ("<td><code>AMBIENT_<wbr>LIGHT", "<td><code>AMBIENT"),
+        ("<td><code>Scene::<wbr>ambient_", "<td><code>Scene::diffuse_"),
         ("<td><code>v_<wbr>0</code> in", "<td><code>v_1</code> in"),
     ] {
         let found = faults(&BOOK.with(PAGE, name, wrong), &SOURCE);

@@ -1,7 +1,7 @@
 //! The numbers of the introduction and of chapter 1.
 
 use super::Value;
-use super::worked::{camera, rgb, short, tenths};
+use super::worked::{camera, rgb, short, tenths, vector};
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, Row, direction_colour, picture};
 
@@ -25,6 +25,9 @@ pub const VALUES: &[Value] = &[
     }),
     ("step01-pixel-x", || short(camera().ray(480.0, 90.0).direction.x)),
     ("step01-pixel-y", || short(camera().ray(480.0, 90.0).direction.y)),
+    ("step01-pixel-intensity", || {
+        vector(direction_colour(&camera().ray(480.0, 90.0)))
+    }),
     ("step01-pixel-colour", || pixel(480, 90)),
     ("step01-corner-length", || short(camera().ray(0.0, 0.0).direction.length())),
     ("step01-top-left", || pixel(0, 0)),
@@ -40,7 +43,6 @@ pub const VALUES: &[Value] = &[
         let scope = AspectRatio { width: 2.35, height: 1.0 };
         scope.v_res(640).map_or("none".to_string(), |rows| rows.to_string())
     }),
-    ("step01-rays", || (camera().h_res * camera().v_res).to_string()),
     ("step01-half-light", || format!("{:.2}", 0.5_f64.powf(2.2))),
 ];
 
