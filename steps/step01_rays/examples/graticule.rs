@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step01_rays::{Camera, Ray, direction_colour, render, run};
 
 /// The angle from one line to the next.
@@ -30,6 +29,6 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     render(camera, samples, |ray| colour(ray, pixel))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }
