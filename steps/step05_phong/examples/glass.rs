@@ -8,10 +8,12 @@ use step05_phong::{
     phong, reflect, render, run, scene, seen,
 };
 
-/// A material, and the refractive index where it is glass.
+/// A material that may be glass.
 pub struct Glass {
-    material: Material,
-    index: Option<f64>,
+    /// What it is like; glass has its highlights only.
+    pub material: Material,
+    /// The refractive index, None where it is no glass.
+    pub index: Option<f64>,
 }
 
 /// The scene of step 5, its red and its white object of glass with this index.

@@ -8,10 +8,12 @@ use step05_phong::{
     phong, reflect, render, run, scene, seen,
 };
 
-/// A material that mirrors the part k, 0 to 1; the rest of its colour is its own.
+/// A material that is a mirror in part.
 pub struct Mirror {
-    material: Material,
-    k: f64,
+    /// What it is for the rest.
+    pub material: Material,
+    /// k, the part of its colour that it mirrors, 0 to 1.
+    pub k: f64,
 }
 
 /// The scene of step 5, each object with its k.
