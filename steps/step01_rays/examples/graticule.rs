@@ -8,7 +8,7 @@ use step01_rays::{Camera, Ray, direction_colour, render, run};
 const SPACING: f64 = 5_f64.to_radians();
 
 /// How far `angle` is from the nearest multiple of the spacing.
-pub fn from_line(angle: f64) -> f64 {
+fn from_line(angle: f64) -> f64 {
     (angle - (angle / SPACING).round() * SPACING).abs()
 }
 
