@@ -2,14 +2,13 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step01_rays::{Camera, Ray, direction_colour, render, run};
 
 /// The angle from one line to the next.
 const SPACING: f64 = 5_f64.to_radians();
 
 /// How far `angle` is from the nearest multiple of the spacing.
-pub fn from_line(angle: f64) -> f64 {
+fn from_line(angle: f64) -> f64 {
     (angle - (angle / SPACING).round() * SPACING).abs()
 }
 
@@ -30,6 +29,6 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     render(camera, samples, |ray| colour(ray, pixel))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

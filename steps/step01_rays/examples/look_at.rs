@@ -2,7 +2,6 @@
 
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use std::process::ExitCode;
 use step01_rays::{Camera, Ray, direction_colour, render, run};
 
 /// `camera` moved to `position` and turned to `target`, then rolled by an angle.
@@ -50,7 +49,7 @@ fn beads() -> Vec<DVec3> {
 
 /// The colour that `ray` sees: the first bead that it passes through, otherwise the
 /// sky of step 1.
-fn colour(ray: &Ray, beads: &[DVec3]) -> DVec3 {
+fn colour(beads: &[DVec3], ray: &Ray) -> DVec3 {
     let hit = |&&p: &&DVec3| passes(ray, p).is_some_and(|d| d < 0.15);
     match beads.iter().find(hit) {
         Some(&p) => 0.55 + 0.2 * p,
@@ -67,9 +66,9 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     // The nearest first, so that it hides those behind it.
     let mut beads = beads();
     beads.sort_by(|p, q| p.distance(position).total_cmp(&q.distance(position)));
-    render(&camera, samples, |ray| colour(ray, &beads))
+    render(&camera, samples, |ray| colour(&beads, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

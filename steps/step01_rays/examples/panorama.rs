@@ -3,7 +3,6 @@
 use glam::DVec3;
 use image::RgbImage;
 use std::f64::consts::{PI, TAU};
-use std::process::ExitCode;
 use step01_rays::{Camera, render, run};
 
 /// The unit vector at a longitude and a latitude; both are 0 ahead, along −z.
@@ -45,6 +44,6 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     })
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

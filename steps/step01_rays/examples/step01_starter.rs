@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step01_rays::{Camera, Ray, render, run};
 
 /// The colour that `ray` sees: its direction.
@@ -16,6 +15,6 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     render(camera, samples, colour)
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step02_sphere::{Camera, Ray, Roots, Sphere, direction_colour, render, run};
 
 /// A piece of a ray: all t from where it enters a solid to where it leaves it.
@@ -47,34 +46,28 @@ pub const SPHERES: [Sphere; 2] = [
     Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
 ];
 
-/// The colour seen through a solid of coloured glass: the longer the way through it,
-/// the less of `behind` is left.
-fn through(
-    behind: DVec3,
-    glass: DVec3,
-    solid: Option<Interval>,
-    ray: &Ray,
-) -> DVec3 {
-    let Some(Interval { enter, leave }) = solid else { return behind };
-    let way = (leave - enter) * ray.direction.length();
-    glass.lerp(behind, 1.0 / (1.0 + 2.0 * way))
+/// The colour seen through coloured glass of the form that all `spheres` have in
+/// common: the longer the way through it, the less of `behind` is left.
+fn through(spheres: &[Sphere], glass: DVec3, behind: DVec3, ray: &Ray) -> DVec3 {
+    let Some(piece) = inside_all(spheres, ray) else { return behind };
+    let length = (piece.leave - piece.enter) * ray.direction.length();
+    glass.lerp(behind, 1.0 / (1.0 + 2.0 * length))
 }
 
 /// The colour that `ray` sees: each sphere of pale glass, and the lens of red.
-fn colour(ray: &Ray) -> DVec3 {
-    let sky = direction_colour(ray);
-    let pale = |behind, sphere: &Sphere| {
-        through(behind, 0.5 * behind + 0.5, inside_all(&[*sphere], ray), ray)
-    };
-    let behind = SPHERES.iter().fold(sky, pale);
-    through(behind, DVec3::new(0.91, 0.20, 0.14), inside_all(&SPHERES, ray), ray)
+fn colour(spheres: &[Sphere], ray: &Ray) -> DVec3 {
+    let mut behind = direction_colour(ray);
+    for sphere in spheres {
+        behind = through(&[*sphere], 0.5 * behind + 0.5, behind, ray);
+    }
+    through(spheres, DVec3::new(0.91, 0.20, 0.14), behind, ray)
 }
 
 /// The picture: two spheres of glass, and the lens in which they overlap.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    render(camera, samples, |ray| colour(&SPHERES, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

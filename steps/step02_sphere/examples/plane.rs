@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
-use step02_sphere::{Camera, Ray, SPHERE, direction_colour, render, run};
+use step02_sphere::{Camera, Ray, SPHERE, Sphere, direction_colour, render, run};
 
 /// A plane, the points p with n·(p − q) = 0.
 pub struct Plane {
@@ -40,9 +39,9 @@ fn checker(p: DVec3) -> DVec3 {
 }
 
 /// The colour that `ray` sees: the nearer of sphere and ground, else its direction.
-fn colour(ray: &Ray) -> DVec3 {
-    let sphere = SPHERE.intersect(ray).first_hit();
-    let ground = GROUND.first_hit(ray);
+fn colour(sphere: &Sphere, ground: &Plane, ray: &Ray) -> DVec3 {
+    let sphere = sphere.intersect(ray).first_hit();
+    let ground = ground.first_hit(ray);
     match (sphere, ground) {
         (Some(t), _) if ground.is_none_or(|u| t < u) => {
             DVec3::new(0.91, 0.34, 0.28)
@@ -58,9 +57,9 @@ fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the sphere of step 2 on a ground without end.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    render(camera, samples, |ray| colour(&SPHERE, &GROUND, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,6 @@
 
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use std::process::ExitCode;
 use step02_sphere::{Camera, Ray, Roots, direction_colour, quadratic, render, run};
 
 /// A quadric, the points p with p·Qp + 2u·p + w = 0.
@@ -78,7 +77,7 @@ pub fn scene() -> [(Quadric, DVec3); 3] {
 }
 
 /// The colour that `ray` sees: rings of two shades, darker on the inside.
-fn colour(ray: &Ray, scene: &[(Quadric, DVec3)]) -> DVec3 {
+fn colour(scene: &[(Quadric, DVec3)], ray: &Ray) -> DVec3 {
     let mut nearest = (f64::INFINITY, direction_colour(ray));
     for (quadric, colour) in scene {
         let Some(t) = quadric.first_between(ray, -1.0, 1.0) else { continue };
@@ -101,9 +100,9 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
         ..*camera
     };
     let scene = scene();
-    render(&camera, samples, |ray| colour(ray, &scene))
+    render(&camera, samples, |ray| colour(&scene, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

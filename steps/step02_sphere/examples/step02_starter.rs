@@ -2,15 +2,14 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
 
 /// The one sphere.
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
 /// The colour that `ray` sees: the sphere's, or its own direction.
-fn colour(ray: &Ray) -> DVec3 {
-    match SPHERE.intersect(ray).first_hit() {
+fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
+    match sphere.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),
         None => direction_colour(ray),
     }
@@ -18,9 +17,9 @@ fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    render(camera, samples, |ray| colour(&SPHERE, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,31 +2,26 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
-use step03_nearest::{Camera, Ray, SPHERES, nearest, render, run};
-
-/// The distance that is white.
-const WHITE: f64 = 4.0;
-
-/// The distance that is black.
-const BLACK: f64 = 14.0;
+use step03_nearest::{Camera, Object, Ray, nearest, objects, render, run};
 
 /// The distance from the start of `ray` to its nearest hit, t |V|.
-pub fn distance(ray: &Ray) -> Option<f64> {
-    nearest(&SPHERES, ray).map(|hit| hit.t * ray.direction.length())
+pub fn distance(objects: &[Object<DVec3>], ray: &Ray) -> Option<f64> {
+    nearest(objects, ray).map(|hit| hit.t * ray.direction.length())
 }
 
-/// The colour that `ray` sees: the nearer the brighter, black where nothing is hit.
-fn colour(ray: &Ray) -> DVec3 {
-    let d = distance(ray).unwrap_or(BLACK);
-    DVec3::splat((BLACK - d) / (BLACK - WHITE))
+/// The colour that `ray` sees: white at 4, black at 14 and where nothing is hit.
+fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
+    let (white, black) = (4.0, 14.0);
+    let d = distance(objects, ray).unwrap_or(black);
+    DVec3::splat((black - d) / (black - white))
 }
 
 /// The picture: the scene of step 3, measured.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let objects = objects();
+    render(camera, samples, |ray| colour(&objects, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step03_nearest::{Camera, Ray, direction_colour, render, run};
 
 /// Two numbers from 0 to 1 that look random, the same for the same `x` and `y`.
@@ -45,6 +44,6 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     })
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

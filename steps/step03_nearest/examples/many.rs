@@ -3,9 +3,9 @@
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use std::f64::consts::PI;
-use std::process::ExitCode;
 use step03_nearest::{
-    COLOURS, Camera, Hit, Ray, Sphere, direction_colour, render, run,
+    Camera, Hit, Object, Ray, Sphere, direction_colour, nearest, objects, render,
+    run,
 };
 
 /// A box whose sides are along the axes.
@@ -45,122 +45,97 @@ impl Bounds {
     }
 }
 
-/// A tree of boxes: each holds a few spheres, or two smaller trees.
+/// A tree of boxes: each holds a few objects, or two smaller trees.
 #[derive(Debug)]
-pub struct Tree {
+pub struct Tree<'a, M> {
     bounds: Bounds,
-    content: Content,
+    content: Content<'a, M>,
 }
 
 #[derive(Debug)]
-enum Content {
-    /// The places of the spheres in their list.
-    Spheres(Vec<usize>),
-    Halves(Box<[Tree; 2]>),
+enum Content<'a, M> {
+    Few(&'a [Object<M>]),
+    Halves(Box<[Tree<'a, M>; 2]>),
 }
 
-impl Tree {
-    /// The tree around all `spheres`.
-    pub fn new(spheres: &[Sphere]) -> Self {
-        let mut indices: Vec<usize> = (0..spheres.len()).collect();
-        Self::over(spheres, &mut indices)
-    }
-
-    fn over(spheres: &[Sphere], indices: &mut [usize]) -> Self {
-        let boxes = indices.iter().map(|&index| Bounds::around(&spheres[index]));
+impl<'a, M> Tree<'a, M> {
+    /// The tree around all `objects`, which it sorts for that.
+    pub fn new(objects: &'a mut [Object<M>]) -> Self {
+        let boxes = objects.iter().map(|object| Bounds::around(&object.sphere));
         let bounds = boxes.fold(Bounds::EMPTY, Bounds::with);
-        if indices.len() <= 2 {
-            return Self { bounds, content: Content::Spheres(indices.to_vec()) };
+        if objects.len() <= 2 {
+            return Self { bounds, content: Content::Few(objects) };
         }
-        // Halve the spheres across the longest side of their box.
+        // Halve the objects across the longest side of their box.
         let axis = (bounds.high - bounds.low).max_position();
-        let at = |index: usize| spheres[index].centre[axis];
-        indices.sort_by(|&a, &b| at(a).total_cmp(&at(b)));
-        let (low, high) = indices.split_at_mut(indices.len() / 2);
-        let halves = [Self::over(spheres, low), Self::over(spheres, high)];
+        let at = |object: &Object<M>| object.sphere.centre[axis];
+        objects.sort_by(|one, other| at(one).total_cmp(&at(other)));
+        let (low, high) = objects.split_at_mut(objects.len() / 2);
+        let halves = [Self::new(low), Self::new(high)];
         Self { bounds, content: Content::Halves(Box::new(halves)) }
     }
 
-    /// The hit with the smallest t, where `first_hit` tells that of each sphere.
+    /// The hit with the smallest t below `end`; `ask` finds that of a few objects.
     pub fn nearest(
         &self,
         ray: &Ray,
-        mut first_hit: impl FnMut(usize) -> Option<f64>,
-    ) -> Option<Hit> {
-        let mut nearest = None;
-        self.visit(ray, &mut first_hit, &mut nearest);
-        nearest
-    }
-
-    fn visit(
-        &self,
-        ray: &Ray,
-        first_hit: &mut impl FnMut(usize) -> Option<f64>,
-        nearest: &mut Option<Hit>,
-    ) {
-        match &self.content {
-            Content::Spheres(indices) => {
-                for &index in indices {
-                    // Of two at the same t the first in the list, as in step 3.
-                    if let Some(t) = first_hit(index)
-                        && nearest.is_none_or(|hit| (t, index) < (hit.t, hit.index))
-                    {
-                        *nearest = Some(Hit { t, index });
-                    }
-                }
-            }
-            Content::Halves(halves) => {
-                let mut order =
-                    halves.each_ref().map(|half| (half.bounds.enter(ray), half));
-                order.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-                for (enter, half) in order {
-                    // What begins behind the nearest hit can't hold a nearer one.
-                    if enter < nearest.map_or(f64::INFINITY, |hit| hit.t) {
-                        half.visit(ray, first_hit, nearest);
-                    }
-                }
+        end: f64,
+        ask: &impl Fn(&'a [Object<M>]) -> Option<Hit<'a, M>>,
+    ) -> Option<Hit<'a, M>> {
+        let halves = match &self.content {
+            Content::Few(objects) => return ask(objects).filter(|hit| hit.t < end),
+            Content::Halves(halves) => halves.each_ref(),
+        };
+        let mut order = halves.map(|half| (half.bounds.enter(ray), half));
+        order.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        let mut found: Option<Hit<M>> = None;
+        for (enter, half) in order {
+            let end = found.as_ref().map_or(end, |hit| hit.t);
+            // What begins behind the nearest hit can't hold a nearer one.
+            if enter < end {
+                found = half.nearest(ray, end, ask).or(found);
             }
         }
+        found
     }
 }
 
-/// How many spheres the picture has.
-const COUNT: u32 = 1000;
-
-/// A sunflower: each sphere is the golden angle further around than the last, and
-/// further out.
-pub fn spheres() -> Vec<Sphere> {
+/// A sunflower of a thousand spheres: each is the golden angle further around than
+/// the last, and further out.
+pub fn sunflower() -> Vec<Object<DVec3>> {
     let golden = PI * (3.0 - 5_f64.sqrt());
     let tilt = DMat3::from_rotation_x(1.0);
-    let sphere = |k: u32| {
-        let (angle, out) = (golden * f64::from(k), f64::from(k) / f64::from(COUNT));
+    let object = |k: u32| {
+        let (angle, out) = (golden * f64::from(k), f64::from(k) / 1000.0);
         let around = DVec3::new(angle.cos(), 0.0, angle.sin());
         let p = 2.6 * out.sqrt() * around - 1.2 * out * DVec3::Y;
         let centre = DVec3::new(0.0, 0.85, -7.0) + tilt * p;
-        Sphere { centre, radius: 0.07 + 0.02 * out }
+        let sphere = Sphere { centre, radius: 0.07 + 0.02 * out };
+        Object { sphere, material: petal(k) }
     };
-    (0..COUNT).map(sphere).collect()
+    (0..1000).map(object).collect()
+}
+
+/// The colour of sphere `k`: from teal inside to blue outside, in three shades.
+fn petal(k: u32) -> DVec3 {
+    let [red, _, golden, blue, _, teal, white, ..] = objects();
+    let stops = [teal, white, golden, red, blue].map(|object| object.material);
+    let out = 4.0 * f64::from(k) / 1000.0;
+    let stop = out as usize;
+    let shade = [1.0, 0.9, 0.8][k as usize % 3];
+    stops[stop].lerp(stops[stop + 1], out.fract()) * shade
 }
 
 /// The picture: a thousand spheres, found through the tree.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let spheres = spheres();
-    let tree = Tree::new(&spheres);
+    let mut objects = sunflower();
+    let tree = Tree::new(&mut objects);
     render(camera, samples, |ray| {
-        let hit =
-            tree.nearest(ray, |index| spheres[index].intersect(ray).first_hit());
-        hit.map_or(direction_colour(ray), |hit| petal(hit.index))
+        let hit = tree.nearest(ray, f64::INFINITY, &|few| nearest(few, ray));
+        hit.map_or(direction_colour(ray), |hit| hit.object.material)
     })
 }
 
-/// The colour of sphere `k`: from teal inside to blue outside, in three shades.
-fn petal(k: usize) -> DVec3 {
-    let stops = [5, 6, 2, 0, 3].map(|index| COLOURS[index]);
-    let out = 4.0 * k as f64 / f64::from(COUNT);
-    let stop = out as usize;
-    stops[stop].lerp(stops[stop + 1], out.fract()) * [1.0, 0.9, 0.8][k % 3]
-}
-
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,24 +2,24 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step03_nearest::{
-    COLOURS, Camera, Ray, SPHERES, direction_colour, nearest, render, run,
+    Camera, Object, Ray, direction_colour, nearest, objects, render, run,
 };
 
-/// The colour that `ray` sees: that of the nearest sphere, else its own direction.
-fn colour(ray: &Ray) -> DVec3 {
-    match nearest(&SPHERES, ray) {
-        Some(hit) => COLOURS[hit.index],
+/// The colour that `ray` sees: the nearest object's, or else its own direction.
+fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
+    match nearest(objects, ray) {
+        Some(hit) => hit.object.material,
         None => direction_colour(ray),
     }
 }
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let objects = objects();
+    render(camera, samples, |ray| colour(&objects, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

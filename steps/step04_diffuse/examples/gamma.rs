@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 use image::{Rgb, RgbImage};
-use std::process::ExitCode;
-use step04_diffuse::{Camera, colour, run};
+use step04_diffuse::{Camera, colour, run, scene};
 
 /// The sRGB value of a linear intensity I, both from 0 to 1: a straight line near
 /// black, a power above.
@@ -19,21 +18,22 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
 
 /// The picture: as `render` draws it, with the curve after each pixel's mean.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    let scene = scene();
     let side = f64::from(samples);
     let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
     let offsets: Vec<f64> = (0..samples).map(centre).collect();
-    let weight = 1.0 / (side * side);
     RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
         let mut sum = DVec3::ZERO;
         for v in &offsets {
             for u in &offsets {
-                sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
+                let ray = camera.ray(f64::from(i) + u, f64::from(j) + v);
+                sum += colour(&scene, &ray);
             }
         }
-        rgb8(sum * weight)
+        rgb8(sum / (side * side))
     })
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -1,11 +1,10 @@
-//! The scene of step 4 with shadows: a light counts where no sphere stands before it.
+//! The scene of step 4 with shadows: a light counts where nothing stands before it.
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step04_diffuse::{
-    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient,
-    diffuse, direction_colour, nearest, normal, render, run,
+    Camera, Object, Point, PointLight, Ray, Scene, Surface, ambient, diffuse,
+    direction_colour, nearest, render, run, scene, seen,
 };
 
 /// How far above the surface a ray to a light starts.
@@ -14,38 +13,37 @@ use step04_diffuse::{
 /// lies on.
 pub const OFFSET: f64 = 1e-9;
 
-/// Says whether a sphere stands between `light` and the point `p` with unit normal
-/// `n`.
+/// Says whether one of the `objects` stands between `point` and a light at `q`.
 ///
-/// V is the whole way to the light, so the light is at t = 1.
-pub fn hidden(light: DVec3, p: DVec3, n: DVec3) -> bool {
-    let start = p + OFFSET * n;
-    let to_light = Ray { start, direction: light - start };
-    nearest(&SPHERES, &to_light).is_some_and(|hit| hit.t < 1.0)
+/// V leads from the start to the light, so the light is at t = 1.
+pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
+    let start = point.p + OFFSET * point.n;
+    let to_light = Ray { start, direction: q - start };
+    nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
 }
 
 /// The colour that `ray` sees.
-pub fn colour(ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let surface = Surface::of(COLOURS[hit.index]);
-    let mut intensity = ambient(surface.ambient, AMBIENT_LIGHT);
-    for light in &LIGHTS {
-        if hidden(light.position, p, n) {
+fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    for light in &scene.lights {
+        if hidden(&scene.objects, &point, light.position) {
             continue;
         }
-        let (l, d) = light.seen_from(p);
-        intensity += diffuse(n, l, d, surface.diffuse, light);
+        let (l, d) = light.seen_from(point.p);
+        intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity
 }
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let scene = scene();
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,31 +2,30 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step04_diffuse::{
-    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient,
-    diffuse, direction_colour, nearest, normal, render, run,
+    Camera, PointLight, Ray, Scene, Surface, ambient, diffuse, direction_colour,
+    render, run, scene, seen,
 };
 
-/// The colour that `ray` sees: the nearest sphere in the light of this step.
-fn colour(ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let surface = Surface::of(COLOURS[hit.index]);
-    let mut intensity = ambient(surface.ambient, AMBIENT_LIGHT);
-    for light in &LIGHTS {
-        let (l, d) = light.seen_from(p);
-        intensity += diffuse(n, l, d, surface.diffuse, light);
+/// The colour that `ray` sees: the lit point, or else its own direction.
+fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    for light in &scene.lights {
+        let (l, d) = light.seen_from(point.p);
+        intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity
 }
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let scene = scene();
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

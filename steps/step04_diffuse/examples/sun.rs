@@ -2,16 +2,15 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step04_diffuse::{
-    AMBIENT_LIGHT, COLOURS, Camera, LIGHTS, Ray, SPHERES, Surface, ambient,
-    diffuse, direction_colour, nearest, normal, render, run,
+    COOL, Camera, PointLight, Ray, Scene, Surface, ambient, diffuse,
+    direction_colour, render, run, scene, seen,
 };
 
 /// A light so far away that it shines from the same side everywhere, and as bright.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {
-    /// The way to it, of any length but 0.
+    /// The direction to it, of any length but 0.
     pub direction: DVec3,
     /// L_d, its intensity in red, green and blue; 0 or more.
     pub diffuse: DVec3,
@@ -24,32 +23,33 @@ pub const SUN: Sun = Sun {
 };
 
 impl Sun {
-    /// Its diffuse term, I_d = R_d · max(l·n, 0) · L_d: l is the same for every
-    /// point, and no distance weakens the light.
-    pub fn diffuse(&self, n: DVec3, r_d: DVec3) -> DVec3 {
+    /// I_d = R_d · max(l·n, 0) · L_d: l is the same everywhere, and there is no d.
+    pub fn diffuse(&self, n: DVec3, surface: &Surface) -> DVec3 {
         let l = self.direction.normalize();
-        r_d * l.dot(n).max(0.0) * self.diffuse
+        surface.diffuse * l.dot(n).max(0.0) * self.diffuse
     }
 }
 
 /// The colour that `ray` sees.
-pub fn colour(ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let surface = Surface::of(COLOURS[hit.index]);
-    let cool = &LIGHTS[1];
-    let (l, d) = cool.seen_from(p);
-    ambient(surface.ambient, AMBIENT_LIGHT)
-        + SUN.diffuse(n, surface.diffuse)
-        + diffuse(n, l, d, surface.diffuse, cool)
+fn colour(scene: &Scene<Surface, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    intensity += sun.diffuse(point.n, point.material);
+    for light in &scene.lights {
+        let (l, d) = light.seen_from(point.p);
+        intensity += diffuse(point.n, l, d, point.material, light);
+    }
+    intensity
 }
 
-/// The picture: the colour of every ray.
+/// The picture: the cool light stays, and the sun is new.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let scene = Scene { lights: vec![COOL], ..scene() };
+    render(camera, samples, |ray| colour(&scene, &SUN, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -3,22 +3,33 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step05_phong::{
-    AMBIENT_LIGHT, Camera, LIGHTS, MATERIALS, Ray, SPHERES, direction_colour,
-    nearest, normal, phong, reflect, render, run,
+    Camera, Light, Material, Object, Point, Ray, Scene, direction_colour, objects,
+    phong, reflect, render, run, scene, seen,
 };
 
-/// The refractive index of each sphere that is of glass.
-pub const GLASS: [Option<f64>; 9] =
-    [Some(1.5), None, None, None, None, None, Some(1.5), None, None];
+/// A material that may be glass.
+pub struct Glass {
+    /// What it is like; glass has its highlights only.
+    pub material: Material,
+    /// The refractive index, None where it is no glass.
+    pub index: Option<f64>,
+}
 
-/// How many surfaces of glass a ray may meet one after the other.
-pub const DEPTH: u32 = 10;
+/// The scene of step 5, its red and its white object of glass with this index.
+pub fn glasses(index: f64) -> Scene<Glass, Light> {
+    let [red, .., white, _, _] = objects();
+    let Scene { objects, ambient_light, lights } = scene();
+    let glass = |Object { sphere, material }| {
+        let index = [red.sphere, white.sphere].contains(&sphere).then_some(index);
+        Object { sphere, material: Glass { material, index } }
+    };
+    let objects = objects.into_iter().map(glass).collect();
+    Scene { objects, ambient_light, lights }
+}
 
-/// How far from a surface the next ray starts, so that it does not meet that surface
-/// at once.
-pub const OFFSET: f64 = 1e-9;
+/// How far from a surface a ray starts, so that it does not meet that surface again.
+const OFFSET: f64 = 1e-9;
 
 /// `v` of any length, bent by Snell's law where it meets a surface whose unit normal
 /// `n` faces it; or None where the surface mirrors it all.
@@ -40,44 +51,42 @@ pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     (across * across + within * within) / 2.0
 }
 
-/// Says whether a sphere stands between `light` and the point `p` with unit normal
-/// `n`; glass lets all of the light through.
-pub fn hidden(light: DVec3, p: DVec3, n: DVec3, glass: &[Option<f64>; 9]) -> bool {
-    let start = p + OFFSET * n;
-    let to_light = Ray { start, direction: light - start };
-    SPHERES.iter().zip(glass).any(|(sphere, glass)| {
+/// Says whether something not of glass stands between `point` and a light at `q`.
+pub fn hidden(objects: &[Object<Glass>], point: &Point<Glass>, q: DVec3) -> bool {
+    let start = point.p + OFFSET * point.n;
+    let to_light = Ray { start, direction: q - start };
+    objects.iter().any(|Object { sphere, material }| {
         let t = sphere.intersect(&to_light).first_hit();
-        glass.is_none() && t.is_some_and(|t| t < 1.0)
+        material.index.is_none() && t.is_some_and(|t| t < 1.0)
     })
 }
 
-/// The colour that `ray` sees where sphere number i has the refractive index
-/// `glass[i]`, by way of at most `depth` surfaces of glass.
-pub fn colour(ray: &Ray, glass: &[Option<f64>; 9], depth: u32) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let v = -ray.direction.normalize();
-    let mut lights = LIGHTS.to_vec();
-    lights.retain(|light| !hidden(light.point.position, p, n, glass));
-    let terms = phong(p, n, v, &MATERIALS[hit.index], AMBIENT_LIGHT, &lights);
-    let Some(index) = glass[hit.index] else { return terms.sum() };
+/// The colour that `ray` sees by way of at most `depth` surfaces of glass.
+pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut lights = scene.lights.clone();
+    lights.retain(|light| !hidden(&scene.objects, &point, light.point.position));
+    let Point { p, n, material: Glass { material, index } } = point;
+    let terms = phong(ray, &Point { p, n, material }, scene.ambient_light, &lights);
+    let Some(index) = *index else { return terms.sum() };
     if depth == 0 {
         return DVec3::ZERO;
     }
-    let next = |ray: &Ray| colour(ray, glass, depth - 1);
-    terms.specular + through_glass(ray.direction, p, n, index, next)
+    let next = |ray: &Ray| colour(scene, ray, depth - 1);
+    terms.specular + through_glass(ray, &point, index, next)
 }
 
-/// What a ray along `v` sees in the surface of glass at `p`, where `next` is the
-/// colour that a ray from there sees; `n` points out of the glass.
-pub fn through_glass(
-    v: DVec3,
-    p: DVec3,
-    n: DVec3,
+/// What `ray` sees in the surface of glass at `point`, where `next` is the colour
+/// that a ray from there sees.
+pub fn through_glass<M>(
+    ray: &Ray,
+    point: &Point<M>,
     index: f64,
     next: impl Fn(&Ray) -> DVec3,
 ) -> DVec3 {
+    let (v, p, n) = (ray.direction, point.p, point.n);
     // A ray that leaves the glass meets its surface from within: turn n to face it.
     let (n, ratio) = if v.dot(n) < 0.0 { (n, 1.0 / index) } else { (-n, index) };
     let mirrored = next(&Ray { start: p + OFFSET * n, direction: reflect(-v, n) });
@@ -87,11 +96,12 @@ pub fn through_glass(
     part * mirrored + (1.0 - part) * refracted
 }
 
-/// The picture: the colour of every ray.
+/// The picture: a ray may meet ten surfaces of glass, one after the other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, |ray| colour(ray, &GLASS, DEPTH))
+    let scene = glasses(1.5);
+    render(camera, samples, |ray| colour(&scene, ray, 10))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -3,10 +3,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use std::process::ExitCode;
 use step05_phong::{
-    AMBIENT_LIGHT, Camera, LIGHTS, Light, MATERIALS, Material, Ray, SPHERES,
-    ambient, diffuse, direction_colour, nearest, normal, render, run,
+    Camera, Light, Material, Ray, Scene, direction_colour, phong, render, run,
+    scene, seen,
 };
 
 /// h, the unit vector halfway between the unit vectors `l` and `v`, which are not
@@ -32,29 +31,29 @@ pub fn specular(
         * light.specular
 }
 
-/// The colour that `ray` sees.
-pub fn colour(ray: &Ray) -> DVec3 {
-    let Some(hit) = nearest(&SPHERES, ray) else { return direction_colour(ray) };
-    let p = ray.at(hit.t);
-    let n = normal(&SPHERES[hit.index], p);
-    let v = -ray.direction.normalize();
-    let material = &MATERIALS[hit.index];
-    let mut intensity = ambient(material.surface.ambient, AMBIENT_LIGHT);
-    for light in &LIGHTS {
-        let (l, d) = light.point.seen_from(p);
-        intensity += diffuse(n, l, d, material.surface.diffuse, &light.point);
-        if 0.0 < n.dot(l) {
-            intensity += specular(n, halfway(l, v), d, material, light);
+/// The colour that `ray` sees: this step's, but for the highlights.
+fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
+    let Some(point) = seen(&scene.objects, ray) else {
+        return direction_colour(ray);
+    };
+    let mut terms = phong(ray, &point, scene.ambient_light, &scene.lights);
+    terms.specular = DVec3::ZERO;
+    for light in &scene.lights {
+        let (l, d) = light.point.seen_from(point.p);
+        if 0.0 < point.n.dot(l) {
+            let h = halfway(l, -ray.direction.normalize());
+            terms.specular += specular(point.n, h, d, point.material, light);
         }
     }
-    intensity
+    terms.sum()
 }
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, colour)
+    let scene = scene();
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
-fn main() -> ExitCode {
-    run(env!("CARGO_CRATE_NAME"), picture)
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -1,0 +1,102 @@
+//! The exercises: each solution's picture is locked, its mathematics holds, and the
+//! book has it.
+
+#![allow(dead_code, reason = "the main of an example runs as a program only")]
+
+mod step01;
+mod step02;
+mod step03;
+mod step04;
+mod step05;
+
+use glam::DVec3;
+use image::RgbImage;
+use std::{fs, thread};
+use step01_rays::{Camera, Ray};
+use tests::{assert_locked, camera};
+
+const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../");
+
+type Picture = fn(&Camera, u32) -> RgbImage;
+
+/// The name of each locked picture, and what draws it anew.
+const PICTURES: [(&str, Picture); 21] = [
+    ("step01_rays", step01::step01_starter::picture),
+    ("graticule", step01::graticule::picture),
+    ("look_at", step01::look_at::picture),
+    ("panorama", step01::panorama::picture),
+    ("step02_sphere", step02::step02_starter::picture),
+    ("lens", step02::lens::picture),
+    ("plane", step02::plane::picture),
+    ("quadric", step02::quadric::picture),
+    ("step03_nearest", step03::step03_starter::picture),
+    ("depth", step03::depth::picture),
+    ("jitter", step03::jitter::picture),
+    ("many", step03::many::picture),
+    ("step04_diffuse", step04::step04_starter::picture),
+    ("gamma", step04::gamma::picture),
+    ("shadows", step04::shadows::picture),
+    ("spot", step04::spot::picture),
+    ("sun", step04::sun::picture),
+    ("step05_phong", step05::step05_starter::picture),
+    ("glass", step05::glass::picture),
+    ("halfway", step05::halfway::picture),
+    ("mirror", step05::mirror::picture),
+];
+
+#[test]
+fn each_picture_is_locked() {
+    // In a thread of its own, so that one that fails does not hide another.
+    thread::scope(|scope| {
+        for (name, picture) in PICTURES {
+            scope.spawn(move || assert_locked(name, &picture(&camera(), 1)));
+        }
+    });
+}
+
+/// The rays through all pixels of the camera.
+fn rays_of_camera() -> impl Iterator<Item = Ray> {
+    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
+    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+}
+
+/// The unit vector at `angle` from the y axis.
+fn from_angle(angle: f64) -> DVec3 {
+    DVec3::new(angle.sin(), angle.cos(), 0.0)
+}
+
+/// The names of what is in the folder `path` of the workspace.
+fn files(path: &str) -> impl Iterator<Item = String> {
+    let files = fs::read_dir(WORKSPACE.to_owned() + path).expect(path).flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    names.filter(|name| !name.starts_with('.'))
+}
+
+#[test]
+fn no_exercise_is_forgotten() {
+    let text =
+        |path: &str| fs::read_to_string(WORKSPACE.to_owned() + path).expect(path);
+    let mut missing = vec![];
+    let locked: Vec<String> = files("tests/snapshots").collect();
+    for step in files("steps") {
+        let chapter = text(&format!("book/chapters/{step}.md"));
+        let pages = text("book/chapters/solutions.md") + &chapter;
+        let folder = format!("steps/{step}/examples");
+        for file in files(&folder).filter(|file| file != "my_scene.rs") {
+            let name = file.trim_end_matches(".rs");
+            let picture = if name.ends_with("_starter") { &step } else { name };
+            let listing = format!("{{{{#include ../../{folder}/{file}}}}}");
+            for (is_there, place) in [
+                (PICTURES.iter().any(|(name, _)| *name == picture), "PICTURES"),
+                (locked.contains(&format!("{picture}.snap.png")), "snapshots"),
+                (chapter.contains(&format!("`examples/{file}`")), "its chapter"),
+                (pages.contains(&listing), "solutions.md"),
+            ] {
+                if !is_there {
+                    missing.push(format!("{folder}/{file} is not in {place}"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+}

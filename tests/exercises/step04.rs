@@ -1,0 +1,137 @@
+#[path = "../../steps/step04_diffuse/examples/gamma.rs"]
+pub mod gamma;
+#[path = "../../steps/step04_diffuse/examples/shadows.rs"]
+pub mod shadows;
+#[path = "../../steps/step04_diffuse/examples/spot.rs"]
+pub mod spot;
+#[path = "../../steps/step04_diffuse/examples/step04_starter.rs"]
+pub mod step04_starter;
+#[path = "../../steps/step04_diffuse/examples/sun.rs"]
+pub mod sun;
+
+use crate::{from_angle, rays_of_camera};
+use glam::DVec3;
+use image::Rgb;
+use proptest::prelude::*;
+use step04_diffuse::{
+    Attenuation, COOL, Object, Point, PointLight, Ray, Surface, WARM, colour,
+    diffuse, scene, seen,
+};
+use tests::{camera, locked, point, unit};
+
+const GREY: DVec3 = DVec3::splat(0.5);
+
+// gamma
+
+#[test]
+fn half_the_light_is_the_byte_188_and_too_much_is_white() {
+    assert_eq!(gamma::rgb8(GREY), Rgb([188; 3]));
+    assert_eq!(gamma::rgb8(DVec3::new(-1.0, 2.0, 1e9)), Rgb([0, 255, 255]));
+}
+
+#[test]
+fn the_curve_comes_after_the_mean() {
+    // The pixel in which the red sphere ends before the sky.
+    let camera = camera();
+    let (j, red) = (190, |i: u32| locked("gamma").get_pixel(i, 190)[2] < 150);
+    let i = (270..400).find(|&i| !red(i)).expect("an edge") - 1;
+    let centres = [-0.375, -0.125, 0.125, 0.375];
+    let rays = centres.iter().flat_map(|v| centres.map(|u| (u, *v)));
+    let ray = |(u, v)| camera.ray(f64::from(i) + u, f64::from(j) + v);
+    let scene = scene();
+    let mean = rays.map(ray).map(|ray| colour(&scene, &ray)).sum::<DVec3>();
+    let pixel = gamma::picture(&camera, 4)[(i, j)];
+    assert_eq!(pixel, gamma::rgb8(mean / 16.0));
+}
+
+// spot
+
+/// The spot light that shines from (0, 4, 0) downwards.
+fn down() -> spot::SpotLight {
+    let position = DVec3::new(0.0, 4.0, 0.0);
+    let spot = spot::night().lights[0];
+    let point = PointLight { position, ..spot.point };
+    spot::SpotLight { point, axis: DVec3::NEG_Y, ..spot }
+}
+
+#[test]
+fn the_cone_is_whole_inside_empty_outside_and_half_between() {
+    let spot = down();
+    let (inner, outer) = (spot.inner, spot.outer);
+    let part = |angle: f64| spot.cone(from_angle(angle));
+    assert_eq!([part(0.0), part(inner / 2.0)], [1.0, 1.0]);
+    assert_eq!([part(1.01 * outer), part(3.0)], [0.0, 0.0]);
+    let half = f64::midpoint(inner.cos(), outer.cos()).acos();
+    assert!((part(half) - 0.5).abs() < 1e-12);
+}
+
+// shadows
+
+/// The objects of the scene, each with its place in the list.
+fn numbered() -> Vec<Object<usize>> {
+    let objects = scene().objects.into_iter().enumerate();
+    let numbered = |(material, Object { sphere, .. })| Object { sphere, material };
+    objects.map(numbered).collect()
+}
+
+#[test]
+fn a_sphere_hides_a_light_behind_it_and_none_before_it() {
+    let objects = numbered();
+    let sphere = objects[0].sphere;
+    let at = |radii: f64| sphere.centre + radii * sphere.radius * DVec3::Z;
+    let point = Point { p: at(4.0), n: DVec3::Z, material: &0 };
+    assert!(shadows::hidden(&objects, &point, at(-1.1)));
+    assert!(shadows::hidden(&objects, &point, at(0.9)));
+    assert!(!shadows::hidden(&objects, &point, at(2.0)));
+}
+
+#[test]
+fn a_surface_that_faces_a_light_is_hidden_by_other_objects_only() {
+    let (objects, mut hidden_by_itself) = (numbered(), 0);
+    for ray in rays_of_camera() {
+        let Some(point) = seen(&objects, &ray) else { continue };
+        for q in [WARM.position, COOL.position] {
+            if point.n.dot(q - point.p) <= 0.0 {
+                continue;
+            }
+            let ray = Ray { start: point.p, direction: q - point.p };
+            let hides = |object: &Object<usize>| {
+                object.sphere.intersect(&ray).first_hit().is_some_and(|t| t < 1.0)
+            };
+            let own = *point.material;
+            let other = objects.iter().any(|one| one.material != own && hides(one));
+            assert_eq!(shadows::hidden(&objects, &point, q), other, "{point:?}");
+            hidden_by_itself += u32::from(hides(&objects[own]));
+        }
+    }
+    // Without the offset there would be this many wrong shadows.
+    assert!(50_000 < hidden_by_itself, "{hidden_by_itself}");
+}
+
+proptest! {
+    #[test]
+    fn the_curve_rises_and_has_its_inverse(i in 0.0..1.0) {
+        let v = gamma::srgb(i);
+        prop_assert!(i <= v && v < gamma::srgb(i + 1e-6));
+        let back =
+            if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+        prop_assert!((back - i).abs() < 1e-7);
+    }
+
+    #[test]
+    fn the_sun_is_a_point_light_far_away_that_does_not_fade(p in point(), n in unit()) {
+        let sun::Sun { direction, diffuse: l_d } = sun::SUN;
+        let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
+        let light = PointLight { position: 1e9 * direction, diffuse: l_d, attenuation };
+        let ((l, d), grey) = (light.seen_from(p), Surface::of(GREY));
+        let far = diffuse(n, l, d, &grey, &light);
+        prop_assert!(sun::SUN.diffuse(n, &grey).distance(far) < 1e-7);
+    }
+
+    #[test]
+    fn the_cone_never_brightens_and_fades_outwards(a in 0.0..3.1, b in 0.0..3.1) {
+        let (near, far) = (f64::min(a, b), f64::max(a, b));
+        let (near, far) = (down().cone(from_angle(near)), down().cone(from_angle(far)));
+        prop_assert!(0.0 <= far && far <= near && near <= 1.0);
+    }
+}
