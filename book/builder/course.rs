@@ -1,5 +1,5 @@
 use crate::draft::{self, Chapter};
-use crate::fault::{Fault, Faults};
+use crate::fault::{self, Fault};
 use crate::files::CHAPTERS;
 use crate::picture;
 use anyhow::{Context, Result};
@@ -44,7 +44,7 @@ impl Preprocessor for Course {
                 faults.push(fault((1, what.to_string())));
             }
         });
-        Faults::check(faults)?;
+        fault::check(&faults)?;
         Ok(book)
     }
 }

@@ -1,6 +1,6 @@
 use crate::markdown::{self, directive};
 use crate::{boxes, excerpt, figures, formula, picture, values};
-use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
 
@@ -130,12 +130,13 @@ impl Draft<'_> {
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         if content.trim_start().starts_with("{{#include") {
-            let excerpt = excerpt::read(language, &content, self.workspace);
-            return Part::Block(excerpt.map(|excerpt| {
-                let id = Some(excerpt.id()).filter(|id| !self.shown.contains(id));
-                self.shown.extend(id.clone());
-                excerpt.html(id.as_deref())
-            }));
+            let ids = &mut self.shown;
+            return Part::Block(excerpt::html(
+                language,
+                &content,
+                self.workspace,
+                ids,
+            ));
         }
         match language.to_lowercase().as_str() {
             "" => wrong("the fence names no language; text is one, too"),
@@ -172,23 +173,17 @@ impl Draft<'_> {
         range: &Range<usize>,
     ) -> Vec<picture::Picture> {
         let mut pictures = vec![];
-        let mut inside = false;
-        for (event, inner) in
-            events.iter().take_while(|(_, inner)| inner.start < range.end).skip(1)
-        {
-            match event {
-                Event::Start(Tag::Image { dest_url, title, .. }) => {
-                    inside = true;
-                    let markdown = &self.text[inner.clone()];
-                    pictures.push(picture::Picture::new(markdown, dest_url, title));
-                }
-                Event::End(TagEnd::Image) => inside = false,
-                Event::SoftBreak | Event::End(TagEnd::Paragraph) => {}
-                _ if inside => {}
-                _ => return vec![],
+        let mut rest = self.text[range.clone()].to_string();
+        for (event, inner) in events {
+            if let Event::Start(Tag::Image { dest_url, title, .. }) = event
+                && inner.start < range.end
+            {
+                let markdown = &self.text[inner.clone()];
+                pictures.push(picture::Picture::new(markdown, dest_url, title));
+                rest = rest.replacen(markdown, "", 1);
             }
         }
-        pictures
+        if rest.trim().is_empty() { pictures } else { vec![] }
     }
 
     /// Finds dollar signs that are no formula.

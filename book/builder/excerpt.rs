@@ -1,33 +1,22 @@
 use crate::files::{CHAPTERS, joined};
 use crate::markdown::escape;
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 
-/// All of a file, or the part of it that a chapter shows.
-#[derive(Debug)]
-pub struct Excerpt {
-    /// The file, as seen from the root of the workspace.
-    path: String,
-    language: String,
-    /// The lines it shows.
-    lines: Vec<String>,
-    /// The number of the first of them, from 1.
-    first: usize,
-    /// How many lines the file has.
-    total: usize,
-}
-
-/// Reads what the include in a fence of `language` asks for, such as
-/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`.
+/// The listing for `{{#include path}}` or a part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
+/// caption that says which lines of which file it is.
 ///
-/// A path is relative to the chapters. A part begins and ends before the items whose
-/// first lines begin so.
-pub fn read(
+/// A path is relative to the chapters. The first listing of a file on a page has an
+/// id for links to it, such as `listing-step01_rays-src-ray.rs`; `ids` holds those.
+pub fn html(
     language: &str,
-    content: &str,
+    include: &str,
     workspace: &Path,
-) -> Result<Excerpt, String> {
-    let target = content
+    ids: &mut Vec<String>,
+) -> Result<String, String> {
+    let target = include
         .trim()
         .strip_prefix("{{#include ")
         .and_then(|rest| rest.strip_suffix("}}"))
@@ -38,19 +27,41 @@ pub fn read(
     let text = fs::read_to_string(workspace.join(&path))
         .map_err(|_| format!("there is no file {target}"))?;
     let lines: Vec<&str> = text.lines().collect();
+    let range = range(part, &lines)?;
+    let (first, last, total) = (range.start + 1, range.end, lines.len());
+    let part = |lines| format!(r#" <span class="part">{lines} of {total}</span>"#);
+    let part = match (first, last) {
+        (1, last) if last == total => String::new(),
+        (first, last) if first == last => part(format!("line {first}")),
+        _ => part(format!("lines {first}–{last}")),
+    };
+    let shown = path.strip_prefix("steps/").unwrap_or(&path);
+    let at = shown.rfind('/').map_or(0, |at| at + 1);
+    let (folder, file) = (escape(&shown[..at]), escape(&shown[at..]));
+    let new = Some(format!("listing-{}", shown.replace('/', "-")));
+    let new = new.filter(|id| !ids.contains(id));
+    ids.extend(new.clone());
+    let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
+    let code = lines[range].join("\n");
+    let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(3.max(ticks + 1));
+    Ok(format!(
+        "<figure class=\"listing\"{id} data-path=\"{}\" data-lines=\"{first}-{last}\">\
+         <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
+         {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
+        escape(&path),
+    ))
+}
+
+/// The lines of a part such as `use..impl Ray`, which begins and ends before what
+/// begins with these words.
+fn range(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
     let (from, to) = part.split_once("..").ok_or(format!(
         "a part is ..how its end begins, or how it begins.., not {part}"
     ))?;
-    let first = if from.is_empty() { 0 } else { find(from, &lines, 0)? };
-    let end =
-        if to.is_empty() { lines.len() } else { find(to, &lines, first + 1)? };
-    Ok(Excerpt {
-        path,
-        language: language.to_string(),
-        lines: lines[first..end].iter().map(|line| line.to_string()).collect(),
-        first: first + 1,
-        total: lines.len(),
-    })
+    let start = if from.is_empty() { 0 } else { find(from, lines, 0)? };
+    let end = if to.is_empty() { lines.len() } else { find(to, lines, start + 1)? };
+    Ok(start..end)
 }
 
 /// The place of the first line, not before `from`, that begins with these words, or
@@ -65,47 +76,4 @@ fn find(words: &str, lines: &[&str], from: usize) -> Result<usize, String> {
         at -= 1;
     }
     Ok(at)
-}
-
-impl Excerpt {
-    /// An id for links to it, such as `listing-step01_rays-src-ray.rs`.
-    pub fn id(&self) -> String {
-        format!("listing-{}", self.shown_path().replace('/', "-"))
-    }
-
-    /// The listing under a caption that says which file it is, and which lines of
-    /// it.
-    pub fn html(&self, id: Option<&str>) -> String {
-        let (path, shown, total) = (&self.path, self.shown_path(), self.total);
-        let (first, last) = (self.first, self.first + self.lines.len() - 1);
-        let id = id.map_or(String::new(), |id| format!(r#" id="{id}""#));
-        let (folder, file) = shown.rsplit_once('/').unwrap_or(("", shown));
-        let slash = if folder.is_empty() { "" } else { "/" };
-        let lines = match (self.lines.len(), first == last) {
-            (all, _) if all == total => String::new(),
-            (_, true) => format!("line {first} of {total}"),
-            _ => format!("lines {first}–{last} of {total}"),
-        };
-        let part = match &*lines {
-            "" => String::new(),
-            lines => format!(r#" <span class="part">{lines}</span>"#),
-        };
-        let code = self.lines.join("\n");
-        let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-        let fence = "`".repeat(3.max(ticks + 1));
-        format!(
-            "<figure class=\"listing\"{id} data-path=\"{}\" data-lines=\"{first}-{last}\">\
-             <figcaption><span class=\"path\">{}{slash}<b>{}</b></span>{part}</figcaption>\n\n\
-             {fence}{}\n{code}\n{fence}\n\n</figure>\n",
-            escape(path),
-            escape(folder),
-            escape(file),
-            self.language,
-        )
-    }
-
-    /// The path without the folder of all steps.
-    fn shown_path(&self) -> &str {
-        self.path.strip_prefix("steps/").unwrap_or(&self.path)
-    }
 }

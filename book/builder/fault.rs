@@ -1,4 +1,4 @@
-use std::error::Error;
+use anyhow::{Result, bail};
 use std::fmt;
 
 /// Something in the book that only its author can mend.
@@ -18,25 +18,12 @@ impl fmt::Display for Fault {
     }
 }
 
-/// All faults at once, in the order of files and lines; they stop the build.
-#[derive(Debug)]
-pub struct Faults(Vec<Fault>);
-
-impl Faults {
-    /// An error if there are faults.
-    pub fn check(faults: Vec<Fault>) -> Result<(), Self> {
-        if faults.is_empty() { Ok(()) } else { Err(Self(faults)) }
+/// An error that tells all faults at once, if there are any; it stops the build.
+pub fn check(faults: &[Fault]) -> Result<()> {
+    let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
+    match faults.len() {
+        0 => Ok(()),
+        1 => bail!("{all}The book is not done: one fault."),
+        many => bail!("{all}The book is not done: {many} faults."),
     }
 }
-
-impl fmt::Display for Faults {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        self.0.iter().try_for_each(|fault| writeln!(f, "{fault}"))?;
-        match self.0.len() {
-            1 => write!(f, "The book is not done: one fault."),
-            many => write!(f, "The book is not done: {many} faults."),
-        }
-    }
-}
-
-impl Error for Faults {}

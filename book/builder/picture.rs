@@ -1,4 +1,4 @@
-use crate::files::CHAPTERS;
+use crate::files::{CHAPTERS, Files};
 use crate::gallery;
 use crate::markdown::{escape, inline};
 use anyhow::{Context, Result};
@@ -79,32 +79,21 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
 pub fn copy_snapshots(workspace: &Path) -> Result<()> {
-    let from = workspace.join("tests/snapshots");
-    let to = workspace.join(CHAPTERS).join("pictures");
-    fs::create_dir_all(&to)
-        .with_context(|| format!("{} can't be made", to.display()))?;
-    let mut names = gallery::draw(&to)?;
-    for snapshot in files(&from)? {
-        if let Some(name) = snapshot.strip_suffix(".snap.png") {
-            let name = format!("{name}.png");
-            let bytes =
-                fs::read(from.join(&snapshot)).with_context(|| snapshot.clone())?;
-            if fs::read(to.join(&name)).ok().as_ref() != Some(&bytes) {
-                fs::write(to.join(&name), bytes).with_context(|| name.clone())?;
-            }
-            names.push(name);
+    let folder = workspace.join(CHAPTERS).join("pictures");
+    fs::create_dir_all(&folder)
+        .with_context(|| format!("{} can't be made", folder.display()))?;
+    let mut names = gallery::draw(&folder)?;
+    let old = Files::read(&folder)?.0;
+    for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
+        let Some(name) = name.strip_suffix(".snap.png") else { continue };
+        let name = format!("{name}.png");
+        if old.get(&name) != Some(&bytes) {
+            fs::write(folder.join(&name), bytes).with_context(|| name.clone())?;
         }
+        names.push(name);
     }
-    for stale in files(&to)?.iter().filter(|name| !names.contains(name)) {
-        fs::remove_file(to.join(stale)).with_context(|| stale.clone())?;
+    for stale in old.keys().filter(|name| !names.contains(name)) {
+        fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }
     Ok(())
-}
-
-fn files(folder: &Path) -> Result<Vec<String>> {
-    let entries = fs::read_dir(folder)
-        .with_context(|| format!("no folder {}", folder.display()))?;
-    let names =
-        entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
-    names.collect()
 }

@@ -1,5 +1,4 @@
-use crate::fault::Faults;
-use crate::{Course, Files, Site, link};
+use crate::{Course, Files, Site, fault, link};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use std::path::{Component, Path, PathBuf, absolute};
@@ -25,6 +24,6 @@ pub fn build(root: &Path) -> Result<(PathBuf, Site)> {
         }
     }
     let site = Site::new(Files::read(&folder)?);
-    Faults::check(link::faults(&site))?;
+    fault::check(&link::faults(&site))?;
     Ok((folder, site))
 }

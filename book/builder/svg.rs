@@ -24,7 +24,12 @@ pub struct View {
 impl View {
     /// The place in the drawing of a point of the world.
     pub fn at(&self, point: DVec2) -> DVec2 {
-        self.origin + self.scale * dvec2(point.x, -point.y)
+        self.xy(point.x, point.y)
+    }
+
+    /// The place of the point (x, y).
+    pub fn xy(&self, x: f64, y: f64) -> DVec2 {
+        self.origin + self.scale * dvec2(x, -y)
     }
 }
 
@@ -50,17 +55,13 @@ impl Drawing {
 
     /// A line through all `points`.
     pub fn path(&mut self, class: &str, points: &[DVec2]) {
-        let _ = write!(
-            self.body,
-            r#"<path class="{class}" d="{}"></path>"#,
-            steps(points)
-        );
+        self.body +=
+            &format!(r#"<path class="{class}" d="{}"></path>"#, steps(points));
     }
 
     /// The area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: &[DVec2]) {
-        let _ = write!(
-            self.body,
+        self.body += &format!(
             r#"<path class="{class} area" d="{}Z"></path>"#,
             steps(points)
         );
@@ -69,8 +70,7 @@ impl Drawing {
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let (x, y) = (centre.x, centre.y);
-        let _ = write!(
-            self.body,
+        self.body += &format!(
             r#"<circle class="{class}" cx="{x:.2}" cy="{y:.2}" r="{radius:.2}"></circle>"#
         );
     }
@@ -120,8 +120,7 @@ impl Drawing {
             .map(|(k, part)| if k % 2 == 0 { escape(part) } else { symbol(part) })
             .collect();
         let (x, y) = (at.x, at.y);
-        let _ = write!(
-            self.body,
+        self.body += &format!(
             r#"<text class="{class}" x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{spans}</text>"#
         );
     }
@@ -140,17 +139,8 @@ impl Drawing {
 
 /// The commands of a path through `points`.
 fn steps(points: &[DVec2]) -> String {
-    let mut steps = String::new();
-    for (k, point) in points.iter().enumerate() {
-        let _ = write!(
-            steps,
-            "{}{:.2} {:.2}",
-            if k == 0 { 'M' } else { 'L' },
-            point.x,
-            point.y
-        );
-    }
-    steps
+    let step = |point: &DVec2| format!("{:.2} {:.2}", point.x, point.y);
+    format!("M{}", points.iter().map(step).collect::<Vec<_>>().join("L"))
 }
 
 /// A symbol in the letters of the formulas: `_` puts the next one below the line,

@@ -25,36 +25,29 @@ fn faults(book: &Site, source: &Files, tests: &Files) -> Vec<String> {
         let Some(title) = row.text("Slide") else { continue };
         titles.push(title.replace('’', "'"));
         let at = row.at();
-        let codes = row.codes("In the code");
-        let missing = codes.iter().filter(|name| !items.has(name));
-        faults.extend(
-            missing
-                .map(|name| format!("The code has no {name}, which {at} names.")),
-        );
-        let names = row.codes("Test");
-        let missing = names.iter().filter(|name| !has_test(tests, name));
-        faults.extend(
-            missing
-                .map(|name| format!("There is no test {name}, which {at} names.")),
-        );
+        let (codes, names) = (row.codes("In the code"), row.codes("Test"));
+        for name in codes.iter().filter(|name| !items.has(name)) {
+            faults.push(format!("The code has no {name}, which {at} names."));
+        }
+        for name in names.iter().filter(|name| !has_test(tests, name)) {
+            faults.push(format!("There is no test {name}, which {at} names."));
+        }
         if names.is_empty() && !codes.is_empty() {
             faults.push(format!("No test holds the code of the slide at {at}."));
         }
     }
     // "Ambient Term" is "Phong Reflection Model: Ambient Term".
-    let is_known = |slide: &String| {
+    let is_known = |slide: &str| {
         let end = format!(": {slide}");
         titles.iter().any(|title| title == slide || title.ends_with(&end))
     };
     for page in book.chapters() {
-        let unknown =
-            quoted(&page.text).into_iter().filter(|slide| !is_known(slide));
-        let name = &page.name;
-        faults.extend(
-            unknown.map(|slide| {
-                format!("The map has no slide {slide:?}, see {name}.")
-            }),
-        );
+        for slide in quoted(&page.text).iter().filter(|slide| !is_known(slide)) {
+            faults.push(format!(
+                "The map has no slide {slide:?}, see {}.",
+                page.name
+            ));
+        }
     }
     faults
 }

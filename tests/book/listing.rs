@@ -89,21 +89,17 @@ impl<'a> Listing<'a> {
     /// Compares it with the lines of its file, from the line `first` on.
     fn compare(&self, first: usize, source: &[&str]) -> Result<(), String> {
         let Self { at, path, .. } = self;
-        let mut code = self.code.split('\n');
-        for (number, line) in (first..).zip(source) {
-            let shown = code.next();
-            if shown != Some(line) {
-                return Err(format!(
-                    "The listing on {at} has {:?} for line {number} of {path}, {line:?}.",
-                    shown.unwrap_or("nothing")
-                ));
-            }
+        let code: Vec<_> = self.code.split('\n').collect();
+        let differs = |&k: &usize| code.get(k) != source.get(k);
+        match (0..code.len().max(source.len())).find(differs) {
+            None => Ok(()),
+            Some(k) => Err(format!(
+                "The listing on {at} has {:?} for line {} of {path}, {:?}.",
+                code.get(k).unwrap_or(&"nothing"),
+                first + k,
+                source.get(k).unwrap_or(&"nothing"),
+            )),
         }
-        code.next().map_or(Ok(()), |more| {
-            Err(format!(
-                "The listing on {at} goes on after its last line: {more:?}."
-            ))
-        })
     }
 }
 

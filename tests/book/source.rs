@@ -112,7 +112,7 @@ fn a_missing_line_is_found() {
 fn a_line_too_many_is_found() {
     let end = "self.start + t * self.direction\n    }\n}";
     let book = BOOK.with(PAGE, end, &format!("{end}\n// The end"));
-    found(&book, &[PAGE, "goes on", "// The end"]);
+    found(&book, &[PAGE, "\"// The end\" for line 18", "nothing"]);
 }
 
 #[test]

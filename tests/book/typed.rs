@@ -27,22 +27,15 @@ fn fault(book: &Site) -> Option<String> {
         for listing in Listing::all(page) {
             files.entry(listing.path).or_default().push(listing);
         }
-        if page.name == SOLUTIONS {
-            let written = typist.write(&files);
-            let faults =
-                written.and_then(|()| typist.fault_of_examples(&solutions(page)));
-            let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
-            if let Some(what) = fault {
-                return Some(format!("At the end of {SOLUTIONS}, {what}."));
-            }
-        }
-        let Some(step) = steps.next_if(|step| page.name == format!("{step}.html"))
-        else {
-            continue;
+        let step = steps.next_if(|step| page.name == format!("{step}.html"));
+        let checked = match step {
+            None if page.name != SOLUTIONS => continue,
+            _ => typist.write(&files).and_then(|()| match step {
+                Some(step) => typist.check(step),
+                None => typist.check_examples(&solutions(page)),
+            }),
         };
-        let faults = typist.write(&files).and_then(|()| typist.fault(step));
-        let fault = faults.unwrap_or_else(|error| Some(error.to_string()));
-        if let Some(what) = fault {
+        if let Err(what) = checked {
             return Some(format!("At the end of {}, {what}.", page.name));
         }
     }

@@ -1,10 +1,11 @@
 use crate::listing::Listing;
+use anyhow::{Context, Result, bail, ensure};
 use book::Files;
 use gallery::workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs, io};
+use std::{env, fs};
 use tests::{Difference, locked, target};
 
 /// The crates, in the order in which a reader writes them.
@@ -25,19 +26,19 @@ impl Typist {
     /// Moves every file out of the crates, until the book shows it.
     ///
     /// A file that is moved keeps its time, so Cargo has nothing to do for it.
-    pub fn put_aside(&self) -> io::Result<()> {
+    pub fn put_aside(&self) -> Result<()> {
         let steps = self.folder.join("steps");
         fs::create_dir_all(&steps)?;
         for path in Files::read(&steps)?.0.keys() {
             rename(&steps.join(path), &self.folder.join("later/steps").join(path))?;
         }
-        fs::remove_dir_all(&steps)
+        Ok(fs::remove_dir_all(&steps)?)
     }
 
     /// Writes the files that the book has shown so far.
     ///
     /// A part of a file goes where its caption says.
-    pub fn write(&self, files: &BTreeMap<&str, Vec<Listing>>) -> io::Result<()> {
+    pub fn write(&self, files: &BTreeMap<&str, Vec<Listing>>) -> Result<()> {
         for (path, parts) in files {
             let mut parts: Vec<_> = parts.iter().collect();
             parts.sort_by_key(|part| part.lines());
@@ -57,58 +58,45 @@ impl Typist {
         Ok(())
     }
 
-    /// What is wrong with the workspace now that the chapter of `step` is typed.
-    pub fn fault(&self, step: &str) -> io::Result<Option<String>> {
+    /// Says what is wrong with the workspace now that the chapter of `step` is typed.
+    pub fn check(&self, step: &str) -> Result<()> {
         let program = self.folder.join("target/debug").join(step);
         let program = program.with_extension(env::consts::EXE_EXTENSION);
         // What an earlier run left does not count.
         let _ = fs::remove_file(&program);
-        if let Some(fault) = said(self.cargo(step))? {
-            return Ok(Some(fault));
-        }
-        if let Some(package) = self.unlocked()? {
-            return Ok(Some(format!(
-                "Cargo takes a package not in our lock: {package}"
-            )));
-        }
-        Ok(self.other_picture(&program, step))
-    }
-
-    /// What is wrong with the solutions and starters, now that they are typed as well.
-    pub fn fault_of_examples(&self, names: &[&str]) -> io::Result<Option<String>> {
-        let mut cargo = self.cargo("examples");
-        cargo.arg("--examples");
-        if let Some(fault) = said(cargo)? {
-            return Ok(Some(fault));
-        }
-        let programs = self.folder.join("target/debug/examples");
-        let mut faults = names.iter().filter_map(|name| {
-            let program = programs.join(name);
-            let program = program.with_extension(env::consts::EXE_EXTENSION);
-            self.other_picture(&program, name)
-        });
-        Ok(faults.next())
-    }
-
-    /// How the picture that `program` writes differs from the locked one of its name.
-    fn other_picture(&self, program: &Path, name: &str) -> Option<String> {
-        let file = self.folder.join(format!("{name}.png"));
-        let _ = fs::remove_file(&file);
-        let ran = Command::new(program).current_dir(&self.folder).output();
-        let Ok(picture) = ran.map_err(Into::into).and_then(|_| image::open(file))
-        else {
-            return Some(format!("no program {name} writes {name}.png"));
-        };
-        let difference = Difference::between(&locked(name), &picture.to_rgb8());
-        difference.map(|how| format!("{name} draws another picture: {how}"))
-    }
-
-    /// A package in the lock that Cargo wrote, but not in ours, if there is one.
-    fn unlocked(&self) -> io::Result<Option<String>> {
+        build(self.cargo(step))?;
         let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
         let (ours, theirs) = (lock(&workspace())?, lock(&self.folder)?);
-        let (ours, theirs) = (packages(&ours), packages(&theirs));
-        Ok(theirs.difference(&ours).next().cloned())
+        if let Some(package) = packages(&theirs).difference(&packages(&ours)).next()
+        {
+            bail!("Cargo takes a package not in our lock: {package}");
+        }
+        self.compare(&program, step)
+    }
+
+    /// Says what is wrong with the solutions and starters, typed as well by now.
+    pub fn check_examples(&self, names: &[&str]) -> Result<()> {
+        let mut cargo = self.cargo("examples");
+        cargo.arg("--examples");
+        build(cargo)?;
+        let programs = self.folder.join("target/debug/examples");
+        names.iter().try_for_each(|name| {
+            let program = programs.join(name);
+            self.compare(&program.with_extension(env::consts::EXE_EXTENSION), name)
+        })
+    }
+
+    /// Compares the picture that `program` writes with the locked one of its name.
+    fn compare(&self, program: &Path, name: &str) -> Result<()> {
+        let file = self.folder.join(format!("{name}.png"));
+        let _ = fs::remove_file(&file);
+        let _ = Command::new(program).current_dir(&self.folder).output();
+        let picture = image::open(file);
+        let picture = picture.with_context(|| format!("no program {name}"))?;
+        match Difference::between(&locked(name), &picture.to_rgb8()) {
+            Some(how) => bail!("{name} draws another picture: {how}"),
+            None => Ok(()),
+        }
     }
 
     /// Cargo, told to build the programs, and the benchmarks of `step`.
@@ -133,17 +121,18 @@ impl Typist {
 }
 
 /// Moves a file into a folder that need not be there.
-fn rename(from: &Path, to: &Path) -> io::Result<()> {
+fn rename(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to.with_file_name(""))?;
-    fs::rename(from, to)
+    Ok(fs::rename(from, to)?)
 }
 
-/// Why Cargo does not build, in its own words, where it does not.
-fn said(mut cargo: Command) -> io::Result<Option<String>> {
+/// Builds, or tells why Cargo does not, in its own words.
+fn build(mut cargo: Command) -> Result<()> {
     let output = cargo.output()?;
     let text = String::from_utf8_lossy(&output.stderr);
     let error = text.lines().find(|line| line.contains("error")).unwrap_or(&text);
-    Ok((!output.status.success()).then(|| format!("Cargo says: {error}")))
+    ensure!(output.status.success(), "Cargo says: {error}");
+    Ok(())
 }
 
 /// The packages in a lock file, each with its version.

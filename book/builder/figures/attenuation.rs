@@ -8,53 +8,38 @@ pub fn figure() -> Figure {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.25, 0.5, 0.75, 1.0] {
-        drawing.line(
-            "grid",
-            view.at(dvec2(0.0, share)),
-            view.at(dvec2(14.0, share)),
-        );
-        let label = format!("{share}");
+        drawing.line("grid", view.xy(0.0, share), view.xy(14.0, share));
         drawing.label_to(
             "quiet",
-            view.at(dvec2(0.0, share)) + dvec2(-8.0, 5.0),
-            &label,
+            view.xy(0.0, share) + dvec2(-8.0, 5.0),
+            &format!("{share}"),
         );
     }
     for d in [2.0, 4.0, 6.0, 8.0, 10.0, 12.0] {
-        let at = view.at(dvec2(d, 0.0)) + dvec2(0.0, 22.0);
+        let at = view.xy(d, 0.0) + dvec2(0.0, 22.0);
         drawing.label("quiet", at, &format!("{d}"));
     }
-    drawing.arrow("axis", view.origin, view.at(dvec2(14.4, 0.0)));
-    drawing.arrow("axis", view.origin, view.at(dvec2(0.0, 1.14)));
+    drawing.arrow("axis", view.origin, view.xy(14.4, 0.0));
+    drawing.arrow("axis", view.origin, view.xy(0.0, 1.14));
+    let fading = |b, c| Attenuation { a: 1.0, b, c };
     let curves = [
-        (
-            Attenuation { a: 1.0, b: 0.0, c: 0.0 },
-            "curve curve-1",
-            (9.0, -8.0, "$a$ = 1"),
-        ),
-        (
-            Attenuation { a: 1.0, b: 0.2, c: 0.0 },
-            "curve curve-2",
-            (10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
-        ),
-        (
-            Attenuation { a: 1.0, b: 0.0, c: 0.1 },
-            "curve curve-3",
-            (0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
-        ),
-        (WARM.attenuation, "curve curve-4", (7.4, -12.0, "the warm light")),
+        (fading(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
+        (fading(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
+        (fading(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
+        (WARM.attenuation, 7.4, -12.0, "the warm light"),
     ];
-    for (attenuation, class, (d, shift, text)) in curves {
+    for (k, (attenuation, d, shift, text)) in curves.into_iter().enumerate() {
+        let class = &format!("curve curve-{}", k + 1);
         let share = |d: f64| attenuation.at(0.0) / attenuation.at(d);
         let points: Vec<DVec2> = (0..=100)
             .map(|k| f64::from(k) * 0.14)
-            .map(|d| view.at(dvec2(d, share(d))))
+            .map(|d| view.xy(d, share(d)))
             .collect();
         drawing.path(class, &points);
-        let at = view.at(dvec2(d, share(d))) + dvec2(0.0, shift);
+        let at = view.xy(d, share(d)) + dvec2(0.0, shift);
         drawing.label_from(class, at, text);
     }
-    drawing.label("", view.at(dvec2(14.0, 0.0)) + dvec2(4.0, 22.0), "$d$");
+    drawing.label("", view.xy(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
     Figure {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \

@@ -10,13 +10,13 @@ pub fn figure() -> Figure {
         .map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
     let at = |ray: &Ray, t: f64| view.at(ray.at(t).truncate());
     let (film, plane, object) = (-1.0, 1.0, 2.3);
-    let c = view.at(dvec2(0.0, 0.0));
+    let c = view.xy(0.0, 0.0);
     let mut drawing = Drawing::new(480.0, 236.0);
     for t in [film, plane] {
-        let x = view.at(dvec2(t, 0.0)).x;
+        let x = view.xy(t, 0.0).x;
         drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
     }
-    let wall = |y: f64| view.at(dvec2(0.0, y));
+    let wall = |y: f64| view.xy(0.0, y);
     drawing.line("ground", wall(0.82), wall(0.07));
     drawing.line("ground", wall(-0.07), wall(-0.82));
     for ray in [&top, &bottom] {
@@ -26,7 +26,7 @@ pub fn figure() -> Figure {
     for t in [film, plane, object] {
         drawing.arrow("second", at(&bottom, t), at(&top, t));
     }
-    let below = |t: f64, y: f64| dvec2(view.at(dvec2(t, 0.0)).x, y);
+    let below = |t: f64, y: f64| dvec2(view.xy(t, 0.0).x, y);
     for (t, name) in
         [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")]
     {

@@ -11,8 +11,8 @@ pub fn figure() -> Figure {
     let c = view.at(DVec2::ZERO);
     let directions: Vec<DVec2> = (0..7).map(|i| row.direction(i.into())).collect();
     let mut drawing = Drawing::new(480.0, 320.0);
-    drawing.line("plane", view.at(dvec2(-0.86, 1.0)), view.at(dvec2(0.86, 1.0)));
-    drawing.line("guide", c, view.at(dvec2(0.0, 1.0)));
+    drawing.line("plane", view.xy(-0.86, 1.0), view.xy(0.86, 1.0));
+    drawing.line("guide", c, view.xy(0.0, 1.0));
     for &v in &directions[1..] {
         drawing.line("ray faint", c, view.at(1.28 * v));
     }
@@ -42,17 +42,17 @@ pub fn figure() -> Figure {
         let label = format!("$i$ = {i}");
         drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
     }
-    let right = view.at(dvec2(0.86, 1.0)) + dvec2(-14.0, 20.0);
+    let right = view.xy(0.86, 1.0) + dvec2(-14.0, 20.0);
     drawing.label_from("quiet", right, "image plane");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
     let (end, tan) = (directions[6], directions[6].x);
-    let corner = view.at(dvec2(tan, 0.0));
+    let corner = view.xy(tan, 0.0);
     drawing.line("guide", view.at(end), corner);
     drawing.line("guide", c, corner);
-    let side = view.at(dvec2(tan, 0.5)) + dvec2(10.0, 5.0);
+    let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_from("quiet", side, "1");
-    let base = view.at(dvec2(tan / 2.0, 0.0)) + dvec2(6.0, 22.0);
+    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
     drawing.label("quiet", base, "tan $θ$/2");
     Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",

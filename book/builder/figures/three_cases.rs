@@ -30,27 +30,19 @@ pub fn figure() -> Figure {
         drawing.circle("object", above.origin, 33.0);
         drawing.arrow("ray", on_ray(0.0), on_ray(4.25));
         drawing.dot("eye", on_ray(0.0));
-        drawing.arrow(
-            "axis",
-            below.at(dvec2(-0.1, 0.0)),
-            below.at(dvec2(4.35, 0.0)),
-        );
+        drawing.arrow("axis", below.xy(-0.1, 0.0), below.xy(4.35, 0.0));
         let (a, b, c) = sphere.coefficients(&ray);
         let curve: Vec<DVec2> = (0..=60)
             .map(|k| f64::from(k) * 0.07)
-            .map(|t| below.at(dvec2(t, a * t * t + b * t + c)))
+            .map(|t| below.xy(t, a * t * t + b * t + c))
             .collect();
         drawing.path("curve", &curve);
         for t in roots {
-            drawing.line("guide", on_ray(t), below.at(dvec2(t, 0.0)));
+            drawing.line("guide", on_ray(t), below.xy(t, 0.0));
             drawing.dot("hit", on_ray(t));
-            drawing.dot("hit", below.at(dvec2(t, 0.0)));
+            drawing.dot("hit", below.xy(t, 0.0));
         }
-        drawing.label(
-            "quiet",
-            below.at(dvec2(4.35, 0.0)) + dvec2(-2.0, 18.0),
-            "$t$",
-        );
+        drawing.label("quiet", below.xy(4.35, 0.0) + dvec2(-2.0, 18.0), "$t$");
     }
     drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
     Figure {

@@ -1,14 +1,14 @@
 //! The numbers of chapter 3.
 
 use super::Value;
-use super::worked::{both, camera, count, counted, grouped, pixels, short};
+use super::worked::{both, camera, counted, pixels, short, tenths};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
 use step03_nearest::{Hit, Object, Ray, Sphere, nearest, objects};
 
 pub const VALUES: &[Value] = &[
-    ("step03-tests", || grouped((count(|_| 1) * SCENE.len()) as f64)),
+    ("step03-tests", || counted(|_| SCENE.len())),
     ("step03-hits", || counted(|ray| hits(ray).count())),
     ("step03-wins", || counted(|ray| hits(ray).count().min(1))),
     ("step03-last", || counted(|ray| is_wrong(ray, hits(ray).last()))),
@@ -45,21 +45,15 @@ pub const VALUES: &[Value] = &[
     }),
     ("step03-edge-left", || ground_row(0.0)),
     ("step03-edge-middle", || ground_row(320.0)),
-    ("step03-phi", || format!("{:.1}", cone(6).0.to_degrees())),
-    ("step03-alpha", || format!("{:.1}", cone(6).1.to_degrees())),
-    ("step03-inner", || {
-        let (phi, alpha) = cone(6);
-        hundredths(pixels(phi.tan() - (phi - alpha).tan()))
-    }),
-    ("step03-outer", || {
-        let (phi, alpha) = cone(6);
-        hundredths(pixels((phi + alpha).tan() - phi.tan()))
-    }),
-    ("step03-long", || hundredths(pixels(oval(6).0))),
-    ("step03-wide", || hundredths(pixels(oval(6).1))),
-    ("step03-red-long", || hundredths(pixels(oval(0).0))),
-    ("step03-red-wide", || hundredths(pixels(oval(0).1))),
-    ("step03-eye", || hundredths(-0.5 / camera().matrix.z_axis.x)),
+    ("step03-phi", || tenths(cone(6).0.to_degrees())),
+    ("step03-alpha", || tenths(cone(6).1.to_degrees())),
+    ("step03-inner", || in_pixels(cone(6).0.tan() - (cone(6).0 - cone(6).1).tan())),
+    ("step03-outer", || in_pixels((cone(6).0 + cone(6).1).tan() - cone(6).0.tan())),
+    ("step03-long", || in_pixels(oval(6).0)),
+    ("step03-wide", || in_pixels(oval(6).1)),
+    ("step03-red-long", || in_pixels(oval(0).0)),
+    ("step03-red-wide", || in_pixels(oval(0).1)),
+    ("step03-eye", || format!("{:.2}", -0.5 / camera().matrix.z_axis.x)),
 ];
 
 /// The objects of the scene, each of which says its place in the list.
@@ -115,6 +109,6 @@ fn oval(place: usize) -> (f64, f64) {
     (long, 2.0 * alpha.sin() / root)
 }
 
-fn hundredths(number: f64) -> String {
-    format!("{number:.2}")
+fn in_pixels(length: f64) -> String {
+    format!("{:.2}", pixels(length))
 }

@@ -1,7 +1,7 @@
 //! The numbers of the last chapter.
 
 use super::Value;
-use super::worked::{count, counted, grouped, short, vector};
+use super::worked::{counted, short, vector};
 use glam::{DMat3, DVec3};
 use step04_diffuse::{Object, Point, Ray, Sphere, objects, seen};
 use step05_phong::reflect;
@@ -25,8 +25,11 @@ pub const VALUES: &[Value] = &[
     ("next-depth-9", || depth(0.9)),
     ("next-depth-5", || depth(0.5)),
     ("next-critical", || short((1.0_f64 / 1.5).asin().to_degrees())),
-    ("next-tests", || grouped((count(|_| 1) * objects().len()) as f64)),
-    ("next-tests-many", || grouped((count(|_| 1) * 1000) as f64)),
+    ("next-tests", || {
+        let objects = objects();
+        counted(|_| objects.len())
+    }),
+    ("next-tests-many", || counted(|_| 1000)),
     ("next-half-byte", || short(light_of_byte(128.0))),
     ("next-byte-of-half", || short(byte_of_light(0.5))),
 ];
