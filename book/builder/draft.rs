@@ -152,18 +152,15 @@ impl Draft<'_> {
     fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
-        match kind {
-            "figure" => return Part::Block(figures::html(words.trim())),
-            "by-hand" => return Part::Block(Ok(by_hand(words.trim()))),
-            _ => {}
-        }
-        if let Some(html) = boxes::html(kind, words) {
-            return Part::Block(html);
-        }
-        match &self.pictures(events, range)[..] {
-            [] => Part::Plain,
-            pictures => Part::Block(picture::figure(pictures, self.workspace)),
-        }
+        Part::Block(match (kind, &self.pictures(events, range)[..]) {
+            ("figure", _) => figures::html(words.trim()),
+            ("by-hand", _) => Ok(by_hand(words.trim())),
+            (kind, []) => match boxes::html(kind, words) {
+                Some(html) => html,
+                None => return Part::Plain,
+            },
+            (_, pictures) => picture::figure(pictures, self.workspace),
+        })
     }
 
     /// The pictures of a paragraph of nothing but pictures.

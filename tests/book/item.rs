@@ -53,7 +53,6 @@ impl<'a> Visit<'a> for Items {
             Item::Struct(item) => Some(&item.ident),
             Item::Enum(item) => Some(&item.ident),
             Item::Const(item) => Some(&item.ident),
-            Item::Static(item) => Some(&item.ident),
             Item::Impl(item) => match &*item.self_ty {
                 Type::Path(of) => of.path.segments.last().map(|part| &part.ident),
                 _ => None,

@@ -6,8 +6,7 @@ use crate::item::Items;
 use crate::source::SOURCE;
 use crate::table::rows;
 use crate::{assert_found, assert_none};
-use book::Files;
-use book::Site;
+use book::{Files, Site};
 use std::sync::LazyLock;
 
 const PAGE: &str = "lecture.html";

@@ -1,7 +1,6 @@
 //! A listing is what its caption says: these lines of that file.
 
-use book::Element;
-use book::Page;
+use book::{Element, Page};
 
 /// Code on a page that is Rust, or that says which file it is from.
 #[derive(Clone, Debug)]

@@ -3,8 +3,7 @@
 
 use crate::book::BOOK;
 use crate::{assert_found, assert_none};
-use book::Page;
-use book::Site;
+use book::{Page, Site};
 use std::collections::HashSet;
 
 /// What is only there when a directive or a formula was not expanded.

@@ -5,8 +5,7 @@ use crate::item::Items;
 use crate::source::SOURCE;
 use crate::table::rows;
 use crate::{assert_found, assert_none};
-use book::Files;
-use book::Site;
+use book::{Files, Site};
 
 const PAGE: &str = "notation.html";
 const COLUMN: &str = "In the code";

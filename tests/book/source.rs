@@ -3,8 +3,7 @@
 use crate::book::{BOOK, files};
 use crate::listing::Listing;
 use crate::{assert_found, assert_none};
-use book::Files;
-use book::Site;
+use book::{Files, Site};
 use gallery::workspace;
 use std::fs;
 use std::sync::LazyLock;

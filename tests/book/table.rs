@@ -1,5 +1,4 @@
-use book::Element;
-use book::Page;
+use book::{Element, Page};
 
 /// A row of a table, with the headings of its columns.
 pub struct Row<'a> {

@@ -13,24 +13,19 @@ pub fn figure() -> Figure {
         (2.59, 1.0, "Cinerama"),
     ];
     for (k, (w, h, name)) in named.into_iter().enumerate() {
-        let rows = AspectRatio { width: w, height: h }.v_res(640);
-        let rows = rows.map_or(0.0, f64::from);
+        let shape = AspectRatio { width: w, height: h };
+        let rows = shape.v_res(640).map_or(0.0, f64::from);
         let (width, height) = (190.0, 190.0 * rows / 640.0);
         let (column, line) = (f64::from(k as u32 % 2), f64::from(k as u32 / 2));
         let bottom = 146.0 + 124.0 * line;
         let middle = dvec2(120.0 + 240.0 * column, bottom - height / 2.0);
         let half = dvec2(width, height) / 2.0;
         let flip = dvec2(half.x, -half.y);
-        drawing.area(
-            "screen",
-            &[middle - half, middle + flip, middle + half, middle - flip],
-        );
+        let corners = [-half, flip, half, -flip].map(|corner| middle + corner);
+        drawing.area("screen", &corners);
         drawing.label("strong", middle, &format!("{w}:{h}"));
-        drawing.label(
-            "quiet small",
-            middle + dvec2(0.0, 20.0),
-            &format!("640 × {rows}"),
-        );
+        let size = format!("640 × {rows}");
+        drawing.label("quiet small", middle + dvec2(0.0, 20.0), &size);
         drawing.label("quiet", middle + dvec2(0.0, half.y + 20.0), name);
     }
     Figure {

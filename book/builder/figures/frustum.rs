@@ -17,37 +17,30 @@ pub fn figure() -> Figure {
     let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
     let mut drawing = Drawing::new(480.0, 310.0);
     drawing.area("plane", &corners.map(|(i, j)| at(i, j)));
-    for i in 0..8 {
-        let i = f64::from(i);
+    for i in (0..8).map(f64::from) {
         drawing.line("grid", at(i, 0.0), at(i, bottom));
     }
-    for j in 0..5 {
-        let j = f64::from(j);
+    for j in (0..5).map(f64::from) {
         drawing.line("grid", at(0.0, j), at(right, j));
     }
     for (i, j) in corners {
         drawing.line("ray faint", c, at(i, j));
         drawing.line("guide", at(i, j), far(i, j));
     }
-    let along = project(DVec3::new(0.0, 0.0, -1.0));
-    drawing.line("guide", c, along);
+    drawing.line("guide", c, project(DVec3::NEG_Z));
     drawing.arrow("vector", c, project(v_0));
     let label = (c + project(v_0)) / 2.0 + dvec2(-6.0, -12.0);
     drawing.label_to("strong", label, "$V_0$");
     drawing.arrow("accent", project(v_0), project(v_0 + d_u));
     drawing.arrow("second", project(v_0), project(v_0 + d_v));
     drawing.label("accent", project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0), "$D_u$");
-    drawing.label_from(
-        "second",
-        project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0),
-        "$D_v$",
-    );
+    let label = project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0);
+    drawing.label_from("second", label, "$D_v$");
     drawing.dot("eye", c);
     drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");
-    let p = at(5.0, 3.0);
-    drawing.arrow("ray", c, project(camera.ray(5.0, 3.0).at(1.42)));
-    drawing.dot("ray", p);
     let tip = project(camera.ray(5.0, 3.0).at(1.42));
+    drawing.arrow("ray", c, tip);
+    drawing.dot("ray", at(5.0, 3.0));
     drawing.label_from("quiet", tip + dvec2(10.0, 5.0), "$i$ = 5, $j$ = 3");
     let corner = dvec2(44.0, 286.0) - c;
     for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {

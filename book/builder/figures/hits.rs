@@ -1,7 +1,7 @@
 use super::Figure;
 use crate::svg::{Drawing, View};
+use crate::values::roots;
 use glam::{DVec2, DVec3, dvec2};
-use step02_sphere::Roots;
 use step03_nearest::{Object, Ray, Sphere, nearest};
 
 /// One ray through several spheres, one behind its start, and every t on it.
@@ -23,25 +23,18 @@ pub fn figure() -> Figure {
     for Object { sphere, material: k } in &objects {
         let is_seen = seen.is_some_and(|hit| hit.object.material == *k);
         let class = if is_seen { "object seen" } else { "object" };
-        drawing.circle(
-            class,
-            view.at(sphere.centre.truncate()),
-            view.scale.x * sphere.radius,
-        );
-        drawing.label(
-            "quiet",
-            view.at(sphere.centre.truncate() + sphere.radius * DVec2::Y)
-                - dvec2(0.0, 9.0),
-            &format!("$k$ = {k}"),
-        );
+        let centre = view.at(sphere.centre.truncate());
+        let radius = view.scale.x * sphere.radius;
+        drawing.circle(class, centre, radius);
+        let above = centre - dvec2(0.0, radius + 9.0);
+        drawing.label("quiet", above, &format!("$k$ = {k}"));
     }
     drawing.line("guide", at(-2.7), at(0.0));
     drawing.arrow("ray", at(0.0), at(7.2));
     drawing.dot("eye", at(0.0));
     drawing.label("strong", at(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, .. } in &objects {
-        let Roots::Two(near, far) = sphere.intersect(&ray) else { continue };
-        for t in [near, far] {
+        for t in roots(sphere, &ray) {
             let class = match seen {
                 Some(hit) if hit.t == t => "hit",
                 _ if t < 0.0 => "behind",
@@ -49,12 +42,9 @@ pub fn figure() -> Figure {
             };
             drawing.dot(class, at(t));
             drawing.line("leader", at(t) + dvec2(0.0, 8.0), dvec2(at(t).x, 172.0));
+            let class = if class == "hit" { "hit" } else { "quiet" };
             let label = format!("{t:.1}").replace('-', "−");
-            drawing.label(
-                if class == "hit" { "hit" } else { "quiet" },
-                dvec2(at(t).x, 190.0),
-                &label,
-            );
+            drawing.label(class, dvec2(at(t).x, 190.0), &label);
         }
     }
     drawing.label("", dvec2(at(0.0).x, 190.0), "$t$ =");

@@ -23,11 +23,8 @@ pub fn figure() -> Figure {
         for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
             drawing.arrow("light", start(k), foot(k));
         }
-        drawing.line(
-            "ground",
-            ground - dvec2(92.0, 0.0),
-            ground + dvec2(92.0, 0.0),
-        );
+        let side = dvec2(92.0, 0.0);
+        drawing.line("ground", ground - side, ground + side);
         drawing.line("lit", foot(-1.0), foot(1.0));
         drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
         drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");

@@ -16,18 +16,14 @@ pub fn figure() -> Figure {
     for &v in &directions[1..] {
         drawing.line("ray faint", c, view.at(1.28 * v));
     }
-    drawing.line(
-        "ray faint",
-        view.at(directions[0]),
-        view.at(1.28 * directions[0]),
-    );
+    let v_0 = directions[0];
+    drawing.line("ray faint", view.at(v_0), view.at(1.28 * v_0));
     for &v in &directions {
         drawing.dot("ray", view.at(v));
     }
-    let angle = |v: DVec2| v.to_angle();
-    drawing.arc("angle", c, 54.0, angle(directions[6]), angle(directions[0]));
+    drawing.arc("angle", c, 54.0, directions[6].to_angle(), v_0.to_angle());
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
-    drawing.arrow("vector", c, view.at(directions[0]));
+    drawing.arrow("vector", c, view.at(v_0));
     let step = |i: usize| [view.at(directions[i]), view.at(directions[i + 1])];
     for i in [0, 1] {
         let [from, to] = step(i);
@@ -35,7 +31,7 @@ pub fn figure() -> Figure {
     }
     let [from, to] = step(1);
     drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
-    let middle = view.at(0.55 * directions[0]);
+    let middle = view.at(0.55 * v_0);
     drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     for i in [0, 1, 2, 6] {
         let end = view.at(1.28 * directions[i]);
