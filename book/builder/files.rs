@@ -67,11 +67,4 @@ impl Files {
         files.0.insert(path.to_string(), text.replacen(from, to, 1).into_bytes());
         files
     }
-
-    /// These files without the one at `path`.
-    pub fn without(&self, path: &str) -> Self {
-        let mut files = self.clone();
-        files.0.remove(path).unwrap_or_else(|| panic!("no file {path}"));
-        files
-    }
 }

@@ -62,7 +62,7 @@ fn what_is_fetched_from_elsewhere_is_found() {
 #[test]
 fn a_missing_file_is_found() {
     let mut book = BOOK.clone();
-    book.files = book.files.without("fonts/literata.woff2");
+    book.files.0.remove("fonts/literata.woff2");
     assert_found(
         &faults(&book),
         &["fonts/literata.woff2, which is not in the book"],

@@ -1,5 +1,6 @@
 //! A listing is what its caption says: these lines of that file.
 
+use anyhow::{Context, Result, bail, ensure};
 use book::{Element, Page};
 
 /// Code on a page that is Rust, or that says which file it is from.
@@ -56,49 +57,42 @@ impl<'a> Listing<'a> {
     }
 
     /// Says what is wrong with it, where `source` is the text of its file.
-    pub fn check(&self, source: Option<&str>) -> Result<(), String> {
+    pub fn check(&self, source: Option<&str>) -> Result<()> {
         let Self { at, path, range, caption, .. } = self;
-        if path.is_empty() {
-            return Err(format!("The code on {at} says no file that it is from."));
-        }
-        if self.rust && !path.starts_with("steps/") {
-            return Err(format!(
-                "The Rust on {at} is from {path}, not from a step."
-            ));
-        }
-        let source = source.ok_or(format!(
-            "The listing on {at} is from {path}, which is no file."
-        ))?;
+        ensure!(!path.is_empty(), "The code on {at} says no file that it is from.");
+        let is_of_step = path.starts_with("steps/");
+        ensure!(
+            !self.rust || is_of_step,
+            "The Rust on {at} is from {path}, no step."
+        );
+        let source = source.with_context(|| {
+            format!("The listing on {at} is from {path}, which is no file.")
+        })?;
         let source: Vec<&str> = source.lines().collect();
         let total = source.len();
         let within =
             |&(first, last): &_| 0 < first && first <= last && last <= total;
-        let (first, last) = self.lines().filter(within).ok_or(format!(
-            "The listing on {at} is lines {range} of {path}, which has {total}."
-        ))?;
+        let (first, last) = self.lines().filter(within).with_context(|| {
+            format!(
+                "The listing on {at} is lines {range} of {path}, which has {total}."
+            )
+        })?;
         let right = right_caption(path, first, last, total);
-        if *caption != right {
-            return Err(format!(
-                "The caption of the listing on {at} is {caption:?}, not {right:?}."
-            ));
-        }
-        self.compare(first, &source[first - 1..last])
-    }
-
-    /// Compares it with the lines of its file, from the line `first` on.
-    fn compare(&self, first: usize, source: &[&str]) -> Result<(), String> {
-        let Self { at, path, .. } = self;
+        ensure!(
+            *caption == right,
+            "The caption on {at} is {caption:?}, not {right:?}."
+        );
         let code: Vec<_> = self.code.split('\n').collect();
+        let source = &source[first - 1..last];
         let differs = |&k: &usize| code.get(k) != source.get(k);
-        match (0..code.len().max(source.len())).find(differs) {
-            None => Ok(()),
-            Some(k) => Err(format!(
-                "The listing on {at} has {:?} for line {} of {path}, {:?}.",
-                code.get(k).unwrap_or(&"nothing"),
-                first + k,
-                source.get(k).unwrap_or(&"nothing"),
-            )),
+        if let Some(k) = (0..code.len().max(source.len())).find(differs) {
+            let [shown, line] = [&code[..], source].map(|lines| lines.get(k));
+            let number = first + k;
+            bail!(
+                "Line {number} of {path}, {line:?}, is {shown:?} in the listing on {at}."
+            );
         }
+        Ok(())
     }
 }
 

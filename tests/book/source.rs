@@ -25,7 +25,7 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
 fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
     let listings = book.chapters().into_iter().flat_map(Listing::all);
     let checked = listings.map(|listing| listing.check(source.text(listing.path)));
-    checked.filter_map(Result::err).collect()
+    checked.filter_map(|wrong| Some(wrong.err()?.to_string())).collect()
 }
 
 /// The page on which a file of a step has its place.
@@ -92,16 +92,16 @@ fn every_line_of_every_file_stands_in_its_chapter_once() {
 fn a_changed_line_is_found() {
     let (old, new) = ("self.start + t", "self.start - t");
     let shown = "self.start - t * self.direction";
-    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "line 15", shown]);
+    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "Line 15", shown]);
     let source = SOURCE.with(RAY, old, new);
-    let words = [PAGE, RAY, "line 15", shown];
+    let words = [PAGE, RAY, "Line 15", shown];
     assert_found(&wrong_listings(&BOOK, &source), &words);
 }
 
 #[test]
 fn a_missing_line_is_found() {
     let line = "    /// S, the point where the ray starts.\n";
-    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "line 6", "pub start: DVec3"]);
+    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 6", "pub start: DVec3"]);
     let source = SOURCE.with(RAY, "use glam", "use std::fmt;\nuse glam");
     let words = ["Line 18 of", RAY, "0 times", PAGE];
     assert_found(&wrong_files(&BOOK, &source), &words);
@@ -111,7 +111,7 @@ fn a_missing_line_is_found() {
 fn a_line_too_many_is_found() {
     let end = "self.start + t * self.direction\n    }\n}";
     let book = BOOK.with(PAGE, end, &format!("{end}\n// The end"));
-    found(&book, &[PAGE, "\"// The end\" for line 18", "nothing"]);
+    found(&book, &[PAGE, "Line 18", "None", "// The end"]);
 }
 
 #[test]
@@ -152,5 +152,5 @@ fn rust_from_elsewhere_is_found() {
     found(&BOOK.with(PAGE, FIGURE, &moved), &[PAGE, "way.rs, which is no file"]);
     let figure = "<figure class=\"listing\" data-path=\"book/builder/lib.rs\">";
     let book = BOOK.with_html(&format!("{figure}{typed}</figure>"));
-    found(&book, &[PAGE, "book/builder/lib.rs", "not from a step"]);
+    found(&book, &[PAGE, "book/builder/lib.rs", "no step"]);
 }

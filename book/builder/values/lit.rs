@@ -31,55 +31,42 @@ pub fn example() -> Phong {
 
 /// The warm light at that point.
 pub fn warm() -> Lit {
-    Lit::at(PIXEL, 0)
+    lit(PIXEL, 0)
 }
 
 /// The cool light at that point.
 pub fn cool() -> Lit {
-    Lit::at(PIXEL, 1)
+    lit(PIXEL, 1)
 }
 
 /// A point that a pixel sees, and one light as it falls there.
 pub struct Lit {
     pub point: Point<'static, Material>,
-    pub light: Light,
     pub l: DVec3,
     pub d: f64,
     pub r: DVec3,
     pub v: DVec3,
+    /// n·l.
+    pub cosine: f64,
+    /// r·v.
+    pub alignment: f64,
+    /// I_d of this light alone.
+    pub diffuse: DVec3,
+    /// I_s of this light alone, whether or not it faces the surface.
+    pub specular: DVec3,
 }
 
-impl Lit {
-    /// The pixel has to see an object.
-    pub fn at((i, j): (u32, u32), light: usize) -> Self {
-        let ray = camera().ray(i.into(), j.into());
-        let point = seen(&SCENE.objects, &ray).expect(SEES);
-        let light = SCENE.lights[light];
-        let (l, d) = light.point.seen_from(point.p);
-        let (r, v) = (reflect(l, point.n), -ray.direction.normalize());
-        Self { point, light, l, d, r, v }
-    }
-
-    /// n·l.
-    pub fn cosine(&self) -> f64 {
-        self.point.n.dot(self.l)
-    }
-
-    /// r·v.
-    pub fn alignment(&self) -> f64 {
-        self.r.dot(self.v)
-    }
-
-    /// I_d of this light alone.
-    pub fn diffuse(&self) -> DVec3 {
-        let Self { point, light, l, d, .. } = self;
-        diffuse(point.n, *l, *d, &point.material.surface, &light.point)
-    }
-
-    /// I_s of this light alone, whether or not it faces the surface.
-    pub fn specular(&self) -> DVec3 {
-        specular(self.r, self.v, self.d, self.point.material, &self.light)
-    }
+/// What a light of the scene does to what a pixel sees.
+pub fn lit((i, j): (u32, u32), light: usize) -> Lit {
+    let ray = camera().ray(i.into(), j.into());
+    let point = seen(&SCENE.objects, &ray).expect(SEES);
+    let (material, light) = (point.material, &SCENE.lights[light]);
+    let (l, d) = light.point.seen_from(point.p);
+    let (r, v) = (reflect(l, point.n), -ray.direction.normalize());
+    let (cosine, alignment) = (point.n.dot(l), r.dot(v));
+    let diffuse = diffuse(point.n, l, d, &material.surface, &light.point);
+    let specular = specular(r, v, d, material, light);
+    Lit { point, l, d, r, v, cosine, alignment, diffuse, specular }
 }
 
 const SEES: &str = "the pixel sees an object";

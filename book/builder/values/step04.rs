@@ -1,7 +1,7 @@
 //! The numbers of chapter 4.
 
 use super::Value;
-use super::lit::{Lit, PIXEL, cool, example, hit, ray, warm};
+use super::lit::{PIXEL, cool, example, hit, lit, ray, warm};
 use super::worked::{camera, count, rgb, short, vector};
 use glam::DVec3;
 use step04_diffuse::{
@@ -22,16 +22,16 @@ pub const VALUES: &[Value] = &[
     ("step04-warm-l", || vector(warm().l)),
     ("step04-warm-d", || short(warm().d)),
     ("step04-warm-divisor", || short(WARM.attenuation.at(warm().d))),
-    ("step04-warm-cosine", || short(warm().cosine())),
-    ("step04-warm-diffuse", || vector(warm().diffuse())),
+    ("step04-warm-cosine", || short(warm().cosine)),
+    ("step04-warm-diffuse", || vector(warm().diffuse)),
     ("step04-cool-l", || vector(cool().l)),
     ("step04-cool-d", || short(cool().d)),
     ("step04-cool-divisor", || short(COOL.attenuation.at(cool().d))),
-    ("step04-cool-cosine", || short(cool().cosine())),
-    ("step04-cool-diffuse", || vector(cool().diffuse())),
+    ("step04-cool-cosine", || short(cool().cosine)),
+    ("step04-cool-diffuse", || vector(cool().diffuse)),
     ("step04-sum", || vector(example().ambient + example().diffuse)),
     ("step04-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
-    ("step04-behind-cosine", || short(Lit::at((380, 136), 1).cosine())),
+    ("step04-behind-cosine", || short(lit((380, 136), 1).cosine)),
     ("step04-warm-at-0", || left(&WARM, 0.0)),
     ("step04-warm-at-10", || left(&WARM, 10.0)),
     ("step04-cool-at-0", || left(&COOL, 0.0)),

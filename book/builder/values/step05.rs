@@ -1,7 +1,7 @@
 //! The numbers of chapter 5.
 
 use super::Value;
-use super::lit::{Lit, PIXEL, cool, example, hit, ray, warm};
+use super::lit::{PIXEL, cool, example, hit, lit, ray, warm};
 use super::worked::{UNGATED, camera, rgb, short, tenths, vector};
 use step05_phong::picture;
 
@@ -9,15 +9,15 @@ pub const VALUES: &[Value] = &[
     ("step05-v", || vector(warm().v)),
     ("step05-v-length", || short(ray().direction.length())),
     ("step05-warm-r", || vector(warm().r)),
-    ("step05-warm-alignment", || short(warm().alignment())),
-    ("step05-warm-specular", || vector(warm().specular())),
+    ("step05-warm-alignment", || short(warm().alignment)),
+    ("step05-warm-specular", || vector(warm().specular)),
     ("step05-cool-r", || vector(cool().r)),
-    ("step05-cool-alignment", || short(cool().alignment())),
-    ("step05-cool-angle", || short(cool().alignment().acos().to_degrees())),
+    ("step05-cool-alignment", || short(cool().alignment)),
+    ("step05-cool-angle", || short(cool().alignment.acos().to_degrees())),
     ("step05-cool-power", || {
-        short(cool().alignment().powi(hit().1.material.shininess))
+        short(cool().alignment.powi(hit().1.material.shininess))
     }),
-    ("step05-cool-specular", || vector(cool().specular())),
+    ("step05-cool-specular", || vector(cool().specular)),
     ("step05-shininess", || hit().1.material.shininess.to_string()),
     ("step05-r-s", || short(hit().1.material.specular.x)),
     ("step05-diffuse", || vector(example().diffuse)),
@@ -32,10 +32,10 @@ pub const VALUES: &[Value] = &[
     ("step05-half-300", || half_width(300.0)),
     ("step05-gate-pixels", || UNGATED.0.to_string()),
     ("step05-gate-most", || UNGATED.1.to_string()),
-    ("step05-edge-cosine", || short(Lit::at((605, 165), 1).cosine())),
-    ("step05-edge-below", || short(Lit::at((605, 166), 1).cosine())),
-    ("step05-edge-alignment", || short(Lit::at((605, 165), 1).alignment())),
-    ("step05-edge-specular", || vector(Lit::at((605, 165), 1).specular())),
+    ("step05-edge-cosine", || short(lit((605, 165), 1).cosine)),
+    ("step05-edge-below", || short(lit((605, 166), 1).cosine)),
+    ("step05-edge-alignment", || short(lit((605, 165), 1).alignment)),
+    ("step05-edge-specular", || vector(lit((605, 165), 1).specular)),
     ("step05-teal-v-length", || short(teal().0)),
     ("step05-teal-power", || short(teal().0.powi(teal().1))),
 ];
@@ -47,6 +47,6 @@ fn half_width(n: f64) -> String {
 
 /// The length of V through a pixel that sees the teal sphere, and its shininess.
 fn teal() -> (f64, i32) {
-    let shininess = Lit::at((583, 215), 0).point.material.shininess;
+    let shininess = lit((583, 215), 0).point.material.shininess;
     (camera().ray(583.0, 215.0).direction.length(), shininess)
 }

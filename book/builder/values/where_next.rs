@@ -11,8 +11,7 @@ pub const VALUES: &[Value] = &[
     ("next-basis-y", || vector(basis().y_axis)),
     ("next-basis-z", || vector(basis().z_axis)),
     ("next-mirrored-hits", || {
-        let objects = objects();
-        counted(|ray| seen(&objects, ray).is_some().into())
+        counted(|ray| seen(&objects(), ray).is_some().into())
     }),
     ("next-mirrored-again", || {
         let objects = objects();
@@ -25,10 +24,7 @@ pub const VALUES: &[Value] = &[
     ("next-depth-9", || depth(0.9)),
     ("next-depth-5", || depth(0.5)),
     ("next-critical", || short((1.0_f64 / 1.5).asin().to_degrees())),
-    ("next-tests", || {
-        let objects = objects();
-        counted(|_| objects.len())
-    }),
+    ("next-tests", || counted(|_| objects().len())),
     ("next-tests-many", || counted(|_| 1000)),
     ("next-half-byte", || short(light_of_byte(128.0))),
     ("next-byte-of-half", || short(byte_of_light(0.5))),
