@@ -1,6 +1,7 @@
-use crate::recognise::scattered;
+use crate::difference::apart;
+use crate::recognise::{RAYS, ROUNDING, Rest, flat, scattered};
 use crate::{Cause, Difference, Found, Mistake, Step};
-use crate::{locked, mistakes, names, png, recognise, sight};
+use crate::{camera, locked, mistakes, names, png, recognise, sight, workspace};
 use image::{RgbImage, imageops};
 use std::fmt::Write;
 use std::fs;
@@ -17,11 +18,12 @@ pub struct Answer {
 }
 
 /// A picture to compare with, and its name.
-type Named = (&'static str, RgbImage);
+type Named = (String, RgbImage);
 
 /// All pictures that there are to compare with, or why one of them can't be had.
 static LOCKED: LazyLock<Result<Vec<Named>, String>> = LazyLock::new(|| {
-    names().into_iter().map(|name| Ok((name, locked(name)?))).collect()
+    let all = names().into_iter().map(|name| Ok((name.clone(), locked(&name)?)));
+    all.collect()
 });
 
 /// Compares the picture in `file` with the locked picture `name`, or with the nearest
@@ -30,15 +32,20 @@ static LOCKED: LazyLock<Result<Vec<Named>, String>> = LazyLock::new(|| {
 /// Where they differ, a picture of both and the difference goes into `folder`.
 pub fn check(file: &Path, name: Option<&str>, folder: &Path) -> Answer {
     let answer = || {
-        let known = names();
-        if let Some(name) = name.filter(|name| !known.contains(name)) {
-            let known = known.join(", ");
+        let locked = LOCKED.as_deref()?;
+        if locked.is_empty() {
+            let root = workspace();
+            return Err(format!("there are no pictures in {}", root.display()));
+        }
+        let is_known = |name| locked.iter().any(|(known, _)| known == name);
+        if let Some(name) = name.filter(|name| !is_known(*name)) {
             return Err(format!(
-                "there is no picture '{name}'; allowed are {known}"
+                "there is no picture '{name}' in {}; allowed are {}",
+                workspace().display(),
+                names().join(", ")
             ));
         }
-        let yours = png::read(file)?;
-        compared(&yours, name, LOCKED.as_deref()?, folder)
+        compared(&png::read(file)?, name, locked, folder)
     };
     answer().unwrap_or_else(|sentence| Answer {
         code: 2,
@@ -52,67 +59,98 @@ fn compared(
     locked: &[Named],
     folder: &Path,
 ) -> Result<Answer, String> {
-    let same =
-        || locked.iter().filter(|(_, ours)| ours == yours).map(|(name, _)| *name);
-    if let Some(same) = same().find(|same| name.is_none_or(|name| name == *same)) {
+    let same = |(_, ours): &&Named| ours == yours;
+    let is_asked = |other: &str| name.is_none_or(|name| name == other);
+    if let Some((same, _)) =
+        locked.iter().filter(same).find(|(same, _)| is_asked(same))
+    {
         let text = format!("Right: this is the picture of {same}, in every pixel.");
         return Ok(Answer { code: 0, text });
     }
-    let asked = |step: &Step| name.is_none_or(|name| name == step.name());
-    let steps: Vec<_> = Step::ALL.into_iter().filter(asked).collect();
+    let same = locked.iter().find(same);
+    let asked = Step::ALL.into_iter().filter(|step| is_asked(step.name()));
+    let (broken, steps): (Vec<_>, Vec<_>) =
+        asked.partition(|step| is_broken(*step, locked));
     // What is right elsewhere is not nearly something else here.
-    let is_clear = |found: &Found| found.rest == 0 || same().next().is_none();
+    let is_clear = |found: &Found| found.rest.is_none() || same.is_none();
     let found = recognise(yours, &steps).filter(is_clear);
-    let known = name.or_else(|| Some(found.as_ref()?.causes[0].step.name()));
+    let known =
+        found.as_ref().and_then(|found| found.step).map(Step::name).or(name);
     let (name, ours) = locked
         .iter()
-        .filter(|(name, _)| known.is_none_or(|known| known == *name))
+        .filter(|(name, _)| known.is_none_or(|known| known == name))
         .min_by_key(|(_, ours)| distance(yours, ours))
         .ok_or("there is no locked picture to compare with")?;
-    let found = found.map_or_else(|| turned(yours, ours), Guess::from);
+    let found = found.or_else(|| turned(yours, ours).filter(is_clear));
 
-    let mut text = match same().next() {
-        Some(same) => format!(
-            "Not right yet: this is the picture of {same}, not of {name}.\n"
-        ),
-        None => String::new(),
-    };
-    if text.is_empty() || !found.causes.is_empty() {
-        text += &verdict(&found, name);
+    let mut text = told_of(&broken, yours);
+    let step = Step::named(name).filter(|step| !broken.contains(step));
+    if let Some((same, _)) = same {
+        let _ = writeln!(
+            text,
+            "Not right yet: this is the picture of {same}, not of {name}."
+        );
     }
-    text += &options(yours, ours, &found);
-    text += &differences(yours, (name, ours), &found, folder);
+    match &found {
+        Some(found) => text += &verdict(found, name),
+        None if same.is_some() => {}
+        None => {
+            let _ =
+                write!(text, "Not right yet: this is not the picture of {name}");
+            text += match flat(yours).is_some() || !broken.is_empty() {
+                true => ".\n",
+                false => ", and no known mistake gives it.\n",
+            };
+        }
+    }
+    if let Some(colour) = flat(yours) {
+        let all = match yours.pixels().all(|pixel| *pixel == colour) {
+            true => "",
+            false => " in nearly all pixels",
+        };
+        let _ = writeln!(text, "It has one colour only{all}: {:?}.", colour.0);
+    }
+    text += &options(yours, ours, found.as_ref());
+    text += &differences(yours, (name, ours), step, found.as_ref(), folder);
     Ok(Answer { code: 1, text: text.trim_end().to_owned() })
 }
 
-/// What is known of a picture, whether it is of a step or of an exercise.
-struct Guess {
-    /// What went wrong; several lists where several give the same picture; none where
-    /// nothing is known.
-    causes: Vec<Vec<&'static Mistake>>,
-    /// How many pixels are left unexplained.
-    rest: usize,
-    /// The side of the grid of rays in each pixel.
-    samples: u32,
+/// Whether the code of `step` in this folder draws another picture than the locked one.
+fn is_broken(step: Step, locked: &[Named]) -> bool {
+    let ours = locked.iter().find(|(name, _)| name == step.name());
+    let is_drawn = |ours: &RgbImage| {
+        step.picture(&camera(ours.width(), ours.height()), 1) == *ours
+    };
+    ours.is_some_and(|(_, ours)| !is_drawn(ours))
 }
 
-impl From<Found> for Guess {
-    fn from(found: Found) -> Self {
-        let (samples, rest) = (found.causes[0].samples, found.rest);
-        let causes = found.causes.into_iter().map(|cause| cause.mistakes);
-        Self { causes: causes.collect(), rest, samples }
+/// Says that our own code is wrong, and whether it gives this picture.
+fn told_of(broken: &[Step], yours: &RgbImage) -> String {
+    if broken.is_empty() {
+        return String::new();
     }
-}
-
-impl Guess {
-    /// Whether nothing but the size or the samples is wrong.
-    fn is_right(&self) -> bool {
-        self.causes.first().is_some_and(Vec::is_empty)
+    let names: Vec<_> = broken.iter().map(|step| step.name()).collect();
+    let mut text = format!(
+        "The code in {} does not draw the locked picture of {} any more. Mend it first; \
+         until then, few mistakes can be told.\n",
+        workspace().display(),
+        names.join(", ")
+    );
+    let draws = |step: &&Step| {
+        2 <= yours.width()
+            && step.picture(&camera(yours.width(), yours.height()), 1) == *yours
+    };
+    if let Some(step) = broken.iter().find(draws) {
+        let _ = writeln!(text, "Yours is what it draws as {} now.", step.name());
     }
+    text
 }
 
-/// The mistakes that can be told from a picture alone: those of an exercise too.
-fn turned(yours: &RgbImage, ours: &RgbImage) -> Guess {
+/// The mistakes that can be told from two pictures alone: those of an exercise too.
+fn turned(yours: &RgbImage, ours: &RgbImage) -> Option<Found> {
+    if yours.dimensions() != ours.dimensions() {
+        return None;
+    }
     let ways: [(&str, Way); 3] = [
         ("y-down", |ours| imageops::flip_vertical(ours)),
         ("mirrored", |ours| imageops::flip_horizontal(ours)),
@@ -122,45 +160,37 @@ fn turned(yours: &RgbImage, ours: &RgbImage) -> Guess {
             swapped
         }),
     ];
-    let choices: [&[usize]; 6] = [&[0], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]];
-    let explains = |choice: &&&[usize]| {
-        choice.iter().fold(ours.clone(), |ours, &way| ways[way].1(&ours)) == *yours
+    let choices: [&[usize]; 7] = [&[], &[0], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]];
+    let rest = |choice: &&[usize]| {
+        let ours =
+            choice.iter().fold(ours.clone(), |ours, &way| ways[way].1(&ours));
+        let pairs = yours.pixels().zip(ours.pixels());
+        let apart = pairs.map(|(a, b)| apart(a, b)).collect();
+        Rest { apart, all: yours.pixels().len() }
     };
-    let named = |choice: &&[usize]| {
-        let chosen =
-            |one: &&Mistake| choice.iter().any(|&way| ways[way].0 == one.name);
-        mistakes().filter(chosen).collect()
-    };
-    let causes = choices.iter().find(explains).into_iter().map(named).collect();
-    Guess { causes, rest: 0, samples: 1 }
+    let rests = choices.into_iter().map(|choice| (choice, rest(&choice)));
+    let (choice, rest) = rests.min_by_key(|(_, rest)| rest.beyond(ROUNDING))?;
+    let chosen = |one: &&Mistake| choice.iter().any(|&way| ways[way].0 == one.name);
+    let causes = vec![mistakes().filter(chosen).collect()];
+    rest.is_few(ROUNDING).then_some(Found { step: None, samples: 1, causes, rest })
 }
 
 /// What a mistake makes of any right picture.
 type Way = fn(&RgbImage) -> RgbImage;
 
 /// Says what went wrong, as far as it is known, and where to go back to.
-fn verdict(guess: &Guess, name: &str) -> String {
-    let rest = match guess.rest {
-        0 => String::new(),
-        1 => " in all but 1 pixel".to_owned(),
-        rest => format!(" in all but {rest} pixels"),
+fn verdict(found: &Found, name: &str) -> String {
+    let Some((first, others)) = found.causes.split_first() else {
+        return String::new();
     };
-    let Some((first, others)) = guess.causes.split_first() else {
-        return format!(
-            "Not right yet: this is not the picture of {name}, and no known mistake \
-             gives it.\n"
-        );
-    };
+    let rest = rest(&found.rest);
     if first.is_empty() {
-        return match guess.rest {
-            0 if guess.samples == 1 => {
-                format!("Right but for its size: this is the picture of {name}.\n")
-            }
-            0 => {
-                format!("Right but for its rays: this is the picture of {name}.\n")
-            }
-            _ => format!("Nearly right: this is the picture of {name}{rest}.\n"),
+        let but = match (found.rest.is_none(), found.samples) {
+            (false, _) => "Nearly right",
+            (true, 1) => "Right but for its size",
+            (true, _) => "Right but for its rays",
         };
+        return format!("{but}: this is the picture of {name}{rest}.\n");
     }
     let when = |mistakes: &[&Mistake]| {
         let all: Vec<_> = mistakes.iter().map(|mistake| mistake.when).collect();
@@ -170,16 +200,31 @@ fn verdict(guess: &Guess, name: &str) -> String {
         "Not right yet: your picture of {name} is{rest} what you get when {}.\n",
         when(first)
     );
-    for mistake in first {
-        text += &back(mistake);
-    }
-    for other in others.iter().take(2) {
-        let _ = writeln!(text, "You get the same picture when {}.", when(other));
-        let is_told =
-            |one: &&&Mistake| first.iter().any(|told| told.name == one.name);
-        other.iter().filter(|one| !is_told(one)).for_each(|one| text += &back(one));
+    first.iter().for_each(|mistake| text += &back(mistake));
+    for other in others {
+        let pages: Vec<_> = other.iter().map(|one| one.section.page()).collect();
+        let (when, pages) = (when(other), pages.join(", "));
+        let _ = writeln!(text, "You get the same picture when {when} ({pages}).");
     }
     text
+}
+
+/// The pixels that the known causes do not explain, or that were not compared.
+fn rest(rest: &Rest) -> String {
+    let by = match rest.apart.iter().max() {
+        Some(by @ 1..=ROUNDING) => format!(" (off by {by} of 255 at most)"),
+        _ => String::new(),
+    };
+    let compared = match rest.apart.len() {
+        all if all == rest.all => String::new(),
+        some => format!(" of the {some} that were compared"),
+    };
+    match rest.beyond(0) {
+        0 if compared.is_empty() => String::new(),
+        0 => format!(" in all pixels{compared}"),
+        1 => format!(" in all but 1 pixel{compared}{by}"),
+        pixels => format!(" in all but {pixels} pixels{compared}{by}"),
+    }
 }
 
 /// Where to go back to, to find one mistake.
@@ -196,7 +241,7 @@ fn back(mistake: &Mistake) -> String {
 
 /// Says both sizes and both numbers of rays where they differ, and the options that
 /// give the right ones.
-fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
+fn options(yours: &RgbImage, ours: &RgbImage, found: Option<&Found>) -> String {
     let ((w, h), (right_w, right_h)) = (yours.dimensions(), ours.dimensions());
     let mut text = String::new();
     if (w, h) != (right_w, right_h) {
@@ -217,11 +262,11 @@ fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
             options.join(" ")
         );
     }
-    if guess.samples != 1 {
+    if let Some(Found { samples: samples @ 2.., .. }) = found {
         let _ = writeln!(
             text,
-            "It has {0}×{0} rays a pixel, and the locked picture 1: --samples 1 gives that.",
-            guess.samples
+            "It has {samples}×{samples} rays a pixel, and the locked picture 1: \
+             --samples 1 gives that."
         );
     }
     text
@@ -233,29 +278,26 @@ fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
 fn differences(
     yours: &RgbImage,
     (name, ours): (&str, &RgbImage),
-    guess: &Guess,
+    step: Option<Step>,
+    found: Option<&Found>,
     folder: &Path,
 ) -> String {
-    if guess.is_right() && guess.rest == 0 {
+    let is_right = found.is_some_and(|found| found.causes[0].is_empty());
+    if is_right && found.is_some_and(|found| found.rest.is_none()) {
         return String::new();
     }
-    let step = Step::named(name);
-    let ours = match step {
-        Some(step)
-            if yours.dimensions() != ours.dimensions() && 2 <= yours.width() =>
-        {
-            &anew(yours, step, guess.samples)
-        }
-        _ => ours,
+    let samples = found.map_or(1, |found| found.samples);
+    let is_as_large = yours.dimensions() == ours.dimensions();
+    let ours = match step.filter(|_| !is_as_large && 2 <= yours.width()) {
+        Some(step) => &anew(yours, step, samples),
+        None if is_as_large => ours,
+        None => return String::new(),
     };
-    if yours.dimensions() != ours.dimensions() {
-        return String::new();
-    }
-    let mut text = match guess.causes[..] {
-        [] => sight::seen(yours, ours, step),
+    let mut text = match found {
+        None => sight::seen(yours, ours, step),
         _ => sight::region(yours, ours),
     };
-    if guess.is_right() && text.contains("by up to 1 of 255") {
+    if is_right && text.contains("by up to 1 of 255") {
         text += "That is rounding, as of numbers with fewer digits than f64.\n";
     }
     let path = folder.join(format!("{name}.png"));
@@ -272,9 +314,9 @@ fn differences(
 
 /// The right picture of `step` in the size of yours.
 fn anew(yours: &RgbImage, step: Step, samples: u32) -> RgbImage {
-    let rays = yours.pixels().len() * samples.pow(2) as usize;
+    let rays = yours.pixels().len() as u64 * u64::from(samples.pow(2));
     // More rays a pixel than that are not worth the wait.
-    let samples = if rays < 4_000_000 { samples } else { 1 };
+    let samples = if rays <= RAYS { samples } else { 1 };
     let cause = Cause { step, samples, mistakes: vec![] };
     cause.parts(yours.dimensions()).picture(step, samples)
 }

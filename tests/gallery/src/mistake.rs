@@ -1,7 +1,7 @@
 use crate::mistakes::{
     angle, bytes, intersect, light, matrix, nearest, phong, ray, shade,
 };
-use crate::{Parts, Section, Step};
+use crate::{Parts, Section, Step, camera};
 use image::RgbImage;
 use step01_rays::Camera;
 
@@ -60,6 +60,11 @@ impl Mistake {
         let mut parts = Parts::right(camera);
         (self.change)(&mut parts);
         parts.picture(step, samples)
+    }
+
+    /// Its picture in `step` as the book shows it.
+    pub fn show(&self, step: Step) -> RgbImage {
+        self.picture_in(step, &camera(320, 180), 2)
     }
 
     /// The steps in whose pictures the book shows it, and the names of those pictures.

@@ -23,7 +23,7 @@ pub(crate) const BYTES: Section =
 pub(crate) const DIRECTIONS: Section =
     section(Step::Rays, "picture.rs", "The direction as a colour");
 pub(crate) const PROGRAM: Section =
-    section(Step::Rays, "options.rs", "The program around it");
+    section(Step::Rays, "program.rs", "The program around it");
 pub(crate) const MEETING: Section =
     section(Step::Sphere, "sphere.rs", "Where they meet");
 pub(crate) const FORMULA: Section =
@@ -32,9 +32,8 @@ pub(crate) const CENTRE: Section = section(Step::Sphere, "sphere.rs", "Any centr
 pub(crate) const ROOT: Section =
     section(Step::Sphere, "quadratic.rs", "Which root");
 pub(crate) const NEAREST: Section =
-    section(Step::Nearest, "hit.rs", "The nearest hit");
-pub(crate) const NORMAL: Section =
-    section(Step::Diffuse, "normal.rs", "The normal");
+    section(Step::Nearest, "nearest.rs", "The nearest hit");
+pub(crate) const NORMAL: Section = section(Step::Diffuse, "point.rs", "The normal");
 pub(crate) const AMBIENT: Section =
     section(Step::Diffuse, "ambient.rs", "Ambient light");
 pub(crate) const LAMBERT: Section =
@@ -53,7 +52,7 @@ pub(crate) const SPECULAR: Section =
     section(Step::Phong, "specular.rs", "The specular term");
 pub(crate) const SUM: Section = section(Step::Phong, "phong.rs", "The sum");
 pub(crate) const EYE: Section =
-    section(Step::Phong, "picture.rs", "The way to the eye");
+    section(Step::Phong, "phong.rs", "The way to the eye");
 
 impl Section {
     /// Where it is in the built book: `step01_rays.html#the-camera`.

@@ -1,32 +1,25 @@
-//! What `check` says of every picture that a reader may bring.
+//! What `check` says of pictures.
 
-use gallery::{Answer, Mistake, Parts, Step, check, locked, mistakes};
-use image::{Rgb, RgbImage, RgbaImage, imageops};
-use std::path::PathBuf;
-use std::process::{Command, Output};
-use std::{env, fs};
-use step01_rays::Camera;
+use crate::{folder, made, named, opened, right};
+use gallery::{Answer, Mistake, Parts, Step, camera, check, mistakes};
+use image::{Rgb, RgbImage, imageops};
+use std::collections::HashSet;
 
-fn camera(width: u32, height: u32) -> Camera {
-    Camera::new(width, height, 60_f64.to_radians())
-}
+/// The size of the locked pictures.
+const SIZE: (u32, u32) = (640, 360);
 
-/// An empty folder of this test.
-fn folder(test: &str) -> PathBuf {
-    let program = env::current_exe().expect("a running program has a path");
-    let target = program.ancestors().nth(3).expect("target/PROFILE/deps/program");
-    let folder = target.join("tests").join(format!("check-{test}"));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder in the target folder");
-    folder
-}
-
-/// What `check` says of this picture, once it is a PNG file.
+/// What `check` says of this picture, once it is a PNG file; no sentence twice.
 fn asked(test: &str, picture: &RgbImage, name: Option<&str>) -> Answer {
     let folder = folder(test);
     let file = folder.join("my.png");
     picture.save(&file).expect("a file in that folder");
-    check(&file, name, &folder)
+    let answer = check(&file, name, &folder);
+    let mut lines = HashSet::new();
+    let sentences = answer.text.lines().filter(|line| !line.starts_with("  "));
+    for line in sentences {
+        assert!(lines.insert(line), "twice: {line}");
+    }
+    answer
 }
 
 /// Fails unless `check` names these mistakes, and no other ones before them.
@@ -42,21 +35,10 @@ fn assert_names(answer: &Answer, named: &[&Mistake]) {
     }
 }
 
-fn named(name: &str) -> &'static Mistake {
-    mistakes().find(|mistake| mistake.name == name).expect(name)
-}
-
-/// The picture of `step` with all these mistakes in it.
-fn made(step: Step, names: &[&str], camera: &Camera, samples: u32) -> RgbImage {
-    let mut parts = Parts::right(camera);
-    names.iter().for_each(|name| (named(name).change)(&mut parts));
-    parts.picture(step, samples)
-}
-
 #[test]
 fn right_pictures_are_right() {
     for step in Step::ALL {
-        let picture = locked(step.name()).expect("a locked picture");
+        let picture = right(step.name());
         for name in [None, Some(step.name())] {
             let Answer { code, text } = asked("right", &picture, name);
             let right = format!(
@@ -83,7 +65,7 @@ fn mistakes_are_named_without_the_name_of_their_step() {
     for mistake in mistakes().step_by(4) {
         let picture = mistake.picture(&camera(640, 360), 1);
         // The sky without a sphere is the right picture of step 1.
-        if picture == Step::Rays.picture(&camera(640, 360), 1) {
+        if picture == right("step01_rays") {
             continue;
         }
         let answer = asked("unnamed", &picture, None);
@@ -97,8 +79,8 @@ fn mistakes_are_named_without_the_name_of_their_step() {
 #[test]
 fn mistakes_of_the_camera_and_of_bytes_are_named_in_the_last_step() {
     for mistake in mistakes().filter(|mistake| mistake.section.step == Step::Rays) {
-        let picture = mistake.picture_in(Step::Phong, &camera(640, 360), 1);
-        if picture == Step::Phong.picture(&camera(640, 360), 1) {
+        let picture = made(Step::Phong, &[mistake.name], SIZE, 1);
+        if picture == right("step05_phong") {
             continue;
         }
         let answer = asked("later", &picture, Some(Step::Phong.name()));
@@ -122,7 +104,7 @@ fn mistakes_are_named_at_another_size_and_number_of_samples() {
         ("last-in-list", Step::Nearest, 320, 180, 16),
     ];
     for (name, step, width, height, samples) in cases {
-        let picture = made(step, &[name], &camera(width, height), samples);
+        let picture = made(step, &[name], (width, height), samples);
         let answer = asked("sizes", &picture, Some(step.name()));
         assert_names(&answer, &[named(name)]);
         let size = format!("{width}×{height} pixels");
@@ -179,7 +161,7 @@ fn two_mistakes_are_told_apart() {
         (Step::Diffuse, &["truncated", "absolute"]),
     ];
     for (step, names) in cases {
-        let picture = made(step, names, &camera(640, 360), 1);
+        let picture = made(step, names, SIZE, 1);
         let both: Vec<_> = names.iter().map(|name| named(name)).collect();
         assert_names(&asked("two", &picture, Some(step.name())), &both);
         assert_names(&asked("two", &picture, None), &both);
@@ -200,7 +182,6 @@ fn what_nobody_knows_is_not_named() {
         let wave = |a: f64| (127.0 + 120.0 * (x * a).sin() * (y + a).cos()) as u8;
         Rgb([wave(1.0), wave(1.7), wave(0.6)])
     });
-    let grey = RgbImage::from_pixel(640, 360, Rgb([128; 3]));
     // Another scene, with the right camera and the right light.
     let mut parts = Parts::right(&camera(640, 360));
     parts.first_hit = |sphere, ray| {
@@ -211,13 +192,13 @@ fn what_nobody_knows_is_not_named() {
     };
     let scene = parts.picture(Step::Phong, 1);
     // One sphere has another colour.
-    let mut painted = locked("step05_phong").expect("a locked picture");
+    let mut painted = right("step05_phong");
     for (_, _, pixel) in painted.enumerate_pixels_mut() {
         if pixel[0] < 60 && 80 < pixel[1] {
             pixel.0.swap(0, 1);
         }
     }
-    for picture in [noise, blobs, grey, scene, painted] {
+    for picture in [noise, blobs, scene, painted] {
         for name in
             [None, Some("step05_phong"), Some("step02_sphere"), Some("step01_rays")]
         {
@@ -234,7 +215,7 @@ fn what_nobody_knows_is_not_named() {
 
 #[test]
 fn what_is_not_known_is_described() {
-    let right = locked("step03_nearest").expect("a locked picture");
+    let right = right("step03_nearest");
     let mut picture = right.clone();
     let teal = *right.get_pixel(615, 240);
     for pixel in picture.pixels_mut().filter(|pixel| **pixel == teal) {
@@ -260,29 +241,153 @@ fn what_is_not_known_is_described() {
 }
 
 #[test]
-fn a_few_stray_pixels_do_not_hide_what_is_known() {
-    let mut picture = made(Step::Nearest, &["mirrored"], &camera(640, 360), 1);
-    (100..150).for_each(|i| picture.put_pixel(i, 9, Rgb([0; 3])));
-    let text = asked("stray", &picture, Some("step03_nearest")).text;
+fn stray_pixels_do_not_hide_what_is_known() {
+    let mut mirrored = made(Step::Nearest, &["mirrored"], SIZE, 1);
+    (100..150).for_each(|i| mirrored.put_pixel(i, 9, Rgb([0; 3])));
+    let text = asked("stray", &mirrored, Some("step03_nearest")).text;
     assert!(
         text.contains("is in all but 50 pixels what you get when x points left."),
         "{text}"
     );
-    let mut picture = locked("step03_nearest").expect("a locked picture");
-    picture.put_pixel(7, 9, Rgb([0; 3]));
-    let text = asked("stray", &picture, None).text;
-    assert!(
-        text.starts_with("Nearly right: ") && text.contains("all but 1 pixel"),
-        "{text}"
-    );
+    // The first is what two by two rays give there: it must not be taken for a hint.
+    let edge = Step::Phong.picture(&camera(640, 360), 2);
+    let is_edge = |&(i, j): &(u32, u32)| {
+        *right("step05_phong").get_pixel(i, j) != *edge.get_pixel(i, j)
+    };
+    let all = (0..640 * 360).map(|k| (k % 640, k / 640));
+    let (i, j) = all.filter(is_edge).nth(999).expect("an edge");
+    let strays = [
+        (i, j, *edge.get_pixel(i, j)),
+        (0, 0, Rgb([0; 3])),
+        (639, 359, Rgb([255; 3])),
+        (7, 9, Rgb([255, 0, 0])),
+        (320, 180, Rgb([1, 2, 3])),
+        (271, 101, Rgb([0, 0, 255])),
+    ];
+    for name in ["step03_nearest", "step05_phong", "glass"] {
+        let mut all = right(name);
+        for (count, (i, j, colour)) in (1..).zip(strays) {
+            let mut one = right(name);
+            one.put_pixel(i, j, colour);
+            all.put_pixel(i, j, colour);
+            for (picture, count) in [(&one, 1), (&all, count)] {
+                let text = asked("stray", picture, Some(name)).text;
+                let but = format!("picture of {name} in all but {count} pixel");
+                assert!(text.starts_with("Nearly right: "), "{text}");
+                assert!(text.contains(&but) && !text.contains(" rays "), "{text}");
+            }
+        }
+        let text = asked("stray", &all, None).text;
+        assert!(
+            text.starts_with("Nearly right: ") && text.contains(name),
+            "{text}"
+        );
+    }
+}
+
+/// The same picture, but for one in `share` pixels, off by this much.
+fn off(picture: &RgbImage, by: u8, share: usize) -> RgbImage {
+    let mut off = picture.clone();
+    for pixel in off.pixels_mut().step_by(share) {
+        pixel.0 = pixel.0.map(|c| if c < 128 { c + by } else { c - by });
+    }
+    off
+}
+
+#[test]
+fn what_is_off_by_one_or_two_is_never_right() {
+    for by in [1, 2] {
+        for share in [1, 3, 500, 640 * 360] {
+            for name in ["step01_rays", "step03_nearest", "step05_phong", "glass"] {
+                let picture = off(&right(name), by, share);
+                let Answer { code, text } = asked("off", &picture, Some(name));
+                assert_eq!(code, 1, "{text}");
+                assert!(text.starts_with("Nearly right: "), "{text}");
+                assert!(
+                    text.contains(&format!("(off by {by} of 255 at")),
+                    "{text}"
+                );
+            }
+        }
+        let small = off(&Step::Phong.picture(&camera(320, 180), 1), by, 2);
+        let text = asked("off", &small, Some("step05_phong")).text;
+        assert!(text.starts_with("Nearly right: "), "{text}");
+        let mirrored = off(&made(Step::Phong, &["mirrored"], SIZE, 1), by, 9);
+        let text = asked("off", &mirrored, Some("step05_phong")).text;
+        let but =
+            format!("is in all but 25600 pixels (off by {by} of 255 at most)");
+        assert!(text.contains(&but) && text.contains("x points left"), "{text}");
+    }
+}
+
+#[test]
+fn what_was_not_compared_in_full_is_not_called_right() {
+    // More rays than are cast for an answer.
+    let mut picture = Step::Rays.picture(&camera(640, 120), 16);
+    picture.put_pixel(1, 1, Rgb([0; 3]));
+    let text = asked("large", &picture, Some("step01_rays")).text;
+    assert!(text.starts_with("Nearly right: "), "{text}");
+    assert!(text.contains(" that were compared."), "{text}");
+}
+
+#[test]
+fn a_picture_of_one_colour_has_no_invented_causes() {
+    for colour in [[0; 3], [255; 3], [128; 3], [0, 0, 255], [232, 87, 71]] {
+        let mut picture = RgbImage::from_pixel(640, 360, Rgb(colour));
+        for only in
+            ["It has one colour only: ", "It has one colour only in nearly "]
+        {
+            for name in
+                [None].into_iter().chain(Step::ALL.map(Step::name).map(Some))
+            {
+                let Answer { code, text } = asked("flat", &picture, name);
+                assert_eq!(code, 1, "{text}");
+                assert!(text.starts_with("Not right yet: "), "{text}");
+                assert!(text.contains(only), "{text}");
+                assert!(text.contains(&format!("{colour:?}.")), "{text}");
+                let is_pair = text.lines().any(|line| line.contains(", and "));
+                assert!(!is_pair, "{text}");
+            }
+            picture.put_pixel(320, 180, Rgb([9; 3]));
+        }
+    }
+    let one = made(Step::Nearest, &["centre-ignored"], SIZE, 1);
+    let answer = asked("flat", &one, Some("step03_nearest"));
+    assert_names(&answer, &[named("centre-ignored")]);
+    assert!(answer.text.contains("It has one colour only: "), "{answer:?}");
+}
+
+#[test]
+fn what_two_steps_know_is_told_once() {
+    // The sphere is behind the camera, so the pictures of steps 1 and 2 are the same.
+    let picture = made(Step::Rays, &["looks-back"], SIZE, 1);
+    let text = asked("once", &picture, None).text;
+    assert_eq!(text.matches(named("looks-back").when).count(), 1, "{text}");
+}
+
+#[test]
+fn every_cause_is_told() {
+    let inside = made(Step::Sphere, &["always-hits"], SIZE, 1);
+    let sky = right("step01_rays");
+    for picture in [inside, sky] {
+        let text = asked("all", &picture, Some("step02_sphere")).text;
+        let of_one = mistakes().filter(|mistake| {
+            mistake.section.step <= Step::Sphere
+                && made(Step::Sphere, &[mistake.name], SIZE, 1) == picture
+        });
+        let of_one: Vec<_> = of_one.collect();
+        println!("{} {text}", of_one.len());
+        assert!(3 <= of_one.len());
+        for mistake in of_one {
+            assert!(text.contains(&format!(" when {}", mistake.when)), "{text}");
+        }
+    }
 }
 
 #[test]
 fn the_picture_of_the_difference_is_yours_ours_and_where_they_differ() {
-    let (ours, yours) = (
-        locked("step03_nearest").expect("a locked picture"),
-        made(Step::Nearest, &["mirrored"], &camera(640, 360), 1),
-    );
+    let ours = right("step03_nearest");
+    let yours = made(Step::Nearest, &["mirrored"], SIZE, 1);
     let text = asked("panels", &yours, Some("step03_nearest")).text;
     let path =
         text.lines().last().and_then(|line| line.split_once(": ")).expect("a path");
@@ -299,7 +404,7 @@ fn the_picture_of_the_difference_is_yours_ours_and_where_they_differ() {
 
 #[test]
 fn the_right_picture_of_another_step_is_told() {
-    let picture = locked("step04_diffuse").expect("a locked picture");
+    let picture = right("step04_diffuse");
     let Answer { code, text } = asked("other", &picture, Some("step05_phong"));
     assert_eq!(code, 1);
     assert!(
@@ -310,7 +415,7 @@ fn the_right_picture_of_another_step_is_told() {
     );
     assert!(!text.contains("what you get when"), "{text}");
     // The sky alone is right in step 1, and a known mistake in step 2.
-    let picture = locked("step01_rays").expect("a locked picture");
+    let picture = right("step01_rays");
     let Answer { text, .. } = asked("other", &picture, Some("step02_sphere"));
     assert!(text.contains("this is the picture of step01_rays, not of"), "{text}");
     assert!(text.contains(named("never-hits").when), "{text}");
@@ -318,7 +423,7 @@ fn the_right_picture_of_another_step_is_told() {
 
 /// The locked picture of an exercise.
 fn exercise() -> RgbImage {
-    locked("glass").expect("a locked picture")
+    right("glass")
 }
 
 #[test]
@@ -359,119 +464,4 @@ fn another_size_of_an_exercise_is_told() {
     );
     assert!(text.contains("--width 640 gives that size."), "{text}");
     assert!(!text.contains("what you get when"), "{text}");
-}
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
-    command.args(arguments).output().expect("check runs")
-}
-
-#[test]
-fn the_program_ends_with_0_1_or_2() {
-    let folder = folder("codes");
-    let path = |name: &str| folder.join(name).display().to_string();
-    let right = locked("step02_sphere").expect("a locked picture");
-    right.save(path("right.png")).expect("a file");
-    made(Step::Sphere, &["a-is-a-length"], &camera(640, 360), 1)
-        .save(path("wrong.png"))
-        .expect("a file");
-    // Alpha and another name's end do not matter.
-    let alpha = RgbaImage::from_fn(640, 360, |i, j| {
-        let [r, g, b] = right.get_pixel(i, j).0;
-        image::Rgba([r, g, b, 255])
-    });
-    alpha.save(path("alpha.png")).expect("a file");
-    fs::copy(path("right.png"), path("right")).expect("a copy");
-
-    for (file, name, code) in [
-        ("right.png", None, 0),
-        ("right.png", Some("step02_sphere"), 0),
-        ("alpha.png", None, 0),
-        ("right", None, 0),
-        ("right.png", Some("step01_rays"), 1),
-        ("wrong.png", Some("step02_sphere"), 1),
-        ("wrong.png", None, 1),
-    ] {
-        let path = path(file);
-        let arguments: Vec<_> = [path.as_str()].into_iter().chain(name).collect();
-        let output = run(&arguments);
-        assert_eq!(output.status.code(), Some(code), "{output:?}");
-        assert!(
-            output.stderr.is_empty() && !output.stdout.is_empty(),
-            "{output:?}"
-        );
-    }
-    let help = run(&["--help"]);
-    assert!(help.status.success());
-    assert!(String::from_utf8_lossy(&help.stdout).contains("step05_phong"));
-}
-
-#[test]
-fn what_can_not_be_looked_at_is_told_in_one_sentence() {
-    let folder = folder("refused");
-    let path = |name: &str| folder.join(name).display().to_string();
-    let right = fs::read(locked_path("step01_rays")).expect("a snapshot");
-    fs::write(path("right.png"), &right).expect("a file");
-    fs::write(path("empty.png"), "").expect("a file");
-    fs::write(path("text.png"), "not a picture").expect("a file");
-    fs::write(path("photo.png"), b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01")
-        .expect("a file");
-    fs::write(path("short.png"), &right[..right.len() / 2]).expect("a file");
-    fs::write(path("head.png"), &right[..20]).expect("a file");
-    let mut flipped = right.clone();
-    flipped[right.len() / 2] ^= 0x55;
-    fs::write(path("flipped.png"), flipped).expect("a file");
-    fs::write(path("huge.png"), huge()).expect("a file");
-    fs::create_dir(path("folder.png")).expect("a folder");
-    let (right, nowhere) = (path("right.png"), path("nowhere.png"));
-    let all =
-        "step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong";
-    let cases: [(&[&str], &str); 13] = [
-        (&[&nowhere], "can't read"),
-        (&[&path("folder.png")], "is not a file"),
-        (&[&path("empty.png")], "is not a PNG file"),
-        (&[&path("text.png")], "is not a PNG file"),
-        (&[&path("photo.png")], "is not a PNG file"),
-        (&[&path("short.png")], "is a damaged PNG file"),
-        (&[&path("head.png")], "is a damaged PNG file"),
-        (&[&path("flipped.png")], "is a damaged PNG file"),
-        (&[&path("huge.png")], "is 200000×200000 pixels; allowed are"),
-        (&[&right, "step06_mirror"], all),
-        (&[], "allowed are one PNG file"),
-        (&[&right, "step01_rays", "more"], "allowed are one PNG file"),
-        (&["--width", "640"], "allowed are one PNG file"),
-    ];
-    for (arguments, words) in cases {
-        let output = run(arguments);
-        let text = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-        assert!(output.stdout.is_empty(), "{arguments:?}");
-        assert!(text.starts_with("error: ") && text.lines().count() == 1, "{text}");
-        assert!(text.contains(words), "{arguments:?}: {text}");
-    }
-}
-
-fn locked_path(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    folder.join(format!("../snapshots/{name}.snap.png"))
-}
-
-/// The beginning of a PNG file that says it has 200000×200000 pixels.
-fn huge() -> Vec<u8> {
-    let mut png = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
-    png.extend(200_000_u32.to_be_bytes());
-    png.extend(200_000_u32.to_be_bytes());
-    png.extend([8, 2, 0, 0, 0]);
-    png.extend(crc(&png[12..29]).to_be_bytes());
-    png.extend(b"\0\0\x10\0IDAT\x78\x9c");
-    png
-}
-
-/// The checksum of a part of a PNG file.
-fn crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-            (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 }
-        })
-    })
 }

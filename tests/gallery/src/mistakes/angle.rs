@@ -57,8 +57,8 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "θ is taken from top to bottom",
-        sees: "The view is too wide, and everything smaller by the shape of the picture.",
-        says: "OpenGL's angle is upright, the lecture's goes from left to right.",
+        sees: "The view is too wide, and everything smaller by the aspect ratio.",
+        says: "OpenGL's angle is vertical, the lecture's goes from left to right.",
         change: |parts| {
             let tan = parts.camera.matrix.z_axis.y;
             parts.camera = wide(parts, parts.camera.matrix.z_axis.x.powi(2) / tan);

@@ -48,7 +48,7 @@ pub(crate) const ALL: &[Mistake] = &[
         step: Step::Rays,
         section: section::CAMERA,
         when: "i and j change places",
-        sees: "The picture is tilted over its diagonal: up has become left.",
+        sees: "The picture is transposed: up has become left.",
         says: "D_u is multiplied by the column i, D_v by the row j.",
         change: |parts| {
             let DMat3 { x_axis: d_u, y_axis: d_v, z_axis: v_0 } =

@@ -1,7 +1,7 @@
 //! Mistakes with the specular term and the whole sum.
 
 use crate::{Mistake, Step, section};
-use step05_phong::{Attenuation, Light, Material, PointLight, reflect, specular};
+use step05_phong::{Attenuation, Light, PointLight, reflect, specular};
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
@@ -48,11 +48,7 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "the exponent n is left out",
         sees: "Highlights cover half of each sphere, like a second diffuse light.",
         says: "max(r·v, 0) is raised to the power of the shininess.",
-        change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                specular(r, v, d, &Material { shininess: 1, ..*material }, light)
-            };
-        },
+        change: |parts| parts.materials().for_each(|m| m.shininess = 1),
     },
     Mistake {
         name: "times-exponent",
@@ -62,17 +58,10 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "Half of each sphere is white.",
         says: "The exponent is a power: `powi`, not `*`.",
         change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                let n = material.shininess;
-                f64::from(n)
-                    * specular(
-                        r,
-                        v,
-                        d,
-                        &Material { shininess: 1, ..*material },
-                        light,
-                    )
-            };
+            parts.materials().for_each(|m| {
+                m.specular *= f64::from(m.shininess);
+                m.shininess = 1;
+            });
         },
     },
     Mistake {
@@ -83,11 +72,7 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "Highlights have the colours of their spheres.",
         says: "R_s is a number of its own; here it has no colour, as with varnish.",
         change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                let painted =
-                    Material { specular: material.surface.diffuse, ..*material };
-                specular(r, v, d, &painted, light)
-            };
+            parts.materials().for_each(|m| m.specular = m.surface.diffuse);
         },
     },
     Mistake {

@@ -2,8 +2,7 @@
 
 use crate::{Mistake, Step, section};
 use glam::DVec3;
-use step04_diffuse::diffuse;
-use step05_phong::{LIGHTS, Phong};
+use step04_diffuse::{Surface, diffuse};
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
@@ -14,8 +13,8 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "The side that faces away from a light is too dark, down to black.",
         says: "max(l·n, 0): a light behind the surface gives nothing, and takes nothing away.",
         change: |parts| {
-            parts.diffuse = |n, l, d, r_d, light| {
-                r_d / light.attenuation.at(d) * l.dot(n) * light.diffuse
+            parts.diffuse = |n, l, d, surface, light| {
+                surface.diffuse / light.attenuation.at(d) * l.dot(n) * light.diffuse
             };
         },
     },
@@ -27,8 +26,9 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "The dark sides are lit as well, as if by lights behind them.",
         says: "A light behind the surface does not reach it.",
         change: |parts| {
-            parts.diffuse = |n, l, d, r_d, light| {
-                r_d / light.attenuation.at(d) * l.dot(n).abs() * light.diffuse
+            parts.diffuse = |n, l, d, surface, light| {
+                let cosine = l.dot(n).abs();
+                surface.diffuse / light.attenuation.at(d) * cosine * light.diffuse
             };
         },
     },
@@ -40,8 +40,9 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "Spheres are flat discs again, only brighter.",
         says: "By Lambert's law, light that comes in at a slant counts l·n times.",
         change: |parts| {
-            parts.diffuse =
-                |_, _, d, r_d, light| r_d / light.attenuation.at(d) * light.diffuse;
+            parts.diffuse = |_, _, d, surface, light| {
+                surface.diffuse / light.attenuation.at(d) * light.diffuse
+            };
         },
     },
     Mistake {
@@ -52,7 +53,9 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "The lit sides have the colour of the light, not that of the sphere.",
         says: "The surface reflects only R_d of the light, in each of red, green and blue.",
         change: |parts| {
-            parts.diffuse = |n, l, d, _, light| diffuse(n, l, d, DVec3::ONE, light);
+            parts.diffuse = |n, l, d, _, light| {
+                diffuse(n, l, d, &Surface::of(DVec3::ONE), light)
+            };
         },
     },
     Mistake {
@@ -71,7 +74,7 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "the ambient term is left out",
         sees: "What no light reaches is black.",
         says: "The sum begins with I_a = R_a L_a.",
-        change: |parts| parts.ambient = |_, _| DVec3::ZERO,
+        change: |parts| parts.scene.ambient_light = DVec3::ZERO,
     },
     Mistake {
         name: "ambient-without-colour",
@@ -80,7 +83,9 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "R_a is left out of the ambient term",
         sees: "Everything is pale, and the dark sides are one bluish grey.",
         says: "The surface reflects only R_a of the ambient light, in its own colour.",
-        change: |parts| parts.ambient = |_, l_a| l_a,
+        change: |parts| {
+            parts.materials().for_each(|m| m.surface.ambient = DVec3::ONE);
+        },
     },
     Mistake {
         name: "ambient-per-light",
@@ -89,7 +94,7 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "the ambient term is added for each light",
         sees: "Everything is too bright, the dark sides most of all.",
         says: "I_a belongs to no light: it stands before the loop, and counts once.",
-        change: |parts| parts.ambient = |r_a, l_a| 2.0 * r_a * l_a,
+        change: |parts| parts.scene.ambient_light *= 2.0,
     },
     Mistake {
         name: "first-light-only",
@@ -98,7 +103,7 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "only the first light counts",
         sees: "The right sides of the spheres have lost their bluish light.",
         says: "The sum runs over all lights.",
-        change: |parts| parts.lights = &LIGHTS[..1],
+        change: |parts| parts.scene.lights.truncate(1),
     },
     Mistake {
         name: "last-light-only",
@@ -107,7 +112,7 @@ pub(crate) const ALL: &[Mistake] = &[
         when: "only the last light counts",
         sees: "Only the cool light is left, on the right sides.",
         says: "Add to the sum with `+=`: `=` forgets what was there before.",
-        change: |parts| parts.lights = &LIGHTS[1..],
+        change: |parts| drop(parts.scene.lights.drain(..1)),
     },
     Mistake {
         name: "averaged",
@@ -117,9 +122,11 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: "Everything that is lit is too dark.",
         says: "Light adds up: two lamps are brighter than one.",
         change: |parts| {
-            parts.sum = |&Phong { ambient, diffuse, specular }| {
-                ambient + (diffuse + specular) / LIGHTS.len() as f64
-            };
+            let count = parts.scene.lights.len() as f64;
+            for light in &mut parts.scene.lights {
+                light.point.diffuse /= count;
+                light.specular /= count;
+            }
         },
     },
 ];
