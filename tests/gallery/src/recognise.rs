@@ -184,9 +184,10 @@ fn rate(
 }
 
 /// The likeliest of the causes, which come in this order, with the number of rays a
-/// pixel that explains most; none where that is one.
+/// pixel that explains most; none where that is one, or can't be told.
 fn with_more_rays(yours: &RgbImage, causes: &[Rated]) -> Vec<Rated> {
-    let Some(samples) = samples(yours, causes) else { return vec![] };
+    let samples = samples(yours, causes).filter(|_| flat(yours).is_none());
+    let Some(samples) = samples else { return vec![] };
     let more =
         |(misses, cause): &Rated| (*misses, Cause { samples, ..cause.clone() });
     causes.iter().take(160).map(more).collect()
@@ -217,7 +218,7 @@ fn compare(yours: &RgbImage, cause: &Cause) -> Rest {
     let (width, height) = yours.dimensions();
     let all = yours.pixels().len();
     let rays = all as u64 * u64::from(cause.samples.pow(2));
-    let stride = rays.div_ceil(RAYS).isqrt().max(1) as u32;
+    let stride = (rays.div_ceil(RAYS) - 1).isqrt() as u32 + 1;
     let (columns, rows) = (width.div_ceil(stride), height.div_ceil(stride));
     let parts = cause.parts((width, height));
     let ours = RgbImage::from_par_fn(columns, rows, |i, j| {

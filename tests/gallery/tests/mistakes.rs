@@ -93,19 +93,18 @@ fn the_appendix_of_the_book_shows_the_gallery() {
 fn the_gallery_is_drawn_unless_its_pictures_are_newer_than_the_program() {
     let folder = folder("drawn");
     let draw = |built| gallery::draw(&folder, built).expect("pictures");
+    let path = |name: &str| folder.join(name).with_extension("png");
     let all = mistakes().flat_map(|one| one.shown().map(move |show| (one, show)));
+    let all: Vec<_> = all.collect();
     let stale = RgbImage::new(1, 1);
-    for (_, (_, name)) in all.clone() {
-        stale.save(folder.join(name).with_extension("png")).expect("a file");
+    for (_, (_, name)) in &all {
+        stale.save(path(name)).expect("a file");
     }
     draw(Some(SystemTime::UNIX_EPOCH));
-    for (_, (_, name)) in all.clone() {
-        assert!(opened(&folder.join(name).with_extension("png")) == stale);
-    }
+    assert!(all.iter().all(|(_, (_, name))| opened(&path(name)) == stale));
     // Where the time is unknown, nothing is new enough.
-    assert_eq!(draw(None).len(), all.clone().count());
-    for (mistake, (step, name)) in all.step_by(10) {
-        let picture = opened(&folder.join(&name).with_extension("png"));
-        assert!(picture == mistake.show(step), "{name}");
+    assert_eq!(draw(None).len(), all.len());
+    for (mistake, (step, name)) in all.iter().step_by(10) {
+        assert!(opened(&path(name)) == mistake.show(*step), "{name}");
     }
 }
