@@ -10,7 +10,8 @@ use step01_rays::Camera;
 pub struct Mistake {
     /// Its name in file names: lower-case words with `-` between them.
     pub name: &'static str,
-    /// The step in whose picture it is first told from the others.
+    /// The step in whose picture it is first told from the others: that of its section,
+    /// or a later one.
     pub step: Step,
     /// The section of the book to go back to; its step is the one whose code is wrong,
     /// although the mistake may not show before a later one.

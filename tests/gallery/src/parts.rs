@@ -3,7 +3,7 @@ use glam::DVec3;
 use image::{Rgb, RgbImage};
 use std::slice;
 use step01_rays::{Camera, Ray, direction_colour};
-use step02_sphere::{SPHERE, Sphere};
+use step02_sphere::{Roots, SPHERE, Sphere, quadratic};
 use step03_nearest::{Hit, Object};
 use step04_diffuse::{
     Attenuation, Point, PointLight, Scene, Surface, ambient, diffuse, normal,
@@ -23,8 +23,12 @@ pub struct Parts {
     pub ray: fn(Ray) -> Ray,
     /// The colour of a ray that meets nothing.
     pub miss: fn(&Ray) -> DVec3,
-    /// The first hit with one sphere.
-    pub first_hit: fn(&Sphere, &Ray) -> Option<f64>,
+    /// a, b and c.
+    pub coefficients: fn(&Sphere, &Ray) -> (f64, f64, f64),
+    /// The roots from a, b and c.
+    pub quadratic: fn(f64, f64, f64) -> Roots,
+    /// The first hit of them.
+    pub first_hit: fn(Roots) -> Option<f64>,
     /// The nearest hit of those with each sphere, which come in the list's order.
     pub nearest: Nearest,
     /// n.
@@ -64,7 +68,9 @@ impl Parts {
             scene,
             ray: |ray| ray,
             miss: direction_colour,
-            first_hit: |sphere, ray| sphere.intersect(ray).first_hit(),
+            coefficients: Sphere::coefficients,
+            quadratic,
+            first_hit: Roots::first_hit,
             nearest: |hits| hits.min_by(|a, b| a.t.total_cmp(&b.t)),
             normal,
             seen_from: PointLight::seen_from,
@@ -130,7 +136,9 @@ impl Parts {
     /// The point that `ray` sees of them.
     pub fn seen(&self, step: Step, ray: &Ray) -> Option<Point<'_, Named>> {
         let mut hits = self.objects(step).iter().filter_map(|object| {
-            Some(Hit { t: (self.first_hit)(&object.sphere, ray)?, object })
+            let (a, b, c) = (self.coefficients)(&object.sphere, ray);
+            let t = (self.first_hit)((self.quadratic)(a, b, c))?;
+            Some(Hit { t, object })
         });
         let hit = (self.nearest)(&mut hits)?;
         let p = ray.at(hit.t);
