@@ -1,8 +1,8 @@
 use crate::difference::apart;
 use crate::recognise::{RAYS, ROUNDING, Rest, flat, scattered};
-use crate::{Cause, Difference, Found, Mistake, Step};
+use crate::{Difference, Found, Mistake, Step};
 use crate::{camera, locked, mistakes, names, png, recognise, sight, workspace};
-use image::{RgbImage, imageops};
+use image::RgbImage;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -65,31 +65,29 @@ fn compared(
     locked: &[Named],
     folder: &Path,
 ) -> Result<Answer, String> {
-    let same = |(_, ours): &&Named| ours == yours;
     let is_asked = |other: &str| name.is_none_or(|name| name == other);
-    if let Some((same, _)) =
-        locked.iter().filter(same).find(|(same, _)| is_asked(same))
-    {
+    let asked = || locked.iter().filter(|(name, _)| is_asked(name));
+    if let Some((same, _)) = asked().find(|(_, ours)| ours == yours) {
         let text = format!("Right: this is the picture of {same}, in every pixel.");
         return Ok(Answer { code: 0, text });
     }
-    let same = locked.iter().find(same);
-    let asked = Step::ALL.into_iter().filter(|step| is_asked(step.name()));
+    let same = locked.iter().find(|(_, ours)| ours == yours);
+    let steps = Step::ALL.into_iter().filter(|step| is_asked(step.name()));
     let (broken, steps): (Vec<_>, Vec<_>) =
-        asked.partition(|step| BROKEN.contains(step));
+        steps.partition(|step| BROKEN.contains(step));
     // What is right elsewhere is not nearly something else here.
     let is_clear = |found: &Found| found.rest.is_none() || same.is_none();
-    let found = recognise(yours, &steps).filter(is_clear);
-    let known =
-        found.as_ref().and_then(|found| found.step).map(Step::name).or(name);
-    let (name, ours) = locked
-        .iter()
-        .filter(|(name, _)| known.is_none_or(|known| known == name))
+    let found = recognise(yours, &steps)
+        .or_else(|| asked().find_map(|ours| turned(yours, ours)))
+        .filter(is_clear);
+    let is_found =
+        |name: &str| found.as_ref().is_none_or(|found| found.name == name);
+    let (name, ours) = asked()
+        .filter(|(name, _)| is_found(name))
         .min_by_key(|(_, ours)| distance(yours, ours))
         .ok_or("there is no locked picture to compare with")?;
-    let found = found.or_else(|| turned(yours, ours).filter(is_clear));
 
-    let mut text = told_of(&broken, yours);
+    let mut text = told_of(&broken);
     let step = Step::named(name).filter(|step| !broken.contains(step));
     if let Some((same, _)) = same {
         let _ = writeln!(
@@ -121,65 +119,53 @@ fn compared(
     Ok(Answer { code: 1, text: text.trim_end().to_owned() })
 }
 
-/// Says that our own code is wrong, and whether it gives this picture.
-fn told_of(broken: &[Step], yours: &RgbImage) -> String {
+/// Says that our own code is wrong, where it is.
+fn told_of(broken: &[Step]) -> String {
     if broken.is_empty() {
         return String::new();
     }
     let names: Vec<_> = broken.iter().map(|step| step.name()).collect();
-    let mut text = format!(
+    format!(
         "The code in {} does not draw the locked picture of {} any more. Mend it first; \
          until then, few mistakes can be told.\n",
         workspace().display(),
         names.join(", ")
-    );
-    let draws = |step: &&Step| {
-        2 <= yours.width()
-            && step.picture(&camera(yours.width(), yours.height()), 1) == *yours
-    };
-    if let Some(step) = broken.iter().find(draws) {
-        let _ = writeln!(text, "Yours is what it draws as {} now.", step.name());
-    }
-    text
+    )
 }
 
 /// The mistakes that can be told from two pictures alone: those of an exercise too.
-fn turned(yours: &RgbImage, ours: &RgbImage) -> Option<Found> {
-    if yours.dimensions() != ours.dimensions() {
+fn turned(yours: &RgbImage, (name, ours): &Named) -> Option<Found> {
+    let (width, height) = ours.dimensions();
+    if yours.dimensions() != (width, height) {
         return None;
     }
-    let ways: [(&str, Way); 3] = [
-        ("y-down", |ours| imageops::flip_vertical(ours)),
-        ("mirrored", |ours| imageops::flip_horizontal(ours)),
-        ("bgr", |ours| {
-            let mut swapped = ours.clone();
-            swapped.pixels_mut().for_each(|pixel| pixel.0.reverse());
-            swapped
-        }),
-    ];
-    let choices: [&[usize]; 7] = [&[], &[0], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]];
-    let rest = |choice: &&[usize]| {
-        let ours =
-            choice.iter().fold(ours.clone(), |ours, &way| ways[way].1(&ours));
-        let pairs = yours.pixels().zip(ours.pixels());
-        let apart = pairs.map(|(a, b)| apart(a, b)).collect();
-        Rest { apart, all: yours.pixels().len() }
+    let rest = |[is_down, is_left, is_swapped]: [bool; 3]| {
+        let apart = yours.enumerate_pixels().map(|(i, j, yours)| {
+            let i = if is_left { width - 1 - i } else { i };
+            let j = if is_down { height - 1 - j } else { j };
+            let mut ours = *ours.get_pixel(i, j);
+            if is_swapped {
+                ours.0.reverse();
+            }
+            apart(yours, &ours)
+        });
+        Rest { apart: apart.collect(), all: yours.pixels().len() }
     };
-    let rests = choices.into_iter().map(|choice| (choice, rest(&choice)));
+    let choices = (0..8).map(|bits| [1, 2, 4].map(|bit| bits & bit != 0));
+    let rests = choices.map(|choice| (choice, rest(choice)));
     let (choice, rest) = rests.min_by_key(|(_, rest)| rest.beyond(ROUNDING))?;
-    let chosen = |one: &&Mistake| choice.iter().any(|&way| ways[way].0 == one.name);
+    let chosen = |one: &&Mistake| {
+        let mut names = ["y-down", "mirrored", "bgr"].iter().zip(choice);
+        names.any(|(name, is_chosen)| is_chosen && *name == one.name)
+    };
     let causes = vec![mistakes().filter(chosen).collect()];
-    rest.is_few(ROUNDING).then_some(Found { step: None, samples: 1, causes, rest })
+    let name = name.clone();
+    rest.is_few(ROUNDING).then_some(Found { name, samples: 1, causes, rest })
 }
-
-/// What a mistake makes of any right picture.
-type Way = fn(&RgbImage) -> RgbImage;
 
 /// Says what went wrong, as far as it is known, and where to go back to.
 fn verdict(found: &Found, name: &str) -> String {
-    let Some((first, others)) = found.causes.split_first() else {
-        return String::new();
-    };
+    let (first, others) = (&found.causes[0], &found.causes[1..]);
     let rest = rest(&found.rest);
     if first.is_empty() {
         let but = match (found.rest.is_none(), found.samples) {
@@ -283,12 +269,17 @@ fn differences(
     if is_right && found.is_some_and(|found| found.rest.is_none()) {
         return String::new();
     }
-    let samples = found.map_or(1, |found| found.samples);
-    let is_as_large = yours.dimensions() == ours.dimensions();
-    let ours = match step.filter(|_| !is_as_large && 2 <= yours.width()) {
-        Some(step) => &anew(yours, step, samples),
-        None if is_as_large => ours,
-        None => return String::new(),
+    let (width, height) = yours.dimensions();
+    let ours = match step {
+        _ if ours.dimensions() == (width, height) => ours,
+        Some(step) if 2 <= width => {
+            // More rays a pixel are not worth the wait, except for a small picture.
+            let samples = found.map_or(1, |found| found.samples);
+            let is_small = u64::from(width * height) * 256 <= RAYS;
+            &step
+                .picture(&camera(width, height), if is_small { samples } else { 1 })
+        }
+        _ => return String::new(),
     };
     let mut text = match found {
         None => sight::seen(yours, ours, step),
@@ -309,31 +300,12 @@ fn differences(
     text
 }
 
-/// The right picture of `step` in the size of yours.
-fn anew(yours: &RgbImage, step: Step, samples: u32) -> RgbImage {
-    let rays = yours.pixels().len() as u64 * u64::from(samples.pow(2));
-    // More rays a pixel than that are not worth the wait.
-    let samples = if rays <= RAYS { samples } else { 1 };
-    let cause = Cause { step, samples, mistakes: vec![] };
-    cause.parts(yours.dimensions()).picture(step, samples)
-}
-
-/// How far apart two pictures of any sizes are, at places all over them; one may be
-/// a mirror image.
-fn distance(yours: &RgbImage, ours: &RgbImage) -> Option<u64> {
-    let places: Vec<_> =
-        scattered(yours, 2000).into_iter().zip(scattered(ours, 2000)).collect();
-    let (right, bottom) = (ours.width() - 1, ours.height() - 1);
-    let apart = |(is_left, is_up): (bool, bool)| {
-        let channels = places.iter().flat_map(|&((i, j), (k, l))| {
-            let (k, l) = (
-                if is_left { right - k } else { k },
-                if is_up { bottom - l } else { l },
-            );
-            yours.get_pixel(i, j).0.into_iter().zip(ours.get_pixel(k, l).0)
-        });
-        channels.map(|(a, b)| u64::from(a.abs_diff(b))).sum()
-    };
-    let ways = [(false, false), (false, true), (true, false), (true, true)];
-    ways.into_iter().map(apart).min()
+/// How far apart two pictures of any sizes are, at places all over them.
+fn distance(yours: &RgbImage, ours: &RgbImage) -> u64 {
+    let places = scattered(yours, 2000).into_iter().zip(scattered(ours, 2000));
+    let apart = places.map(|((i, j), (k, l))| {
+        let pairs = yours.get_pixel(i, j).0.into_iter().zip(ours.get_pixel(k, l).0);
+        pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
+    });
+    apart.sum()
 }

@@ -7,12 +7,12 @@ use std::collections::HashSet;
 /// What is known of a picture.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Whose picture it is; None if it is that of an exercise.
-    pub step: Option<Step>,
+    /// Whose picture it is, that of a step or of an exercise.
+    pub name: String,
     /// The side of the grid of rays in each pixel.
     pub samples: u32,
-    /// What went wrong; several lists, where several give the same picture, and none
-    /// where nothing is known. An empty list is a right picture.
+    /// What went wrong; several lists, where several give the same picture. Where only
+    /// the size or the samples are wrong, the list is empty.
     pub causes: Vec<Vec<&'static Mistake>>,
     /// What they leave unexplained.
     pub rest: Rest,
@@ -139,7 +139,7 @@ fn found(causes: Vec<(Cause, Rest)>) -> Option<Found> {
     };
     let causes = causes.into_iter().map(|(cause, _)| cause.mistakes);
     let causes = causes.filter(|mistakes| told.insert(names(mistakes))).collect();
-    Some(Found { step: Some(step), samples, causes, rest })
+    Some(Found { name: step.name().to_owned(), samples, causes, rest })
 }
 
 /// The cause that explains all but a few pixels, or all but the rounding.

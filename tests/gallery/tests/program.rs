@@ -105,7 +105,16 @@ fn snapshot(name: &str) -> PathBuf {
     workspace().join(format!("tests/snapshots/{name}.snap.png"))
 }
 
-/// A project with these two pictures, the first of which no code draws.
+/// The beginning of a PNG file that says it has 200000×200000 pixels.
+fn huge() -> Vec<u8> {
+    let mut png = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
+    png.extend([0, 3, 0x0D, 0x40, 0, 3, 0x0D, 0x40, 8, 2, 0, 0, 0]);
+    png.extend([0x76, 0x59, 0x1F, 0x5D]); // their checksum
+    png.extend(b"\0\0\x10\0IDAT\x78\x9c");
+    png
+}
+
+/// A project with two pictures, the second of which no code draws.
 fn project(test: &str) -> PathBuf {
     let folder = folder(test);
     let snapshots = folder.join("tests/snapshots");
@@ -115,93 +124,57 @@ fn project(test: &str) -> PathBuf {
     let mut other = right("step03_nearest");
     other.put_pixel(9, 9, Rgb([0; 3]));
     other.save(snapshots.join("step03_nearest.snap.png")).expect("a file");
-    fs::copy(snapshot("step02_sphere"), snapshots.join("step02_sphere.snap.png"))
-        .expect("a copy");
+    let whole = right("step02_sphere");
+    whole.save(snapshots.join("step02_sphere.snap.png")).expect("a file");
     folder
 }
 
 #[test]
 fn the_pictures_are_looked_up_when_the_program_runs() {
     let project = project("moved");
-    let inside = project.join("tests");
-    let outside = env::temp_dir();
-    let program = project.join("check").with_extension(env::consts::EXE_EXTENSION);
-    fs::copy(command().get_program(), &program).expect("a copy");
-    let mut by_package = command();
-    by_package.env("CARGO_MANIFEST_DIR", &inside).current_dir(&outside);
-    let mut by_folder = command();
-    by_folder.env_remove("CARGO_MANIFEST_DIR").current_dir(&inside);
-    let mut by_program = Command::new(program);
-    by_program.env_remove("CARGO_MANIFEST_DIR").current_dir(&outside);
-    for mut command in [by_package, by_folder, by_program] {
-        let help = command.arg("--help").output().expect("check runs");
+    let (inside, outside) = (project.join("tests"), env::temp_dir());
+    let ours = command().get_program().to_owned();
+    let copy = project.join("check").with_extension(env::consts::EXE_EXTENSION);
+    fs::copy(&ours, &copy).expect("a copy");
+    let copy = copy.into_os_string();
+    let (two, all) =
+        ("nearest: step02_sphere, step03_nearest\n", "glass, halfway, mirror\n");
+    for (program, package, folder, names) in [
+        (&ours, Some(&inside), &outside, two),
+        (&ours, None, &inside, two),
+        (&copy, None, &outside, two),
+        (&ours, None, &outside, all),
+    ] {
+        let mut command = Command::new(program);
+        command.arg("--help").current_dir(folder).env_remove("CARGO_MANIFEST_DIR");
+        command.envs(package.map(|package| ("CARGO_MANIFEST_DIR", package)));
+        let help = command.output().expect("check runs");
         let text = String::from_utf8_lossy(&help.stdout).into_owned();
-        assert!(
-            text.contains("nearest: step02_sphere, step03_nearest\n"),
-            "{text}"
-        );
+        assert!(text.contains(names), "{folder:?}: {text}");
     }
-    let mut elsewhere = command();
-    elsewhere.env_remove("CARGO_MANIFEST_DIR").current_dir(&outside);
-    let help = elsewhere.arg("--help").output().expect("check runs");
-    let text = String::from_utf8_lossy(&help.stdout).into_owned();
-    assert!(
-        text.contains("step05_phong, graticule, look_at, panorama, lens"),
-        "{text}"
-    );
 }
 
 #[test]
 fn where_our_own_code_is_wrong_it_says_so_first() {
     let project = project("broken");
     let file = project.join("my.png");
-    let asked = |name: &str| {
+    let asked = |step: Step, mistakes: &[&str]| {
+        made(step, mistakes, (640, 360), 1).save(&file).expect("a file");
         let mut command = command();
-        command.env("CARGO_MANIFEST_DIR", &project).arg(&file).arg(name);
+        command.env("CARGO_MANIFEST_DIR", &project).arg(&file).arg(step.name());
         let output = command.output().expect("check runs");
         assert_eq!(output.status.code(), Some(1), "{output:?}");
         String::from_utf8_lossy(&output.stdout).into_owned()
     };
-    let folder = project.display();
-    let broken = format!(
-        "The code in {folder} does not draw the locked picture of step03_nearest any \
-         more."
-    );
-    right("step03_nearest").save(&file).expect("a file");
-    let text = asked("step03_nearest");
-    assert!(text.starts_with(&broken), "{text}");
-    assert!(
-        text.contains("Yours is what it draws as step03_nearest now."),
-        "{text}"
-    );
-    made(Step::Nearest, &["farthest"], (640, 360), 1).save(&file).expect("a file");
-    let text = asked("step03_nearest");
-    assert!(text.starts_with(&broken) && !text.contains(" when "), "{text}");
-    assert!(!text.contains("Yours is what it draws"), "{text}");
+    for mistakes in [&[][..], &["farthest"]] {
+        let text = asked(Step::Nearest, mistakes);
+        let told = format!(
+            "The code in {} does not draw the locked picture of step03_nearest any more.",
+            project.display()
+        );
+        assert!(text.starts_with(&told) && !text.contains(" when "), "{text}");
+    }
     // The other step is whole.
-    made(Step::Sphere, &["a-is-a-length"], (640, 360), 1)
-        .save(&file)
-        .expect("a file");
-    let text = asked("step02_sphere");
+    let text = asked(Step::Sphere, &["a-is-a-length"]);
     assert!(text.contains("is what you get when a is the length"), "{text}");
-}
-
-/// The beginning of a PNG file that says it has 200000×200000 pixels.
-fn huge() -> Vec<u8> {
-    let mut png = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
-    png.extend(200_000_u32.to_be_bytes());
-    png.extend(200_000_u32.to_be_bytes());
-    png.extend([8, 2, 0, 0, 0]);
-    png.extend(crc(&png[12..29]).to_be_bytes());
-    png.extend(b"\0\0\x10\0IDAT\x78\x9c");
-    png
-}
-
-/// The checksum of a part of a PNG file.
-fn crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-            (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 }
-        })
-    })
 }
