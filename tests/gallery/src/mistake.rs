@@ -1,7 +1,7 @@
 use crate::mistakes::{
     angle, bytes, intersect, light, matrix, nearest, phong, ray, shade,
 };
-use crate::{Parts, Section, Step};
+use crate::{Parts, Section, Step, camera};
 use image::RgbImage;
 use step01_rays::Camera;
 
@@ -10,7 +10,8 @@ use step01_rays::Camera;
 pub struct Mistake {
     /// Its name in file names: lower-case words with `-` between them.
     pub name: &'static str,
-    /// The step in whose picture it is first told from the others.
+    /// The step in whose picture it is first told from the others: that of its section,
+    /// or a later one.
     pub step: Step,
     /// The section of the book to go back to; its step is the one whose code is wrong,
     /// although the mistake may not show before a later one.
@@ -60,6 +61,11 @@ impl Mistake {
         let mut parts = Parts::right(camera);
         (self.change)(&mut parts);
         parts.picture(step, samples)
+    }
+
+    /// Its picture in `step` as the book shows it.
+    pub fn show(&self, step: Step) -> RgbImage {
+        self.picture_in(step, &camera(320, 180), 2)
     }
 
     /// The steps in whose pictures the book shows it, and the names of those pictures.
