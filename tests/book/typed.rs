@@ -56,6 +56,21 @@ fn the_book_suffices_at_the_end_of_each_chapter() {
     assert_eq!(fault(&BOOK), None);
 }
 
+#[test]
+fn every_group_of_a_table_of_contents_compiles_without_the_later_ones() {
+    let _typing = TYPING.lock();
+    let typist = Typist { folder: target().join("typed") };
+    let mut files: BTreeMap<&str, Vec<Listing>> = BTreeMap::new();
+    typist.put_aside().expect("the files can be moved");
+    for listing in BOOK.chapters().into_iter().flat_map(Listing::all) {
+        files.entry(listing.path).or_default().push(listing);
+    }
+    typist.write(&files).expect("the files can be written");
+    for step in STEPS {
+        typist.check_groups(step).unwrap_or_else(|error| panic!("{error:#}"));
+    }
+}
+
 const PHONG: &str = "step05_phong.html";
 
 #[test]

@@ -64,7 +64,11 @@ impl Typist {
         let program = program.with_extension(env::consts::EXE_EXTENSION);
         // What an earlier run left does not count.
         let _ = fs::remove_file(&program);
-        build(self.cargo(step))?;
+        let mut cargo = self.cargo(&["build", "--bins"]);
+        if self.folder.join("steps").join(step).join("benches").is_dir() {
+            cargo.args(["--bench", "*"]);
+        }
+        build(cargo)?;
         let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
         let (ours, theirs) = (lock(&workspace())?, lock(&self.folder)?);
         if let Some(package) = packages(&theirs).difference(&packages(&ours)).next()
@@ -76,14 +80,28 @@ impl Typist {
 
     /// Says what is wrong with the solutions and starters, typed as well by now.
     pub fn check_examples(&self, names: &[&str]) -> Result<()> {
-        let mut cargo = self.cargo("examples");
-        cargo.arg("--examples");
-        build(cargo)?;
+        build(self.cargo(&["build", "--bins", "--examples"]))?;
         let programs = self.folder.join("target/debug/examples");
         names.iter().try_for_each(|name| {
             let program = programs.join(name);
             self.compare(&program.with_extension(env::consts::EXE_EXTENSION), name)
         })
+    }
+
+    /// Says which group of the table of contents of `step` needs a later one, and whether
+    /// the numbers by hand do not compile.
+    pub fn check_groups(&self, step: &str) -> Result<()> {
+        let lib = self.folder.join(format!("steps/{step}/src/lib.rs"));
+        let whole = fs::read_to_string(&lib)?;
+        for (end, _) in whole.match_indices("\n\n") {
+            fs::write(&lib, &whole[..=end])?;
+            let checked = build(self.cargo(&["check", "--lib", "--package", step]));
+            checked.with_context(|| {
+                format!("up to byte {end} of {step}/src/lib.rs")
+            })?;
+        }
+        fs::write(&lib, &whole)?;
+        build(self.cargo(&["check", "--test", "by_hand", "--package", step]))
     }
 
     /// Compares the picture that `program` writes with the locked one of its name.
@@ -99,14 +117,16 @@ impl Typist {
         }
     }
 
-    /// Cargo, told to build the programs, and the benchmarks of `step`.
-    fn cargo(&self, step: &str) -> Command {
+    /// Cargo in the reader's folder, told to do `what`.
+    fn cargo(&self, what: &[&str]) -> Command {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["build", "--offline", "--quiet", "--message-format", "short"]);
-        cargo.args(["--bins", "--target-dir", "target"]).current_dir(&self.folder);
-        if self.folder.join("steps").join(step).join("benches").is_dir() {
-            cargo.args(["--bench", "*"]);
-        }
+        cargo.args(what).args([
+            "--offline",
+            "--quiet",
+            "--message-format",
+            "short",
+        ]);
+        cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
         // What the crates depend on is compiled already, for ours. As the crates have
         // the names of ours, a setting of their own keeps them apart.
         cargo.env("CARGO_BUILD_BUILD_DIR", target());
