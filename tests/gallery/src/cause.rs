@@ -1,5 +1,4 @@
-use crate::{Mistake, Parts, Step, mistakes};
-use step01_rays::Camera;
+use crate::{Mistake, Parts, Step, camera, mistakes};
 
 /// How a picture may have come about: a step, its samples, and up to two mistakes.
 #[derive(Clone, Debug)]
@@ -29,10 +28,9 @@ impl Cause {
         }
     }
 
-    /// The parts that draw it, seen by a camera of 60 degrees.
+    /// The parts that draw it, seen by the course's camera.
     pub fn parts(&self, (width, height): (u32, u32)) -> Parts {
-        let mut parts =
-            Parts::right(&Camera::new(width, height, 60_f64.to_radians()));
+        let mut parts = Parts::right(&camera(width, height));
         for mistake in &self.mistakes {
             (mistake.change)(&mut parts);
         }

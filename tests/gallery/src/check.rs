@@ -1,7 +1,8 @@
-use crate::recognise::scattered;
-use crate::{Cause, Difference, Found, Mistake, Step};
-use crate::{locked, mistakes, names, png, recognise, sight};
-use image::{RgbImage, imageops};
+use crate::difference::apart;
+use crate::recognise::{RAYS, ROUNDING, Rest, flat, scattered};
+use crate::{Difference, Found, Mistake, Step};
+use crate::{camera, locked, mistakes, names, png, recognise, sight, workspace};
+use image::RgbImage;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -17,11 +18,21 @@ pub struct Answer {
 }
 
 /// A picture to compare with, and its name.
-type Named = (&'static str, RgbImage);
+type Named = (String, RgbImage);
 
 /// All pictures that there are to compare with, or why one of them can't be had.
 static LOCKED: LazyLock<Result<Vec<Named>, String>> = LazyLock::new(|| {
-    names().into_iter().map(|name| Ok((name, locked(name)?))).collect()
+    let all = names().into_iter().map(|name| Ok((name.clone(), locked(&name)?)));
+    all.collect()
+});
+
+/// The steps whose code in this folder does not draw their locked pictures.
+static BROKEN: LazyLock<Vec<Step>> = LazyLock::new(|| {
+    let is_broken = |step: &Step| {
+        let drawn = step.picture(&camera(640, 360), 1);
+        locked(step.name()).is_ok_and(|ours| ours != drawn)
+    };
+    Step::ALL.into_iter().filter(is_broken).collect()
 });
 
 /// Compares the picture in `file` with the locked picture `name`, or with the nearest
@@ -31,14 +42,16 @@ static LOCKED: LazyLock<Result<Vec<Named>, String>> = LazyLock::new(|| {
 pub fn check(file: &Path, name: Option<&str>, folder: &Path) -> Answer {
     let answer = || {
         let known = names();
-        if let Some(name) = name.filter(|name| !known.contains(name)) {
-            let known = known.join(", ");
+        let is_known = |name: &&str| known.iter().any(|known| known == name);
+        if known.is_empty() || name.is_some_and(|name| !is_known(&name)) {
             return Err(format!(
-                "there is no picture '{name}'; allowed are {known}"
+                "there is no locked picture {}in {}; allowed are {}",
+                name.map(|name| format!("'{name}' ")).unwrap_or_default(),
+                workspace().display(),
+                known.join(", ")
             ));
         }
-        let yours = png::read(file)?;
-        compared(&yours, name, LOCKED.as_deref()?, folder)
+        compared(&png::read(file)?, name, LOCKED.as_deref()?, folder)
     };
     answer().unwrap_or_else(|sentence| Answer {
         code: 2,
@@ -52,115 +65,115 @@ fn compared(
     locked: &[Named],
     folder: &Path,
 ) -> Result<Answer, String> {
-    let same =
-        || locked.iter().filter(|(_, ours)| ours == yours).map(|(name, _)| *name);
-    if let Some(same) = same().find(|same| name.is_none_or(|name| name == *same)) {
+    let is_asked = |other: &str| name.is_none_or(|name| name == other);
+    let asked = || locked.iter().filter(|(name, _)| is_asked(name));
+    if let Some((same, _)) = asked().find(|(_, ours)| ours == yours) {
         let text = format!("Right: this is the picture of {same}, in every pixel.");
         return Ok(Answer { code: 0, text });
     }
-    let asked = |step: &Step| name.is_none_or(|name| name == step.name());
-    let steps: Vec<_> = Step::ALL.into_iter().filter(asked).collect();
+    let same = locked.iter().find(|(_, ours)| ours == yours);
+    let steps = Step::ALL.into_iter().filter(|step| is_asked(step.name()));
+    let (broken, steps): (Vec<_>, Vec<_>) =
+        steps.partition(|step| BROKEN.contains(step));
     // What is right elsewhere is not nearly something else here.
-    let is_clear = |found: &Found| found.rest == 0 || same().next().is_none();
-    let found = recognise(yours, &steps).filter(is_clear);
-    let known = name.or_else(|| Some(found.as_ref()?.causes[0].step.name()));
-    let (name, ours) = locked
-        .iter()
-        .filter(|(name, _)| known.is_none_or(|known| known == *name))
+    let is_clear = |found: &Found| found.rest.is_none() || same.is_none();
+    let found = recognise(yours, &steps)
+        .or_else(|| asked().find_map(|ours| turned(yours, ours)))
+        .filter(is_clear);
+    let is_found =
+        |name: &str| found.as_ref().is_none_or(|found| found.name == name);
+    let (name, ours) = asked()
+        .filter(|(name, _)| is_found(name))
         .min_by_key(|(_, ours)| distance(yours, ours))
         .ok_or("there is no locked picture to compare with")?;
-    let found = found.map_or_else(|| turned(yours, ours), Guess::from);
 
-    let mut text = match same().next() {
-        Some(same) => format!(
-            "Not right yet: this is the picture of {same}, not of {name}.\n"
-        ),
-        None => String::new(),
-    };
-    if text.is_empty() || !found.causes.is_empty() {
-        text += &verdict(&found, name);
+    let mut text = told_of(&broken);
+    let step = Step::named(name).filter(|step| !broken.contains(step));
+    if let Some((same, _)) = same {
+        let _ = writeln!(
+            text,
+            "Not right yet: this is the picture of {same}, not of {name}."
+        );
     }
-    text += &options(yours, ours, &found);
-    text += &differences(yours, (name, ours), &found, folder);
+    match &found {
+        Some(found) => text += &verdict(found, name),
+        None if same.is_some() => {}
+        None => {
+            let _ =
+                write!(text, "Not right yet: this is not the picture of {name}");
+            text += match flat(yours).is_some() || !broken.is_empty() {
+                true => ".\n",
+                false => ", and no known mistake gives it.\n",
+            };
+        }
+    }
+    if let Some(colour) = flat(yours) {
+        let all = match yours.pixels().all(|pixel| *pixel == colour) {
+            true => "",
+            false => " in nearly all pixels",
+        };
+        let _ = writeln!(text, "It has one colour only{all}: {:?}.", colour.0);
+    }
+    text += &options(yours, ours, found.as_ref());
+    text += &differences(yours, (name, ours), step, found.as_ref(), folder);
     Ok(Answer { code: 1, text: text.trim_end().to_owned() })
 }
 
-/// What is known of a picture, whether it is of a step or of an exercise.
-struct Guess {
-    /// What went wrong; several lists where several give the same picture; none where
-    /// nothing is known.
-    causes: Vec<Vec<&'static Mistake>>,
-    /// How many pixels are left unexplained.
-    rest: usize,
-    /// The side of the grid of rays in each pixel.
-    samples: u32,
-}
-
-impl From<Found> for Guess {
-    fn from(found: Found) -> Self {
-        let (samples, rest) = (found.causes[0].samples, found.rest);
-        let causes = found.causes.into_iter().map(|cause| cause.mistakes);
-        Self { causes: causes.collect(), rest, samples }
+/// Says that our own code is wrong, where it is.
+fn told_of(broken: &[Step]) -> String {
+    if broken.is_empty() {
+        return String::new();
     }
+    let names: Vec<_> = broken.iter().map(|step| step.name()).collect();
+    format!(
+        "The code in {} does not draw the locked picture of {} any more. Mend it first; \
+         until then, few mistakes can be told.\n",
+        workspace().display(),
+        names.join(", ")
+    )
 }
 
-impl Guess {
-    /// Whether nothing but the size or the samples is wrong.
-    fn is_right(&self) -> bool {
-        self.causes.first().is_some_and(Vec::is_empty)
+/// The mistakes that can be told from two pictures alone: those of an exercise too.
+fn turned(yours: &RgbImage, (name, ours): &Named) -> Option<Found> {
+    let (width, height) = ours.dimensions();
+    if yours.dimensions() != (width, height) {
+        return None;
     }
-}
-
-/// The mistakes that can be told from a picture alone: those of an exercise too.
-fn turned(yours: &RgbImage, ours: &RgbImage) -> Guess {
-    let ways: [(&str, Way); 3] = [
-        ("y-down", |ours| imageops::flip_vertical(ours)),
-        ("mirrored", |ours| imageops::flip_horizontal(ours)),
-        ("bgr", |ours| {
-            let mut swapped = ours.clone();
-            swapped.pixels_mut().for_each(|pixel| pixel.0.reverse());
-            swapped
-        }),
-    ];
-    let choices: [&[usize]; 6] = [&[0], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]];
-    let explains = |choice: &&&[usize]| {
-        choice.iter().fold(ours.clone(), |ours, &way| ways[way].1(&ours)) == *yours
+    let rest = |[is_down, is_left, is_swapped]: [bool; 3]| {
+        let apart = yours.enumerate_pixels().map(|(i, j, yours)| {
+            let i = if is_left { width - 1 - i } else { i };
+            let j = if is_down { height - 1 - j } else { j };
+            let mut ours = *ours.get_pixel(i, j);
+            if is_swapped {
+                ours.0.reverse();
+            }
+            apart(yours, &ours)
+        });
+        Rest { apart: apart.collect(), all: yours.pixels().len() }
     };
-    let named = |choice: &&[usize]| {
-        let chosen =
-            |one: &&Mistake| choice.iter().any(|&way| ways[way].0 == one.name);
-        mistakes().filter(chosen).collect()
+    let choices = (0..8).map(|bits| [1, 2, 4].map(|bit| bits & bit != 0));
+    let rests = choices.map(|choice| (choice, rest(choice)));
+    let (choice, rest) = rests.min_by_key(|(_, rest)| rest.beyond(ROUNDING))?;
+    let chosen = |one: &&Mistake| {
+        let mut names = ["y-down", "mirrored", "bgr"].iter().zip(choice);
+        names.any(|(name, is_chosen)| is_chosen && *name == one.name)
     };
-    let causes = choices.iter().find(explains).into_iter().map(named).collect();
-    Guess { causes, rest: 0, samples: 1 }
+    let causes = vec![mistakes().filter(chosen).collect()];
+    let name = name.clone();
+    rest.is_few(ROUNDING).then_some(Found { name, samples: 1, causes, rest })
 }
-
-/// What a mistake makes of any right picture.
-type Way = fn(&RgbImage) -> RgbImage;
 
 /// Says what went wrong, as far as it is known, and where to go back to.
-fn verdict(guess: &Guess, name: &str) -> String {
-    let rest = match guess.rest {
-        0 => String::new(),
-        1 => " in all but 1 pixel".to_owned(),
-        rest => format!(" in all but {rest} pixels"),
-    };
-    let Some((first, others)) = guess.causes.split_first() else {
-        return format!(
-            "Not right yet: this is not the picture of {name}, and no known mistake \
-             gives it.\n"
-        );
-    };
+fn verdict(found: &Found, name: &str) -> String {
+    let (first, others) = (&found.causes[0], &found.causes[1..]);
+    let rest = rest(&found.rest);
     if first.is_empty() {
-        return match guess.rest {
-            0 if guess.samples == 1 => {
-                format!("Right but for its size: this is the picture of {name}.\n")
-            }
-            0 => {
-                format!("Right but for its rays: this is the picture of {name}.\n")
-            }
-            _ => format!("Nearly right: this is the picture of {name}{rest}.\n"),
+        let but = match (found.rest.is_none(), found.samples) {
+            (false, _) => "Nearly right",
+            (true, 1) => "Right but for its size",
+            (true, _) => "Right but for its rays",
         };
+        return format!("{but}: this is the picture of {name}{rest}.\n");
     }
     let when = |mistakes: &[&Mistake]| {
         let all: Vec<_> = mistakes.iter().map(|mistake| mistake.when).collect();
@@ -170,16 +183,31 @@ fn verdict(guess: &Guess, name: &str) -> String {
         "Not right yet: your picture of {name} is{rest} what you get when {}.\n",
         when(first)
     );
-    for mistake in first {
-        text += &back(mistake);
-    }
-    for other in others.iter().take(2) {
-        let _ = writeln!(text, "You get the same picture when {}.", when(other));
-        let is_told =
-            |one: &&&Mistake| first.iter().any(|told| told.name == one.name);
-        other.iter().filter(|one| !is_told(one)).for_each(|one| text += &back(one));
+    first.iter().for_each(|mistake| text += &back(mistake));
+    for other in others {
+        let pages: Vec<_> = other.iter().map(|one| one.section.page()).collect();
+        let (when, pages) = (when(other), pages.join(", "));
+        let _ = writeln!(text, "You get the same picture when {when} ({pages}).");
     }
     text
+}
+
+/// The pixels that the known causes do not explain, or that were not compared.
+fn rest(rest: &Rest) -> String {
+    let by = match rest.apart.iter().max() {
+        Some(by @ 1..=ROUNDING) => format!(" (off by {by} of 255 at most)"),
+        _ => String::new(),
+    };
+    let compared = match rest.apart.len() {
+        all if all == rest.all => String::new(),
+        some => format!(" of the {some} that were compared"),
+    };
+    match rest.beyond(0) {
+        0 if compared.is_empty() => String::new(),
+        0 => format!(" in all pixels{compared}"),
+        1 => format!(" in all but 1 pixel{compared}{by}"),
+        pixels => format!(" in all but {pixels} pixels{compared}{by}"),
+    }
 }
 
 /// Where to go back to, to find one mistake.
@@ -196,7 +224,7 @@ fn back(mistake: &Mistake) -> String {
 
 /// Says both sizes and both numbers of rays where they differ, and the options that
 /// give the right ones.
-fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
+fn options(yours: &RgbImage, ours: &RgbImage, found: Option<&Found>) -> String {
     let ((w, h), (right_w, right_h)) = (yours.dimensions(), ours.dimensions());
     let mut text = String::new();
     if (w, h) != (right_w, right_h) {
@@ -217,11 +245,11 @@ fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
             options.join(" ")
         );
     }
-    if guess.samples != 1 {
+    if let Some(Found { samples: samples @ 2.., .. }) = found {
         let _ = writeln!(
             text,
-            "It has {0}×{0} rays a pixel, and the locked picture 1: --samples 1 gives that.",
-            guess.samples
+            "It has {samples}×{samples} rays a pixel, and the locked picture 1: \
+             --samples 1 gives that."
         );
     }
     text
@@ -233,29 +261,31 @@ fn options(yours: &RgbImage, ours: &RgbImage, guess: &Guess) -> String {
 fn differences(
     yours: &RgbImage,
     (name, ours): (&str, &RgbImage),
-    guess: &Guess,
+    step: Option<Step>,
+    found: Option<&Found>,
     folder: &Path,
 ) -> String {
-    if guess.is_right() && guess.rest == 0 {
+    let is_right = found.is_some_and(|found| found.causes[0].is_empty());
+    if is_right && found.is_some_and(|found| found.rest.is_none()) {
         return String::new();
     }
-    let step = Step::named(name);
+    let (width, height) = yours.dimensions();
     let ours = match step {
-        Some(step)
-            if yours.dimensions() != ours.dimensions() && 2 <= yours.width() =>
-        {
-            &anew(yours, step, guess.samples)
+        _ if ours.dimensions() == (width, height) => ours,
+        Some(step) if 2 <= width => {
+            // More rays a pixel are not worth the wait, except for a small picture.
+            let samples = found.map_or(1, |found| found.samples);
+            let is_small = u64::from(width * height) * 256 <= RAYS;
+            &step
+                .picture(&camera(width, height), if is_small { samples } else { 1 })
         }
-        _ => ours,
+        _ => return String::new(),
     };
-    if yours.dimensions() != ours.dimensions() {
-        return String::new();
-    }
-    let mut text = match guess.causes[..] {
-        [] => sight::seen(yours, ours, step),
+    let mut text = match found {
+        None => sight::seen(yours, ours, step),
         _ => sight::region(yours, ours),
     };
-    if guess.is_right() && text.contains("by up to 1 of 255") {
+    if is_right && text.contains("by up to 1 of 255") {
         text += "That is rounding, as of numbers with fewer digits than f64.\n";
     }
     let path = folder.join(format!("{name}.png"));
@@ -270,31 +300,12 @@ fn differences(
     text
 }
 
-/// The right picture of `step` in the size of yours.
-fn anew(yours: &RgbImage, step: Step, samples: u32) -> RgbImage {
-    let rays = yours.pixels().len() * samples.pow(2) as usize;
-    // More rays a pixel than that are not worth the wait.
-    let samples = if rays < 4_000_000 { samples } else { 1 };
-    let cause = Cause { step, samples, mistakes: vec![] };
-    cause.parts(yours.dimensions()).picture(step, samples)
-}
-
-/// How far apart two pictures of any sizes are, at places all over them; one may be
-/// a mirror image.
-fn distance(yours: &RgbImage, ours: &RgbImage) -> Option<u64> {
-    let places: Vec<_> =
-        scattered(yours, 2000).into_iter().zip(scattered(ours, 2000)).collect();
-    let (right, bottom) = (ours.width() - 1, ours.height() - 1);
-    let apart = |(is_left, is_up): (bool, bool)| {
-        let channels = places.iter().flat_map(|&((i, j), (k, l))| {
-            let (k, l) = (
-                if is_left { right - k } else { k },
-                if is_up { bottom - l } else { l },
-            );
-            yours.get_pixel(i, j).0.into_iter().zip(ours.get_pixel(k, l).0)
-        });
-        channels.map(|(a, b)| u64::from(a.abs_diff(b))).sum()
-    };
-    let ways = [(false, false), (false, true), (true, false), (true, true)];
-    ways.into_iter().map(apart).min()
+/// How far apart two pictures of any sizes are, at places all over them.
+fn distance(yours: &RgbImage, ours: &RgbImage) -> u64 {
+    let places = scattered(yours, 2000).into_iter().zip(scattered(ours, 2000));
+    let apart = places.map(|((i, j), (k, l))| {
+        let pairs = yours.get_pixel(i, j).0.into_iter().zip(ours.get_pixel(k, l).0);
+        pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
+    });
+    apart.sum()
 }

@@ -38,21 +38,23 @@ impl Difference {
 
     /// The locked picture, the new one, and where they differ, side by side.
     ///
-    /// Equal pixels are black; the others are red, the brighter the farther apart.
+    /// Equal pixels are black; the others are red, the brighter the farther apart, and
+    /// brightest where only one of the two has a pixel.
     pub fn picture(locked: &RgbImage, new: &RgbImage) -> RgbImage {
         let (width, height) =
             (locked.width().max(new.width()), locked.height().max(new.height()));
         let mut panels = RgbImage::new(3 * width, height);
         let _ = panels.copy_from(locked, 0, 0);
         let _ = panels.copy_from(new, width, 0);
-        for (i, j, a) in locked.enumerate_pixels() {
-            let far = new.get_pixel_checked(i, j).map_or(255, |b| apart(a, b));
+        for (i, j) in (0..width).flat_map(|i| (0..height).map(move |j| (i, j))) {
+            let far = match [locked, new].map(|one| one.get_pixel_checked(i, j)) {
+                [Some(a), Some(b)] => apart(a, b),
+                [None, None] => 0,
+                _ => 255,
+            };
             if 0 < far {
-                panels.put_pixel(
-                    2 * width + i,
-                    j,
-                    Rgb([far.saturating_add(80), far / 2, far / 4]),
-                );
+                let red = Rgb([far.saturating_add(80), far / 2, far / 4]);
+                panels.put_pixel(2 * width + i, j, red);
             }
         }
         panels
@@ -117,5 +119,17 @@ mod tests {
     fn sizes_are_compared_first() {
         let found = Difference::between(&RgbImage::new(4, 3), &RgbImage::new(2, 3));
         assert_eq!(found, Some(Difference::Size((4, 3), (2, 3))));
+    }
+
+    #[test]
+    fn what_only_one_of_them_has_is_marked() {
+        let (tall, wide) = (RgbImage::new(2, 3), RgbImage::new(4, 1));
+        let is_marked = |(i, j)| (i < 2) != (j < 1);
+        for (locked, new) in [(&tall, &wide), (&wide, &tall)] {
+            let picture = Difference::picture(locked, new);
+            for (i, j, pixel) in picture.enumerate_pixels().filter(|p| 8 <= p.0) {
+                assert_eq!(pixel[0] == 255, is_marked((i - 8, j)), "{i}, {j}");
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@
 mod step;
 
 mod parts;
+mod scene;
 mod section;
 
 mod mistake;
@@ -12,6 +13,9 @@ mod mistakes;
 mod difference;
 mod locked;
 mod png;
+mod workspace;
+
+mod drawn;
 
 mod cause;
 mod recognise;
@@ -25,9 +29,13 @@ pub use appendix::appendix;
 pub(crate) use cause::Cause;
 pub use check::{Answer, check};
 pub use difference::Difference;
+pub use drawn::draw;
 pub use locked::{locked, names};
-pub use mistake::{Mistake, mistakes};
-pub use parts::{FirstHit, Parts};
+pub use mistake::Mistake;
+pub use mistakes::mistakes;
+pub use parts::{Nearest, Parts};
 pub(crate) use recognise::{Found, recognise};
+pub use scene::Named;
 pub use section::Section;
-pub use step::Step;
+pub use step::{Step, camera};
+pub use workspace::workspace;

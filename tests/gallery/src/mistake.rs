@@ -1,7 +1,4 @@
-use crate::mistakes::{
-    angle, bytes, intersect, light, matrix, nearest, phong, ray, shade,
-};
-use crate::{Parts, Section, Step};
+use crate::{Parts, Section, Step, camera};
 use image::RgbImage;
 use step01_rays::Camera;
 
@@ -10,7 +7,8 @@ use step01_rays::Camera;
 pub struct Mistake {
     /// Its name in file names: lower-case words with `-` between them.
     pub name: &'static str,
-    /// The step in whose picture it is first told from the others.
+    /// The step in whose picture it is first told from the others: that of its section,
+    /// or a later one.
     pub step: Step,
     /// The section of the book to go back to; its step is the one whose code is wrong,
     /// although the mistake may not show before a later one.
@@ -23,25 +21,6 @@ pub struct Mistake {
     pub says: &'static str,
     /// Replaces the one part.
     pub change: fn(&mut Parts),
-}
-
-/// Every mistake of the gallery, in the order of the steps' files.
-///
-/// Where two are made at once, the earlier comes first: angles before mirror images.
-pub fn mistakes() -> impl Iterator<Item = &'static Mistake> {
-    [
-        angle::ALL,
-        matrix::ALL,
-        ray::ALL,
-        bytes::ALL,
-        intersect::ALL,
-        nearest::ALL,
-        light::ALL,
-        shade::ALL,
-        phong::ALL,
-    ]
-    .into_iter()
-    .flatten()
 }
 
 impl Mistake {
@@ -60,6 +39,11 @@ impl Mistake {
         let mut parts = Parts::right(camera);
         (self.change)(&mut parts);
         parts.picture(step, samples)
+    }
+
+    /// Its picture in `step` as the book shows it.
+    pub fn show(&self, step: Step) -> RgbImage {
+        self.picture_in(step, &camera(320, 180), 2)
     }
 
     /// The steps in whose pictures the book shows it, and the names of those pictures.

@@ -1,83 +1,94 @@
-use crate::Step;
+use crate::{Named, Step, scene::scene};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
+use std::slice;
 use step01_rays::{Camera, Ray, direction_colour};
-use step02_sphere::{SPHERE, Sphere};
-use step03_nearest::{COLOURS, Hit, SPHERES};
+use step02_sphere::{Roots, SPHERE, Sphere, quadratic};
+use step03_nearest::{Hit, Object};
 use step04_diffuse::{
-    AMBIENT_LIGHT, Attenuation, PointLight, ambient, diffuse, normal,
+    Attenuation, Point, PointLight, Scene, Surface, ambient, diffuse, normal,
 };
-use step05_phong::{LIGHTS, Light, MATERIALS, Material, Phong, reflect, specular};
-
-/// The smallest t above 0 at which a ray meets a sphere.
-pub type FirstHit = fn(&Sphere, &Ray) -> Option<f64>;
+use step05_phong::{Light, Material, Phong, reflect, specular};
 
 /// What the five steps are made of; a mistake replaces one part by a wrong one.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Parts {
     /// C and the matrix.
     pub camera: Camera,
+    /// The one object of step 2.
+    pub sphere: Object<Named>,
+    /// The objects of the later steps, and the lights that count.
+    pub scene: Scene<Named, Light>,
     /// What becomes of a ray before it is cast.
     pub ray: fn(Ray) -> Ray,
     /// The colour of a ray that meets nothing.
     pub miss: fn(&Ray) -> DVec3,
-    /// The first hit with one sphere.
-    pub first_hit: FirstHit,
-    /// The nearest hit with many.
-    pub nearest: fn(&[Sphere], &Ray, FirstHit) -> Option<Hit>,
+    /// a, b and c.
+    pub coefficients: fn(&Sphere, &Ray) -> (f64, f64, f64),
+    /// The roots from a, b and c.
+    pub quadratic: fn(f64, f64, f64) -> Roots,
+    /// The first hit of them.
+    pub first_hit: fn(Roots) -> Option<f64>,
+    /// The nearest hit of those with each sphere, which come in the list's order.
+    pub nearest: Nearest,
     /// n.
     pub normal: fn(&Sphere, DVec3) -> DVec3,
     /// l and d.
     pub seen_from: fn(&PointLight, DVec3) -> (DVec3, f64),
     /// a + bd + cd².
     pub attenuation: fn(&Attenuation, f64) -> f64,
-    /// R_a and L_a in I_a.
-    pub ambient: fn(DVec3, DVec3) -> DVec3,
-    /// I_d of one light.
-    pub diffuse: fn(DVec3, DVec3, f64, DVec3, &PointLight) -> DVec3,
+    /// I_d of one light, from n, l and d.
+    pub diffuse: fn(DVec3, DVec3, f64, &Surface, &PointLight) -> DVec3,
     /// v.
     pub to_eye: fn(&Ray) -> DVec3,
     /// Whether a light with these n and l can give a highlight.
     pub lit: fn(DVec3, DVec3) -> bool,
     /// r from l and n.
     pub reflect: fn(DVec3, DVec3) -> DVec3,
-    /// I_s of one light.
+    /// I_s of one light, from r, v and d.
     pub specular: fn(DVec3, DVec3, f64, &Material, &Light) -> DVec3,
-    /// The lights that count.
-    pub lights: &'static [Light],
-    /// The sum of the terms.
-    pub sum: fn(&Phong) -> DVec3,
     /// The byte of an intensity.
     pub byte: fn(f64) -> u8,
     /// The order of the three bytes.
     pub order: fn([u8; 3]) -> [u8; 3],
 }
 
+/// Chooses one hit of many.
+pub type Nearest =
+    for<'a> fn(&mut dyn Iterator<Item = Hit<'a, Named>>) -> Option<Hit<'a, Named>>;
+
 impl Parts {
     /// The right ones.
     pub fn right(camera: &Camera) -> Self {
+        let scene = scene();
+        let material = Named { name: "the sphere", ..scene.objects[0].material };
         Self {
             camera: *camera,
+            sphere: Object { sphere: SPHERE, material },
+            scene,
             ray: |ray| ray,
             miss: direction_colour,
-            first_hit: |sphere, ray| sphere.intersect(ray).first_hit(),
-            nearest: |spheres, ray, first_hit| {
-                hits(spheres, ray, first_hit).min_by(|a, b| a.t.total_cmp(&b.t))
-            },
+            coefficients: Sphere::coefficients,
+            quadratic,
+            first_hit: Roots::first_hit,
+            nearest: |hits| hits.min_by(|a, b| a.t.total_cmp(&b.t)),
             normal,
             seen_from: PointLight::seen_from,
             attenuation: Attenuation::at,
-            ambient,
             diffuse,
             to_eye: |ray| -ray.direction.normalize(),
             lit: |n, l| 0.0 < n.dot(l),
             reflect,
             specular,
-            lights: &LIGHTS,
-            sum: Phong::sum,
             byte: |intensity| (255.0 * intensity.clamp(0.0, 1.0) + 0.5) as u8,
             order: |rgb| rgb,
         }
+    }
+
+    /// The materials of the scene, to be changed.
+    pub(crate) fn materials(&mut self) -> impl Iterator<Item = &mut Material> {
+        let objects = self.scene.objects.iter_mut();
+        objects.map(|object| &mut object.material.material)
     }
 
     /// The picture that these parts draw in `step`.
@@ -104,38 +115,53 @@ impl Parts {
     }
 
     fn colour(&self, step: Step, ray: &Ray) -> DVec3 {
-        let seen = match step {
-            Step::Rays => None,
-            Step::Sphere => (self.first_hit)(&SPHERE, ray).map(|_| COLOURS[0]),
-            _ => (self.nearest)(&SPHERES, ray, self.first_hit).map(|hit| {
-                if step == Step::Nearest {
-                    return COLOURS[hit.index];
-                }
-                (self.sum)(&self.terms(step, ray, hit))
-            }),
-        };
-        seen.unwrap_or_else(|| (self.miss)(ray))
+        match self.seen(step, ray) {
+            None => (self.miss)(ray),
+            Some(point) if step <= Step::Nearest => {
+                point.material.material.surface.diffuse
+            }
+            Some(point) => self.terms(step, ray, &point).sum(),
+        }
     }
 
-    /// The terms of the light at `hit`; in step 4 the specular one is 0.
-    fn terms(&self, step: Step, ray: &Ray, hit: Hit) -> Phong {
+    /// The objects that there are in `step`.
+    pub fn objects(&self, step: Step) -> &[Object<Named>] {
+        match step {
+            Step::Rays => &[],
+            Step::Sphere => slice::from_ref(&self.sphere),
+            _ => &self.scene.objects,
+        }
+    }
+
+    /// The point that `ray` sees of them.
+    pub fn seen(&self, step: Step, ray: &Ray) -> Option<Point<'_, Named>> {
+        let mut hits = self.objects(step).iter().filter_map(|object| {
+            let (a, b, c) = (self.coefficients)(&object.sphere, ray);
+            let t = (self.first_hit)((self.quadratic)(a, b, c))?;
+            Some(Hit { t, object })
+        });
+        let hit = (self.nearest)(&mut hits)?;
         let p = ray.at(hit.t);
-        let n = (self.normal)(&SPHERES[hit.index], p);
-        let v = (self.to_eye)(ray);
-        let material = &MATERIALS[hit.index];
+        let n = (self.normal)(&hit.object.sphere, p);
+        Some(Point { p, n, material: &hit.object.material })
+    }
+
+    /// The terms of the light at `point`; in step 4 the specular one is 0.
+    fn terms(&self, step: Step, ray: &Ray, point: &Point<Named>) -> Phong {
+        let Point { p, n, material: Named { material, .. } } = point;
+        let (n, v) = (*n, (self.to_eye)(ray));
         let mut sum = Phong {
-            ambient: (self.ambient)(material.surface.ambient, AMBIENT_LIGHT),
+            ambient: ambient(material.surface.ambient, self.scene.ambient_light),
             diffuse: DVec3::ZERO,
             specular: DVec3::ZERO,
         };
-        for light in self.lights {
-            let (l, d) = (self.seen_from)(&light.point, p);
+        for light in &self.scene.lights {
+            let (l, d) = (self.seen_from)(&light.point, *p);
             // The divisor, whatever it is, as a light's own: `diffuse` divides by it.
             let a = (self.attenuation)(&light.point.attenuation, d);
             let attenuation = Attenuation { a, b: 0.0, c: 0.0 };
             let point = PointLight { attenuation, ..light.point };
-            sum.diffuse +=
-                (self.diffuse)(n, l, d, material.surface.diffuse, &point);
+            sum.diffuse += (self.diffuse)(n, l, d, &material.surface, &point);
             if step == Step::Phong && (self.lit)(n, l) {
                 let (r, light) = ((self.reflect)(l, n), Light { point, ..*light });
                 sum.specular += (self.specular)(r, v, d, material, &light);
@@ -143,15 +169,4 @@ impl Parts {
         }
         sum
     }
-}
-
-/// The first hit with every sphere that `ray` meets, in the order of the list.
-pub fn hits<'a>(
-    spheres: &'a [Sphere],
-    ray: &'a Ray,
-    first_hit: FirstHit,
-) -> impl Iterator<Item = Hit> {
-    spheres.iter().enumerate().filter_map(move |(index, sphere)| {
-        Some(Hit { t: first_hit(sphere, ray)?, index })
-    })
 }

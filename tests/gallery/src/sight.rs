@@ -1,25 +1,8 @@
 use crate::difference::apart;
 use crate::recognise::scattered;
-use crate::{Parts, Step};
+use crate::{Parts, Step, camera};
 use image::{Rgb, RgbImage, imageops};
 use std::fmt::Write;
-use step01_rays::Camera;
-use step02_sphere::SPHERE;
-use step03_nearest::SPHERES;
-
-/// What the spheres of steps 3 to 5 are called, and the sky.
-const OBJECTS: [&str; 10] = [
-    "the red sphere",
-    "the ground",
-    "the golden sphere",
-    "the blue sphere",
-    "the green sphere",
-    "the teal sphere",
-    "the white sphere",
-    "the salmon sphere",
-    "the small sphere in the air",
-    "the sky",
-];
 
 /// What can be seen of the difference between two pictures of one size, in sentences,
 /// each on a line.
@@ -62,26 +45,26 @@ pub(crate) fn region(yours: &RgbImage, ours: &RgbImage) -> String {
 /// On which objects the pictures differ, and which are right.
 fn objects(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
     let (width, height) = ours.dimensions();
-    let parts = Parts::right(&Camera::new(width, height, 60_f64.to_radians()));
-    let mut found = [(0, 0, 0); OBJECTS.len()];
+    let parts = Parts::right(&camera(width, height));
+    let names = parts.objects(step).iter().map(|object| object.material.name);
+    let mut found: Vec<_> =
+        names.chain(["the sky"]).map(|name| (name, 0, 0, 0)).collect();
     for ((i, j, yours), ours) in yours.enumerate_pixels().zip(ours.pixels()) {
-        let (all, wrong, lighter) = &mut found[object(&parts, step, i, j)];
-        *all += 1;
-        *wrong += i64::from(yours != ours);
-        *lighter += sum(yours) - sum(ours);
+        let point = parts.seen(step, &parts.camera.ray(i.into(), j.into()));
+        let name = point.map_or("the sky", |point| point.material.name);
+        for (_, all, wrong, lighter) in found.iter_mut().filter(|it| it.0 == name) {
+            *all += 1;
+            *wrong += i64::from(yours != ours);
+            *lighter += sum(yours) - sum(ours);
+        }
     }
-    let name = |index: usize| match step {
-        Step::Sphere if index == 0 => "the sphere",
-        _ => OBJECTS[index],
-    };
     let (mut wrong, mut right) = (vec![], vec![]);
-    for (index, (all, differ, lighter)) in found.into_iter().enumerate() {
+    for (name, all, differ, lighter) in found {
         match (all, differ) {
             (0, _) => {}
-            (_, 0) => right.push(name(index).to_owned()),
+            (_, 0) => right.push(name),
             _ => wrong.push(format!(
-                "{} ({}{})",
-                name(index),
+                "{name} ({}{})",
                 percent(differ, all),
                 shade(lighter / (3 * differ))
             )),
@@ -92,15 +75,6 @@ fn objects(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
         let _ = writeln!(text, "Right in every pixel: {}.", right.join(", "));
     }
     text
-}
-
-fn object(parts: &Parts, step: Step, i: u32, j: u32) -> usize {
-    let ray = parts.camera.ray(i.into(), j.into());
-    let index = match step {
-        Step::Sphere => (parts.first_hit)(&SPHERE, &ray).map(|_| 0),
-        _ => (parts.nearest)(&SPHERES, &ray, parts.first_hit).map(|hit| hit.index),
-    };
-    index.unwrap_or(OBJECTS.len() - 1)
 }
 
 fn sum(colour: &Rgb<u8>) -> i64 {

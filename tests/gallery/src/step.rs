@@ -1,5 +1,10 @@
 use image::RgbImage;
-use step01_rays::{Camera, Picture};
+use step01_rays::Camera;
+
+/// The camera of the course, with a field of view of 60 degrees.
+pub fn camera(width: u32, height: u32) -> Camera {
+    Camera::new(width, height, 60_f64.to_radians())
+}
 
 /// One of the five steps; they are in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,7 +49,7 @@ impl Step {
 
     /// Its right picture.
     pub fn picture(self, camera: &Camera, samples: u32) -> RgbImage {
-        let picture: Picture = match self {
+        let picture: fn(&Camera, u32) -> RgbImage = match self {
             Self::Rays => step01_rays::picture,
             Self::Sphere => step02_sphere::picture,
             Self::Nearest => step03_nearest::picture,

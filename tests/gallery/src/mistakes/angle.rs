@@ -1,13 +1,11 @@
 //! Mistakes with θ and the size of the image plane.
 
-use crate::{Mistake, Parts, Step, section};
+use crate::{Mistake, Parts, section};
 use step01_rays::Camera;
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "degrees",
-        step: Step::Rays,
-        section: section::PROGRAM,
         when: "the angle is in degrees",
         sees: "The view is far too wide, upside down and mirrored.",
         says: "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
@@ -15,68 +13,61 @@ pub(crate) const ALL: &[Mistake] = &[
             let Camera { h_res, v_res, .. } = parts.camera;
             parts.camera = Camera::new(h_res, v_res, theta(parts).to_degrees());
         },
+        ..section::PROGRAM.mistake()
     },
     Mistake {
         name: "full-angle",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "the tangent is that of θ, not of θ/2",
         sees: "The view is three times as wide, so everything is three times as small.",
         says: "From the middle of the picture to its side is half of the angle.",
         change: |parts| parts.camera = wide(parts, theta(parts).tan()),
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "half-tangent",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "half the tangent of θ is taken for the tangent of θ/2",
         sees: "The view is too wide, and everything is a third smaller.",
         says: "The half belongs inside: tan(θ/2), not tan(θ)/2.",
         change: |parts| parts.camera = wide(parts, theta(parts).tan() / 2.0),
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "no-tangent",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "θ/2 stands where its tangent should",
         sees: "The view is a tenth too narrow, and everything a tenth larger.",
         says: "The image plane is flat: its half width is tan(θ/2), not θ/2.",
         change: |parts| parts.camera = wide(parts, theta(parts) / 2.0),
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "no-angle",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "the image plane runs from −1 to 1 whatever the angle is",
         sees: "The view is too wide, exactly as with `--fov 90`.",
         says: "Its half width is tan(θ/2), and that is 1 for 90° only.",
         change: |parts| parts.camera = wide(parts, 1.0),
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "upright-angle",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "θ is taken from top to bottom",
-        sees: "The view is too wide, and everything smaller by the shape of the picture.",
-        says: "OpenGL's angle is upright, the lecture's goes from left to right.",
+        sees: "The view is too wide, and everything smaller by the aspect ratio.",
+        says: "OpenGL's angle is vertical, the lecture's goes from left to right.",
         change: |parts| {
             let tan = parts.camera.matrix.z_axis.y;
             parts.camera = wide(parts, parts.camera.matrix.z_axis.x.powi(2) / tan);
         },
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "square-view",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "the view is as high as it is wide, though the picture is not",
         sees: "Everything is squeezed from top to bottom: spheres are flat ovals.",
         says: "Pixels are square where D_v is as long as D_u, with hRes − 1 below both.",
         change: |parts| high(parts, 1.0),
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "ratio-upside-down",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "the aspect ratio is upside down",
         sees: "Everything is squeezed very flat.",
         says: "The height of the view is its width times vRes/hRes, not hRes/vRes.",
@@ -84,11 +75,10 @@ pub(crate) const ALL: &[Mistake] = &[
             let Camera { h_res, v_res, .. } = parts.camera;
             high(parts, f64::from(h_res) / f64::from(v_res));
         },
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "too-many-steps",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "hRes and vRes stand where hRes − 1 and vRes − 1 should",
         sees: "It looks right, but every edge is off by a fraction of a pixel.",
         says: "Between hRes rays there are hRes − 1 steps.",
@@ -101,11 +91,10 @@ pub(crate) const ALL: &[Mistake] = &[
             matrix.y_axis.y = -2.0 * tan / columns;
             matrix.z_axis.y = f64::from(v_res) / columns * tan;
         },
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "edge-to-edge",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "θ reaches from the left edge of the picture to its right edge",
         sees: "It looks right, but every edge is off by a fraction of a pixel.",
         says: "Many courses measure it so; the lecture's θ lies between the middles of the \
@@ -115,6 +104,7 @@ pub(crate) const ALL: &[Mistake] = &[
             let tan = -parts.camera.matrix.z_axis.x;
             parts.camera = wide(parts, tan * (columns - 1.0) / columns);
         },
+        ..section::CAMERA.mistake()
     },
 ];
 

@@ -6,35 +6,31 @@ use step04_diffuse::{Attenuation, PointLight, normal};
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "inward",
-        step: Step::Diffuse,
-        section: section::NORMAL,
         when: "normals point into the spheres",
         sees: "Spheres are lit on the side that faces away from the light.",
         says: "n is p − centre, from the centre to the surface.",
         change: |parts| parts.normal = |sphere, p| -normal(sphere, p),
+        ..section::NORMAL.mistake()
     },
     Mistake {
         name: "normal-too-long",
-        step: Step::Diffuse,
-        section: section::NORMAL,
         when: "n is not a unit vector",
         sees: "Large spheres are too bright, small ones too dark, and the ground is white.",
         says: "p − centre is as long as the radius: divide by it.",
         change: |parts| parts.normal = |sphere, p| p - sphere.centre,
+        ..section::NORMAL.mistake()
     },
     Mistake {
         name: "normal-from-origin",
-        step: Step::Diffuse,
-        section: section::NORMAL,
         when: "n is the direction of p, without the centre",
         sees: "Spheres are flat: each has nearly one brightness.",
         says: "n is p − centre, and no sphere here is at the origin.",
         change: |parts| parts.normal = |_, p| p.normalize(),
+        ..section::NORMAL.mistake()
     },
     Mistake {
         name: "light-away",
         step: Step::Phong,
-        section: section::LIGHT,
         when: "l points from the light to the surface",
         sees: "The side that faces away from each light is lit.",
         says: "l is position − p: from the surface to the light.",
@@ -44,11 +40,10 @@ pub(crate) const ALL: &[Mistake] = &[
                 (-l, d)
             };
         },
+        ..section::LIGHT.mistake()
     },
     Mistake {
         name: "light-too-long",
-        step: Step::Diffuse,
-        section: section::LIGHT,
         when: "l is not a unit vector",
         sees: "Everything that is lit is far too bright.",
         says: "l·n is a cosine only where both are of length 1: divide l by d.",
@@ -58,11 +53,10 @@ pub(crate) const ALL: &[Mistake] = &[
                 (l * d, d)
             };
         },
+        ..section::LIGHT.mistake()
     },
     Mistake {
         name: "light-from-origin",
-        step: Step::Diffuse,
-        section: section::LIGHT,
         when: "l is the direction of the light's position, without p",
         sees: "Spheres are dark but for their upper left, and the light is the same on all.",
         says: "A point light is at one place: l is position − p.",
@@ -72,11 +66,10 @@ pub(crate) const ALL: &[Mistake] = &[
                 (light.position.normalize(), d)
             };
         },
+        ..section::LIGHT.mistake()
     },
     Mistake {
         name: "distance-from-eye",
-        step: Step::Diffuse,
-        section: section::ATTENUATION,
         when: "d is the distance to the eye",
         sees: "The ground before you is too bright, and its pool of bluish light is gone.",
         says: "d lies between the point and the light, in a + bd + cd².",
@@ -86,40 +79,36 @@ pub(crate) const ALL: &[Mistake] = &[
                 (l, p.length())
             };
         },
+        ..section::ATTENUATION.mistake()
     },
     Mistake {
         name: "no-attenuation",
-        step: Step::Diffuse,
-        section: section::ATTENUATION,
         when: "light does not fade with distance",
         sees: "Nearly everything is too bright, and bluish light is on all right sides.",
         says: "The light is divided by a + bd + cd².",
         change: |parts| parts.attenuation = |_, _| 1.0,
+        ..section::ATTENUATION.mistake()
     },
     Mistake {
         name: "multiplied",
-        step: Step::Diffuse,
-        section: section::ATTENUATION,
         when: "the light is multiplied by a + bd + cd²",
         sees: "Everything that is lit is far too bright, the ground most of all.",
         says: "The light is divided by it: the farther, the darker.",
         change: |parts| parts.attenuation = |fades, d| 1.0 / fades.at(d),
+        ..section::ATTENUATION.mistake()
     },
     Mistake {
         name: "d-not-squared",
-        step: Step::Diffuse,
-        section: section::ATTENUATION,
         when: "c is multiplied by d, not by d²",
         sees: "The light is too strong, most of all the cool one on the right.",
         says: "The divisor is a + bd + cd².",
         change: |parts| {
             parts.attenuation = |fades, d| fades.a + fades.b * d + fades.c * d
         },
+        ..section::ATTENUATION.mistake()
     },
     Mistake {
         name: "b-c-swapped",
-        step: Step::Diffuse,
-        section: section::ATTENUATION,
         when: "b and c change places",
         sees: "The warm light is too weak, and the cool one too strong.",
         says: "b belongs to d, and c to d².",
@@ -127,5 +116,6 @@ pub(crate) const ALL: &[Mistake] = &[
             parts.attenuation =
                 |&Attenuation { a, b, c }, d| Attenuation { a, b: c, c: b }.at(d);
         },
+        ..section::ATTENUATION.mistake()
     },
 ];

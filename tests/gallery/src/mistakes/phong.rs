@@ -1,99 +1,75 @@
 //! Mistakes with the specular term and the whole sum.
 
-use crate::{Mistake, Step, section};
-use step05_phong::{Attenuation, Light, Material, PointLight, reflect, specular};
+use crate::{Mistake, section};
+use step05_phong::{Attenuation, Light, PointLight, reflect, specular};
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "reflected-away",
-        step: Step::Phong,
-        section: section::REFLECT,
         when: "r or v points the wrong way",
         sees: "There are no highlights.",
         says: "r is 2(n·l)n − l, and v is −V: both lead away from the surface. The `reflect` of \
          GLSL has the other sign, as its l flies in.",
         change: |parts| parts.reflect = |l, n| -reflect(l, n),
+        ..section::REFLECT.mistake()
     },
     Mistake {
         name: "reflected-by-half",
-        step: Step::Phong,
-        section: section::REFLECT,
         when: "r has lost its 2: (n·l)n − l",
         sees: "There are hardly any highlights.",
         says: "The mirror image is as far on the other side: 2(n·l)n − l.",
         change: |parts| parts.reflect = |l, n| n.dot(l) * n - l,
+        ..section::REFLECT.mistake()
     },
     Mistake {
         name: "mirror-swapped",
-        step: Step::Phong,
-        section: section::REFLECT,
         when: "n is mirrored in l",
         sees: "The highlights are gone from the middle; faint ones are at the rims.",
         says: "`reflect(l, n)` takes l first: it is l that is mirrored, in n.",
         change: |parts| parts.reflect = |l, n| reflect(n, l),
+        ..section::REFLECT.mistake()
     },
     Mistake {
         name: "eye-too-long",
-        step: Step::Phong,
-        section: section::EYE,
         when: "v is −V and not a unit vector",
         sees: "Highlights are too large, most of all far from the middle of the picture.",
         says: "The exponent makes much of a length above 1: divide −V by |V|.",
         change: |parts| parts.to_eye = |ray| -ray.direction,
+        ..section::EYE.mistake()
     },
     Mistake {
         name: "no-exponent",
-        step: Step::Phong,
-        section: section::SPECULAR,
         when: "the exponent n is left out",
         sees: "Highlights cover half of each sphere, like a second diffuse light.",
         says: "max(r·v, 0) is raised to the power of the shininess.",
-        change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                specular(r, v, d, &Material { shininess: 1, ..*material }, light)
-            };
-        },
+        change: |parts| parts.materials().for_each(|m| m.shininess = 1),
+        ..section::SPECULAR.mistake()
     },
     Mistake {
         name: "times-exponent",
-        step: Step::Phong,
-        section: section::SPECULAR,
         when: "r·v is multiplied by n, not raised to it",
         sees: "Half of each sphere is white.",
         says: "The exponent is a power: `powi`, not `*`.",
         change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                let n = material.shininess;
-                f64::from(n)
-                    * specular(
-                        r,
-                        v,
-                        d,
-                        &Material { shininess: 1, ..*material },
-                        light,
-                    )
-            };
+            parts.materials().for_each(|m| {
+                m.specular *= f64::from(m.shininess);
+                m.shininess = 1;
+            });
         },
+        ..section::SPECULAR.mistake()
     },
     Mistake {
         name: "coloured-highlights",
-        step: Step::Phong,
-        section: section::SPECULAR,
         when: "highlights take R_d for R_s",
         sees: "Highlights have the colours of their spheres.",
         says: "R_s is a number of its own; here it has no colour, as with varnish.",
         change: |parts| {
-            parts.specular = |r, v, d, material, light| {
-                let painted =
-                    Material { specular: material.surface.diffuse, ..*material };
-                specular(r, v, d, &painted, light)
-            };
+            parts.materials().for_each(|m| m.specular = m.surface.diffuse);
         },
+        ..section::SPECULAR.mistake()
     },
     Mistake {
         name: "highlights-do-not-fade",
-        step: Step::Phong,
-        section: section::SPECULAR,
         when: "the specular term is not divided by a + bd + cd²",
         sees: "Most highlights are too bright; the cool one on the salmon sphere is too dark.",
         says: "Light fades before it is mirrored, as it does before it is scattered.",
@@ -104,11 +80,10 @@ pub(crate) const ALL: &[Mistake] = &[
                 specular(r, v, d, material, &Light { point, ..*light })
             };
         },
+        ..section::SPECULAR.mistake()
     },
     Mistake {
         name: "specular-no-max",
-        step: Step::Phong,
-        section: section::SPECULAR,
         when: "r·v may be below 0",
         sees: "It looks right, but the ground is brighter by a few of 255.",
         says: "max(r·v, 0): a number below 0 to an even power is above 0 again.",
@@ -118,14 +93,14 @@ pub(crate) const ALL: &[Mistake] = &[
                 specular(r, v, d, material, light)
             };
         },
+        ..section::SPECULAR.mistake()
     },
     Mistake {
         name: "no-gate",
-        step: Step::Phong,
-        section: section::SUM,
         when: "lights behind the surface give highlights",
         sees: "The teal sphere on the right has a wider, softer glint along its top.",
         says: "The slide has no such gate; we add light only where n·l is above 0.",
         change: |parts| parts.lit = |_, _| true,
+        ..section::SUM.mistake()
     },
 ];

@@ -7,41 +7,37 @@ use step01_rays::{Ray, direction_colour};
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "normalised",
-        step: Step::Rays,
-        section: section::CAMERA,
         when: "V is normalised",
         sees: "The sky has less blue towards the corners, where its rays have been shortened.",
         says: "V stays as it comes out of the matrix, with a z of −1.",
         change: |parts| {
             parts.ray = |ray| Ray { direction: ray.direction.normalize(), ..ray };
         },
+        ..section::CAMERA.mistake()
     },
     Mistake {
         name: "parallel",
-        step: Step::Rays,
-        section: section::RAY,
         when: "the ray starts at its pixel and goes straight ahead",
         sees: "The sky has one colour, and only what is right before the eye is seen, large.",
         says: "Every ray starts at C, and its pixel says where it goes.",
         change: |parts| {
             parts.ray = |ray| Ray { start: ray.at(1.0), direction: DVec3::NEG_Z };
         },
+        ..section::RAY.mistake()
     },
     Mistake {
         name: "bare-direction",
-        step: Step::Rays,
-        section: section::DIRECTIONS,
         when: "the direction is the colour, without 0.7 + 0.3",
         sees: "The sky is a hard blue, with no red on the left and no green at the bottom.",
         says: "Directions have parts below 0, which no colour has: 0.7 + 0.3 V lifts them.",
         change: |parts| {
             parts.miss = |ray| ray.direction * DVec3::new(1.0, 1.0, -1.0)
         },
+        ..section::DIRECTIONS.mistake()
     },
     Mistake {
         name: "blue-behind",
         step: Step::Sphere,
-        section: section::DIRECTIONS,
         when: "blue takes z, not −z",
         sees: "The sky has too little blue: it is green and orange.",
         says: "Ahead is −z, so the blue grows with −z.",
@@ -51,5 +47,6 @@ pub(crate) const ALL: &[Mistake] = &[
                 direction_colour(&Ray { direction, ..*ray })
             };
         },
+        ..section::DIRECTIONS.mistake()
     },
 ];

@@ -1,125 +1,121 @@
 //! Mistakes with the ambient and the diffuse term, and with more than one light.
 
-use crate::{Mistake, Step, section};
+use crate::{Mistake, section};
 use glam::DVec3;
-use step04_diffuse::diffuse;
-use step05_phong::{LIGHTS, Phong};
+use step04_diffuse::{Surface, diffuse};
 
 pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-max",
-        step: Step::Diffuse,
-        section: section::LAMBERT,
         when: "l·n may be below 0",
         sees: "The side that faces away from a light is too dark, down to black.",
         says: "max(l·n, 0): a light behind the surface gives nothing, and takes nothing away.",
         change: |parts| {
-            parts.diffuse = |n, l, d, r_d, light| {
-                r_d / light.attenuation.at(d) * l.dot(n) * light.diffuse
+            parts.diffuse = |n, l, d, surface, light| {
+                surface.diffuse / light.attenuation.at(d) * l.dot(n) * light.diffuse
             };
         },
+        ..section::LAMBERT.mistake()
     },
     Mistake {
         name: "absolute",
-        step: Step::Diffuse,
-        section: section::LAMBERT,
         when: "|n·l| is taken for max(n·l, 0)",
         sees: "The dark sides are lit as well, as if by lights behind them.",
         says: "A light behind the surface does not reach it.",
         change: |parts| {
-            parts.diffuse = |n, l, d, r_d, light| {
-                r_d / light.attenuation.at(d) * l.dot(n).abs() * light.diffuse
+            parts.diffuse = |n, l, d, surface, light| {
+                let cosine = l.dot(n).abs();
+                surface.diffuse / light.attenuation.at(d) * cosine * light.diffuse
             };
         },
+        ..section::LAMBERT.mistake()
     },
     Mistake {
         name: "no-cosine",
-        step: Step::Diffuse,
-        section: section::DIFFUSE,
         when: "l·n is left out of the diffuse term",
         sees: "Spheres are flat discs again, only brighter.",
         says: "By Lambert's law, light that comes in at a slant counts l·n times.",
         change: |parts| {
-            parts.diffuse =
-                |_, _, d, r_d, light| r_d / light.attenuation.at(d) * light.diffuse;
+            parts.diffuse = |_, _, d, surface, light| {
+                surface.diffuse / light.attenuation.at(d) * light.diffuse
+            };
         },
+        ..section::DIFFUSE.mistake()
     },
     Mistake {
         name: "no-colour",
-        step: Step::Diffuse,
-        section: section::DIFFUSE,
         when: "R_d is left out of the diffuse term",
         sees: "The lit sides have the colour of the light, not that of the sphere.",
         says: "The surface reflects only R_d of the light, in each of red, green and blue.",
         change: |parts| {
-            parts.diffuse = |n, l, d, _, light| diffuse(n, l, d, DVec3::ONE, light);
+            parts.diffuse = |n, l, d, _, light| {
+                diffuse(n, l, d, &Surface::of(DVec3::ONE), light)
+            };
         },
+        ..section::DIFFUSE.mistake()
     },
     Mistake {
         name: "no-diffuse",
-        step: Step::Diffuse,
-        section: section::LIGHTS,
         when: "the diffuse term is left out",
         sees: "Spheres are flat discs again, and dark.",
         says: "I is the sum of all its terms: each light adds its I_d.",
         change: |parts| parts.diffuse = |_, _, _, _, _| DVec3::ZERO,
+        ..section::LIGHTS.mistake()
     },
     Mistake {
         name: "no-ambient",
-        step: Step::Diffuse,
-        section: section::AMBIENT,
         when: "the ambient term is left out",
         sees: "What no light reaches is black.",
         says: "The sum begins with I_a = R_a L_a.",
-        change: |parts| parts.ambient = |_, _| DVec3::ZERO,
+        change: |parts| parts.scene.ambient_light = DVec3::ZERO,
+        ..section::AMBIENT.mistake()
     },
     Mistake {
         name: "ambient-without-colour",
-        step: Step::Diffuse,
-        section: section::AMBIENT,
         when: "R_a is left out of the ambient term",
         sees: "Everything is pale, and the dark sides are one bluish grey.",
         says: "The surface reflects only R_a of the ambient light, in its own colour.",
-        change: |parts| parts.ambient = |_, l_a| l_a,
+        change: |parts| {
+            parts.materials().for_each(|m| m.surface.ambient = DVec3::ONE);
+        },
+        ..section::AMBIENT.mistake()
     },
     Mistake {
         name: "ambient-per-light",
-        step: Step::Diffuse,
-        section: section::LIGHTS,
         when: "the ambient term is added for each light",
         sees: "Everything is too bright, the dark sides most of all.",
         says: "I_a belongs to no light: it stands before the loop, and counts once.",
-        change: |parts| parts.ambient = |r_a, l_a| 2.0 * r_a * l_a,
+        change: |parts| parts.scene.ambient_light *= 2.0,
+        ..section::LIGHTS.mistake()
     },
     Mistake {
         name: "first-light-only",
-        step: Step::Diffuse,
-        section: section::LIGHTS,
         when: "only the first light counts",
         sees: "The right sides of the spheres have lost their bluish light.",
         says: "The sum runs over all lights.",
-        change: |parts| parts.lights = &LIGHTS[..1],
+        change: |parts| parts.scene.lights.truncate(1),
+        ..section::LIGHTS.mistake()
     },
     Mistake {
         name: "last-light-only",
-        step: Step::Diffuse,
-        section: section::LIGHTS,
         when: "only the last light counts",
         sees: "Only the cool light is left, on the right sides.",
         says: "Add to the sum with `+=`: `=` forgets what was there before.",
-        change: |parts| parts.lights = &LIGHTS[1..],
+        change: |parts| drop(parts.scene.lights.drain(..1)),
+        ..section::LIGHTS.mistake()
     },
     Mistake {
         name: "averaged",
-        step: Step::Diffuse,
-        section: section::LIGHTS,
         when: "the light is divided by the number of lights",
         sees: "Everything that is lit is too dark.",
         says: "Light adds up: two lamps are brighter than one.",
         change: |parts| {
-            parts.sum = |&Phong { ambient, diffuse, specular }| {
-                ambient + (diffuse + specular) / LIGHTS.len() as f64
-            };
+            let count = parts.scene.lights.len() as f64;
+            for light in &mut parts.scene.lights {
+                light.point.diffuse /= count;
+                light.specular /= count;
+            }
         },
+        ..section::LIGHTS.mistake()
     },
 ];
