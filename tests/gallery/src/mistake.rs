@@ -1,6 +1,3 @@
-use crate::mistakes::{
-    angle, bytes, intersect, light, matrix, nearest, phong, ray, shade,
-};
 use crate::{Parts, Section, Step, camera};
 use image::RgbImage;
 use step01_rays::Camera;
@@ -24,25 +21,6 @@ pub struct Mistake {
     pub says: &'static str,
     /// Replaces the one part.
     pub change: fn(&mut Parts),
-}
-
-/// Every mistake of the gallery, in the order of the steps' files.
-///
-/// Where two are made at once, the earlier comes first: angles before mirror images.
-pub fn mistakes() -> impl Iterator<Item = &'static Mistake> {
-    [
-        angle::ALL,
-        matrix::ALL,
-        ray::ALL,
-        bytes::ALL,
-        intersect::ALL,
-        nearest::ALL,
-        light::ALL,
-        shade::ALL,
-        phong::ALL,
-    ]
-    .into_iter()
-    .flatten()
 }
 
 impl Mistake {

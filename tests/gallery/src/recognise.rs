@@ -1,5 +1,5 @@
 use crate::difference::apart;
-use crate::{Cause, Mistake, Parts, Step};
+use crate::{Cause, Mistake, Step};
 use image::{Rgb, RgbImage};
 use std::cmp::Reverse;
 use std::collections::HashSet;
@@ -103,9 +103,8 @@ fn sieved(yours: &RgbImage, causes: Vec<Cause>) -> Vec<Rated> {
     let share = (0.12 + 24.0 / f64::from(yours.width())).min(0.4);
     let most = |count: usize| (share * count as f64) as usize;
     let rate = |cause: Cause| {
-        let parts = cause.parts(yours.dimensions());
-        misses(yours, &parts, &cause, &places[..48], ROUNDING, 6 + most(48))?;
-        let misses = misses(yours, &parts, &cause, &places, ROUNDING, most(320))?;
+        misses(yours, &cause, &places[..48], ROUNDING, 6 + most(48))?;
+        let misses = misses(yours, &cause, &places, ROUNDING, most(320))?;
         Some((misses, cause))
     };
     causes.into_iter().filter_map(rate).collect()
@@ -179,8 +178,7 @@ fn rate(
     most: usize,
 ) -> Option<usize> {
     let places = scattered(yours, (count / cause.samples.pow(2)).max(48));
-    let parts = cause.parts(yours.dimensions());
-    misses(yours, &parts, cause, &places, rounding, most)
+    misses(yours, cause, &places, rounding, most)
 }
 
 /// The likeliest of the causes, which come in this order, with the number of rays a
@@ -208,7 +206,7 @@ fn samples(yours: &RgbImage, causes: &[Rated]) -> Option<u32> {
     // The right number explains nearly all, if there is anything to explain.
     let explains = |samples: &u32| {
         let cause = Cause { samples: *samples, ..cause.clone() };
-        misses(yours, &parts, &cause, &edges, 0, edges.len() / 3).is_some()
+        misses(yours, &cause, &edges, 0, edges.len() / 3).is_some()
     };
     (2..=16).find(explains).filter(|_| !edges.is_empty())
 }
@@ -233,12 +231,12 @@ fn compare(yours: &RgbImage, cause: &Cause) -> Rest {
 /// At how many of `places` the picture differs, or None where it is more than `most`.
 fn misses(
     yours: &RgbImage,
-    parts: &Parts,
     cause: &Cause,
     places: &[(u32, u32)],
     rounding: u8,
     most: usize,
 ) -> Option<usize> {
+    let parts = cause.parts(yours.dimensions());
     let mut misses = 0;
     for &(i, j) in places {
         let ours = parts.pixel(cause.step, cause.samples, i, j);

@@ -17,35 +17,29 @@ const fn section(step: Step, file: &'static str, heading: &'static str) -> Secti
     Section { step, file, heading }
 }
 
-pub(crate) const RAY: Section = section(Rays, "ray.rs", "A ray");
-pub(crate) const CAMERA: Section = section(Rays, "camera.rs", "The camera");
-pub(crate) const BYTES: Section =
-    section(Rays, "colour.rs", "From rays to a picture");
-pub(crate) const DIRECTIONS: Section =
+pub const RAY: Section = section(Rays, "ray.rs", "A ray");
+pub const CAMERA: Section = section(Rays, "camera.rs", "The camera");
+pub const BYTES: Section = section(Rays, "colour.rs", "From rays to a picture");
+pub const DIRECTIONS: Section =
     section(Rays, "picture.rs", "The direction as a colour");
-pub(crate) const PROGRAM: Section =
-    section(Rays, "program.rs", "The program around it");
-pub(crate) const MEETING: Section = section(Sphere, "sphere.rs", "Where they meet");
-pub(crate) const FORMULA: Section =
+pub const PROGRAM: Section = section(Rays, "program.rs", "The program around it");
+pub const MEETING: Section = section(Sphere, "sphere.rs", "Where they meet");
+pub const FORMULA: Section =
     section(Sphere, "quadratic.rs", "The quadratic formula");
-pub(crate) const CENTRE: Section = section(Sphere, "sphere.rs", "Any centre");
-pub(crate) const ROOT: Section = section(Sphere, "quadratic.rs", "Which root");
-pub(crate) const NEAREST: Section =
-    section(Nearest, "nearest.rs", "The nearest hit");
-pub(crate) const NORMAL: Section = section(Diffuse, "point.rs", "The normal");
-pub(crate) const AMBIENT: Section = section(Diffuse, "ambient.rs", "Ambient light");
-pub(crate) const LAMBERT: Section = section(Diffuse, "diffuse.rs", "Facing away");
-pub(crate) const ATTENUATION: Section = section(Diffuse, "light.rs", "Attenuation");
-pub(crate) const LIGHT: Section = section(Diffuse, "light.rs", "Point lights");
-pub(crate) const DIFFUSE: Section =
-    section(Diffuse, "diffuse.rs", "The diffuse term");
-pub(crate) const LIGHTS: Section = section(Diffuse, "picture.rs", "Two lights");
-pub(crate) const REFLECT: Section =
-    section(Phong, "reflect.rs", "The reflected vector");
-pub(crate) const SPECULAR: Section =
-    section(Phong, "specular.rs", "The specular term");
-pub(crate) const SUM: Section = section(Phong, "phong.rs", "The sum");
-pub(crate) const EYE: Section = section(Phong, "phong.rs", "The way to the eye");
+pub const CENTRE: Section = section(Sphere, "sphere.rs", "Any centre");
+pub const ROOT: Section = section(Sphere, "quadratic.rs", "Which root");
+pub const NEAREST: Section = section(Nearest, "nearest.rs", "The nearest hit");
+pub const NORMAL: Section = section(Diffuse, "point.rs", "The normal");
+pub const AMBIENT: Section = section(Diffuse, "ambient.rs", "Ambient light");
+pub const LAMBERT: Section = section(Diffuse, "diffuse.rs", "Facing away");
+pub const ATTENUATION: Section = section(Diffuse, "light.rs", "Attenuation");
+pub const LIGHT: Section = section(Diffuse, "light.rs", "Point lights");
+pub const DIFFUSE: Section = section(Diffuse, "diffuse.rs", "The diffuse term");
+pub const LIGHTS: Section = section(Diffuse, "picture.rs", "Two lights");
+pub const REFLECT: Section = section(Phong, "reflect.rs", "The reflected vector");
+pub const SPECULAR: Section = section(Phong, "specular.rs", "The specular term");
+pub const SUM: Section = section(Phong, "phong.rs", "The sum");
+pub const EYE: Section = section(Phong, "phong.rs", "The way to the eye");
 
 impl Section {
     /// What is wrong in its code, to be told: it shows in its step.

@@ -1,7 +1,6 @@
 use crate::difference::apart;
-use crate::recognise::scattered;
 use crate::{Parts, Step, camera};
-use image::{Rgb, RgbImage, imageops};
+use image::{Rgb, RgbImage};
 use std::fmt::Write;
 
 /// What can be seen of the difference between two pictures of one size, in sentences,
@@ -11,13 +10,11 @@ pub(crate) fn seen(
     ours: &RgbImage,
     step: Option<Step>,
 ) -> String {
-    let mut text = region(yours, ours);
-    if let Some(turned) = turned(yours, ours) {
-        let _ = writeln!(text, "It is much closer to ours {turned}.");
-    } else if let Some(step) = step.filter(|&step| step != Step::Rays) {
-        text += &objects(yours, ours, step);
+    let text = region(yours, ours);
+    match step.filter(|&step| step != Step::Rays) {
+        Some(step) => text + &objects(yours, ours, step),
+        None => text,
     }
-    text
 }
 
 /// How many pixels differ, how far and where.
@@ -96,41 +93,4 @@ fn shade(lighter: i64) -> String {
         5.. => format!(", brighter by {lighter} of 255"),
         _ => String::new(),
     }
-}
-
-/// How your picture has to be turned or moved to be at least twice as close to ours.
-fn turned(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
-    let places = scattered(ours, 4000);
-    let wrong = |yours: &RgbImage, (x, y): (i64, i64)| {
-        let differs = |&(i, j): &(u32, u32)| {
-            let at = |k: u32, d: i64, size: u32| {
-                (i64::from(k) + d).clamp(0, i64::from(size) - 1) as u32
-            };
-            let (width, height) = yours.dimensions();
-            let yours = yours.get_pixel(at(i, x, width), at(j, y, height));
-            8 < apart(yours, ours.get_pixel(i, j))
-        };
-        places.iter().filter(|place| differs(place)).count()
-    };
-    // Too few differ to tell.
-    let now = Some(wrong(yours, (0, 0))).filter(|&now| places.len() / 50 < now)?;
-    let turns = [
-        ("mirrored from left to right", imageops::flip_horizontal(yours)),
-        ("upside down", imageops::flip_vertical(yours)),
-        ("turned by 180°", imageops::rotate180(yours)),
-    ];
-    let turn = turns.iter().find(|(_, turned)| 2 * wrong(turned, (0, 0)) < now);
-    if let Some((how, _)) = turn {
-        return Some((*how).to_owned());
-    }
-    let moves = (-16..=16).flat_map(|y| (-16..=16).map(move |x| (x, y)));
-    let (left, (x, y)) = moves.map(|by| (wrong(yours, by), by)).min()?;
-    let way = |by: i64, back: &str, on: &str| match by {
-        0 => None,
-        1.. => Some(format!("{by} {back}")),
-        _ => Some(format!("{} {on}", -by)),
-    };
-    let ways = [way(x, "to the left", "to the right"), way(y, "up", "down")];
-    let ways: Vec<_> = ways.into_iter().flatten().collect();
-    (2 * left < now).then(|| format!("moved by pixels: {}", ways.join(", ")))
 }
