@@ -11,9 +11,8 @@ mod refusals;
 
 pub use difference::Difference;
 pub use locked::{assert_locked, here, locked, target};
-pub use program::{Program, folder};
+pub use program::{Program, assert_program};
 pub use random::{point, rays, sphere, unit};
-pub use refusals::assert_refuses_bad_input;
 
 use step01_rays::Camera;
 

@@ -1,5 +1,5 @@
-use crate::Difference;
 use crate::locked::{here, locked, target};
+use crate::{Difference, refusals};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -7,7 +7,8 @@ use std::{env, fs};
 
 /// A program of one of the five steps, run in a folder of its own.
 pub struct Program {
-    name: &'static str,
+    /// Its step.
+    pub name: &'static str,
     /// The folder in which it runs.
     pub folder: PathBuf,
 }
@@ -36,44 +37,6 @@ impl Program {
         profile().join(self.name).with_extension(env::consts::EXE_EXTENSION)
     }
 
-    /// Fails unless, run without arguments, it writes the locked picture and
-    /// nothing else.
-    pub fn assert_writes_locked(&self) {
-        let output = self.run("");
-        assert!(output.status.success(), "{output:?}");
-        let file = format!("{}.png", self.name);
-        assert_eq!(self.files(), [file.as_str()]);
-        let written =
-            image::open(self.folder.join(&file)).expect("a PNG").to_rgb8();
-        let difference = Difference::between(&locked(self.name), &written);
-        assert_eq!(
-            difference.map(|difference| difference.to_string()),
-            None,
-            "{file}"
-        );
-    }
-
-    /// Fails unless `--help` tells what it should, and writes no file.
-    pub fn assert_helps(&self) {
-        let help = self.run("--help");
-        let text = String::from_utf8_lossy(&help.stdout).into_owned();
-        assert!(help.status.success() && help.stderr.is_empty(), "{help:?}");
-        for word in [
-            "--width",
-            "640",
-            "--aspect",
-            "16:9",
-            "--fov",
-            "60",
-            "--samples",
-            "--output",
-            self.name,
-        ] {
-            assert!(text.contains(word), "{word} is missing: {text}");
-        }
-        assert_eq!(self.files(), [""; 0]);
-    }
-
     /// The names of the files in its folder, sorted.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.folder).expect("the folder of the test");
@@ -86,8 +49,30 @@ impl Program {
     }
 }
 
+/// Fails unless the program of the step `name` writes the locked picture and nothing
+/// else, says what it can be told, and refuses what it can't draw.
+pub fn assert_program(name: &'static str) {
+    let program = Program::new(name, "draws");
+    let help = program.run("--help");
+    let text = String::from_utf8_lossy(&help.stdout).into_owned();
+    assert!(help.status.success() && help.stderr.is_empty(), "{help:?}");
+    let options = "--width 640 --aspect 16:9 --fov 60 --samples --output";
+    for word in options.split(' ').chain([name]) {
+        assert!(text.contains(word), "{word} is missing: {text}");
+    }
+    assert_eq!(program.files(), [""; 0]);
+    let output = program.run("");
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(program.files(), [format!("{name}.png")]);
+    let written = image::open(program.folder.join(format!("{name}.png")));
+    let written = written.expect("a PNG").to_rgb8();
+    let difference = Difference::between(&locked(name), &written);
+    assert!(difference.is_none(), "{name}.png: {}", difference.unwrap());
+    refusals::assert_refuses(&Program::new(name, "bad"));
+}
+
 /// An empty folder in the target folder.
-pub fn folder(name: &str) -> PathBuf {
+fn folder(name: &str) -> PathBuf {
     let folder = target().join("tests").join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder in the target folder");

@@ -36,11 +36,10 @@ const BAD: &[(&str, i32, &[&str])] = &[
     ("picture.png", 2, &["picture.png", "--help"]),
 ];
 
-/// Fails unless the program `name` refuses every line of the table, says why, and leaves
-/// every file as it was.
-pub fn assert_refuses_bad_input(name: &'static str) {
-    let program = Program::new(name, "bad");
-    let own = format!("{name}.png");
+/// Fails unless `program` refuses every line of the table, says why, and leaves every
+/// file as it was.
+pub fn assert_refuses(program: &Program) {
+    let own = format!("{}.png", program.name);
     let old = [own.as_str(), "old.jpg", "locked.png"];
     for file in old {
         fs::write(program.folder.join(file), "old").expect("a file");
@@ -48,7 +47,7 @@ pub fn assert_refuses_bad_input(name: &'static str) {
     for folder in ["folder", "folder.png"] {
         fs::create_dir(program.folder.join(folder)).expect("a folder");
     }
-    read_only(&program, true);
+    read_only(program, true);
     let before = program.files();
     for &(line, code, words) in BAD {
         let output = program.run(line);
@@ -65,7 +64,7 @@ pub fn assert_refuses_bad_input(name: &'static str) {
             assert_eq!(content, b"old", "{line} changed {file}");
         }
     }
-    read_only(&program, false);
+    read_only(program, false);
 }
 
 fn read_only(program: &Program, readonly: bool) {

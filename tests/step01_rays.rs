@@ -9,7 +9,7 @@ use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use step01_rays::{AspectRatio, Camera, Ray, Row, picture, render};
-use tests::{Program, assert_locked, assert_refuses_bad_input, camera};
+use tests::{Program, assert_locked, assert_program, camera};
 
 /// Fields of view in degrees, from narrow to wide.
 const ANGLES: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];
@@ -24,18 +24,8 @@ fn the_picture_is_locked() {
 }
 
 #[test]
-fn the_program_writes_the_locked_picture() {
-    Program::new("step01_rays", "writes").assert_writes_locked();
-}
-
-#[test]
-fn the_program_helps() {
-    Program::new("step01_rays", "helps").assert_helps();
-}
-
-#[test]
-fn the_program_refuses_bad_input() {
-    assert_refuses_bad_input("step01_rays");
+fn the_program_draws_helps_and_refuses() {
+    assert_program("step01_rays");
 }
 
 #[test]
@@ -134,7 +124,7 @@ fn on_a_terminal_a_long_picture_tells_how_far_it_is() {
     let mut told = BufReader::new(long.stdout.take().expect("a pipe")).split(b'\r');
     let seen = told
         .any(|line| String::from_utf8_lossy(&line.unwrap()).contains("s to go"));
-    long.kill().expect("it runs still");
+    long.kill().and_then(|()| long.wait()).expect("it runs still");
     assert!(seen, "nothing is told");
     let short = on_a_terminal("--width 2").wait_with_output().expect("it ends");
     assert!(!String::from_utf8_lossy(&short.stdout).contains("to go"), "{short:?}");

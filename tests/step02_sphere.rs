@@ -3,9 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere, picture, quadratic};
-use tests::{
-    Program, assert_locked, assert_refuses_bad_input, camera, point, rays,
-};
+use tests::{assert_locked, assert_program, camera, point, rays};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
@@ -27,18 +25,8 @@ fn the_picture_is_locked() {
 }
 
 #[test]
-fn the_program_writes_the_locked_picture() {
-    Program::new("step02_sphere", "writes").assert_writes_locked();
-}
-
-#[test]
-fn the_program_helps() {
-    Program::new("step02_sphere", "helps").assert_helps();
-}
-
-#[test]
-fn the_program_refuses_bad_input() {
-    assert_refuses_bad_input("step02_sphere");
+fn the_program_draws_helps_and_refuses() {
+    assert_program("step02_sphere");
 }
 
 #[test]

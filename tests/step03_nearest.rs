@@ -3,9 +3,7 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use step03_nearest::{Object, Ray, Sphere, nearest, objects, picture};
-use tests::{
-    Program, assert_locked, assert_refuses_bad_input, camera, point, rays, sphere,
-};
+use tests::{assert_locked, assert_program, camera, point, rays, sphere};
 
 const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
 
@@ -30,18 +28,8 @@ fn the_picture_is_locked() {
 }
 
 #[test]
-fn the_program_writes_the_locked_picture() {
-    Program::new("step03_nearest", "writes").assert_writes_locked();
-}
-
-#[test]
-fn the_program_helps() {
-    Program::new("step03_nearest", "helps").assert_helps();
-}
-
-#[test]
-fn the_program_refuses_bad_input() {
-    assert_refuses_bad_input("step03_nearest");
+fn the_program_draws_helps_and_refuses() {
+    assert_program("step03_nearest");
 }
 
 #[test]

@@ -6,9 +6,7 @@ use step04_diffuse::{
     Attenuation, COOL, Object, PointLight, Ray, Sphere, Surface, WARM, ambient,
     colour, diffuse, normal, objects, picture, scene, seen,
 };
-use tests::{
-    Program, assert_locked, assert_refuses_bad_input, camera, point, rays, unit,
-};
+use tests::{assert_locked, assert_program, camera, point, rays, unit};
 
 const GREY: Surface =
     Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
@@ -28,18 +26,8 @@ fn the_picture_is_locked() {
 }
 
 #[test]
-fn the_program_writes_the_locked_picture() {
-    Program::new("step04_diffuse", "writes").assert_writes_locked();
-}
-
-#[test]
-fn the_program_helps() {
-    Program::new("step04_diffuse", "helps").assert_helps();
-}
-
-#[test]
-fn the_program_refuses_bad_input() {
-    assert_refuses_bad_input("step04_diffuse");
+fn the_program_draws_helps_and_refuses() {
+    assert_program("step04_diffuse");
 }
 
 #[test]

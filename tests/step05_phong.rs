@@ -7,9 +7,7 @@ use step05_phong::{
     colour, diffuse, direction_colour, objects, phong, picture, reflect, render,
     scene, seen, specular, terms,
 };
-use tests::{
-    Program, assert_locked, assert_refuses_bad_input, camera, point, unit,
-};
+use tests::{assert_locked, assert_program, camera, point, unit};
 
 const MATERIAL: Material = Material {
     surface: Surface {
@@ -40,18 +38,8 @@ fn the_picture_is_locked() {
 }
 
 #[test]
-fn the_program_writes_the_locked_picture() {
-    Program::new("step05_phong", "writes").assert_writes_locked();
-}
-
-#[test]
-fn the_program_helps() {
-    Program::new("step05_phong", "helps").assert_helps();
-}
-
-#[test]
-fn the_program_refuses_bad_input() {
-    assert_refuses_bad_input("step05_phong");
+fn the_program_draws_helps_and_refuses() {
+    assert_program("step05_phong");
 }
 
 #[test]
