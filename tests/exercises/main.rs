@@ -13,9 +13,7 @@ use glam::DVec3;
 use image::RgbImage;
 use std::{fs, thread};
 use step01_rays::{Camera, Ray};
-use tests::{assert_locked, camera};
-
-const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../");
+use tests::{assert_locked, camera, here};
 
 type Picture = fn(&Camera, u32) -> RgbImage;
 
@@ -67,7 +65,7 @@ fn from_angle(angle: f64) -> DVec3 {
 
 /// The names of what is in the folder `path` of the workspace.
 fn files(path: &str) -> impl Iterator<Item = String> {
-    let files = fs::read_dir(WORKSPACE.to_owned() + path).expect(path).flatten();
+    let files = fs::read_dir(here().join("..").join(path)).expect(path).flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
     names.filter(|name| !name.starts_with('.'))
 }
@@ -75,7 +73,7 @@ fn files(path: &str) -> impl Iterator<Item = String> {
 #[test]
 fn no_exercise_is_forgotten() {
     let text =
-        |path: &str| fs::read_to_string(WORKSPACE.to_owned() + path).expect(path);
+        |path: &str| fs::read_to_string(here().join("..").join(path)).expect(path);
     let mut missing = vec![];
     let locked: Vec<String> = files("tests/snapshots").collect();
     for step in files("steps") {
