@@ -18,7 +18,8 @@ use tests::{assert_locked, camera, here};
 type Picture = fn(&Camera, u32) -> RgbImage;
 
 /// The name of each locked picture, and what draws it anew.
-const PICTURES: [(&str, Picture); 21] = [
+const PICTURES: [(&str, Picture); 22] = [
+    ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
     ("graticule", step01::graticule::picture),
     ("look_at", step01::look_at::picture),
@@ -82,7 +83,8 @@ fn no_exercise_is_forgotten() {
         let folder = format!("steps/{step}/examples");
         for file in files(&folder).filter(|file| file != "my_scene.rs") {
             let name = file.trim_end_matches(".rs");
-            let picture = if name.ends_with("_starter") { &step } else { name };
+            let is_step = name.ends_with("_starter") || name == "directions";
+            let picture = if is_step { &step } else { name };
             let listing = format!("{{{{#include ../../{folder}/{file}}}}}");
             for (is_there, place) in [
                 (PICTURES.iter().any(|(name, _)| *name == picture), "PICTURES"),

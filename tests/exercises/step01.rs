@@ -1,3 +1,5 @@
+#[path = "../../steps/step01_rays/examples/gradient.rs"]
+pub mod gradient;
 #[path = "../../steps/step01_rays/examples/graticule.rs"]
 pub mod graticule;
 #[path = "../../steps/step01_rays/examples/look_at.rs"]
