@@ -87,7 +87,7 @@ fn the_program_allows_the_limits() {
 
 #[cfg(unix)]
 #[test]
-fn a_link_stays_a_link_and_a_file_keeps_its_permissions() {
+fn the_program_keeps_links_and_permissions() {
     use std::os::unix::fs::{MetadataExt, symlink};
     let program = Program::new("step01_rays", "links");
     let path = |name: &str| program.folder.join(name);
@@ -111,7 +111,7 @@ fn a_link_stays_a_link_and_a_file_keeps_its_permissions() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn on_a_terminal_a_long_picture_tells_how_far_it_is() {
+fn the_program_tells_on_a_terminal_how_far_a_long_picture_is() {
     let program = Program::new("step01_rays", "long");
     let on_a_terminal = |line: &str| {
         let command = format!("'{}' {line}", program.path().display());

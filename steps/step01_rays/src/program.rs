@@ -72,9 +72,9 @@ fn progress(rows: u32) -> ProgressBar {
     let style = ProgressStyle::with_template("{percent} % drawn, {eta} to go");
     style.into_iter().for_each(|style| bar.set_style(style));
     let seconds = iter::repeat(time::Duration::from_secs(1)).map(thread::sleep);
+    let drawn = seconds.map(|()| ROWS.load(Ordering::Relaxed)).filter(|n| 0 < *n);
     let told = bar.clone();
-    let tell = move |()| told.set_position(ROWS.load(Ordering::Relaxed).into());
-    thread::spawn(|| seconds.for_each(tell));
+    thread::spawn(move || drawn.for_each(|rows| told.set_position(rows.into())));
     bar
 }
 
