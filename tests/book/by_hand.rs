@@ -112,7 +112,7 @@ impl Visit<'_> for Asserted {
     fn visit_expr_unary(&mut self, unary: &ExprUnary) {
         let before = self.0.len();
         visit::visit_expr_unary(self, unary);
-        if let (UnOp::Neg(_), Expr::Lit(_)) = (unary.op, &*unary.expr) {
+        if let (UnOp::Neg(_), Expr::Lit(_)) = (&unary.op, &*unary.expr) {
             self.0[before..].iter_mut().for_each(|number| *number = -*number);
         }
     }
