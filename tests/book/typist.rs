@@ -89,37 +89,27 @@ impl Typist {
     }
 
     /// Says which group of a table of contents needs a later one, or which numbers by
-    /// hand do not compile: each group ends a crate, an example, of its own.
+    /// hand do not compile: each group ends an example, a crate of its own.
     pub fn check_groups(&self) -> Result<()> {
         for step in STEPS {
-            let folder = self.folder.join("steps").join(step);
+            let (folder, mut root) =
+                (self.folder.join("steps").join(step), String::new());
+            fs::create_dir_all(folder.join("examples"))?;
             let whole = fs::read_to_string(folder.join("src/lib.rs"))?;
-            for (end, _) in whole.match_indices("\n\n") {
-                let lines = whole[..end].lines().map(|line| {
-                    match line.strip_prefix("mod ") {
-                        Some(name) => format!(
-                            "#[path = \"../src/{}.rs\"]\n{line}\n",
-                            name.trim_end_matches(';')
-                        ),
-                        None => format!("{line}\n"),
+            for (number, group) in whole.split("\n\n").enumerate() {
+                for line in group.lines() {
+                    if let Some(name) = line.strip_prefix("mod ") {
+                        let file = name.replace(';', ".rs");
+                        root += &format!("#[path = \"../src/{file}\"]\n");
                     }
-                });
-                let text: String =
-                    lines.chain(["fn main() {}\n".to_owned()]).collect();
-                fs::create_dir_all(folder.join("examples"))?;
-                fs::write(
-                    folder.join(format!("examples/{step}_to_{end}.rs")),
-                    text,
-                )?;
+                    root += &format!("{line}\n");
+                }
+                let example = folder.join(format!("examples/{step}_{number}.rs"));
+                fs::write(example, format!("{root}fn main() {{}}\n"))?;
             }
         }
-        build(self.cargo(&[
-            "check",
-            "--example",
-            "step*_to_*",
-            "--test",
-            "by_hand",
-        ]))
+        let what = ["check", "--example", "step*_?", "--test", "by_hand"];
+        build(self.cargo(&what))
     }
 
     /// Compares the picture that `program` writes with the locked one of its name.
