@@ -139,6 +139,7 @@ impl Draft<'_> {
             ));
         }
         match language.to_lowercase().as_str() {
+            "console" => Part::Block(console(info, &content)),
             "" => wrong("the fence names no language; text is one, too"),
             "rust" | "rs" => {
                 wrong("Rust in the book is one {{#include …}} and nothing else")
@@ -155,6 +156,7 @@ impl Draft<'_> {
         Part::Block(match (kind, &self.pictures(events, range)[..]) {
             ("figure", _) => figures::html(words.trim()),
             ("by-hand", _) => Ok(by_hand(words.trim())),
+            ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
             (kind, []) => match boxes::html(kind, words) {
                 Some(html) => html,
                 None => return Part::Plain,
@@ -259,6 +261,29 @@ fn formula(latex: &str, display: bool) -> Result<String, String> {
 fn by_hand(test: &str) -> String {
     let name = markdown::name(test);
     format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
+}
+
+/// What a week of Rust does not teach, right below where it first appears, for
+/// `{{#rust words}}`.
+fn new_rust(words: &str) -> String {
+    format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")
+}
+
+/// Commands, under a caption that says in whose folder they are meant, the reader's
+/// or ours.
+fn console(info: &str, commands: &str) -> Result<String, String> {
+    let (whose, caption) = match info.split_once(',') {
+        Some((_, "yours")) => ("yours", "in your folder"),
+        Some((_, "ours")) => {
+            ("ours", "in <a href=\"how.html#two-folders\">our folder</a>")
+        }
+        _ => return Err("a console is console,yours or console,ours".to_string()),
+    };
+    Ok(format!(
+        "<figure class=\"console\" data-folder=\"{whose}\">\
+         <figcaption>{caption}</figcaption>\n\n\
+         ```console\n{commands}\n```\n\n</figure>\n"
+    ))
 }
 
 /// What is wrong with a piece of HTML in a chapter.

@@ -92,6 +92,11 @@ fn a_wrong_figure_value_or_directive_is_a_mistake() {
     wrong("One {{#value camera-step\n", 1, "no }}");
     wrong("{{#predict Why?}}\n\nSo.\n", 1, "no {{#end}}");
     wrong("So.\n\n{{#end}}\n", 3, "without a box");
+    wrong("One.\n\n```console\n$ ls\n```\n", 3, "console,yours or");
+    let ours = right("One.\n\n```console,ours\n$ ls\n```\n");
+    assert!(ours.contains("our folder") && ours.contains("```console\n$ ls\n"));
+    let new = right("So.\n\n{{#rust `let … else` is new.}}\n");
+    assert!(new.contains("New Rust here</b> <code>let … else</code>"), "{new}");
     assert!(
         right("{{#predict Why $t$?}}\n\nSo.\n\n{{#end}}\n").contains("<details")
     );
