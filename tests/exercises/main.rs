@@ -25,7 +25,7 @@ const PICTURES: [(&str, Picture); 23] = [
     ("look_at", step01::look_at::picture),
     ("panorama", step01::panorama::picture),
     ("step02_sphere", step02::step02_starter::picture),
-    ("behind", |camera, _| step02::behind::picture(camera)),
+    ("disc", |camera, _| step02::disc::picture(camera)),
     ("lens", step02::lens::picture),
     ("plane", step02::plane::picture),
     ("quadric", step02::quadric::picture),

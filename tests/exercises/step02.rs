@@ -1,5 +1,5 @@
-#[path = "../../steps/step02_sphere/examples/behind.rs"]
-pub mod behind;
+#[path = "../../steps/step02_sphere/examples/disc.rs"]
+pub mod disc;
 #[path = "../../steps/step02_sphere/examples/lens.rs"]
 pub mod lens;
 #[path = "../../steps/step02_sphere/examples/plane.rs"]
@@ -22,7 +22,7 @@ const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
 #[test]
 fn a_ball_behind_the_eye_looks_like_one_ahead_where_the_sign_of_t_is_not_asked() {
     let ahead = step02_starter::picture(&camera(), 1);
-    assert_eq!(behind::picture(&camera()), ahead);
+    assert_eq!(disc::picture(&camera()), ahead);
 }
 
 #[test]

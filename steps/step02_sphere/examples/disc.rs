@@ -1,10 +1,10 @@
-//! A red disc where nothing is.
+//! A first sphere: red where its equation has a root.
 
 use glam::DVec3;
 use image::{ImageResult, RgbImage};
 use step02_sphere::{Camera, Roots, Sphere, direction_colour, render};
 
-/// The picture: red where the equation of the sphere has a root at all.
+/// The picture: red, or the colour of the direction.
 pub fn picture(camera: &Camera) -> RgbImage {
     let sphere = Sphere { centre: DVec3::new(0.0, 0.0, 5.0), radius: 1.0 };
     render(camera, 1, |ray| match sphere.intersect(ray) {
@@ -15,5 +15,5 @@ pub fn picture(camera: &Camera) -> RgbImage {
 
 fn main() -> ImageResult<()> {
     let camera = Camera::new(640, 360, 60_f64.to_radians());
-    picture(&camera).save("behind.png")
+    picture(&camera).save("disc.png")
 }
