@@ -7,7 +7,7 @@ use crate::{assert_found, assert_none};
 use book::{Files, Page, Site};
 use std::collections::BTreeMap;
 use syn::punctuated::Punctuated;
-use syn::visit::{self, Visit};
+use syn::visit_mut::{self, VisitMut};
 use syn::{
     BinOp, Expr, ExprBinary, ExprUnary, Item, ItemFn, LitFloat, Local, Macro,
     Token, UnOp,
@@ -25,7 +25,7 @@ fn faults_of(step: &str, book: &Site, source: &Files) -> Vec<String> {
     let page = &book.pages[&format!("{step}.html")];
     let mut labels = labels(page);
     let mut faults = vec![];
-    for test in tests {
+    for mut test in tests {
         let name = test.sig.ident.to_string();
         let Some(text) = labels.remove(name.as_str()) else {
             faults.push(format!("{} does not name the test {name}.", page.name));
@@ -33,7 +33,7 @@ fn faults_of(step: &str, book: &Site, source: &Files) -> Vec<String> {
         };
         let shown = shown(text);
         let mut asserted = Asserted::default();
-        asserted.visit_block(&test.block);
+        asserted.visit_block_mut(&mut test.block);
         let wrong = asserted.0.iter().filter(|number| !shown.contains(number));
         faults.extend(wrong.map(|number| {
             let page = &page.name;
@@ -94,30 +94,31 @@ fn shown(text: &str) -> Vec<f64> {
 #[derive(Default)]
 struct Asserted(Vec<f64>);
 
-impl Visit<'_> for Asserted {
-    fn visit_local(&mut self, _: &Local) {}
+impl VisitMut for Asserted {
+    fn visit_local_mut(&mut self, _: &mut Local) {}
 
-    fn visit_expr_binary(&mut self, binary: &ExprBinary) {
+    fn visit_expr_binary_mut(&mut self, binary: &mut ExprBinary) {
         if !matches!(binary.op, BinOp::Mul(_)) {
-            visit::visit_expr_binary(self, binary);
+            visit_mut::visit_expr_binary_mut(self, binary);
         }
     }
 
-    fn visit_macro(&mut self, assertion: &Macro) {
+    fn visit_macro_mut(&mut self, assertion: &mut Macro) {
         let arguments = Punctuated::<Expr, Token![,]>::parse_terminated;
         let arguments = assertion.parse_body_with(arguments);
-        arguments.iter().flatten().for_each(|argument| self.visit_expr(argument));
+        let arguments = arguments.into_iter().flatten();
+        arguments.for_each(|mut argument| self.visit_expr_mut(&mut argument));
     }
 
-    fn visit_expr_unary(&mut self, unary: &ExprUnary) {
+    fn visit_expr_unary_mut(&mut self, unary: &mut ExprUnary) {
         let before = self.0.len();
-        visit::visit_expr_unary(self, unary);
+        visit_mut::visit_expr_unary_mut(self, unary);
         if let (UnOp::Neg(_), Expr::Lit(_)) = (&unary.op, &*unary.expr) {
             self.0[before..].iter_mut().for_each(|number| *number = -*number);
         }
     }
 
-    fn visit_lit_float(&mut self, number: &LitFloat) {
+    fn visit_lit_float_mut(&mut self, number: &mut LitFloat) {
         if !number.to_string().contains('e') {
             self.0.extend(number.base10_parse::<f64>());
         }

@@ -2,7 +2,7 @@
 
 use book::Files;
 use std::collections::{BTreeMap, BTreeSet};
-use syn::visit::{self, Visit};
+use syn::visit_mut::{self, VisitMut};
 use syn::{Field, Ident, ImplItem, Item, Type, Variant};
 
 /// Every function, type and constant by its name, and every function, field and
@@ -20,7 +20,7 @@ impl Items {
     pub fn of(source: &Files) -> Self {
         let mut items = Self::default();
         let files = source.texts(".rs").map(|(_, text)| syn::parse_file(text));
-        files.flatten().for_each(|file| items.visit_file(&file));
+        files.flatten().for_each(|mut file| items.visit_file_mut(&mut file));
         items
     }
 
@@ -35,7 +35,7 @@ impl Items {
     }
 
     /// Reads what is inside an item of this name, if it has one.
-    fn inside(&mut self, name: Option<&Ident>, read: impl FnOnce(&mut Self)) {
+    fn inside(&mut self, name: Option<Ident>, read: impl FnOnce(&mut Self)) {
         let Some(name) = name else { return read(self) };
         let colons = if self.name.is_empty() { "" } else { "::" };
         let inner = format!("{}{colons}{name}", self.name);
@@ -46,8 +46,8 @@ impl Items {
     }
 }
 
-impl<'a> Visit<'a> for Items {
-    fn visit_item(&mut self, item: &'a Item) {
+impl VisitMut for Items {
+    fn visit_item_mut(&mut self, item: &mut Item) {
         let name = match item {
             Item::Fn(item) => Some(&item.sig.ident),
             Item::Struct(item) => Some(&item.ident),
@@ -59,24 +59,26 @@ impl<'a> Visit<'a> for Items {
             },
             _ => None,
         };
-        self.inside(name, |items| visit::visit_item(items, item));
+        let name = name.cloned();
+        self.inside(name, |items| visit_mut::visit_item_mut(items, item));
     }
 
-    fn visit_impl_item(&mut self, item: &'a ImplItem) {
+    fn visit_impl_item_mut(&mut self, item: &mut ImplItem) {
         let ImplItem::Fn(function) = item else { return };
-        let name = Some(&function.sig.ident);
-        self.inside(name, |items| visit::visit_impl_item(items, item));
+        let name = Some(function.sig.ident.clone());
+        self.inside(name, |items| visit_mut::visit_impl_item_mut(items, item));
     }
 
-    fn visit_field(&mut self, field: &'a Field) {
-        self.inside(field.ident.as_ref(), |items| visit::visit_field(items, field));
+    fn visit_field_mut(&mut self, field: &mut Field) {
+        let name = field.ident.clone();
+        self.inside(name, |items| visit_mut::visit_field_mut(items, field));
     }
 
-    fn visit_variant(&mut self, variant: &'a Variant) {
-        self.inside(Some(&variant.ident), |_| {});
+    fn visit_variant_mut(&mut self, variant: &mut Variant) {
+        self.inside(Some(variant.ident.clone()), |_| {});
     }
 
-    fn visit_ident(&mut self, word: &'a Ident) {
+    fn visit_ident_mut(&mut self, word: &mut Ident) {
         if let Some(words) = self.words.get_mut(&self.name) {
             words.insert(word.to_string());
         }
