@@ -4,8 +4,8 @@ use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
     Attenuation, Light, Material, Phong, Point, PointLight, Ray, Surface, ambient,
-    colour, diffuse, direction_colour, objects, phong, picture, reflect, render,
-    scene, seen, specular, terms,
+    colour, diffuse, objects, phong, picture, reflect, scene, seen, specular,
+    terms,
 };
 use tests::{assert_locked, assert_program, camera, point, unit};
 
@@ -40,19 +40,6 @@ fn the_picture_is_locked() {
 #[test]
 fn the_program_draws_helps_and_refuses() {
     assert_program("step05_phong");
-}
-
-#[test]
-fn each_term_alone_is_locked() {
-    let scene = scene();
-    let alone = |term: fn(Phong) -> DVec3| {
-        render(&camera(), 1, |ray| {
-            terms(&scene, ray).map_or(direction_colour(ray), term)
-        })
-    };
-    assert_locked("step05_ambient", &alone(|terms| terms.ambient));
-    assert_locked("step05_diffuse", &alone(|terms| terms.diffuse));
-    assert_locked("step05_specular", &alone(|terms| terms.specular));
 }
 
 #[test]

@@ -18,7 +18,7 @@ use tests::{assert_locked, camera, here};
 type Picture = fn(&Camera, u32) -> RgbImage;
 
 /// The name of each locked picture, and what draws it anew.
-const PICTURES: [(&str, Picture); 23] = [
+const PICTURES: [(&str, Picture); 27] = [
     ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
     ("graticule", step01::graticule::picture),
@@ -39,6 +39,10 @@ const PICTURES: [(&str, Picture); 23] = [
     ("spot", step04::spot::picture),
     ("sun", step04::sun::picture),
     ("step05_phong", step05::step05_starter::picture),
+    ("step05_ambient", |camera, _| step05::terms::picture(camera, |i| i.ambient)),
+    ("step05_diffuse", |camera, _| step05::terms::picture(camera, |i| i.diffuse)),
+    ("step05_specular", |camera, _| step05::terms::picture(camera, |i| i.specular)),
+    ("marbles", step05::marbles::picture),
     ("glass", step05::glass::picture),
     ("halfway", step05::halfway::picture),
     ("mirror", step05::mirror::picture),
@@ -85,7 +89,11 @@ fn no_exercise_is_forgotten() {
         for file in files(&folder).filter(|file| file != "my_scene.rs") {
             let name = file.trim_end_matches(".rs");
             let is_step = name.ends_with("_starter") || name == "directions";
-            let picture = if is_step { &step } else { name };
+            let picture = match name {
+                "terms" => "step05_specular",
+                _ if is_step => &step,
+                _ => name,
+            };
             let listing = format!("{{{{#include ../../{folder}/{file}}}}}");
             for (is_there, place) in [
                 (PICTURES.iter().any(|(name, _)| *name == picture), "PICTURES"),

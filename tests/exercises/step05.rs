@@ -2,10 +2,14 @@
 pub mod glass;
 #[path = "../../steps/step05_phong/examples/halfway.rs"]
 pub mod halfway;
+#[path = "../../steps/step05_phong/examples/marbles.rs"]
+pub mod marbles;
 #[path = "../../steps/step05_phong/examples/mirror.rs"]
 pub mod mirror;
 #[path = "../../steps/step05_phong/examples/step05_starter.rs"]
 pub mod step05_starter;
+#[path = "../../steps/step05_phong/examples/terms.rs"]
+pub mod terms;
 
 use crate::step04::shadows;
 use crate::{from_angle, rays_of_camera};

@@ -13,7 +13,7 @@ pub const VALUES: &[Value] = &[
     ("step05-warm-specular", || vector(warm().specular)),
     ("step05-cool-r", || vector(cool().r)),
     ("step05-cool-alignment", || short(cool().alignment)),
-    ("step05-cool-angle", || short(cool().alignment.acos().to_degrees())),
+    ("step05-cool-angle", || tenths(cool().alignment.acos().to_degrees())),
     ("step05-cool-power", || {
         short(cool().alignment.powi(hit().1.material.shininess))
     }),
@@ -28,7 +28,6 @@ pub const VALUES: &[Value] = &[
     ("step05-half-10", || half_width(10.0)),
     ("step05-half-16", || half_width(16.0)),
     ("step05-half-40", || half_width(40.0)),
-    ("step05-half-150", || half_width(150.0)),
     ("step05-half-300", || half_width(300.0)),
     ("step05-gate-pixels", || UNGATED.0.to_string()),
     ("step05-gate-most", || UNGATED.1.to_string()),
