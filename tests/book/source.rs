@@ -32,7 +32,7 @@ fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
 fn home(path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     // A starter stands where its exercises do, and the first two pictures in chapter 1.
-    let in_chapter = ["_starter.rs", "/gradient.rs", "/directions.rs"];
+    let in_chapter = ["_starter.rs", "/gradient.rs", "/directions.rs", "/disc.rs"];
     let solution = file.starts_with("examples/")
         && !in_chapter.iter().any(|end| file.ends_with(end));
     let page = match file {
