@@ -42,7 +42,12 @@ fn home(path: &str) -> Option<String> {
     ];
     let solution = file.starts_with("examples/")
         && !in_chapter.iter().any(|end| file.ends_with(end));
-    let page = if solution { "solutions" } else { step };
+    let page = match file {
+        // The last chapter arrives at it.
+        "examples/mirror.rs" => "where_next",
+        _ if solution => "solutions",
+        _ => step,
+    };
     Some(format!("{page}.html"))
 }
 

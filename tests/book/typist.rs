@@ -78,8 +78,8 @@ impl Typist {
         self.compare(&program, step)
     }
 
-    /// Says what is wrong with the solutions and starters, typed as well by now.
-    pub fn check_examples(&self, names: &[&str]) -> Result<()> {
+    /// Says what is wrong with these examples, and with all that are typed by now.
+    pub fn check_examples(&self, names: &BTreeSet<&str>) -> Result<()> {
         build(self.cargo(&["build", "--bins", "--examples"]))?;
         let programs = self.folder.join("target/debug/examples");
         names.iter().try_for_each(|name| {

@@ -13,9 +13,9 @@ pub mod terms;
 
 use crate::step04::shadows;
 use crate::{from_angle, rays_of_camera};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use glass::Glass;
-use image::Rgb;
+use image::{Rgb, RgbImage};
 use mirror::Mirror;
 use proptest::prelude::*;
 use step05_phong::*;
@@ -66,6 +66,39 @@ fn four_times_the_exponent_gives_about_the_same_highlight() {
 
 // mirror
 
+/// The shadows of rays that start on the surface itself.
+pub fn speckled(camera: &Camera, samples: u32) -> RgbImage {
+    let scene = scene();
+    render(camera, samples, |ray| {
+        let Some(point) = seen(&scene.objects, ray) else {
+            return direction_colour(ray);
+        };
+        let bare = Point { n: DVec3::ZERO, ..point };
+        let hidden = |q: DVec3| mirror::hidden(&scene.objects, &bare, q);
+        let mut lights = scene.lights.clone();
+        lights.retain(|light| !hidden(light.point.position));
+        phong(ray, &point, scene.ambient_light, &lights).sum()
+    })
+}
+
+/// The program before it has mirrors: shadows alone.
+pub fn shadowed(camera: &Camera, samples: u32) -> RgbImage {
+    let scene = mirror::mirrors();
+    render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
+}
+
+/// The white sphere: the picture from column 53 and row 231 on, four times as large.
+pub fn close_up() -> RgbImage {
+    let (whole, corner) = (camera(), DVec3::new(53.0, 231.0, 1.0));
+    let part = DMat3::from_cols(DVec3::X / 4.0, DVec3::Y / 4.0, corner);
+    mirror::picture(&Camera { matrix: whole.matrix * part, ..whole }, 4)
+}
+
+/// The picture of the last page, larger and smoother.
+pub fn goodbye() -> RgbImage {
+    mirror::picture(&Camera::new(1280, 720, 60_f64.to_radians()), 3)
+}
+
 #[test]
 fn at_the_depth_limit_mirrors_show_their_own_colour() {
     let (mirrors, none) = (mirror::mirrors(), without_mirrors());
@@ -76,11 +109,17 @@ fn at_the_depth_limit_mirrors_show_their_own_colour() {
 }
 
 #[test]
+fn more_than_ten_mirrors_change_no_pixel() {
+    let scene = mirror::mirrors();
+    let more = render(&camera(), 1, |ray| mirror::colour(&scene, ray, 100));
+    assert!(more == locked("mirror"));
+}
+
+#[test]
 fn mirrors_show_the_green_sphere_behind_the_camera() {
     // Green alone is above 60, and more than twice red and blue.
     let is_green = |&&Rgb([r, g, b]): &&Rgb<u8>| 60 < g && r.max(b) < g / 2;
-    let green =
-        |picture: &image::RgbImage| picture.pixels().filter(is_green).count();
+    let green = |picture: &RgbImage| picture.pixels().filter(is_green).count();
     assert_eq!(green(&locked("step05_phong")), 0);
     assert!(0 < green(&mirror::picture(&camera(), 1)));
 }

@@ -3,39 +3,20 @@
 use super::Value;
 use super::worked::{counted, short, vector};
 use glam::{DMat3, DVec3};
-use step04_diffuse::{Object, Point, Ray, Sphere, objects, seen};
-use step05_phong::reflect;
+use step04_diffuse::{Sphere, objects};
 
 pub const VALUES: &[Value] = &[
     ("next-basis-x", || vector(basis().x_axis)),
     ("next-basis-y", || vector(basis().y_axis)),
     ("next-basis-z", || vector(basis().z_axis)),
-    ("next-mirrored-hits", || {
-        counted(|ray| seen(&objects(), ray).is_some().into())
-    }),
-    ("next-mirrored-again", || {
-        let objects = objects();
-        let itself = objects
-            .map(|Object { sphere, .. }| Object { sphere, material: sphere });
-        counted(|ray| {
-            seen(&itself, ray).is_some_and(|point| meets(ray, &point)).into()
-        })
-    }),
     ("next-depth-9", || depth(0.9)),
     ("next-depth-5", || depth(0.5)),
-    ("next-critical", || short((1.0_f64 / 1.5).asin().to_degrees())),
+    ("next-critical", || format!("{:.0}", (1.0_f64 / 1.5).asin().to_degrees())),
     ("next-tests", || counted(|_| objects().len())),
     ("next-tests-many", || counted(|_| 1000)),
     ("next-half-byte", || short(light_of_byte(128.0))),
     ("next-byte-of-half", || short(byte_of_light(0.5))),
 ];
-
-/// Whether the ray mirrored at `point` meets the sphere of that point again.
-fn meets(ray: &Ray, point: &Point<Sphere>) -> bool {
-    let mirrored =
-        Ray { start: point.p, direction: -reflect(ray.direction, point.n) };
-    point.material.intersect(&mirrored).first_hit().is_some()
-}
 
 /// How many mirrors that reflect this part leave less than one step of 8 bits.
 fn depth(part: f64) -> String {

@@ -1,4 +1,4 @@
-//! The scene of step 5 with mirrors and shadows: the whole of the lecture's
+//! The scene of step 5 with shadows and mirrors: the whole of the lecture's
 //! "Ray-Tracing Algorithm".
 
 use glam::DVec3;
@@ -7,6 +7,16 @@ use step05_phong::{
     Camera, Light, Material, Object, Point, Ray, Scene, direction_colour, nearest,
     phong, reflect, render, run, scene, seen,
 };
+
+/// How far above a surface a ray starts, so that it does not meet that surface again.
+const OFFSET: f64 = 1e-9;
+
+/// Says whether one of the `objects` stands between `point` and a light at `q`.
+pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
+    let start = point.p + OFFSET * point.n;
+    let to_light = Ray { start, direction: q - start };
+    nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
+}
 
 /// A material that is a mirror in part.
 pub struct Mirror {
@@ -29,16 +39,6 @@ pub fn mirrors() -> Scene<Mirror, Light> {
     Scene { objects, ambient_light, lights }
 }
 
-/// How far above a surface a ray starts, so that it does not meet that surface again.
-const OFFSET: f64 = 1e-9;
-
-/// Says whether one of the `objects` stands between `point` and a light at `q`.
-pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
-    let start = point.p + OFFSET * point.n;
-    let to_light = Ray { start, direction: q - start };
-    nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
-}
-
 /// The colour that `ray` sees by way of at most `depth` mirrors.
 pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = seen(&scene.objects, ray) else {
@@ -48,14 +48,14 @@ pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
     lights.retain(|light| !hidden(&scene.objects, &point, light.point.position));
     let Point { p, n, material: Mirror { material, k } } = point;
     let terms = phong(ray, &Point { p, n, material }, scene.ambient_light, &lights);
-    if *k == 0.0 || depth == 0 {
-        return terms.sum();
+    if 0.0 < *k && 0 < depth {
+        let direction = reflect(-ray.direction, n);
+        let mirrored = Ray { start: p + OFFSET * n, direction };
+        return (1.0 - k) * (terms.ambient + terms.diffuse)
+            + k * colour(scene, &mirrored, depth - 1)
+            + terms.specular;
     }
-    let direction = reflect(-ray.direction, n);
-    let mirrored = Ray { start: p + OFFSET * n, direction };
-    (1.0 - k) * (terms.ambient + terms.diffuse)
-        + k * colour(scene, &mirrored, depth - 1)
-        + terms.specular
+    terms.sum()
 }
 
 /// The picture: a ray may meet ten mirrors, one after the other.
