@@ -18,7 +18,7 @@ use tests::{assert_locked, camera, here};
 type Picture = fn(&Camera, u32) -> RgbImage;
 
 /// The name of each locked picture, and what draws it anew.
-const PICTURES: [(&str, Picture); 22] = [
+const PICTURES: [(&str, Picture); 25] = [
     ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
     ("graticule", step01::graticule::picture),
@@ -37,6 +37,9 @@ const PICTURES: [(&str, Picture); 22] = [
     ("shadows", step04::shadows::picture),
     ("spot", step04::spot::picture),
     ("sun", step04::sun::picture),
+    ("normals", step04::normals::picture),
+    ("plaster", step04::plaster::picture),
+    ("snowman", step04::snowman::picture),
     ("step05_phong", step05::step05_starter::picture),
     ("glass", step05::glass::picture),
     ("halfway", step05::halfway::picture),
