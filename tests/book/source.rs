@@ -3,7 +3,7 @@
 use crate::book::{BOOK, files};
 use crate::listing::Listing;
 use crate::{assert_found, assert_none};
-use book::{Files, Site};
+use book::{Files, Page, Site};
 use gallery::workspace;
 use std::fs;
 use std::sync::LazyLock;
@@ -28,27 +28,13 @@ fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
     checked.filter_map(|wrong| Some(wrong.err()?.to_string())).collect()
 }
 
-/// The page on which a file of a step has its place.
-fn home(path: &str) -> Option<String> {
+/// The page on which a file of a step has its place: an example may stand on any page.
+fn home(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    // A starter stands where its exercises do, and what is to be looked at in its chapter.
-    let in_chapter = [
-        "_starter.rs",
-        "/gradient.rs",
-        "/directions.rs",
-        "/disc.rs",
-        "/terms.rs",
-        "/marbles.rs",
-    ];
-    let solution = file.starts_with("examples/")
-        && !in_chapter.iter().any(|end| file.ends_with(end));
-    let page = match file {
-        // The last chapter arrives at it.
-        "examples/mirror.rs" => "where_next",
-        _ if solution => "solutions",
-        _ => step,
-    };
-    Some(format!("{page}.html"))
+    let has_it = |page: &&Page| Listing::all(page).any(|one| one.path == path);
+    let example = file.starts_with("examples/");
+    let page = book.chapters().into_iter().find(|page| example && has_it(page));
+    Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
 }
 
 /// Each file with a line that does not stand in its chapter, stands there twice or
@@ -56,7 +42,7 @@ fn home(path: &str) -> Option<String> {
 fn wrong_files(book: &Site, source: &Files) -> Vec<String> {
     let mut faults = vec![];
     for (path, text) in source.texts("") {
-        let Some(home) = home(path) else { continue };
+        let Some(home) = home(book, path) else { continue };
         let mut times = vec![0; text.lines().count()];
         for page in book.chapters() {
             for listing in Listing::all(page).filter(|one| one.path == path) {

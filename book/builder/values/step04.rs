@@ -2,11 +2,9 @@
 
 use super::Value;
 use super::lit::{PIXEL, cool, example, hit, lit, ray, warm};
-use super::worked::{camera, count, rgb, short, vector};
+use super::worked::{camera, counted, rgb, short, vector};
 use glam::DVec3;
-use step04_diffuse::{
-    COOL, PointLight, Ray, WARM, colour, nearest, picture, scene,
-};
+use step04_diffuse::{COOL, Ray, WARM, colour, nearest, picture, scene};
 
 pub const VALUES: &[Value] = &[
     ("step04-ray-direction", || vector(ray().direction)),
@@ -32,21 +30,19 @@ pub const VALUES: &[Value] = &[
     ("step04-sum", || vector(example().ambient + example().diffuse)),
     ("step04-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
     ("step04-behind-cosine", || short(lit((380, 136), 1).cosine)),
-    ("step04-warm-at-0", || left(&WARM, 0.0)),
-    ("step04-warm-at-10", || left(&WARM, 10.0)),
-    ("step04-cool-at-0", || left(&COOL, 0.0)),
-    ("step04-cool-at-10", || left(&COOL, 10.0)),
+    ("step04-cool-at-0", || left(0.0)),
+    ("step04-cool-at-10", || left(10.0)),
     ("step04-clipped", || {
         let scene = scene();
         let is_seen = |ray: &Ray| nearest(&scene.objects, ray).is_some();
         let is_lit = |ray: &Ray| 1.0 < colour(&scene, ray).max_element();
-        count(|ray| (is_seen(ray) && is_lit(ray)).into()).to_string()
+        counted(|ray| (is_seen(ray) && is_lit(ray)).into())
     }),
 ];
 
-/// The part of a light that is left at the distance `d`.
-fn left(light: &PointLight, d: f64) -> String {
-    short(1.0 / light.attenuation.at(d))
+/// The part of the cool light that is left at the distance `d`.
+fn left(d: f64) -> String {
+    short(1.0 / COOL.attenuation.at(d))
 }
 
 /// A vector as a column, for a formula.

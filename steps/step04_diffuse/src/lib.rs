@@ -13,12 +13,12 @@ mod surface;
 pub use ambient::ambient;
 pub use surface::Surface;
 
-mod diffuse;
 mod light;
-pub use diffuse::diffuse;
-pub use light::{Attenuation, PointLight};
-
-mod picture;
 mod scene;
-pub use picture::{colour, picture};
+pub use light::{Attenuation, PointLight};
 pub use scene::{COOL, Scene, WARM, scene};
+
+mod diffuse;
+mod picture;
+pub use diffuse::diffuse;
+pub use picture::{colour, picture};
