@@ -4,6 +4,8 @@ pub mod depth;
 pub mod jitter;
 #[path = "../../steps/step03_nearest/examples/many.rs"]
 pub mod many;
+#[path = "../../steps/step03_nearest/examples/my_scene.rs"]
+pub mod my_scene;
 #[path = "../../steps/step03_nearest/examples/step03_starter.rs"]
 pub mod step03_starter;
 
