@@ -31,8 +31,14 @@ fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
 /// The page on which a file of a step has its place.
 fn home(path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    // A starter stands where its exercises do, and the first two pictures in chapter 1.
-    let in_chapter = ["_starter.rs", "/gradient.rs", "/directions.rs"];
+    // A starter stands where its exercises do, and what is drawn on the way in its chapter.
+    let in_chapter = [
+        "_starter.rs",
+        "/gradient.rs",
+        "/directions.rs",
+        "/all_hits.rs",
+        "/my_scene.rs",
+    ];
     let solution = file.starts_with("examples/")
         && !in_chapter.iter().any(|end| file.ends_with(end));
     let page = if solution { "solutions" } else { step };

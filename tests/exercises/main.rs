@@ -18,7 +18,7 @@ use tests::{assert_locked, camera, here};
 type Picture = fn(&Camera, u32) -> RgbImage;
 
 /// The name of each locked picture, and what draws it anew.
-const PICTURES: [(&str, Picture); 23] = [
+const PICTURES: [(&str, Picture); 24] = [
     ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
     ("graticule", step01::graticule::picture),
@@ -29,6 +29,7 @@ const PICTURES: [(&str, Picture); 23] = [
     ("plane", step02::plane::picture),
     ("quadric", step02::quadric::picture),
     ("step03_nearest", step03::step03_starter::picture),
+    ("all_hits", step03::all_hits::picture),
     ("depth", step03::depth::picture),
     ("jitter", step03::jitter::picture),
     ("many", step03::many::picture),

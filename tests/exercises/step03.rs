@@ -1,3 +1,5 @@
+#[path = "../../steps/step03_nearest/examples/all_hits.rs"]
+pub mod all_hits;
 #[path = "../../steps/step03_nearest/examples/depth.rs"]
 pub mod depth;
 #[path = "../../steps/step03_nearest/examples/jitter.rs"]
