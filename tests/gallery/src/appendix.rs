@@ -5,7 +5,7 @@ const HEAD: &str = "# What went wrong?
 
 Your picture is not ours, and you want to know why. Ask in our folder:
 
-```console
+```console,ours
 $ cargo run --bin check -- ../ray-casting/step03_nearest.png step03_nearest
 ```
 

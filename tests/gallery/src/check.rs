@@ -3,8 +3,8 @@ use crate::recognise::{RAYS, ROUNDING, Rest, flat, scattered};
 use crate::{Difference, Found, Mistake, Step};
 use crate::{camera, locked, mistakes, names, png, recognise, sight, workspace};
 use image::RgbImage;
+use std::borrow::Cow;
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -15,6 +15,15 @@ pub struct Answer {
     pub code: u8,
     /// One sentence or several lines.
     pub text: String,
+    /// The reader's picture, ours and the difference side by side, where they differ.
+    pub difference: Option<RgbImage>,
+}
+
+impl Answer {
+    /// An answer of words alone.
+    pub fn new(code: u8, text: String) -> Self {
+        Self { code, text, difference: None }
+    }
 }
 
 /// A picture to compare with, and its name.
@@ -37,39 +46,42 @@ static BROKEN: LazyLock<Vec<Step>> = LazyLock::new(|| {
 
 /// Compares the picture in `file` with the locked picture `name`, or with the nearest
 /// where `name` is left out.
-///
-/// Where they differ, a picture of both and the difference goes into `folder`.
-pub fn check(file: &Path, name: Option<&str>, folder: &Path) -> Answer {
-    let answer = || {
-        let known = names();
-        let is_known = |name: &&str| known.iter().any(|known| known == name);
-        if known.is_empty() || name.is_some_and(|name| !is_known(&name)) {
-            return Err(format!(
-                "there is no locked picture {}in {}; allowed are {}",
-                name.map(|name| format!("'{name}' ")).unwrap_or_default(),
-                workspace().display(),
-                known.join(", ")
-            ));
-        }
-        compared(&png::read(file)?, name, LOCKED.as_deref()?, folder)
-    };
-    answer().unwrap_or_else(|sentence| Answer {
-        code: 2,
-        text: format!("error: {sentence}"),
-    })
+pub fn check(file: &Path, name: Option<&str>) -> Answer {
+    png::read(file).map_or_else(refused, |picture| look(&picture, name))
+}
+
+/// Compares a picture with the locked picture `name`, or with the nearest where `name`
+/// is left out.
+pub fn look(yours: &RgbImage, name: Option<&str>) -> Answer {
+    let known = names();
+    let is_known = |name: &&str| known.iter().any(|known| known == name);
+    if known.is_empty() || name.is_some_and(|name| !is_known(&name)) {
+        return refused(format!(
+            "there is no locked picture {}in {}; allowed are {}",
+            name.map(|name| format!("'{name}' ")).unwrap_or_default(),
+            workspace().display(),
+            known.join(", ")
+        ));
+    }
+    let locked = LOCKED.as_deref().map_err(Clone::clone);
+    locked.and_then(|locked| compared(yours, name, locked)).unwrap_or_else(refused)
+}
+
+/// Why there is nothing to compare.
+fn refused(sentence: String) -> Answer {
+    Answer::new(2, format!("error: {sentence}"))
 }
 
 fn compared(
     yours: &RgbImage,
     name: Option<&str>,
     locked: &[Named],
-    folder: &Path,
 ) -> Result<Answer, String> {
     let is_asked = |other: &str| name.is_none_or(|name| name == other);
     let asked = || locked.iter().filter(|(name, _)| is_asked(name));
     if let Some((same, _)) = asked().find(|(_, ours)| ours == yours) {
         let text = format!("Right: this is the picture of {same}, in every pixel.");
-        return Ok(Answer { code: 0, text });
+        return Ok(Answer::new(0, text));
     }
     let same = locked.iter().find(|(_, ours)| ours == yours);
     let steps = Step::ALL.into_iter().filter(|step| is_asked(step.name()));
@@ -115,8 +127,12 @@ fn compared(
         let _ = writeln!(text, "It has one colour only{all}: {:?}.", colour.0);
     }
     text += &options(yours, ours, found.as_ref());
-    text += &differences(yours, (name, ours), step, found.as_ref(), folder);
-    Ok(Answer { code: 1, text: text.trim_end().to_owned() })
+    let ours = ours_at(yours.dimensions(), ours, step, found.as_ref());
+    text += &ours.as_ref().map_or(String::new(), |ours| {
+        differences(yours, ours, step, found.as_ref())
+    });
+    let difference = ours.map(|ours| Difference::picture(yours, &ours));
+    Ok(Answer { code: 1, text: text.trim_end().to_owned(), difference })
 }
 
 /// Says that our own code is wrong, where it is.
@@ -255,48 +271,47 @@ fn options(yours: &RgbImage, ours: &RgbImage, found: Option<&Found>) -> String {
     text
 }
 
-/// Says how the pictures differ, and writes both and the difference side by side.
-///
-/// Where the size is another, a step's own picture is drawn anew at that size.
-fn differences(
-    yours: &RgbImage,
-    (name, ours): (&str, &RgbImage),
+/// Our picture at the size of the reader's, where there is anything to show: a step's
+/// own is drawn anew at another size.
+fn ours_at<'a>(
+    (width, height): (u32, u32),
+    ours: &'a RgbImage,
     step: Option<Step>,
     found: Option<&Found>,
-    folder: &Path,
-) -> String {
-    let is_right = found.is_some_and(|found| found.causes[0].is_empty());
-    if is_right && found.is_some_and(|found| found.rest.is_none()) {
-        return String::new();
+) -> Option<Cow<'a, RgbImage>> {
+    if found.is_some_and(|found| is_right(found) && found.rest.is_none()) {
+        return None;
     }
-    let (width, height) = yours.dimensions();
-    let ours = match step {
-        _ if ours.dimensions() == (width, height) => ours,
-        Some(step) if 2 <= width => {
-            // More rays a pixel are not worth the wait, except for a small picture.
-            let samples = found.map_or(1, |found| found.samples);
-            let is_small = u64::from(width * height) * 256 <= RAYS;
-            &step
-                .picture(&camera(width, height), if is_small { samples } else { 1 })
-        }
-        _ => return String::new(),
-    };
+    if ours.dimensions() == (width, height) {
+        return Some(Cow::Borrowed(ours));
+    }
+    // More rays a pixel are not worth the wait, except for a small picture.
+    let samples = found.map_or(1, |found| found.samples);
+    let is_small = u64::from(width * height) * 256 <= RAYS;
+    let samples = if is_small { samples } else { 1 };
+    let step = step.filter(|_| 2 <= width)?;
+    Some(Cow::Owned(step.picture(&camera(width, height), samples)))
+}
+
+/// Whether nothing is wrong with the picture but its size, its rays, or single pixels.
+fn is_right(found: &Found) -> bool {
+    found.causes[0].is_empty()
+}
+
+/// Says how two pictures of one size differ.
+fn differences(
+    yours: &RgbImage,
+    ours: &RgbImage,
+    step: Option<Step>,
+    found: Option<&Found>,
+) -> String {
     let mut text = match found {
         None => sight::seen(yours, ours, step),
         _ => sight::region(yours, ours),
     };
-    if is_right && text.contains("by up to 1 of 255") {
+    if found.is_some_and(is_right) && text.contains("by up to 1 of 255") {
         text += "That is rounding, as of numbers with fewer digits than f64.\n";
     }
-    let path = folder.join(format!("{name}.png"));
-    let saved = fs::create_dir_all(folder)
-        .map_err(Into::into)
-        .and_then(|()| Difference::picture(yours, ours).save(&path));
-    let path = path.display();
-    text += &match saved {
-        Ok(()) => format!("Yours, ours and the difference side by side: {path}\n"),
-        Err(error) => format!("{path} can't be written: {error}\n"),
-    };
     text
 }
 

@@ -27,7 +27,7 @@ mod appendix;
 
 pub use appendix::appendix;
 pub(crate) use cause::Cause;
-pub use check::{Answer, check};
+pub use check::{Answer, check, look};
 pub use difference::Difference;
 pub use drawn::draw;
 pub use locked::{locked, names};

@@ -1,28 +1,49 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use gallery::{Answer, check, names};
-use std::path::{Path, PathBuf};
+use image::RgbImage;
+use std::path::Path;
 use std::process::ExitCode;
-use std::{env, io, io::Write};
+use std::{env, fs, io, io::Write};
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args_os().skip(1).collect();
     let words: Vec<_> =
         arguments.iter().map(|word| word.to_string_lossy()).collect();
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
-    let Answer { code, text } = match words[..] {
-        ["-h" | "--help"] => Answer { code: 0, text: help() },
+    let Answer { code, mut text, difference } = match words[..] {
+        ["-h" | "--help"] => Answer::new(0, help()),
         _ if words.iter().any(|word| word.starts_with('-')) => refused(),
-        [_] => check(Path::new(&arguments[0]), None, &folder()),
-        [_, name] => check(Path::new(&arguments[0]), Some(name), &folder()),
+        [_] => check(Path::new(&arguments[0]), None),
+        [_, name] => check(Path::new(&arguments[0]), Some(name)),
         _ => refused(),
     };
+    if let Some(difference) = difference {
+        text += &format!("\n{}", saved(&difference, Path::new(&arguments[0])));
+    }
     // Where nobody listens any more, there is nobody to tell.
     let _ = match code {
         2 => writeln!(io::stderr(), "{text}"),
         _ => writeln!(io::stdout(), "{text}"),
     };
     ExitCode::from(code)
+}
+
+/// Writes the picture of a difference into the target folder, from which this program
+/// runs, under the name of the reader's, and tells where it is.
+fn saved(difference: &RgbImage, file: &Path) -> String {
+    let program = env::current_exe().unwrap_or_default();
+    let folder = program.ancestors().nth(2).unwrap_or(Path::new("target"));
+    let path = folder.join("check").join(file.file_name().unwrap_or_default());
+    let path = path.with_extension("difference.png");
+    let saved = fs::create_dir_all(folder.join("check"))
+        .map_err(Into::into)
+        .and_then(|()| difference.save(&path));
+    let path = path.display();
+    match saved {
+        Ok(()) => format!("Yours, ours and the difference side by side: {path}"),
+        Err(error) => format!("{path} can't be written: {error}"),
+    }
 }
 
 fn help() -> String {
@@ -38,11 +59,5 @@ fn help() -> String {
 
 fn refused() -> Answer {
     let text = "error: allowed are one PNG file and one name, or the file alone; see --help";
-    Answer { code: 2, text: text.to_owned() }
-}
-
-/// The folder for pictures of differences: this program runs from target/PROFILE.
-fn folder() -> PathBuf {
-    let program = env::current_exe().unwrap_or_default();
-    program.ancestors().nth(2).unwrap_or(Path::new("target")).join("check")
+    Answer::new(2, text.to_owned())
 }

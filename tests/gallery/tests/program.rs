@@ -1,6 +1,6 @@
 //! The program `check`: its arguments, its exit codes, and where it looks.
 
-use crate::{folder, made, right, target};
+use crate::{folder, made, opened, right, target};
 use gallery::{Step, workspace};
 use image::{Rgb, RgbaImage};
 use std::path::PathBuf;
@@ -51,6 +51,11 @@ fn the_program_ends_with_0_1_or_2() {
             "{output:?}"
         );
     }
+    let wrong = run(&[&path("wrong.png")]).stdout;
+    let wrong = String::from_utf8_lossy(&wrong);
+    let (_, panels) = wrong.trim().rsplit_once("side by side: ").expect("a path");
+    assert!(panels.ends_with("wrong.difference.png"), "{panels}");
+    assert_eq!(opened(panels.as_ref()).dimensions(), (3 * 640, 360));
     let help = run(&["--help"]);
     assert!(help.status.success());
     assert!(String::from_utf8_lossy(&help.stdout).contains("step05_phong"));
