@@ -1,4 +1,4 @@
-//! Everything that a ray meets, at once: as if the spheres were tinted glass.
+//! Everything that a ray hits, at once: as if the spheres were ghosts.
 
 use glam::DVec3;
 use image::RgbImage;
