@@ -36,6 +36,7 @@ fn home(path: &str) -> Option<String> {
         "_starter.rs",
         "/gradient.rs",
         "/directions.rs",
+        "/disc.rs",
         "/all_hits.rs",
         "/my_scene.rs",
     ];

@@ -18,13 +18,14 @@ use tests::{assert_locked, camera, here};
 type Picture = fn(&Camera, u32) -> RgbImage;
 
 /// The name of each locked picture, and what draws it anew.
-const PICTURES: [(&str, Picture); 24] = [
+const PICTURES: [(&str, Picture); 25] = [
     ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
     ("graticule", step01::graticule::picture),
     ("look_at", step01::look_at::picture),
     ("panorama", step01::panorama::picture),
     ("step02_sphere", step02::step02_starter::picture),
+    ("disc", |camera, _| step02::disc::picture(camera)),
     ("lens", step02::lens::picture),
     ("plane", step02::plane::picture),
     ("quadric", step02::quadric::picture),

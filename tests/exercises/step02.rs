@@ -1,3 +1,5 @@
+#[path = "../../steps/step02_sphere/examples/disc.rs"]
+pub mod disc;
 #[path = "../../steps/step02_sphere/examples/lens.rs"]
 pub mod lens;
 #[path = "../../steps/step02_sphere/examples/plane.rs"]
@@ -13,9 +15,15 @@ use plane::Plane;
 use proptest::prelude::*;
 use quadric::Quadric;
 use step02_sphere::{Ray, Roots, Sphere};
-use tests::{point, rays, unit};
+use tests::{camera, point, rays, unit};
 
 const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
+
+#[test]
+fn a_ball_behind_the_eye_looks_like_one_ahead_where_the_sign_of_t_is_not_asked() {
+    let ahead = step02_starter::picture(&camera(), 1);
+    assert_eq!(disc::picture(&camera()), ahead);
+}
 
 #[test]
 fn a_ray_along_the_plane_or_away_from_it_misses() {

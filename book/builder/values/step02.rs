@@ -26,11 +26,9 @@ pub const VALUES: &[Value] = &[
     ("step02-long", || short(pixel().direction.length())),
     ("step02-distance", || short(point().length())),
     ("step02-rays", || counted(|_| 1)),
-    ("step02-misses", || counted(|ray| (discriminant(&SPHERE, ray) < 0.0).into())),
     ("step02-touches", || {
         counted(|ray| (discriminant(&SPHERE, ray) == 0.0).into())
     }),
-    ("step02-crosses", || counted(|ray| (0.0 < discriminant(&SPHERE, ray)).into())),
     ("step02-edge", || short((1.0_f64 / 24.0).sqrt())),
     ("step02-edge-pixels", || tenths(pixels((1.0_f64 / 24.0).sqrt()))),
     ("step02-fifth-pixels", || tenths(pixels(0.2))),
