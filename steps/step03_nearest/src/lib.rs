@@ -2,12 +2,12 @@
 
 pub use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
 
-mod nearest;
 mod object;
-pub use nearest::{Hit, nearest};
-pub use object::Object;
-
 mod objects;
-mod picture;
+pub use object::Object;
 pub use objects::objects;
+
+mod nearest;
+mod picture;
+pub use nearest::{Hit, nearest};
 pub use picture::{colour, picture};

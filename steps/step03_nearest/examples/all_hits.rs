@@ -1,0 +1,27 @@
+//! Everything that a ray hits, at once: as if the spheres were ghosts.
+
+use glam::DVec3;
+use image::RgbImage;
+use step03_nearest::{Camera, Object, Ray, direction_colour, objects, render, run};
+
+/// The mean colour of all objects that `ray` hits, or else its own direction.
+fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
+    let hits = objects
+        .iter()
+        .filter(|object| object.sphere.intersect(ray).first_hit().is_some());
+    let colours: Vec<DVec3> = hits.map(|object| object.material).collect();
+    if colours.is_empty() {
+        return direction_colour(ray);
+    }
+    colours.iter().sum::<DVec3>() / colours.len() as f64
+}
+
+/// The picture: the objects of the scene, through each other.
+pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
+    let objects = objects();
+    render(camera, samples, |ray| colour(&objects, ray))
+}
+
+fn main() {
+    run(env!("CARGO_CRATE_NAME"), picture);
+}
