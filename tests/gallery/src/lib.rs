@@ -21,6 +21,8 @@ mod cause;
 mod recognise;
 mod sight;
 
+mod measure;
+
 mod check;
 
 mod appendix;
@@ -31,6 +33,7 @@ pub use check::{Answer, check, look};
 pub use difference::Difference;
 pub use drawn::draw;
 pub use locked::{locked, names};
+pub use measure::{Stage, Verdict, pixel, stages};
 pub use mistake::Mistake;
 pub use mistakes::mistakes;
 pub use parts::{Nearest, Parts};
