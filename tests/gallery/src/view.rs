@@ -51,7 +51,7 @@ impl View {
 
     /// Columns and rows of pixels that are kept, evenly over the picture.
     pub fn scattered(&self, count: u32) -> Vec<(u32, u32)> {
-        let places = scattered(self.kept.dimensions(), count).into_iter();
+        let places = scattered(&self.kept, count).into_iter();
         places.map(|(i, j)| (i * self.stride, j * self.stride)).collect()
     }
 
@@ -67,11 +67,9 @@ impl View {
     }
 }
 
-/// Places that lie evenly over a picture of this size, whatever their number.
-pub(crate) fn scattered(
-    (width, height): (u32, u32),
-    count: u32,
-) -> Vec<(u32, u32)> {
+/// Places that lie evenly over a picture, whatever their number.
+pub(crate) fn scattered(picture: &RgbImage, count: u32) -> Vec<(u32, u32)> {
+    let (width, height) = picture.dimensions();
     // Roberts' sequence: multiples of these two numbers fill the square evenly.
     let at = |k: u32, step: f64, size: u32| {
         (((f64::from(k) + 0.5) * step).fract() * f64::from(size)) as u32
