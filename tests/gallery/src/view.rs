@@ -31,10 +31,11 @@ impl View {
     }
 
     /// Keeps what is to be kept of row `j`, whose pixels are `row`.
-    pub fn fill(&mut self, j: u32, row: impl Iterator<Item = [u8; 3]>) {
+    pub fn fill(&mut self, j: u32, row: &[[u8; 3]]) {
         if j % self.stride == 0 {
-            for (i, colour) in row.step_by(self.stride as usize).enumerate() {
-                self.kept.put_pixel(i as u32, j / self.stride, Rgb(colour));
+            for (i, colour) in row.iter().step_by(self.stride as usize).enumerate()
+            {
+                self.kept.put_pixel(i as u32, j / self.stride, Rgb(*colour));
             }
         }
     }
