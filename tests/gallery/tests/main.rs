@@ -2,6 +2,8 @@
 //! bring.
 
 mod check;
+mod damaged;
+mod kinds;
 mod mistakes;
 mod program;
 
