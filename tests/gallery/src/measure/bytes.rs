@@ -1,4 +1,4 @@
-use super::{Look, Stage, Verdict};
+use super::{Eye, Look, Stage, Verdict};
 use crate::recognise::scattered;
 use crate::{Parts, Step, camera, section};
 use glam::DVec3;
@@ -107,6 +107,16 @@ impl Bytes {
         DVec3::new(read(0), read(1), read(2))
     }
 
+    /// How much the intensity changes at most from each of its bytes to the next.
+    pub fn size(&self, pixel: &Rgb<u8>) -> DVec3 {
+        DVec3::from_array(self.order.map(|channel| {
+            let read = |by: f64| {
+                (self.curve.read)((f64::from(pixel[channel]) + by).max(0.0))
+            };
+            (read(1.0) - read(0.0)).max(read(0.0) - read(-1.0)).max(1e-9)
+        }))
+    }
+
     /// The pixel of three intensities.
     pub fn write(&self, intensity: DVec3) -> Rgb<u8> {
         let mut pixel = Rgb([0; 3]);
@@ -145,7 +155,7 @@ impl Bytes {
 pub(super) fn stage(look: &Look) -> Stage {
     let numbers = look.bytes.faults();
     let verdict = match numbers.is_empty() {
-        true if look.is_right_camera => Verdict::Right,
+        true if [Eye::Right, Eye::Exact].contains(&look.eye) => Verdict::Right,
         true => Verdict::Unknown("too little else is right".to_owned()),
         false => Verdict::Wrong,
     };
