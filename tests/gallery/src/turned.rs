@@ -23,6 +23,7 @@ pub(crate) fn turned(yours: &View, ours: &Locked) -> Option<Found> {
         samples: 1,
         fov: FOV,
         causes,
+        same_fov: None,
         rest,
     })
 }
