@@ -99,7 +99,7 @@ fn squared(picture: &RgbImage, q: f64) -> RgbImage {
 #[test]
 fn a_jpeg_is_told_and_nothing_else_is_one() {
     for (name, q) in
-        [("step01_rays", 4.0), ("step05_phong", 8.0), ("step05_phong", 30.0)]
+        [("step02_sphere", 9.0), ("step05_phong", 8.0), ("step05_phong", 30.0)]
     {
         let text = look(&squared(&right(name), q), Some(name), locked()).text;
         assert!(text.contains("it was a JPEG"), "{name}, {q}: {text}");
