@@ -61,8 +61,26 @@ impl<'a> Look<'a> {
         if look.bytes.is_swapped() && look.eye != Eye::Right {
             look.unswap();
         }
+        if look.eye == Eye::Read || look.eye == Eye::Unknown {
+            look.recode();
+        }
         look.is_smooth = look.has_smooth_edges();
         look
+    }
+
+    /// Takes the bytes for those of another curve where that makes the sky exact.
+    fn recode(&mut self) {
+        let (bytes, sky, fault) = (self.bytes, self.sky, self.fault);
+        let (eye, theirs, tint) = (self.eye, self.theirs.clone(), self.tint);
+        for other in Bytes::others() {
+            self.bytes = other;
+            self.sky = Sky::of(self.yours, &self.bytes);
+            if self.sky.is_some() && self.has_exact_sky() {
+                return;
+            }
+        }
+        (self.bytes, self.sky, self.fault) = (bytes, sky, fault);
+        (self.eye, self.theirs, self.tint) = (eye, theirs, tint);
     }
 
     /// Takes the bytes for those of the right order where that makes the sky right.

@@ -59,6 +59,11 @@ impl Shading {
     }
 
     fn unexplained(&self) -> Verdict {
+        if self.all == 0 {
+            return Verdict::Unknown(
+                "no object is seen as it should be".to_owned(),
+            );
+        }
         let told = self.told();
         Verdict::Unknown(format!("only {told} of the pixels are explained so far"))
     }
@@ -262,7 +267,7 @@ fn search(look: &mut Look, places: &[Place]) -> Shading {
         fit,
         all: lit.len(),
     };
-    if 0.985 < shading.share() {
+    if lit.is_empty() || 0.985 < shading.share() {
         return shading;
     }
     let before = look.theirs.clone();
