@@ -162,10 +162,12 @@ impl Fit {
         let free: Vec<_> = free.collect();
         let free = Self::from(samples, near, [free[0], free[1], free[2]]);
         let best = if once.explained < free.explained { free } else { once };
-        // Where 1 explains nearly as much, it is 1.
-        let is_explained = |s: &&Sample| s.is_explained(&ONCE, near);
+        // Where 1 explains nearly as much, it is 1, and has to do so to the last byte.
+        let exact = if near < 1.0 { 0.0 } else { near };
+        let is_explained = |s: &&Sample| s.is_explained(&ONCE, exact);
         let explained = samples.iter().filter(is_explained).count();
-        match 100 * explained < 99 * best.explained {
+        let is_other = 100 * explained < 99 * best.explained;
+        match is_other && 0 < best.strangeness() {
             true => best,
             false => Self { weights: ONCE, explained, ..best },
         }

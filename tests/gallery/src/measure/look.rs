@@ -24,6 +24,8 @@ pub(super) struct Look<'a> {
     pub tint: DMat3,
     /// Whether its outlines are known.
     pub has_shapes: bool,
+    /// Other parts that draw the same outlines.
+    pub others: Vec<Parts>,
     /// What is wrong with the rays or the sky, where that has a name.
     pub fault: Option<Alternative>,
 }
@@ -51,6 +53,7 @@ impl<'a> Look<'a> {
             eye: Eye::Right,
             is_smooth: false,
             has_shapes: true,
+            others: vec![],
             theirs: right.clone(),
             right,
             tint: DMat3::IDENTITY,
@@ -116,9 +119,17 @@ impl<'a> Look<'a> {
             let hit = hit(&self.theirs, self.step, f64::from(i), f64::from(j));
             let sky = self.sky_pixel(&self.theirs, &self.tint, i, j);
             let is_sky = near(self.yours.get_pixel(i, j), &sky);
+            // Where an object has the sky's colour, it is the object.
+            let is_sky = is_sky && (hit.is_none() || !self.is_object(i, j));
             Place { i, j, is_sky, hit }
         };
         self.pixels().map(place).collect()
+    }
+
+    /// Whether a pixel is what the parts that are known make of their object there.
+    fn is_object(&self, i: u32, j: u32) -> bool {
+        let ours = self.bytes.write(self.theirs.intensity(self.step, i, j));
+        near(self.yours.get_pixel(i, j), &ours)
     }
 
     /// The pixel that the sky should be, by these parts and this tint.

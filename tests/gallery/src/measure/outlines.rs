@@ -40,10 +40,11 @@ pub(super) fn stage(look: &mut Look) -> Stage {
     }
     let mut numbers = counted(&wrong, &places);
     match explained(look, &places, &wrong) {
-        Some((its, parts, told)) => {
+        Some((its, mut parts, told)) => {
             section = its;
             numbers.push(told);
-            look.theirs = parts;
+            look.theirs = parts.remove(0);
+            look.others = parts;
         }
         None if look.eye == Eye::Unknown => {
             let why = "no sky can be told from the objects".to_owned();
@@ -144,7 +145,8 @@ fn lost(look: &Look, places: &[Place]) -> Vec<String> {
         .collect()
 }
 
-type Explained = (Section, Parts, String);
+/// The section, the parts that explain it, and what is told.
+type Explained = (Section, Vec<Parts>, String);
 
 /// What explains nearly all of the outlines: another formula, or another number.
 fn explained(look: &Look, places: &[Place], wrong: &[Place]) -> Option<Explained> {
@@ -167,12 +169,12 @@ fn explained(look: &Look, places: &[Place], wrong: &[Place]) -> Option<Explained
         {
             let best = formulas.iter().filter(|(misses, ..)| *misses == least);
             let best: Vec<_> = best.collect();
-            let (_, first, parts) = *best.first()?;
-            Some((first.section, parts.clone(), names(&best)))
+            let parts = best.iter().map(|(_, _, parts)| parts.clone()).collect();
+            Some((best.first()?.1.section, parts, names(&best)))
         }
         (_, Some((_, knob, parts))) => {
             let told = knob.told(&parts, &look.right, look.step);
-            Some((knob.section(look.step), parts, told))
+            Some((knob.section(look.step), vec![parts], told))
         }
         _ => None,
     }
@@ -214,7 +216,7 @@ fn hidden(look: &Look, places: &[Place]) -> Option<Explained> {
         .is_none()
         .then(|| number(look, places, &sample))??;
     let told = knob.told(&parts, &look.right, look.step);
-    Some((knob.section(look.step), parts, told))
+    Some((knob.section(look.step), vec![parts], told))
 }
 
 /// All that give these outlines, in words.

@@ -270,6 +270,17 @@ fn search(look: &mut Look, places: &[Place]) -> Shading {
     if lit.is_empty() || 0.985 < shading.share() {
         return shading;
     }
+    for other in std::mem::take(&mut look.others) {
+        let old = std::mem::replace(&mut look.theirs, other);
+        let fit = fitted(look, &lit, &[]);
+        match shading.fit.explained < fit.explained {
+            true => shading.fit = fit,
+            false => look.theirs = old,
+        }
+    }
+    if 0.985 < shading.share() {
+        return shading;
+    }
     let before = look.theirs.clone();
     shading.local = local::mend(look, &lit);
     shading.fit = fitted(look, &lit, &[]);
