@@ -2,7 +2,7 @@ use super::knobs::{self, Knob, Turned};
 use super::light::Sample;
 use super::local::{self, Local};
 use super::words::{percent, times, vector};
-use super::{Alternative, Fit, Look, Place, Stage, Verdict, alternatives};
+use super::{Alternative, Fit, Look, Place, Stage, Verdict, alternatives, classes};
 use crate::difference::apart;
 use crate::section::{self, Section};
 use crate::{Parts, Step};
@@ -162,6 +162,10 @@ pub(super) fn stages(look: &mut Look, places: &[Place]) -> Vec<Stage> {
         }
     }
     doubt(&shading, &mut stages);
+    if shading.share() < 0.97 && look.has_shapes {
+        let samples = samples(look, &look.theirs, &lit(look, places), &[]);
+        classes::tell(&samples, near(look), &mut stages);
+    }
     stages
 }
 
@@ -344,7 +348,8 @@ fn turn(look: &mut Look, places: &[Place], lit: &[Place], shading: &mut Shading)
     if suspects.iter().filter(seen).count() <= 4 {
         all.extend(Knob::shapes(&suspects));
     }
-    let Some(turned) = knobs::turned(look, &all, &telling) else { return };
+    let turned = knobs::turned(look, &all, &telling);
+    let Some(turned) = turned else { return };
     let mut parts = look.theirs.clone();
     knobs::set(&mut parts, &turned, look.step);
     let fit = Fit::of(&samples(look, &parts, lit, &[]), near(look));
