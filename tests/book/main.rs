@@ -26,6 +26,8 @@ mod notation;
 
 mod prose;
 
+mod rust;
+
 /// Fails if there are faults, and tells all of them.
 #[track_caller]
 fn assert_none(faults: &[String]) {
