@@ -142,8 +142,10 @@ fn the_pictures_are_looked_up_when_the_program_runs() {
     let copy = project.join("check").with_extension(env::consts::EXE_EXTENSION);
     fs::copy(&ours, &copy).expect("a copy");
     let copy = copy.into_os_string();
-    let (two, all) =
-        ("nearest: step02_sphere, step03_nearest\n", "glass, halfway, mirror\n");
+    let (two, all) = (
+        "nearest: step02_sphere, step03_nearest\n",
+        "glass, halfway, marbles, mirror\n",
+    );
     for (program, package, folder, names) in [
         (&ours, Some(&inside), &outside, two),
         (&ours, None, &inside, two),
