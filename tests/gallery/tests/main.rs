@@ -2,6 +2,7 @@
 //! bring.
 
 mod check;
+mod measure;
 mod mistakes;
 mod program;
 
