@@ -65,16 +65,18 @@ pub(super) fn stage(look: &mut Look) -> Stage {
 }
 
 /// Whether some number of rays a pixel gives the colours of the edges.
-fn is_mixed(look: &Look, places: &[Place]) -> bool {
+fn is_mixed(look: &mut Look, places: &[Place]) -> bool {
     let edges = places.iter().filter(|p| p.i % 7 == 3 && look.is_edge(p.i, p.j));
     let edges: Vec<_> = edges.take(60).collect();
-    (2..=16).any(|samples| {
+    let found = (2..=16).find(|&samples| {
         let is_it = |p: &&&Place| {
             let ours = look.theirs.pixel(look.step, samples, p.i, p.j);
             near(look.yours.get_pixel(p.i, p.j), &ours)
         };
         10 * edges.iter().filter(is_it).count() >= 9 * edges.len()
-    })
+    });
+    look.samples = found.unwrap_or(1);
+    found.is_some()
 }
 
 /// Whether the sky is where the objects should be, and no sky where it should be.
@@ -106,22 +108,19 @@ fn wrong(look: &Look, places: &[Place]) -> Vec<Place> {
     if look.eye == Eye::Read && wrong.len() * 1000 < places.len() {
         return vec![];
     }
-    // An object may have the sky's colour somewhere.
-    let chance = wrong.iter().all(|place| place.is_sky && is_lonely(look, place));
-    if chance && wrong.len() * 1000 < places.len() { vec![] } else { wrong }
+    // A lit object may have the sky's colour along a line, away from its outline.
+    let inside = wrong.iter().filter(|p| p.is_sky && is_inside(look, p)).count();
+    let chance = 10 * inside >= 9 * wrong.len() && Step::Diffuse <= look.step;
+    if chance && wrong.len() * 300 < places.len() { vec![] } else { wrong }
 }
 
-/// Whether the pixels around one that looks like sky do not.
-fn is_lonely(look: &Look, place: &Place) -> bool {
-    let around = [(-2, 0), (2, 0), (0, -2), (0, 2)];
-    let sky = around.iter().filter(|(di, dj)| {
-        let at = (place.i.checked_add_signed(*di), place.j.checked_add_signed(*dj));
-        let (Some(i), Some(j)) = at else { return false };
-        look.yours.get_pixel_checked(i, j).is_some_and(|yours| {
-            near(yours, &look.sky_pixel(&look.theirs, &look.tint, i, j))
-        })
-    });
-    sky.count() < 2
+/// Whether all that is seen around a pixel is one object.
+fn is_inside(look: &Look, place: &Place) -> bool {
+    let around = [(-3.0, 0.0), (3.0, 0.0), (0.0, -3.0), (0.0, 3.0)];
+    around.iter().all(|(di, dj)| {
+        let (i, j) = (f64::from(place.i) + di, f64::from(place.j) + dj);
+        hit(&look.theirs, look.step, i, j) == place.hit
+    })
 }
 
 fn counted(wrong: &[Place], places: &[Place]) -> Vec<String> {
