@@ -36,7 +36,7 @@ const fn curve(
 
 /// The right curve first.
 static CURVES: [Curve; 18] = [
-    curve("round(255 · I)", |i| rounded(i), |b| b / 255.0),
+    curve("round(255 · I)", rounded, |b| b / 255.0),
     curve(
         "255 · I cut off, not rounded: they are darker by 1 where the fraction is above ½",
         |i| (255.0 * i) as u8,

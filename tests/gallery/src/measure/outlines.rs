@@ -109,18 +109,13 @@ fn wrong(look: &Look, places: &[Place]) -> Vec<Place> {
         return vec![];
     }
     // A lit object may have the sky's colour along a line, away from its outline.
-    let inside = wrong.iter().filter(|p| p.is_sky && is_inside(look, p)).count();
-    let chance = 10 * inside >= 9 * wrong.len() && Step::Diffuse <= look.step;
-    if chance && wrong.len() * 300 < places.len() { vec![] } else { wrong }
-}
-
-/// Whether all that is seen around a pixel is one object.
-fn is_inside(look: &Look, place: &Place) -> bool {
-    let around = [(-3.0, 0.0), (3.0, 0.0), (0.0, -3.0), (0.0, 3.0)];
-    around.iter().all(|(di, dj)| {
-        let (i, j) = (f64::from(place.i) + di, f64::from(place.j) + dj);
-        hit(&look.theirs, look.step, i, j) == place.hit
-    })
+    let inside =
+        wrong.iter().filter(|p| p.is_sky && !look.is_edge(p.i, p.j)).count();
+    let is_chance = Step::Diffuse <= look.step
+        && wrong.iter().all(|p| p.is_sky)
+        && 10 * inside >= 6 * wrong.len()
+        && wrong.len() * 1000 < places.len();
+    if is_chance { vec![] } else { wrong }
 }
 
 fn counted(wrong: &[Place], places: &[Place]) -> Vec<String> {

@@ -464,7 +464,14 @@ fn weighted(look: &Look, shading: &Shading, k: usize) -> Stage {
         verdict => verdict,
     };
     let its = shading.wrong.iter().find(|a| sections(k).contains(&a.section));
-    let section = its.map_or(section, |a| a.section);
+    let section = match its {
+        Some(alternative) => alternative.section,
+        None if [2, 4].contains(&k) && !shading.local.shine.is_empty() => {
+            section::MATERIALS
+        }
+        None if k != 0 && shading.turned.is_some() => section::LAMPS,
+        None => section,
+    };
     Stage { name, verdict, numbers, section, test: Some(test) }
 }
 
