@@ -4,6 +4,7 @@
 mod check;
 mod damaged;
 mod kinds;
+mod measure;
 mod mistakes;
 mod program;
 

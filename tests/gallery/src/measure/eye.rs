@@ -83,6 +83,10 @@ impl Look<'_> {
                 _ => 50,
             };
             let is_it = is_it * places.len() <= 100 * score.agree;
+            // Little sky is not enough: its objects have to be there, too.
+            let is_little =
+                score.near * 20 < places.len() && guess.eye != Eye::Right;
+            let is_it = is_it && (!is_little || self.has_objects(&guess, &places));
             if is_it && 8 < score.near && least < score.agree {
                 best = Some((guess, score));
             }
@@ -97,6 +101,17 @@ impl Look<'_> {
         self.theirs = guess.parts;
         self.tint = guess.tint;
         self.fault = guess.fault;
+    }
+
+    /// Whether many of the objects that a guess sees have their colours.
+    fn has_objects(&self, guess: &Guess, places: &[(u32, u32)]) -> bool {
+        let few = places.iter().step_by(places.len() / 250 + 1);
+        let is_same = |&&(i, j): &&(u32, u32)| {
+            let ours = guess.parts.intensity(self.step, i, j);
+            near(self.yours.get_pixel(i, j), &self.bytes.write(ours))
+        };
+        self.step == Step::Rays
+            || 2 * few.clone().filter(is_same).count() > few.count()
     }
 
     /// A camera that explains a picture without sky, by its objects.

@@ -44,12 +44,27 @@ fn colours(look: &Look, places: &[Place]) -> (Verdict, Vec<String>) {
         true if found.is_empty() => {
             (Verdict::Unknown("no object is seen".to_owned()), numbers)
         }
-        true if found.iter().all(is_known) => (Verdict::Right, numbers),
+        true if found.iter().all(is_known) => match odd(look, places) {
+            0 => (Verdict::Right, numbers),
+            odd => {
+                let why = format!("{odd} pixels of objects have another colour");
+                (Verdict::Unknown(why), numbers)
+            }
+        },
         true => {
             (Verdict::Unknown("another object is in its place".to_owned()), numbers)
         }
         false => (Verdict::Wrong, numbers),
     }
+}
+
+/// How many pixels of objects have the colour of none.
+fn odd(look: &Look, places: &[Place]) -> usize {
+    let is_odd = |p: &&Place| {
+        let is_mixed = look.is_loose() && look.is_edge(p.i, p.j);
+        nearest::shown(look, p).is_none() && !is_mixed
+    };
+    places.iter().filter(|p| p.hit.is_some() && !p.is_sky).filter(is_odd).count()
 }
 
 /// The colour that most pixels of an object have, if they are many.

@@ -16,6 +16,8 @@ pub(super) struct Look<'a> {
     pub eye: Eye,
     /// Whether it has several rays a pixel, as its edges tell.
     pub is_smooth: bool,
+    /// The side of the grid of rays in each pixel, where that is known.
+    pub samples: u32,
     /// What draws the right picture.
     pub right: Parts,
     /// What draws this one, as far as it is known.
@@ -52,6 +54,7 @@ impl<'a> Look<'a> {
             sky: None,
             eye: Eye::Right,
             is_smooth: false,
+            samples: 1,
             has_shapes: true,
             others: vec![],
             theirs: right.clone(),

@@ -1,6 +1,7 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
 use crate::{Section, Step};
+use glam::DMat3;
 use image::RgbImage;
 
 mod bytes;
@@ -75,6 +76,7 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
             stages.extend(shading::stages(&mut look, &places));
         }
         settle(&look, &mut stages, before);
+        doubt(&look, &mut stages);
         // Where the shapes are not known, the light can't be.
         if !look.has_shapes {
             for stage in &mut stages[before..] {
@@ -86,6 +88,19 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
     }
     stages.push(bytes::stage(&look));
     stages
+}
+
+/// A sky of another colour is known only where the objects have theirs; elsewhere all
+/// bytes may be others.
+fn doubt(look: &Look, stages: &mut [Stage]) {
+    let is_its = |s: &Stage| ["colours", "ambient"].contains(&s.name);
+    let is_right = |s: &Stage| is_its(s) && s.verdict == Verdict::Right;
+    if look.tint != DMat3::IDENTITY && !stages.iter().any(is_right) {
+        let why = "the objects are other ones, too: all bytes may be";
+        for stage in stages.iter_mut().filter(|stage| stage.name == "sky") {
+            stage.verdict = Verdict::Unknown(why.to_owned());
+        }
+    }
 }
 
 /// Where there is no sky, outlines are known only if they explain the light; and a

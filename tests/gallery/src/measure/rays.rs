@@ -31,7 +31,7 @@ type Told = (Verdict, Vec<String>);
 fn rays(look: &Look) -> (Told, Told) {
     let unknown = |why: &str| (Verdict::Unknown(why.to_owned()), vec![]);
     match look.eye {
-        Eye::Right => ((Verdict::Right, vec![]), (Verdict::Right, vec![])),
+        Eye::Right => ((Verdict::Right, vec![]), (unspoilt(look), vec![])),
         Eye::Unknown => {
             let why =
                 "no part of the picture is the sky of any camera that is known";
@@ -46,6 +46,20 @@ fn rays(look: &Look) -> (Told, Told) {
             };
             (camera(look), unknown(why))
         }
+    }
+}
+
+/// What is told of a sky whose rays and colours are right: in step 1, all is sky.
+fn unspoilt(look: &Look) -> Verdict {
+    let is_other = |&(i, j): &(u32, u32)| {
+        *look.yours.get_pixel(i, j)
+            != look.sky_pixel(&look.theirs, &look.tint, i, j)
+    };
+    match look.pixels().filter(is_other).count() {
+        other if 0 < other && look.step == Step::Rays => {
+            Verdict::Unknown(format!("it is right in all pixels but {other}"))
+        }
+        _ => Verdict::Right,
     }
 }
 

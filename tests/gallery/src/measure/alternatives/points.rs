@@ -56,7 +56,7 @@ pub(super) const ALL: &[Alternative] = &[
     ),
     vectors(NORMAL, "n is that of V, not of p", 0, |v| {
         // n = (p − centre) / r is known, so the centre is p − r n; V takes the place of p.
-        v.n = v.n + (v.ray.direction - v.p) / radius(v);
+        v.n += (v.ray.direction - v.p) / radius(v);
     }),
     vectors(NORMAL, "p and n change places", 0, |v| (v.p, v.n) = (v.n, v.p)),
     part(
