@@ -2,6 +2,7 @@
 //! bring.
 
 mod check;
+mod edits;
 mod mistakes;
 mod program;
 

@@ -23,6 +23,13 @@ pub struct Fault {
     pub words: Vec<String>,
 }
 
+impl Fault {
+    /// Whether it may be told in this stage.
+    pub fn is_in(&self, stage: &str) -> bool {
+        self.stages.iter().any(|one| one == stage)
+    }
+}
+
 /// An edit of the steps such as a reader may make, or several of them.
 #[derive(Clone, Debug, Default)]
 pub struct Edit {
@@ -136,6 +143,11 @@ pub fn unindented(text: &str) -> String {
 }
 
 impl Change {
+    /// The file, seen from the root of the workspace.
+    pub fn path(&self) -> String {
+        format!("steps/{}/src/{}", self.step.name(), self.file)
+    }
+
     /// The file's text with this change in it.
     pub fn applied(&self, text: &str) -> Result<String, String> {
         let text = unindented(text);

@@ -1,49 +1,59 @@
 //! Tries natural one-place edits of the steps, those of `tests/gallery/edits`, and tells
 //! what `check` says of their pictures. Words choose the edits whose titles hold one of
-//! them:
+//! them; `--draw` draws the pictures, and asks nothing.
 //!
 //! ```text
 //! cargo run -p gallery --example edits -- D_v attenuation
 //! ```
+//!
+//! Pictures and answers are in `target/edits/pictures`. A picture is drawn once.
 
+mod answer;
 mod edit;
+mod name;
 mod outcome;
 mod project;
 mod view;
 
 use edit::{Edit, edits};
-use outcome::{Outcome, judged};
+use gallery::Step;
+use outcome::{Kind, judged};
 use project::Project;
 use std::collections::BTreeMap;
-use std::{env, error::Error, fs, time::Instant};
+use std::{env, error::Error, fs, path::Path, time::Instant};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let words: Vec<String> = env::args().skip(1).collect();
+    let (options, words): (Vec<_>, Vec<_>) =
+        env::args().skip(1).partition(|word| word.starts_with("--"));
     let is_chosen = |edit: &Edit| {
         words.is_empty() || words.iter().any(|word| edit.title.contains(word))
     };
     let edits: Vec<_> = edits()?.into_iter().filter(is_chosen).collect();
     let project = Project::new()?;
-    let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
+    let mut counts: BTreeMap<Kind, usize> = BTreeMap::new();
     for edit in &edits {
-        match project.pictures(edit) {
-            Err(fault) => println!("{}: {fault}", edit.title),
-            Ok(pictures) => {
-                for (step, path) in pictures {
-                    let start = Instant::now();
-                    let Outcome { kind, why, text } = judged(edit, step, &path)?;
-                    *counts.entry(kind).or_default() += 1;
-                    let number = step.number();
-                    let time = start.elapsed().as_secs_f64();
-                    println!(
-                        "{kind:8}| {number} | {} | {why} ({time:.1} s)",
-                        edit.title
-                    );
-                    fs::write(path.with_extension("txt"), text)?;
-                }
-            }
+        let pictures = project.pictures(edit).unwrap_or_else(|fault| {
+            println!("not tried | {} | {fault}", edit.title);
+            vec![]
+        });
+        for (step, path) in pictures.iter().filter(|_| options.is_empty()) {
+            *counts.entry(ask(edit, *step, path)?).or_default() += 1;
         }
     }
-    println!("\n{counts:?}");
+    let all: usize = counts.values().sum();
+    for (kind, count) in counts {
+        println!("{kind:?}: {count} of {all}");
+    }
     Ok(())
+}
+
+/// Asks for one picture, prints a line of the table, and keeps the whole answer.
+fn ask(edit: &Edit, step: Step, path: &Path) -> Result<Kind, Box<dyn Error>> {
+    let start = Instant::now();
+    let outcome = judged(edit, step, path)?;
+    let time = start.elapsed().as_secs_f64();
+    let (kind, why) = (format!("{:?}", outcome.kind), outcome.why);
+    println!("{kind:7} | {} | {} | {why} | {time:.1} s", step.number(), edit.title);
+    fs::write(path.with_extension("txt"), outcome.text)?;
+    Ok(outcome.kind)
 }

@@ -1,16 +1,32 @@
-use crate::edit::Edit;
-use gallery::{Answer, Mistake, Parts, Step, camera, check, mistakes};
-use image::RgbImage;
+use crate::answer::{Told, stages};
+use crate::edit::{Edit, Fault};
+use crate::name::Name;
+use gallery::{Answer, Step, check};
 use std::{error::Error, path::Path};
 
 /// What becomes of a reader who asks `check`.
 pub struct Outcome {
-    /// `named`, `nearly`, `told`, `stage`, `nothing` or `WRONG`.
-    pub kind: &'static str,
-    /// What was told.
+    /// What it is worth.
+    pub kind: Kind,
+    /// What was told, or why it is wrong.
     pub why: String,
     /// The whole answer.
     pub text: String,
+}
+
+/// What an answer is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// A name that explains every pixel.
+    Named,
+    /// The stage, and numbers that point at the line.
+    Told,
+    /// The stage alone; or one of two mistakes.
+    Stage,
+    /// Nothing that helps.
+    Nothing,
+    /// Something that is not so.
+    Wrong,
 }
 
 /// Asks `check` for one picture and judges what it says.
@@ -22,84 +38,67 @@ pub fn judged(
     let Answer { code, text, .. } = check(path, Some(step.name()));
     let yours = image::open(path)?.to_rgb8();
     let (kind, why) = match code {
-        1 => verdict(edit, &yours, step, &text),
-        _ => ("WRONG", format!("exit code {code}")),
+        1 => {
+            let names = Name::all(&text);
+            let lie = names.iter().find_map(|name| name.lie(&yours, step, &text));
+            match lie {
+                Some(lie) => (Kind::Wrong, lie),
+                None => verdict(edit, &names, &text),
+            }
+        }
+        _ => (Kind::Wrong, format!("exit code {code}")),
     };
     Ok(Outcome { kind, why, text })
 }
 
-fn verdict(
-    edit: &Edit,
-    yours: &RgbImage,
-    step: Step,
-    text: &str,
-) -> (&'static str, String) {
-    let mut names = vec![];
-    let mut kind = "named";
-    for line in text.lines().filter(|line| is_name(line)) {
-        let causes = causes(line);
-        let name: Vec<_> = causes.iter().map(|cause| cause.name).collect();
-        let name = name.join(" + ");
-        let (left, told) =
-            (unexplained(yours, step, &causes, text), left_over(line));
-        if left != told {
-            return ("WRONG", format!("{name}: {left} pixels, not {told}"));
-        }
-        if 0 < left {
-            kind = "nearly";
-        }
-        names.push(name);
+/// What an answer without a wrong name is worth.
+fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
+    let table = stages(text);
+    let first = text.lines().next().unwrap_or_default();
+    if let Some(lie) = excuse(edit, text).or_else(|| lie(edit, &table)) {
+        return (Kind::Wrong, lie);
     }
-    let is_told = |word: &&String| text.contains(word.as_str());
-    match names.is_empty() {
-        false => (kind, names.join(" = ")),
-        true => match edit
-            .faults
-            .iter()
-            .all(|fault| fault.words.iter().any(|word| is_told(&word)))
-        {
-            true => ("told", text.lines().next().unwrap_or_default().to_owned()),
-            false => {
-                ("nothing", text.lines().next().unwrap_or_default().to_owned())
-            }
-        },
+    if let Some(name) = names.iter().find(|name| name.is_exact()) {
+        return (Kind::Named, name.to_string());
     }
-}
-
-fn is_name(line: &str) -> bool {
-    line.contains("what you get when") || line.contains("same picture when")
-}
-
-/// The mistakes that a line names.
-fn causes(line: &str) -> Vec<&'static Mistake> {
-    let all: Vec<_> = mistakes().filter(|one| line.contains(one.when)).collect();
-    let is_part = |one: &&Mistake| {
-        all.iter()
-            .any(|other| other.when != one.when && other.when.contains(one.when))
+    let wrong = || table.iter().filter(|told| told.verdict == "WRONG");
+    let is_found = |fault: &&Fault| wrong().any(|told| told.is_of(fault));
+    let is_told = |fault: &&Fault| {
+        wrong().any(|told| told.is_of(fault) && told.points_at(fault))
+            || fault.is_in("size")
+                && fault.words.iter().any(|word| text.contains(word))
     };
-    all.iter().copied().filter(|one| !is_part(one)).collect()
+    let all: Vec<_> = wrong().flat_map(|told| told.numbers.clone()).collect();
+    if edit.faults.iter().all(|fault| is_told(&fault)) {
+        return (Kind::Told, all.join("; "));
+    }
+    match edit.faults.iter().any(|fault| is_found(&fault)) {
+        true => (Kind::Stage, all.join("; ")),
+        false => (Kind::Nothing, first.to_owned()),
+    }
 }
 
-/// How many pixels a line says that its mistakes do not explain.
-fn left_over(line: &str) -> usize {
-    let words = line.split_once(" in all but ").map(|(_, rest)| rest);
-    let number = words.and_then(|words| words.split(' ').next());
-    number.and_then(|number| number.parse().ok()).unwrap_or(0)
+/// What is said to be harmless, and is not.
+fn excuse(edit: &Edit, text: &str) -> Option<String> {
+    let is_only =
+        |stage| edit.faults.iter().all(|fault: &Fault| fault.is_in(stage));
+    let told = |words: &str| text.contains(words).then(|| format!("says: {words}"));
+    let rounding = || told("That is rounding").filter(|_| !is_only("bytes"));
+    told("Right but for").filter(|_| !is_only("size")).or_else(rounding)
 }
 
-/// How many pixels they do not explain.
-fn unexplained(
-    yours: &RgbImage,
-    step: Step,
-    causes: &[&Mistake],
-    text: &str,
-) -> usize {
-    let (width, height) = yours.dimensions();
-    let mut parts = Parts::right(&camera(width, height));
-    causes.iter().for_each(|cause| (cause.change)(&mut parts));
-    let samples = text
-        .split_once(" rays a pixel")
-        .and_then(|(before, _)| before.rsplit_once('×')?.1.parse().ok());
-    let ours = parts.picture(step, samples.unwrap_or(1));
-    ours.pixels().zip(yours.pixels()).filter(|(ours, yours)| ours != yours).count()
+/// What the table says that is not so.
+fn lie(edit: &Edit, table: &[Told]) -> Option<String> {
+    let is_fault = |told: &Told| edit.faults.iter().any(|fault| told.is_of(fault));
+    let wrong =
+        table.iter().find(|told| told.verdict == "WRONG" && !is_fault(told));
+    if let Some(Told { stage, numbers, .. }) = wrong {
+        return Some(format!("calls {stage} wrong: {}", numbers.join("; ")));
+    }
+    let is_missed = |fault: &&Fault| {
+        let mut its = table.iter().filter(|told| told.is_of(fault)).peekable();
+        its.peek().is_some() && its.all(|told| told.verdict == "right")
+    };
+    let missed = edit.faults.iter().find(is_missed)?;
+    Some(format!("calls {} right", missed.stages.join(" and ")))
 }

@@ -54,7 +54,7 @@ impl Project {
     pub fn pictures(&self, edit: &Edit) -> Result<Vec<(Step, PathBuf)>> {
         let mut texts = vec![];
         for change in &edit.changes {
-            let file = format!("steps/{}/src/{}", change.step.name(), change.file);
+            let file = change.path();
             let old = match texts.iter().find(|(name, _)| *name == file) {
                 Some((_, text)) => String::clone(text),
                 None => fs::read_to_string(workspace().join(&file))?,
