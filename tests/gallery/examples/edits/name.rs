@@ -1,3 +1,4 @@
+use crate::edit::Change;
 use gallery::{Mistake, Parts, Step, camera, mistakes};
 use image::RgbImage;
 use std::fmt;
@@ -30,6 +31,14 @@ impl Name {
     /// Whether nothing is left over.
     pub fn is_exact(&self) -> bool {
         self.left == 0
+    }
+
+    /// Whether it sends the reader to the files of all these changes.
+    pub fn leads_to(&self, changes: &[Change]) -> bool {
+        let leads = |change: &Change| {
+            self.causes.iter().any(|cause| cause.section.path() == change.path())
+        };
+        changes.iter().all(leads)
     }
 
     /// What is not so: it does not explain the picture as it says, or hardly explains it.

@@ -17,10 +17,12 @@ pub struct Outcome {
 /// What an answer is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// A name that explains every pixel.
+    /// A name that explains every pixel, and sends the reader to the file.
     Named,
     /// The stage, and numbers that point at the line.
     Told,
+    /// A name that explains every pixel, but sends the reader to another file.
+    Elsewhere,
     /// The stage alone; or one of two mistakes.
     Stage,
     /// Nothing that helps.
@@ -58,8 +60,9 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
     if let Some(lie) = excuse(edit, text).or_else(|| lie(edit, &table)) {
         return (Kind::Wrong, lie);
     }
-    if let Some(name) = names.iter().find(|name| name.is_exact()) {
-        return (Kind::Named, name.to_string());
+    let exact: Vec<_> = names.iter().filter(|name| name.is_exact()).collect();
+    if exact.iter().any(|name| name.leads_to(&edit.changes)) {
+        return (Kind::Named, told(&exact));
     }
     let wrong = || table.iter().filter(|told| told.verdict == "WRONG");
     let is_found = |fault: &&Fault| wrong().any(|told| told.is_of(fault));
@@ -74,8 +77,13 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
     }
     match edit.faults.iter().any(|fault| is_found(&fault)) {
         true => (Kind::Stage, all.join("; ")),
-        false => (Kind::Nothing, first.to_owned()),
+        false if exact.is_empty() => (Kind::Nothing, first.to_owned()),
+        false => (Kind::Elsewhere, told(&exact)),
     }
+}
+
+fn told(names: &[&Name]) -> String {
+    names.iter().map(ToString::to_string).collect::<Vec<_>>().join(" = ")
 }
 
 /// What is said to be harmless, and is not.
