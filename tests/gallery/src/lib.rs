@@ -13,29 +13,42 @@ mod mistakes;
 mod difference;
 mod locked;
 mod png;
+mod view;
 mod workspace;
 
 mod drawn;
 
 mod cause;
 mod recognise;
+mod rest;
 mod sight;
 
+mod measure;
+
+mod answer;
 mod check;
+mod options;
+mod table;
+mod told;
+mod verdict;
+mod whose;
 
 mod appendix;
 
+pub use answer::Answer;
 pub use appendix::appendix;
 pub(crate) use cause::Cause;
-pub use check::{Answer, check, look};
+pub use check::{check, look};
 pub use difference::Difference;
 pub use drawn::draw;
-pub use locked::{locked, names};
+pub use locked::{Locked, locked, names};
 pub use mistake::Mistake;
 pub use mistakes::mistakes;
 pub use parts::{Nearest, Parts};
 pub(crate) use recognise::{Found, recognise};
+pub(crate) use rest::Rest;
 pub use scene::Named;
 pub use section::Section;
 pub use step::{Step, camera};
+pub use table::table;
 pub use workspace::workspace;

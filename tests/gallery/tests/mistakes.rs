@@ -73,7 +73,7 @@ fn every_mistake_is_told_in_full() {
 fn the_slides_own_matrix_gives_its_locked_picture() {
     let slide = named("slide-matrix");
     let picture = slide.picture_in(Step::Phong, &camera(640, 360), 1);
-    assert!(picture == right("slide_matrix"));
+    assert!(picture == gallery::locked("slide_matrix").expect("a picture"));
 }
 
 #[test]
