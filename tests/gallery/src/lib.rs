@@ -42,6 +42,7 @@ pub use check::{check, look};
 pub use difference::Difference;
 pub use drawn::draw;
 pub use locked::{Locked, locked, names};
+pub use measure::{Stage, Verdict, pixel, stages};
 pub use mistake::Mistake;
 pub use mistakes::mistakes;
 pub use parts::{Nearest, Parts};

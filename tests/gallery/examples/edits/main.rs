@@ -1,6 +1,6 @@
 //! Tries natural one-place edits of the steps, those of `tests/gallery/edits`, and tells
 //! what `check` says of their pictures. Words choose the edits whose titles hold one of
-//! them; `--draw` draws the pictures, and asks nothing.
+//! them; `--draw` draws and does not ask, `--ask` asks and does not draw.
 //!
 //! ```text
 //! cargo run -p gallery --example edits -- D_v attenuation
@@ -16,7 +16,7 @@ mod project;
 mod view;
 
 use edit::{Edit, edits};
-use gallery::Step;
+use gallery::{Locked, Step};
 use outcome::{Kind, judged};
 use project::Project;
 use std::collections::BTreeMap;
@@ -28,16 +28,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let is_chosen = |edit: &Edit| {
         words.is_empty() || words.iter().any(|word| edit.title.contains(word))
     };
+    let is_told = |option: &str| options.iter().any(|word| word == option);
     let edits: Vec<_> = edits()?.into_iter().filter(is_chosen).collect();
-    let project = Project::new()?;
+    let (project, locked) = (Project::new(is_told("--ask"))?, Locked::all()?);
     let mut counts: BTreeMap<Kind, usize> = BTreeMap::new();
     for edit in &edits {
-        let pictures = project.pictures(edit).unwrap_or_else(|fault| {
+        let pictures = match is_told("--ask") {
+            true => project.kept(edit),
+            false => project.pictures(edit),
+        };
+        let pictures = pictures.unwrap_or_else(|fault| {
             println!("not tried | {} | {fault}", edit.title);
             vec![]
         });
-        for (step, path) in pictures.iter().filter(|_| options.is_empty()) {
-            *counts.entry(ask(edit, *step, path)?).or_default() += 1;
+        for (step, path) in pictures.iter().filter(|_| !is_told("--draw")) {
+            *counts.entry(ask(edit, *step, path, &locked)?).or_default() += 1;
         }
     }
     let all: usize = counts.values().sum();
@@ -48,9 +53,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Asks for one picture, prints a line of the table, and keeps the whole answer.
-fn ask(edit: &Edit, step: Step, path: &Path) -> Result<Kind, Box<dyn Error>> {
+fn ask(
+    edit: &Edit,
+    step: Step,
+    path: &Path,
+    locked: &[Locked],
+) -> Result<Kind, Box<dyn Error>> {
     let start = Instant::now();
-    let outcome = judged(edit, step, path)?;
+    let outcome = judged(edit, step, path, locked)?;
     let time = start.elapsed().as_secs_f64();
     let (kind, why) = (format!("{:?}", outcome.kind), outcome.why);
     println!("{kind:7} | {} | {} | {why} | {time:.1} s", step.number(), edit.title);

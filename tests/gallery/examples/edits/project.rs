@@ -11,10 +11,13 @@ pub struct Project {
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 impl Project {
-    /// A copy without a mistake.
-    pub fn new() -> Result<Self> {
+    /// A copy without a mistake, or the pictures alone.
+    pub fn new(is_drawn: bool) -> Result<Self> {
         let folder = workspace().join("target/edits");
         let project = Self { folder };
+        if is_drawn {
+            return Ok(project);
+        }
         fs::create_dir_all(project.folder.join("pictures"))?;
         for name in ["Cargo.lock", "Cargo.toml"] {
             let text = fs::read_to_string(workspace().join(name))?;
@@ -85,7 +88,8 @@ impl Project {
         self.folder.join("pictures").join(file)
     }
 
-    fn kept(&self, edit: &Edit) -> Result<Vec<(Step, PathBuf)>> {
+    /// The pictures that there are already.
+    pub fn kept(&self, edit: &Edit) -> Result<Vec<(Step, PathBuf)>> {
         let all = edit.steps().iter().map(|&step| (step, self.picture(edit, step)));
         let all: Vec<_> = all.filter(|(_, path)| path.exists()).collect();
         if all.is_empty() { Err("no picture shows it".into()) } else { Ok(all) }

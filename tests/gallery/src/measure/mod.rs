@@ -1,15 +1,39 @@
-//! Reads a picture as a measurement of the program that drew it.
+//! What a picture tells of the program that drew it, stage after stage.
 
 use crate::{Section, Step};
 use image::RgbImage;
 
-/// One stage of the way from a ray to a byte, and what the picture says of it.
+mod bytes;
+mod least;
+mod sky;
+mod words;
+
+mod look;
+mod nearest;
+mod outlines;
+mod rays;
+
+mod alternatives;
+mod light;
+mod pixel;
+mod shading;
+
+use alternatives::{Alternative, alternatives};
+use bytes::Bytes;
+use least::Least;
+use light::{Fit, Terms};
+use look::{Look, Place, hit};
+pub use pixel::pixel;
+use sky::Sky;
+
+/// One stage on the way from a ray to three bytes, and what a picture tells of it.
+#[derive(Clone, Debug)]
 pub struct Stage {
-    /// What it is called.
+    /// What it is called in the table.
     pub name: &'static str,
     /// Whether it is right.
     pub verdict: Verdict,
-    /// Theirs and ours, in whole sentences.
+    /// Whole sentences with numbers, theirs and ours.
     pub numbers: Vec<String>,
     /// The section of the book to go back to.
     pub section: Section,
@@ -17,22 +41,42 @@ pub struct Stage {
     pub test: Option<&'static str>,
 }
 
-/// Whether a stage is right.
+/// What a picture tells of a stage.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every pixel that it can be read from agrees.
+    /// Every pixel that shows it agrees.
     Right,
-    /// The numbers show it.
+    /// The numbers show that it is wrong.
     Wrong,
     /// It can't be told from this picture, and why.
     Unknown(String),
 }
 
-/// The stages of `step`, from the ray on.
-pub fn stages(_yours: &RgbImage, _step: Step) -> Vec<Stage> {
-    vec![]
-}
-
-/// One pixel in full.
-pub fn pixel(_yours: &RgbImage, _ours: &RgbImage, _step: Step) -> String {
-    String::new()
+/// The stages of `step`, in order, as a picture of that step tells them.
+pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
+    if yours.width() < 2 {
+        return vec![];
+    }
+    let look = Look::new(yours, step);
+    let mut stages = vec![rays::stage(&look)];
+    if Step::Sphere <= step {
+        let places = look.places(&look.theirs);
+        stages.push(outlines::stage(&look, &places));
+        if step == Step::Nearest {
+            stages.push(nearest::stage(&look, &places));
+        }
+        if Step::Diffuse <= step {
+            stages.extend(shading::stages(&look, &places));
+        }
+        // Where the shapes are not known, the light can't be.
+        if stages[1].verdict != Verdict::Right {
+            for stage in &mut stages[2..] {
+                let why = "the outlines have to be right first".to_owned();
+                stage.verdict = Verdict::Unknown(why);
+                stage.numbers.clear();
+            }
+        }
+    }
+    stages.push(bytes::stage(&look));
+    stages
 }

@@ -1,0 +1,160 @@
+use super::{Look, Stage, Verdict};
+use crate::view::scattered;
+use crate::{Parts, Step, camera, section};
+use glam::DVec3;
+use image::{Rgb, RgbImage};
+use std::cmp::Reverse;
+
+/// How an intensity became a byte.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Curve {
+    /// What it does, to be read after "your bytes are".
+    pub says: &'static str,
+    /// From an intensity to its byte.
+    pub write: fn(f64) -> u8,
+    /// From a byte to the middle of the intensities that it stands for.
+    pub read: fn(f64) -> f64,
+}
+
+/// How three intensities became a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bytes {
+    /// Which channel of the file holds red, green and blue.
+    pub order: [usize; 3],
+    /// How each became a byte.
+    pub curve: &'static Curve,
+}
+
+const fn curve(
+    says: &'static str,
+    write: fn(f64) -> u8,
+    read: fn(f64) -> f64,
+) -> Curve {
+    Curve { says, write, read }
+}
+
+/// The right curve first.
+static CURVES: [Curve; 9] = [
+    curve("round(255 · I)", |i| rounded(i), |b| b / 255.0),
+    curve(
+        "255 · I cut off, not rounded: they are darker by 1 where the fraction is above ½",
+        |i| (255.0 * i) as u8,
+        |b| (b + 0.5) / 255.0,
+    ),
+    curve(
+        "255 · I rounded up",
+        |i| (255.0 * i).ceil() as u8,
+        |b| (b - 0.5) / 255.0,
+    ),
+    curve("255.999 · I, cut off", |i| (255.999 * i) as u8, |b| (b + 0.5) / 255.999),
+    curve("256 · I, cut off", |i| (256.0 * i) as u8, |b| (b + 0.5) / 256.0),
+    curve("round(256 · I)", |i| (256.0 * i + 0.5) as u8, |b| b / 256.0),
+    curve(
+        "gamma-encoded, I to the power of 1/2.2",
+        |i| rounded(i.max(0.0).powf(1.0 / 2.2)),
+        |b| (b / 255.0).powf(2.2),
+    ),
+    curve(
+        "gamma-encoded, the square root of I",
+        |i| rounded(i.max(0.0).sqrt()),
+        |b| (b / 255.0).powi(2),
+    ),
+    curve(
+        "I to the power of 2.2, gamma the wrong way round",
+        |i| rounded(i.max(0.0).powf(2.2)),
+        |b| (b / 255.0).powf(1.0 / 2.2),
+    ),
+];
+
+const ORDERS: [[usize; 3]; 6] =
+    [[0, 1, 2], [2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
+
+fn rounded(intensity: f64) -> u8 {
+    (255.0 * intensity + 0.5) as u8
+}
+
+impl Bytes {
+    /// The course's.
+    pub const RIGHT: Self = Self { order: ORDERS[0], curve: &CURVES[0] };
+
+    /// Those of a picture, as far as its right pixels tell.
+    pub fn of(yours: &RgbImage, step: Step) -> Self {
+        let (width, height) = yours.dimensions();
+        let parts = Parts::right(&camera(width, height));
+        let places = scattered(yours.dimensions(), 1200);
+        let pairs: Vec<_> = (places.into_iter())
+            .map(|(i, j)| (parts.intensity(step, i, j), *yours.get_pixel(i, j)))
+            .collect();
+        let explains = |bytes: &Self| {
+            pairs
+                .iter()
+                .filter(|(ours, yours)| bytes.write(*ours) == *yours)
+                .count()
+        };
+        let all = CURVES.iter().flat_map(|curve| {
+            ORDERS.into_iter().map(move |order| Self { order, curve })
+        });
+        let right = explains(&Self::RIGHT);
+        let best = all.map(|bytes| (explains(&bytes), bytes));
+        let best = best.min_by_key(|(count, _)| Reverse(*count));
+        best.filter(|(count, _)| right + pairs.len() / 20 < *count)
+            .map_or(Self::RIGHT, |(_, bytes)| bytes)
+    }
+
+    /// The intensities that a pixel stands for.
+    pub fn read(&self, pixel: &Rgb<u8>) -> DVec3 {
+        let read = |k: usize| (self.curve.read)(f64::from(pixel[self.order[k]]));
+        DVec3::new(read(0), read(1), read(2))
+    }
+
+    /// The pixel of three intensities.
+    pub fn write(&self, intensity: DVec3) -> Rgb<u8> {
+        let mut pixel = Rgb([0; 3]);
+        for (k, channel) in self.order.into_iter().enumerate() {
+            pixel[channel] = (self.curve.write)(intensity[k]);
+        }
+        pixel
+    }
+
+    /// Whether the byte of red, green or blue (0 to 2) was clamped.
+    pub fn is_clamped(&self, pixel: &Rgb<u8>, k: usize) -> bool {
+        matches!(pixel[self.order[k]], 0 | 255)
+    }
+
+    /// What is wrong with them.
+    pub fn faults(&self) -> Vec<String> {
+        let mut faults = vec![];
+        if self.order != ORDERS[0] {
+            let names = self.order.map(|k| ["red", "green", "blue"][k]);
+            faults.push(format!(
+                "your red, green and blue are in the file's {}, {} and {}",
+                names[0], names[1], names[2]
+            ));
+        }
+        if !std::ptr::eq(self.curve, &CURVES[0]) {
+            faults.push(format!(
+                "your bytes are {}; they should be round(255 · I)",
+                self.curve.says
+            ));
+        }
+        faults
+    }
+}
+
+/// The stage of the sum, its bytes and their order.
+pub(super) fn stage(look: &Look) -> Stage {
+    let numbers = look.bytes.faults();
+    let verdict = match numbers.is_empty() {
+        true if look.is_right_camera => Verdict::Right,
+        true => Verdict::Unknown("too little else is right".to_owned()),
+        false => Verdict::Wrong,
+    };
+    let test = Some("colour_of_a_pixel");
+    Stage {
+        name: "sum, bytes, order",
+        verdict,
+        numbers,
+        section: section::BYTES,
+        test,
+    }
+}
