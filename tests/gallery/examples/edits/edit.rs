@@ -51,6 +51,16 @@ impl Edit {
         &ALL[first.map_or(0, |number| number - 1)..]
     }
 
+    /// What kind of edit it is, of which this is the first picture, or a later one.
+    pub fn group(&self, is_first: bool) -> &'static str {
+        match (&self.changes[..], &self.options[..]) {
+            ([_], []) if is_first => "one edit, in the first step that shows it",
+            ([_], []) => "one edit, in step 5",
+            ([_], _) => "one edit, with other options",
+            _ => "two edits",
+        }
+    }
+
     /// Its name in file names.
     pub fn name(&self) -> String {
         let kept =

@@ -25,13 +25,13 @@ use std::{env, error::Error, fs, path::Path, time::Instant};
 fn main() -> Result<(), Box<dyn Error>> {
     let (options, words): (Vec<_>, Vec<_>) =
         env::args().skip(1).partition(|word| word.starts_with("--"));
+    let is_told = |option: &str| options.iter().any(|word| word == option);
     let is_chosen = |edit: &Edit| {
         words.is_empty() || words.iter().any(|word| edit.title.contains(word))
     };
-    let is_told = |option: &str| options.iter().any(|word| word == option);
     let edits: Vec<_> = edits()?.into_iter().filter(is_chosen).collect();
     let (project, locked) = (Project::new(is_told("--ask"))?, Locked::all()?);
-    let mut counts: BTreeMap<Kind, usize> = BTreeMap::new();
+    let mut counts = Counts::new();
     for edit in &edits {
         let pictures = match is_told("--ask") {
             true => project.kept(edit),
@@ -41,15 +41,26 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("not tried | {} | {fault}", edit.title);
             vec![]
         });
-        for (step, path) in pictures.iter().filter(|_| !is_told("--draw")) {
-            *counts.entry(ask(edit, *step, path, &locked)?).or_default() += 1;
+        for (k, (step, path)) in pictures.iter().enumerate() {
+            if !is_told("--draw") {
+                let kind = ask(edit, *step, path, &locked)?;
+                *counts.entry((edit.group(k == 0), kind)).or_default() += 1;
+            }
         }
     }
-    let all: usize = counts.values().sum();
-    for (kind, count) in counts {
-        println!("{kind:?}: {count} of {all}");
-    }
+    print(&counts);
     Ok(())
+}
+
+/// How many pictures of a group had an answer of a kind.
+type Counts = BTreeMap<(&'static str, Kind), usize>;
+
+fn print(counts: &Counts) {
+    for ((group, kind), count) in counts {
+        let of_group = counts.iter().filter(|((other, _), _)| other == group);
+        let all: usize = of_group.map(|(_, count)| count).sum();
+        println!("{group}: {kind:?} {count} of {all}");
+    }
 }
 
 /// Asks for one picture, prints a line of the table, and keeps the whole answer.
