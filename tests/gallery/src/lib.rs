@@ -23,13 +23,16 @@ mod recognise;
 mod rest;
 mod sight;
 
+mod kind;
 mod measure;
 
 mod answer;
+mod case;
 mod check;
 mod options;
 mod table;
 mod told;
+mod turned;
 mod verdict;
 mod whose;
 

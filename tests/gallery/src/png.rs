@@ -1,5 +1,9 @@
+use crate::difference::apart;
 use crate::view::View;
+use crate::{Cause, Rest};
+use image::Rgb;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
+use std::borrow::Cow;
 use std::io::{BufRead, Seek};
 
 /// The most columns and the most rows: as many as the programs of the steps draw.
@@ -47,40 +51,46 @@ impl<R: BufRead + Seek> Png<R> {
     }
 
     /// What of the file, other than its pixels, is not as our programs write it.
-    pub fn kind(&self) -> Vec<&'static str> {
+    fn notes(&self) -> Notes {
         let info = self.reader.info();
-        let colours = match info.color_type {
+        let lossy = match info.color_type {
             ColorType::Grayscale | ColorType::GrayscaleAlpha => {
-                "The file is grey: it has one number a pixel, and ours has three."
+                "The file is grey: it has one number a pixel, and ours has three.\n"
             }
             ColorType::Indexed => {
-                "The file has a palette: a program has chosen at most 256 colours for it."
+                "The file has a palette: a program has chosen at most 256 colours.\n"
             }
             _ => "",
         };
         let bits = match info.bit_depth {
             BitDepth::Sixteen => {
-                "The file has 16 bits a channel, and ours has 8; they were rounded."
+                "The file has 16 bits a channel; they were rounded to 8.\n"
             }
             _ => "",
         };
-        [colours, bits].into_iter().filter(|told| !told.is_empty()).collect()
+        Notes { text: format!("{lossy}{bits}"), is_lossy: !lossy.is_empty() }
     }
 
-    /// Calls `see` with each row, from the top, and its pixels in red, green and blue.
+    /// Calls `see` with each row, from the top, and its pixels in red, green and blue;
+    /// returns whether one of them is transparent.
     pub fn rows(
         mut self,
         mut see: impl FnMut(u32, &[[u8; 3]]),
-    ) -> Result<(), String> {
+    ) -> Result<bool, String> {
         let (colour, depth) = self.reader.output_color_type();
-        let rgb = |row: &[u8]| rgb(row, colour, depth);
+        let mut is_clear = false;
+        let mut rgb = |row: &[u8]| {
+            let bytes = bytes(row, depth);
+            is_clear |= has_clear(&bytes, colour);
+            rgb(&bytes, colour)
+        };
         if self.reader.info().interlaced {
             let size = self.reader.output_buffer_size().ok_or("is too large")?;
             let mut all = vec![0; size];
             let line = self.reader.next_frame(&mut all).map_err(damaged)?.line_size;
             let rows = all.chunks(line.max(1)).zip(0..);
             rows.for_each(|(row, j)| see(j, &rgb(row)));
-            return Ok(());
+            return Ok(is_clear);
         }
         for j in 0..self.size().1 {
             let row = self.reader.next_row().map_err(damaged)?;
@@ -89,36 +99,74 @@ impl<R: BufRead + Seek> Png<R> {
                 &rgb(row.ok_or("is a damaged PNG file: rows are missing")?.data()),
             );
         }
-        Ok(())
+        Ok(is_clear)
     }
 }
 
+/// What is to be said of a file, other than of its picture.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Notes {
+    /// Whole lines, or nothing.
+    pub text: String,
+    /// Whether its colours can't be those that were drawn.
+    pub is_lossy: bool,
+}
+
 /// The picture in a file, and what is to be said of the file.
-pub(crate) fn read<R: BufRead + Seek>(
-    file: R,
-) -> Result<(View, Vec<&'static str>), String> {
+pub(crate) fn read(file: impl BufRead + Seek) -> Result<(View, Notes), String> {
     let png = Png::open(file)?;
-    let (mut view, kind) = (View::new(png.size()), png.kind());
-    png.rows(|j, row| view.fill(j, row.iter().copied()))?;
-    Ok((view, kind))
+    let (mut view, mut notes) = (View::new(png.size()), png.notes());
+    if png.rows(|j, row| view.fill(j, row))? {
+        notes.text += "Some of its pixels are transparent; that was left out.\n";
+    }
+    Ok((view, notes))
+}
+
+/// What `cause` leaves unexplained of the picture in a file, of which no more than a row
+/// is held at once.
+pub(crate) fn rest(
+    file: impl BufRead + Seek,
+    cause: &Cause,
+) -> Result<Rest, String> {
+    let png = Png::open(file)?;
+    let (width, height) = png.size();
+    let parts = cause.parts((width, height));
+    let mut rest = Rest::new(width as usize * height as usize);
+    png.rows(|j, row| {
+        for (yours, i) in row.iter().zip(0..) {
+            let ours = parts.pixel(cause.step, cause.samples, i, j);
+            rest.add(apart(&Rgb(*yours), &ours));
+        }
+    })?;
+    Ok(rest)
+}
+
+/// The numbers of a row, each rounded to one byte.
+fn bytes(row: &[u8], depth: BitDepth) -> Cow<'_, [u8]> {
+    let rounded = |two: &[u8]| {
+        let number = u32::from(two[0]) * 256 + u32::from(two[1]);
+        ((number + 128) / 257) as u8
+    };
+    match depth {
+        BitDepth::Sixteen => row.chunks_exact(2).map(rounded).collect(),
+        _ => Cow::Borrowed(row),
+    }
 }
 
 /// Red, green and blue of the pixels of a row; alpha does not matter.
-fn rgb(row: &[u8], colour: ColorType, depth: BitDepth) -> Vec<[u8; 3]> {
-    let bytes: Vec<u8> = match depth {
-        BitDepth::Sixteen => {
-            let rounded = |two: &[u8]| {
-                ((u32::from(two[0]) * 256 + u32::from(two[1]) + 128) / 257) as u8
-            };
-            row.chunks_exact(2).map(rounded).collect()
-        }
-        _ => row.to_vec(),
-    };
+fn rgb(bytes: &[u8], colour: ColorType) -> Vec<[u8; 3]> {
     let pixels = bytes.chunks_exact(colour.samples());
     match colour.samples() {
         1 | 2 => pixels.map(|pixel| [pixel[0]; 3]).collect(),
         _ => pixels.map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
     }
+}
+
+/// Whether a pixel of a row is transparent.
+fn has_clear(bytes: &[u8], colour: ColorType) -> bool {
+    let has_alpha = matches!(colour, ColorType::GrayscaleAlpha | ColorType::Rgba);
+    let mut pixels = bytes.chunks_exact(colour.samples());
+    has_alpha && pixels.any(|pixel| pixel.last() != Some(&255))
 }
 
 /// What a file is, by its first bytes, if it is not a PNG file.

@@ -31,10 +31,11 @@ impl View {
     }
 
     /// Keeps what is to be kept of row `j`, whose pixels are `row`.
-    pub fn fill(&mut self, j: u32, row: impl Iterator<Item = [u8; 3]>) {
+    pub fn fill(&mut self, j: u32, row: &[[u8; 3]]) {
         if j % self.stride == 0 {
-            for (i, colour) in row.step_by(self.stride as usize).enumerate() {
-                self.kept.put_pixel(i as u32, j / self.stride, Rgb(colour));
+            for (i, colour) in row.iter().step_by(self.stride as usize).enumerate()
+            {
+                self.kept.put_pixel(i as u32, j / self.stride, Rgb(*colour));
             }
         }
     }
@@ -51,7 +52,7 @@ impl View {
 
     /// Columns and rows of pixels that are kept, evenly over the picture.
     pub fn scattered(&self, count: u32) -> Vec<(u32, u32)> {
-        let places = scattered(self.kept.dimensions(), count).into_iter();
+        let places = scattered(&self.kept, count).into_iter();
         places.map(|(i, j)| (i * self.stride, j * self.stride)).collect()
     }
 
@@ -67,11 +68,9 @@ impl View {
     }
 }
 
-/// Places that lie evenly over a picture of this size, whatever their number.
-pub(crate) fn scattered(
-    (width, height): (u32, u32),
-    count: u32,
-) -> Vec<(u32, u32)> {
+/// Places that lie evenly over a picture, whatever their number.
+pub(crate) fn scattered(picture: &RgbImage, count: u32) -> Vec<(u32, u32)> {
+    let (width, height) = picture.dimensions();
     // Roberts' sequence: multiples of these two numbers fill the square evenly.
     let at = |k: u32, step: f64, size: u32| {
         (((f64::from(k) + 0.5) * step).fract() * f64::from(size)) as u32

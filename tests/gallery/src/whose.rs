@@ -30,7 +30,7 @@ fn has_word(text: &str, word: &str) -> bool {
 
 /// How far apart two pictures of any sizes are, at places all over them.
 pub(crate) fn distance(yours: &View, ours: &Locked) -> u64 {
-    let places = scattered(ours.picture.dimensions(), 2000).into_iter();
+    let places = scattered(&ours.picture, 2000).into_iter();
     let pairs = yours.scattered(2000).into_iter().zip(places);
     let apart = pairs.map(|((i, j), (k, l))| {
         let [a, b] = [yours.pixel(i, j).0, ours.picture.get_pixel(k, l).0];
