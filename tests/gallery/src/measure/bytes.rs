@@ -1,4 +1,4 @@
-use super::{Look, Stage, Verdict};
+use super::{Eye, Look, Stage, Verdict};
 use crate::view::scattered;
 use crate::{Parts, Step, camera, section};
 use glam::DVec3;
@@ -81,7 +81,7 @@ impl Bytes {
     pub fn of(yours: &RgbImage, step: Step) -> Self {
         let (width, height) = yours.dimensions();
         let parts = Parts::right(&camera(width, height));
-        let places = scattered(yours.dimensions(), 1200);
+        let places = scattered(yours, 1200);
         let pairs: Vec<_> = (places.into_iter())
             .map(|(i, j)| (parts.intensity(step, i, j), *yours.get_pixel(i, j)))
             .collect();
@@ -105,6 +105,16 @@ impl Bytes {
     pub fn read(&self, pixel: &Rgb<u8>) -> DVec3 {
         let read = |k: usize| (self.curve.read)(f64::from(pixel[self.order[k]]));
         DVec3::new(read(0), read(1), read(2))
+    }
+
+    /// How much the intensity changes at most from each of its bytes to the next.
+    pub fn size(&self, pixel: &Rgb<u8>) -> DVec3 {
+        DVec3::from_array(self.order.map(|channel| {
+            let read = |by: f64| {
+                (self.curve.read)((f64::from(pixel[channel]) + by).max(0.0))
+            };
+            (read(1.0) - read(0.0)).max(read(0.0) - read(-1.0)).max(1e-9)
+        }))
     }
 
     /// The pixel of three intensities.
@@ -145,7 +155,7 @@ impl Bytes {
 pub(super) fn stage(look: &Look) -> Stage {
     let numbers = look.bytes.faults();
     let verdict = match numbers.is_empty() {
-        true if look.is_right_camera => Verdict::Right,
+        true if [Eye::Right, Eye::Exact].contains(&look.eye) => Verdict::Right,
         true => Verdict::Unknown("too little else is right".to_owned()),
         false => Verdict::Wrong,
     };

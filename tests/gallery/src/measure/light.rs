@@ -1,9 +1,10 @@
-use super::{Bytes, Least};
+use super::alternatives::Vectors;
+use super::{Alternative, Bytes, Least};
 use crate::{Parts, Step};
 use glam::DVec3;
 use step01_rays::Ray;
-use step04_diffuse::{Attenuation, PointLight, ambient};
-use step05_phong::Light;
+use step04_diffuse::{Attenuation, Point, PointLight, ambient};
+use step05_phong::{Light, Material};
 
 /// The parts of the light at one point: ambient, diffuse and specular of the warm light,
 /// diffuse and specular of the cool one.
@@ -16,28 +17,29 @@ pub(super) struct Terms {
 }
 
 impl Terms {
-    /// What `parts` add up where `ray` meets something.
-    pub fn of(parts: &Parts, step: Step, ray: &Ray) -> Option<Self> {
+    /// What `parts` add up where `ray` meets something, with these things done wrong.
+    pub fn of(
+        parts: &Parts,
+        step: Step,
+        ray: &Ray,
+        wrong: &[Alternative],
+    ) -> Option<Self> {
         let ray = (parts.ray)(*ray);
-        let point = parts.seen(step, &ray)?;
-        let objects = parts.objects(step);
-        let is_it = |m: &crate::Named| std::ptr::eq(m, point.material);
-        let object = objects.iter().position(|object| is_it(&object.material))?;
-        let (p, n, v) = (point.p, point.n, (parts.to_eye)(&ray));
-        let material = &point.material.material;
+        let Point { p, n, material } = parts.seen(step, &ray)?;
+        let objects = parts.objects(step).iter();
+        let mut all = objects.map(|object| &object.material);
+        let object = all.position(|one| std::ptr::eq(one, material))?;
+        let v = (parts.to_eye)(&ray);
+        let (l, d, r) = (DVec3::ZERO, 0.0, DVec3::ZERO);
+        let seen = Vectors { ray, p, n, v, l, d, r };
         let mut terms = [DVec3::ZERO; 5];
+        let material = &material.material;
         terms[0] = ambient(material.surface.ambient, parts.scene.ambient_light);
         for (k, light) in parts.scene.lights.iter().enumerate().take(2) {
-            let (l, d) = (parts.seen_from)(&light.point, p);
-            let a = (parts.attenuation)(&light.point.attenuation, d);
-            let attenuation = Attenuation { a, b: 0.0, c: 0.0 };
-            let point = PointLight { attenuation, ..light.point };
-            terms[1 + 2 * k] = (parts.diffuse)(n, l, d, &material.surface, &point);
-            if step == Step::Phong && (parts.lit)(n, l) {
-                let (r, light) = ((parts.reflect)(l, n), Light { point, ..*light });
-                terms[2 + 2 * k] = (parts.specular)(r, v, d, material, &light);
-            }
+            let two = lit(parts, step, material, light, seen, wrong);
+            terms[1 + 2 * k..3 + 2 * k].copy_from_slice(&two);
         }
+        wrong.iter().for_each(|a| (a.sum)(&mut terms, parts.scene.ambient_light));
         Some(Self { object, parts: terms })
     }
 
@@ -47,6 +49,39 @@ impl Terms {
     }
 }
 
+/// The diffuse and the specular part of one light.
+fn lit(
+    parts: &Parts,
+    step: Step,
+    material: &Material,
+    light: &Light,
+    mut seen: Vectors,
+    wrong: &[Alternative],
+) -> [DVec3; 2] {
+    let change = |seen: &mut Vectors, which: usize| {
+        wrong.iter().for_each(|a| (a.vectors[which])(seen));
+    };
+    change(&mut seen, 0);
+    (seen.l, seen.d) = (parts.seen_from)(&light.point, seen.p);
+    seen.r = (parts.reflect)(seen.l, seen.n);
+    let fades = |d: f64| {
+        // The divisor, whatever it is, as the light's own: the terms divide by it.
+        let a = (parts.attenuation)(&light.point.attenuation, d);
+        let attenuation = Attenuation { a, b: 0.0, c: 0.0 };
+        Light { point: PointLight { attenuation, ..light.point }, ..*light }
+    };
+    let mut matt = seen;
+    change(&mut matt, 1);
+    let Vectors { n, l, d, .. } = matt;
+    let diffuse = (parts.diffuse)(n, l, d, &material.surface, &fades(d).point);
+    if step < Step::Phong || !(parts.lit)(seen.n, seen.l) {
+        return [diffuse, DVec3::ZERO];
+    }
+    change(&mut seen, 2);
+    let Vectors { r, v, d, .. } = seen;
+    [diffuse, (parts.specular)(r, v, d, material, &fades(d))]
+}
+
 /// One pixel of an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
@@ -54,6 +89,8 @@ pub(super) struct Sample {
     pub yours: DVec3,
     /// Which of its channels are clamped, to 0 or to 1.
     pub clamped: [bool; 3],
+    /// How much each channel changes from one byte to the next.
+    pub byte: DVec3,
     /// The parts of ours.
     pub terms: Terms,
 }
@@ -66,17 +103,20 @@ impl Sample {
         bytes: &Bytes,
         pixel: &image::Rgb<u8>,
         (i, j): (u32, u32),
+        wrong: &[Alternative],
     ) -> Option<Self> {
-        let terms = Terms::of(parts, step, &parts.camera.ray(i.into(), j.into()))?;
+        let ray = parts.camera.ray(i.into(), j.into());
+        let terms = Terms::of(parts, step, &ray, wrong)?;
         let clamped = [0, 1, 2].map(|k| bytes.is_clamped(pixel, k));
-        Some(Self { yours: bytes.read(pixel), clamped, terms })
+        let byte = bytes.size(pixel);
+        Some(Self { yours: bytes.read(pixel), clamped, byte, terms })
     }
 
-    /// How far a channel is from what the weights make of its parts.
+    /// How many bytes a channel is from what the weights make of its parts.
     fn off(&self, k: usize, weights: &[f64; 5]) -> f64 {
         let parts = self.terms.channel(k);
         let sum: f64 = parts.iter().zip(weights).map(|(part, w)| part * w).sum();
-        (self.yours[k] - sum.clamp(0.0, 1.0)).abs()
+        (self.yours[k] - sum.clamp(0.0, 1.0)).abs() / self.byte[k]
     }
 
     /// Whether the weights explain all three channels.
@@ -109,6 +149,14 @@ impl Fit {
         let free: Vec<_> = free.collect();
         let free = Self::from(samples, near, [free[0], free[1], free[2]]);
         if once.explained < free.explained { free } else { once }
+    }
+
+    /// How many of the weights are not 1, as far as they can be told.
+    pub fn strangeness(&self) -> usize {
+        let pairs = self.weights.iter().flatten().zip(self.errors.iter().flatten());
+        pairs
+            .filter(|(w, error)| (5.0 * **error).max(0.01) < (*w - 1.0).abs())
+            .count()
     }
 
     /// The same, begun at some weights: again and again from the pixels that are

@@ -1,5 +1,7 @@
-use super::{Bytes, Sky};
+use super::{Alternative, Bytes, Eye, Sky};
+use crate::difference::apart;
 use crate::{Parts, Step, camera};
+use glam::DMat3;
 use image::{Rgb, RgbImage};
 
 /// A picture of a step, and what is known so far of the program that drew it.
@@ -10,14 +12,20 @@ pub(super) struct Look<'a> {
     pub bytes: Bytes,
     /// What its sky tells; None where it has none.
     pub sky: Option<Sky>,
-    /// Whether all of its sky is that of the right camera.
-    pub is_right_camera: bool,
+    /// How well its camera is known.
+    pub eye: Eye,
     /// Whether it has several rays a pixel, as its edges tell.
     pub is_smooth: bool,
     /// What draws the right picture.
     pub right: Parts,
     /// What draws this one, as far as it is known.
     pub theirs: Parts,
+    /// What the colour of the sky makes of V before it becomes a colour.
+    pub tint: DMat3,
+    /// Whether its outlines are known.
+    pub has_shapes: bool,
+    /// What is wrong with the rays or the sky, where that has a name.
+    pub fault: Option<Alternative>,
 }
 
 /// A pixel, and what is seen there by the parts that are known.
@@ -35,29 +43,31 @@ impl<'a> Look<'a> {
     pub fn new(yours: &'a RgbImage, step: Step) -> Self {
         let (width, height) = yours.dimensions();
         let right = Parts::right(&camera(width, height));
-        let bytes = Bytes::of(yours, step);
-        let (sky, is_smooth, is_right_camera) = (None, false, false);
-        let theirs = right.clone();
         let mut look = Self {
             yours,
             step,
-            bytes,
-            sky,
-            is_right_camera,
-            is_smooth,
+            bytes: Bytes::of(yours, step),
+            sky: None,
+            eye: Eye::Right,
+            is_smooth: false,
+            has_shapes: true,
+            theirs: right.clone(),
             right,
-            theirs,
+            tint: DMat3::IDENTITY,
+            fault: None,
         };
         look.sky = Sky::of(yours, &look.bytes);
-        look.is_right_camera = look.has_right_sky();
-        if let Some(sky) = look.sky.filter(|_| !look.is_right_camera) {
-            look.theirs.camera.matrix = sky.matrix;
-        }
+        look.find_eye();
         look.is_smooth = look.has_smooth_edges();
         look
     }
 
-    /// Some 40,000 pixels, or all of them where that is not much more.
+    /// Whether what is known of it draws some pixels a little otherwise.
+    pub fn is_loose(&self) -> bool {
+        self.is_smooth || matches!(self.eye, Eye::Read | Eye::Unknown)
+    }
+
+    /// All pixels, or some 200,000 of them where there are many more.
     pub fn pixels(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
         let (width, height) = self.yours.dimensions();
         let all = u64::from(width) * u64::from(height);
@@ -67,43 +77,33 @@ impl<'a> Look<'a> {
     }
 
     /// Those pixels, and what is seen there.
-    pub fn places(&self, parts: &Parts) -> Vec<Place> {
+    pub fn places(&self) -> Vec<Place> {
         let place = |(i, j)| {
-            let hit = hit(parts, self.step, f64::from(i), f64::from(j));
-            Place { i, j, is_sky: self.is_sky(parts, i, j), hit }
+            let hit = hit(&self.theirs, self.step, f64::from(i), f64::from(j));
+            let sky = self.sky_pixel(&self.theirs, &self.tint, i, j);
+            let is_sky = near(self.yours.get_pixel(i, j), &sky);
+            Place { i, j, is_sky, hit }
         };
         self.pixels().map(place).collect()
     }
 
-    /// Whether a pixel has the colour that `parts` have for the sky there, or nearly.
-    pub fn is_sky(&self, parts: &Parts, i: u32, j: u32) -> bool {
-        near(self.yours.get_pixel(i, j), &self.sky_pixel(parts, i, j))
-    }
-
-    fn sky_pixel(&self, parts: &Parts, i: u32, j: u32) -> Rgb<u8> {
-        let ray = (parts.ray)(parts.camera.ray(i.into(), j.into()));
+    /// The pixel that the sky should be, by these parts and this tint.
+    pub fn sky_pixel(
+        &self,
+        parts: &Parts,
+        tint: &DMat3,
+        i: u32,
+        j: u32,
+    ) -> Rgb<u8> {
+        let mut ray = (parts.ray)(parts.camera.ray(i.into(), j.into()));
+        ray.direction = *tint * ray.direction;
         self.bytes.write((parts.miss)(&ray))
     }
 
-    /// Whether what looks like the right sky is so to the last byte.
-    fn has_right_sky(&self) -> bool {
-        let (mut all, mut near, mut same) = (0, 0, 0);
-        for (i, j) in self.pixels() {
-            if hit(&self.right, self.step, i.into(), j.into()).is_none() {
-                all += 1;
-                let ours = self.sky_pixel(&self.right, i, j);
-                let yours = self.yours.get_pixel(i, j);
-                near += usize::from(self::near(yours, &ours));
-                same += usize::from(*yours == ours);
-            }
-        }
-        all < 3 * near && near - same <= near / 500
-    }
-
     /// Whether one ray through this pixel may see something else than another.
-    pub fn is_edge(&self, parts: &Parts, i: u32, j: u32) -> bool {
+    pub fn is_edge(&self, i: u32, j: u32) -> bool {
         let hit = |di: f64, dj: f64| {
-            hit(parts, self.step, f64::from(i) + di, f64::from(j) + dj)
+            hit(&self.theirs, self.step, f64::from(i) + di, f64::from(j) + dj)
         };
         let middle = hit(0.0, 0.0);
         let corners = [(-0.6, -0.6), (0.6, -0.6), (-0.6, 0.6), (0.6, 0.6)];
@@ -115,9 +115,10 @@ impl<'a> Look<'a> {
         let (mut all, mut mixed) = (0, 0);
         for (i, j) in self.pixels().filter(|(_, j)| j % 4 == 0) {
             let is_sky = hit(&self.theirs, self.step, i.into(), j.into()).is_none();
-            if is_sky && self.is_edge(&self.theirs, i, j) {
+            if is_sky && self.is_edge(i, j) {
+                let sky = self.sky_pixel(&self.theirs, &self.tint, i, j);
                 all += 1;
-                mixed += usize::from(!self.is_sky(&self.theirs, i, j));
+                mixed += usize::from(!near(self.yours.get_pixel(i, j), &sky));
             }
         }
         all < 4 * mixed
@@ -135,5 +136,5 @@ pub(super) fn hit(parts: &Parts, step: Step, i: f64, j: f64) -> Option<usize> {
 
 /// Whether two pixels differ by one at most.
 pub(super) fn near(a: &Rgb<u8>, b: &Rgb<u8>) -> bool {
-    crate::difference::apart(a, b) <= 1
+    apart(a, b) <= 1
 }

@@ -8,6 +8,10 @@ mod least;
 mod sky;
 mod words;
 
+mod eye;
+mod flat;
+mod knobs;
+mod local;
 mod look;
 mod nearest;
 mod outlines;
@@ -20,6 +24,7 @@ mod shading;
 
 use alternatives::{Alternative, alternatives};
 use bytes::Bytes;
+use eye::Eye;
 use least::Least;
 use light::{Fit, Terms};
 use look::{Look, Place, hit};
@@ -57,20 +62,20 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
     if yours.width() < 2 {
         return vec![];
     }
-    let look = Look::new(yours, step);
-    let mut stages = vec![rays::stage(&look)];
+    let mut look = Look::new(yours, step);
+    let mut stages = rays::stages(&look);
     if Step::Sphere <= step {
-        let places = look.places(&look.theirs);
-        stages.push(outlines::stage(&look, &places));
-        if step == Step::Nearest {
-            stages.push(nearest::stage(&look, &places));
-        }
-        if Step::Diffuse <= step {
-            stages.extend(shading::stages(&look, &places));
+        stages.push(outlines::stage(&mut look));
+        let before = stages.len();
+        let places = look.places();
+        if step <= Step::Nearest {
+            stages.extend(flat::stages(&look, &places));
+        } else {
+            stages.extend(shading::stages(&mut look, &places));
         }
         // Where the shapes are not known, the light can't be.
-        if stages[1].verdict != Verdict::Right {
-            for stage in &mut stages[2..] {
+        if !look.has_shapes {
+            for stage in &mut stages[before..] {
                 let why = "the outlines have to be right first".to_owned();
                 stage.verdict = Verdict::Unknown(why);
                 stage.numbers.clear();

@@ -1,39 +1,111 @@
+use super::knobs::{self, Knob};
+use super::look::hit;
 use super::words::percent;
-use super::{Look, Place, Stage, Verdict};
-use crate::{Step, section};
+use super::{Alternative, Eye, Look, Place, Stage, Verdict, alternatives, nearest};
+use crate::{Parts, Section, Step, section};
 
-/// The stage of the outlines: which pixels see an object at all.
-pub(super) fn stage(look: &Look, places: &[Place]) -> Stage {
-    let (verdict, numbers) = verdict(look, places);
-    let test = Some("coefficients_of_a_pixel");
-    Stage { name: "outlines", verdict, numbers, section: section::MEETING, test }
+/// The stage of the outlines: which pixels see an object at all. What explains wrong
+/// ones becomes part of what is known.
+pub(super) fn stage(look: &mut Look) -> Stage {
+    let (mut section, test) = (section::MEETING, Some("coefficients_of_a_pixel"));
+    let name = "outlines";
+    if look.eye == Eye::Unknown && !has_no_sky(look) {
+        let why = "no sky can be told from the objects".to_owned();
+        look.has_shapes = false;
+        return Stage {
+            name,
+            verdict: Verdict::Unknown(why),
+            numbers: vec![],
+            section,
+            test,
+        };
+    }
+    let places = look.places();
+    let wrong = wrong(look, &places);
+    if wrong.is_empty() {
+        return Stage {
+            name,
+            verdict: Verdict::Right,
+            numbers: vec![],
+            section,
+            test,
+        };
+    }
+    let mut numbers = counted(&wrong, &places);
+    match explained(look, &places, &wrong) {
+        Some((its, parts, told)) => {
+            section = its;
+            numbers.push(told);
+            look.theirs = parts;
+        }
+        None if look.eye == Eye::Unknown => {
+            let why = "no sky can be told from the objects".to_owned();
+            let verdict = Verdict::Unknown(why);
+            look.has_shapes = false;
+            return Stage { name, verdict, numbers: vec![], section, test };
+        }
+        None => {
+            numbers.extend(lost(look, &places));
+            look.has_shapes = false;
+        }
+    }
+    Stage { name, verdict: Verdict::Wrong, numbers, section, test }
 }
 
-fn verdict(look: &Look, places: &[Place]) -> (Verdict, Vec<String>) {
-    if look.sky.is_none() && !look.is_right_camera {
-        let why = "no sky can be told from the objects".to_owned();
-        return (Verdict::Unknown(why), vec![]);
-    }
-    let is_loose = look.is_smooth || !look.is_right_camera;
-    let wrong: Vec<_> = (places.iter())
-        .filter(|place| place.is_sky == place.hit.is_some())
-        .filter(|place| !is_loose || !look.is_edge(&look.theirs, place.i, place.j))
+/// Whether no place looks like the right sky, so that there may be none.
+fn has_no_sky(look: &Look) -> bool {
+    let places = look.places();
+    let is_known = |p: &&Place| nearest::shown(look, p).is_some();
+    let known = places.iter().filter(is_known).count();
+    let sky = places.iter().filter(|p| p.is_sky).count();
+    let is_flat = look.step <= Step::Nearest;
+    sky * 100 < places.len() && (!is_flat || places.len() < 2 * known)
+}
+
+/// The places where one sees the sky and should not, or the other way round.
+fn wrong(look: &Look, places: &[Place]) -> Vec<Place> {
+    let all = places.iter().filter(|place| place.is_sky == place.hit.is_some());
+    let wrong: Vec<_> = all
+        .filter(|place| !look.is_loose() || !look.is_edge(place.i, place.j))
+        .copied()
         .collect();
-    if wrong.is_empty() {
-        return (Verdict::Right, vec![]);
-    }
+    // An object may have the sky's colour somewhere.
+    let chance = wrong.iter().all(|place| place.is_sky && is_lonely(look, place));
+    if chance && wrong.len() * 10_000 < places.len() { vec![] } else { wrong }
+}
+
+/// Whether the pixels around one that looks like sky do not.
+fn is_lonely(look: &Look, place: &Place) -> bool {
+    let around = [(-2, 0), (2, 0), (0, -2), (0, 2)];
+    let sky = around.iter().filter(|(di, dj)| {
+        let at = (place.i.checked_add_signed(*di), place.j.checked_add_signed(*dj));
+        let (Some(i), Some(j)) = at else { return false };
+        look.yours.get_pixel_checked(i, j).is_some_and(|yours| {
+            super::look::near(
+                yours,
+                &look.sky_pixel(&look.theirs, &look.tint, i, j),
+            )
+        })
+    });
+    sky.count() < 2
+}
+
+fn counted(wrong: &[Place], places: &[Place]) -> Vec<String> {
     let missing = wrong.iter().filter(|place| place.is_sky).count();
-    let mut numbers = vec![format!(
-        "{} of the pixels that should see an object see the sky, and {} of those that \
-         should see the sky do not",
-        percent(missing, places.iter().filter(|p| p.hit.is_some()).count()),
-        percent(
-            wrong.len() - missing,
-            places.iter().filter(|p| p.hit.is_none()).count()
-        )
-    )];
-    numbers.extend(lost(look, places));
-    (Verdict::Wrong, numbers)
+    let seen = places.iter().filter(|place| place.hit.is_some()).count();
+    let extra = wrong.len() - missing;
+    let parts = [
+        (missing, seen, "of the pixels that should see an object see the sky"),
+        (
+            extra,
+            places.len() - seen,
+            "of those that should see the sky see an object",
+        ),
+    ];
+    let parts = parts.iter().filter(|(count, ..)| 0 < *count);
+    parts
+        .map(|(count, all, what)| format!("{} {what}", percent(*count, *all)))
+        .collect()
 }
 
 /// Which objects lack some of their pixels.
@@ -51,4 +123,84 @@ fn lost(look: &Look, places: &[Place]) -> Vec<String> {
             )
         })
         .collect()
+}
+
+type Explained = (Section, Parts, String);
+
+/// What explains nearly all of the outlines: another formula, or another number.
+fn explained(look: &Look, places: &[Place], wrong: &[Place]) -> Option<Explained> {
+    let few = places.iter().step_by(places.len() / 2500 + 1);
+    let sample: Vec<_> =
+        few.chain(wrong.iter().step_by(wrong.len() / 1500 + 1)).copied().collect();
+    let before = misses(look, &look.theirs, &sample);
+    let near = |misses: usize| misses * 12 <= before;
+    let formulas = formulas(look).map(|one| {
+        let mut parts = look.theirs.clone();
+        (one.change)(&mut parts);
+        (misses(look, &parts, &sample), one, parts)
+    });
+    let formulas: Vec<_> = formulas.filter(|(misses, ..)| near(*misses)).collect();
+    let least = formulas.iter().map(|(misses, ..)| *misses).min();
+    let telling = knobs::telling(look, places, 300);
+    let mut shapes = knobs::suspects(look, places);
+    if look.step == Step::Sphere {
+        shapes = vec![0];
+    }
+    let knob =
+        knobs::turned(look, &Knob::shapes(&shapes), &telling).and_then(|turned| {
+            let mut parts = look.theirs.clone();
+            knobs::set(&mut parts, &turned, look.step);
+            let misses = misses(look, &parts, &sample);
+            (misses * 50 <= before).then_some((misses, turned.knob, parts))
+        });
+    match (least, knob) {
+        (Some(least), knob)
+            if knob.as_ref().is_none_or(|(misses, ..)| least <= *misses) =>
+        {
+            let best = formulas.iter().filter(|(misses, ..)| *misses == least);
+            let best: Vec<_> = best.collect();
+            let (_, first, parts) = *best.first()?;
+            Some((first.section, parts.clone(), names(&best)))
+        }
+        (_, Some((_, knob, parts))) => {
+            let told = knob.told(&parts, &look.right, look.step);
+            Some((knob.section(look.step), parts, told))
+        }
+        _ => None,
+    }
+}
+
+/// All that give these outlines, in words.
+fn names(best: &[&(usize, Alternative, Parts)]) -> String {
+    let names: Vec<_> = best.iter().take(4).map(|(_, one, _)| one.when).collect();
+    let more = if best.len() < 5 { "" } else { ", and in other ways" };
+    format!(
+        "these outlines are what you get when {}{more}",
+        names.join("; or when ")
+    )
+}
+
+/// What may change outlines.
+fn formulas(look: &Look) -> impl Iterator<Item = Alternative> + use<> {
+    let steps = Step::Sphere..=look.step.min(Step::Nearest);
+    let right = look.right.clone();
+    alternatives().filter(move |one| {
+        let mut parts = right.clone();
+        (one.change)(&mut parts);
+        let is_moved = parts.camera.centre != right.camera.centre;
+        is_moved || steps.contains(&one.section.step)
+    })
+}
+
+/// How often one sees the sky and should not, or the other way round; in step 3, how
+/// often one sees another object, too.
+fn misses(look: &Look, parts: &Parts, places: &[Place]) -> usize {
+    let is_miss = |place: &&Place| {
+        let hit = hit(parts, look.step, place.i.into(), place.j.into());
+        match look.step {
+            Step::Nearest if !place.is_sky => hit != nearest::shown(look, place),
+            _ => hit.is_none() != place.is_sky,
+        }
+    };
+    places.iter().filter(is_miss).count()
 }

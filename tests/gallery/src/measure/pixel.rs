@@ -23,7 +23,8 @@ pub fn pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
         None => ", and it sees the sky.".to_owned(),
         Some(name) => format!(", and it sees {name}."),
     };
-    let terms = Terms::of(&parts, step, &ray).filter(|_| Step::Diffuse <= step);
+    let terms =
+        Terms::of(&parts, step, &ray, &[]).filter(|_| Step::Diffuse <= step);
     if let Some(Terms { parts: [a, d, s, e, t], .. }) = terms {
         text +=
             &format!(" I_a is {}; the warm light's I_d {}", vector(a), vector(d));

@@ -1,15 +1,23 @@
+use super::knobs::{self, Knob, Turned};
 use super::light::Sample;
+use super::local::{self, Local};
 use super::words::{percent, times, vector};
 use super::{Alternative, Fit, Look, Place, Stage, Verdict, alternatives};
-use crate::Step;
 use crate::difference::apart;
 use crate::section::{self, Section};
+use crate::{Parts, Step};
 use glam::DVec3;
 
 /// What draws the light of a picture, as far as it is known.
 struct Shading {
-    /// What is not right in them.
+    /// What is not right in it.
     wrong: Vec<Alternative>,
+    /// What explains as much.
+    equal: Vec<Alternative>,
+    /// A number of the scene that is another one, and what is told of it.
+    turned: Option<(Turned, String)>,
+    /// What is wrong with single objects.
+    local: Local,
     fit: Fit,
     /// How many pixels were looked at.
     all: usize,
@@ -27,11 +35,15 @@ impl Shading {
 
     /// What is wrong in one of the sections, as sentences.
     fn faults(&self, sections: &[Section]) -> Vec<String> {
-        let its = self.wrong.iter().filter(|a| sections.contains(&a.section));
-        its.map(|a| {
-            format!("{} of it is what you get when {}", self.told(), a.when)
-        })
-        .collect()
+        let is_its = |a: &&Alternative| sections.contains(&a.section);
+        let its = self.wrong.iter().filter(is_its);
+        let mut faults: Vec<_> =
+            its.map(|a| format!("it is what you get when {}", a.when)).collect();
+        let last = self.wrong.last().filter(is_its);
+        for other in last.iter().flat_map(|_| self.equal.iter().take(3)) {
+            faults.push(format!("you get the same when {}", other.when));
+        }
+        faults
     }
 
     /// The verdict on a stage with these faults.
@@ -39,7 +51,7 @@ impl Shading {
         match self.share() {
             share if share < 0.97 => self.unexplained(),
             _ if !faults.is_empty() => Verdict::Wrong,
-            1.0 => Verdict::Right,
+            share if 0.997 < share => Verdict::Right,
             _ => self.unexplained(),
         }
     }
@@ -81,11 +93,11 @@ const STAGES: [(&str, Section, &str, &str); 5] = [
 
 /// Whose alternatives belong to the point and its normal.
 const POINT: &[Section] = &[
+    section::RAY,
     section::MEETING,
     section::FORMULA,
     section::CENTRE,
     section::ROOT,
-    section::NEAREST,
     section::NORMAL,
 ];
 
@@ -100,22 +112,47 @@ fn sections(k: usize) -> &'static [Section] {
     }
 }
 
-/// The stages from the point to the highlights.
-pub(super) fn stages(look: &Look, places: &[Place]) -> Vec<Stage> {
-    let shading = search(look, &lit(look, places));
-    let stage = |name, sections: &[Section], test| {
-        let numbers = shading.faults(sections);
+/// The stages from the nearest hit to the highlights.
+pub(super) fn stages(look: &mut Look, places: &[Place]) -> Vec<Stage> {
+    let shading = search(look, places);
+    let stage = |name, sections: &[Section], test, more: Vec<String>| {
+        let mut numbers = shading.faults(sections);
+        numbers.extend(more);
         let verdict = shading.verdict(&numbers);
         let its = shading.wrong.iter().find(|a| sections.contains(&a.section));
         let section = its.map_or(sections[sections.len() - 1], |a| a.section);
         Stage { name, verdict, numbers, section, test: Some(test) }
     };
-    let attenuation = &[section::ATTENUATION];
-    let mut stages = vec![stage("point and normal", POINT, "normal_of_a_pixel")];
+    let turned = |is_its: fn(&Knob) -> bool| -> Vec<String> {
+        let its = shading.turned.iter().filter(|(turned, _)| is_its(&turned.knob));
+        its.map(|(_, told)| told.clone()).collect()
+    };
+    let shapes = turned(|knob| matches!(knob, Knob::Centre(..) | Knob::Radius(_)));
+    let fades = turned(|knob| matches!(knob, Knob::Fade(..)));
+    let mut stages = vec![
+        stage("nearest", &[section::NEAREST], "nearest_in_a_crowd", vec![]),
+        stage("point and normal", POINT, "normal_of_a_pixel", shapes),
+        stage(
+            "colours",
+            &[section::SCENE],
+            "sum_of_a_pixel",
+            shading.local.colours.clone(),
+        ),
+    ];
     stages.extend([0, 1, 3].map(|k| weighted(look, &shading, k)));
-    stages.push(stage("attenuation", attenuation, "lights_of_a_pixel"));
+    stages.push(stage(
+        "attenuation",
+        &[section::ATTENUATION],
+        "lights_of_a_pixel",
+        fades,
+    ));
     if look.step == Step::Phong {
         stages.extend([2, 4].map(|k| weighted(look, &shading, k)));
+    }
+    for stage in &mut stages {
+        if matches!(stage.verdict, Verdict::Unknown(_)) {
+            stage.numbers.clear();
+        }
     }
     stages
 }
@@ -128,58 +165,142 @@ fn lit(look: &Look, places: &[Place]) -> Vec<Place> {
         places.iter().filter(is_lit).partition(|p| !is_right(look, p));
     let few = |all: Vec<&Place>| -> Vec<Place> {
         let few = all.iter().step_by(all.len() / 800 + 1);
-        few.filter(|p| !look.is_edge(&look.theirs, p.i, p.j)).map(|p| **p).collect()
+        few.filter(|p| !look.is_edge(p.i, p.j)).map(|p| **p).collect()
     };
-    [few(right), few(wrong)].concat()
+    // Those of small objects, too.
+    let small = |k: usize| {
+        let its: Vec<_> =
+            places.iter().filter(is_lit).filter(|p| p.hit == Some(k)).collect();
+        let few = its.iter().step_by(its.len() / 40 + 1);
+        let few = few.filter(|p| !look.is_edge(p.i, p.j));
+        few.map(|p| **p).collect::<Vec<_>>()
+    };
+    let small = (0..look.theirs.objects(look.step).len()).flat_map(small).collect();
+    [few(right), few(wrong), small].concat()
 }
 
 /// Whether a pixel is what the right light makes of it.
 fn is_right(look: &Look, p: &Place) -> bool {
     let ours = look.bytes.write(look.theirs.intensity(look.step, p.i, p.j));
     let apart = apart(look.yours.get_pixel(p.i, p.j), &ours);
-    apart <= u8::from(look.is_smooth || !look.is_right_camera)
+    apart <= u8::from(look.is_loose())
 }
 
-/// How far off an explained pixel may be.
-fn near(look: &Look) -> f64 {
-    match look.is_smooth || !look.is_right_camera {
-        true => 1.6 / 255.0,
-        false => 0.6 / 255.0,
-    }
+/// How many bytes an explained pixel may be off.
+pub(super) fn near(look: &Look) -> f64 {
+    if look.is_loose() { 1.6 } else { 0.6 }
 }
 
-fn shaded(look: &Look, places: &[Place], wrong: Vec<Alternative>) -> Shading {
-    let mut parts = look.theirs.clone();
-    wrong.iter().for_each(|one| (one.change)(&mut parts));
+/// The parts of the light at some places.
+pub(super) fn samples(
+    look: &Look,
+    parts: &Parts,
+    places: &[Place],
+    wrong: &[Alternative],
+) -> Vec<Sample> {
     let sample = |p: &Place| {
         let pixel = look.yours.get_pixel(p.i, p.j);
-        Sample::of(&parts, look.step, &look.bytes, pixel, (p.i, p.j))
+        Sample::of(parts, look.step, &look.bytes, pixel, (p.i, p.j), wrong)
     };
-    let samples: Vec<_> = places.iter().filter_map(sample).collect();
-    let fit = Fit::of(&samples, near(look));
-    Shading { wrong, fit, all: places.len() }
+    places.iter().filter_map(sample).collect()
 }
 
-/// The parts that explain most, with as few alternatives as possible.
-fn search(look: &Look, places: &[Place]) -> Shading {
-    let mut best = shaded(look, places, vec![]);
+fn fitted(look: &Look, places: &[Place], wrong: &[Alternative]) -> Fit {
+    let mut parts = look.theirs.clone();
+    wrong.iter().for_each(|one| (one.change)(&mut parts));
+    Fit::of(&samples(look, &parts, places, wrong), near(look))
+}
+
+/// The parts that explain most, with as little wrong as possible.
+fn search(look: &mut Look, places: &[Place]) -> Shading {
+    let lit = lit(look, places);
+    let fit = fitted(look, &lit, &[]);
+    let mut shading = Shading {
+        wrong: vec![],
+        equal: vec![],
+        turned: None,
+        local: Local::default(),
+        fit,
+        all: lit.len(),
+    };
+    if 0.985 < shading.share() {
+        return shading;
+    }
+    let before = look.theirs.clone();
+    shading.local = local::mend(look, &lit);
+    shading.fit = fitted(look, &lit, &[]);
+    if shading.share() < 0.9 && !shading.local.colours.is_empty() {
+        look.theirs = before;
+        shading.local = Local::default();
+        shading.fit = fit;
+    }
     for _ in 0..2 {
-        if 0.985 < best.share() {
+        if 0.985 < shading.share() || !add(look, &lit, &mut shading) {
             break;
         }
-        let with = |one| {
-            let wrong = best.wrong.iter().copied().chain([one]).collect();
-            shaded(look, places, wrong)
-        };
-        let steps = Step::Sphere..=look.step;
-        let all = alternatives().filter(|a| steps.contains(&a.section.step));
-        let next = all.map(with).max_by_key(|shading| shading.fit.explained);
-        match next {
-            Some(next) if best.share() + 0.05 < next.share() => best = next,
-            _ => break,
-        }
     }
-    best
+    if shading.share() < 0.97 {
+        turn(look, places, &lit, &mut shading);
+    }
+    shading
+}
+
+/// Adds the alternative that explains most, if it explains much more.
+fn add(look: &Look, lit: &[Place], shading: &mut Shading) -> bool {
+    let few: Vec<_> = lit.iter().step_by(lit.len() / 240 + 1).copied().collect();
+    let with = |places: &[Place], one: Alternative| {
+        let wrong = [&shading.wrong[..], &[one]].concat();
+        (fitted(look, places, &wrong), one)
+    };
+    let is_after = |s: Section| s.step != Step::Rays || s == section::RAY;
+    let all = alternatives()
+        .filter(|a| is_after(a.section) && a.section.step <= look.step)
+        .map(|one| with(&few, one));
+    let mut rough: Vec<_> = all.collect();
+    rough.sort_by_key(|(fit, _)| std::cmp::Reverse(fit.explained));
+    let fine = rough.into_iter().take(14).map(|(_, one)| with(lit, one));
+    let mut fine: Vec<_> = fine.collect();
+    // Of those that explain as much, the one whose weights are nearest to 1.
+    fine.sort_by_key(|(fit, _)| {
+        (std::cmp::Reverse(fit.explained * 200 / lit.len()), fit.strangeness())
+    });
+    let Some(&(fit, one)) = fine.first() else { return false };
+    let share = fit.explained as f64 / lit.len() as f64;
+    if share < shading.share() + 0.03 {
+        return false;
+    }
+    let is_equal = |other: &Fit| {
+        fit.explained.abs_diff(other.explained) * 500 <= lit.len()
+            && other.strangeness() == fit.strangeness()
+    };
+    let equal = fine.iter().skip(1).filter(|(other, _)| is_equal(other));
+    shading.equal = equal.map(|(_, one)| *one).collect();
+    shading.wrong.push(one);
+    shading.fit = fit;
+    true
+}
+
+/// Looks for one number of the scene that explains what nothing else does.
+fn turn(look: &mut Look, places: &[Place], lit: &[Place], shading: &mut Shading) {
+    let telling = knobs::telling(look, places, 120);
+    let mut all = Knob::lights();
+    let suspects = knobs::suspects(look, places);
+    let seen = |k: &&usize| places.iter().any(|p| p.hit == Some(**k));
+    if suspects.iter().filter(seen).count() <= 4 {
+        all.extend(Knob::shapes(&suspects));
+    }
+    let Some(turned) = knobs::turned(look, &all, &telling) else { return };
+    let mut parts = look.theirs.clone();
+    knobs::set(&mut parts, &turned, look.step);
+    let fit = Fit::of(&samples(look, &parts, lit, &[]), near(look));
+    if fit.explained * 100 < 97 * lit.len() {
+        return;
+    }
+    let told = turned.knob.told(&parts, &look.right, look.step);
+    look.theirs = parts;
+    shading.wrong.clear();
+    shading.fit = fit;
+    shading.turned = Some((turned, told));
 }
 
 /// A stage whose light has a weight.
@@ -190,7 +311,8 @@ fn weighted(look: &Look, shading: &Shading, k: usize) -> Stage {
         .map(|w| DVec3::new(w[0][k], w[1][k], w[2][k]));
     let off = (weight - DVec3::ONE).abs();
     let mut numbers = shading.faults(sections(k));
-    if (0..3).any(|c| (5.0 * error[c]).max(0.01) < off[c]) {
+    let least = if look.is_loose() { 0.03 } else { 0.01 };
+    if (0..3).any(|c| (5.0 * error[c]).max(least) < off[c]) {
         let same = (weight - DVec3::splat(weight.x)).abs().max_element() < 0.01;
         let how = match same {
             true => times(weight.x),
@@ -202,6 +324,11 @@ fn weighted(look: &Look, shading: &Shading, k: usize) -> Stage {
             vector(ours)
         ));
     }
+    match k {
+        1 | 3 => numbers.extend(position(shading, k / 2)),
+        2 | 4 => numbers.extend(shading.local.shine.clone()),
+        _ => {}
+    }
     let is_seen = error.max_element() < 0.1;
     let verdict = match shading.verdict(&numbers) {
         Verdict::Right if !is_seen => {
@@ -212,6 +339,12 @@ fn weighted(look: &Look, shading: &Shading, k: usize) -> Stage {
     let its = shading.wrong.iter().find(|a| sections(k).contains(&a.section));
     let section = its.map_or(section, |a| a.section);
     Stage { name, verdict, numbers, section, test: Some(test) }
+}
+
+/// What is told of the position of a light.
+fn position(shading: &Shading, light: usize) -> Option<String> {
+    let (turned, told) = shading.turned.as_ref()?;
+    matches!(turned.knob, Knob::Position(k, _) if k == light).then(|| told.clone())
 }
 
 /// The light that one of the five parts comes from.

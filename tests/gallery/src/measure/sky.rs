@@ -15,8 +15,6 @@ pub(super) struct Sky {
     pub errors: [f64; 3],
     /// Whether the blue tells V_z: elsewhere −1 is only believed.
     pub is_deep: bool,
-    /// How many of the points that were looked at lie in it, and how many there were.
-    pub share: (usize, usize),
 }
 
 /// A place and the V that its colour stands for.
@@ -42,11 +40,14 @@ impl Sky {
             return None;
         }
         let mut errors = [0.0; 3];
-        for _ in 0..4 {
-            let on: Vec<_> = points.iter().filter(|p| is_on(&matrix, p)).collect();
+        for wide in [3.0, 2.0, 1.5, 1.2, 1.0, 1.0, 1.0, 1.0] {
+            let is_on = |(place, v): &&Sight| {
+                (matrix * *place - *v).abs().max_element() < wide * NEAR
+            };
+            let on: Vec<_> = points.iter().filter(is_on).collect();
             (matrix, errors) = plane(&on)?;
         }
-        let on = points.iter().filter(|point| is_on(&matrix, point)).count();
+        widen(&mut errors, &matrix, yours.dimensions());
         let is_deep =
             points.iter().any(|point| is_on(&matrix, point) && is_deep(point));
         let scale = DVec3::new(1.0, 1.0, if is_deep { 1.0 } else { 0.0 });
@@ -54,7 +55,18 @@ impl Sky {
         if !is_deep {
             matrix.z_axis.z = -1.0;
         }
-        Some(Self { matrix, errors, is_deep, share: (on, points.len()) })
+        Some(Self { matrix, errors, is_deep })
+    }
+}
+
+/// A part of V that hardly changes is known to one byte only.
+fn widen(errors: &mut [f64; 3], matrix: &DMat3, (width, height): (u32, u32)) {
+    let [width, height] = [width, height].map(f64::from);
+    let range = matrix.x_axis.abs() * width + matrix.y_axis.abs() * height;
+    if range.x.min(range.y) < 0.1 {
+        errors[0] += 0.2 * NEAR / width;
+        errors[1] += 0.2 * NEAR / height;
+        errors[2] += 0.2 * NEAR;
     }
 }
 
@@ -71,7 +83,7 @@ fn is_deep((_, v): &Sight) -> bool {
 /// Places all over the picture whose red and green are not clamped.
 fn points(yours: &RgbImage, bytes: &Bytes) -> Vec<Sight> {
     let count = (yours.width() * yours.height()).min(12_000);
-    let places = scattered(yours.dimensions(), count).into_iter();
+    let places = scattered(yours, count).into_iter();
     places.filter_map(|(i, j)| point(yours, bytes, i, j)).collect()
 }
 
@@ -87,7 +99,7 @@ fn triples(yours: &RgbImage, bytes: &Bytes) -> impl Iterator<Item = DMat3> {
     let (width, height) = yours.dimensions();
     let across = (width / 10).clamp(1, 64);
     let down = (height / 10).clamp(1, 64);
-    scattered(yours.dimensions(), 260).into_iter().filter_map(move |(i, j)| {
+    scattered(yours, 260).into_iter().filter_map(move |(i, j)| {
         let k =
             if i + across < width { i + across } else { i.checked_sub(across)? };
         let l = if j + down < height { j + down } else { j.checked_sub(down)? };

@@ -1,0 +1,131 @@
+use super::look::{hit, near};
+use super::{Alternative, Look, alternatives, rays};
+use crate::view::scattered;
+use crate::{Parts, Step};
+use glam::{DMat3, DVec3};
+
+/// How well the camera of a picture is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Eye {
+    /// It is the right one, to the last byte of the sky.
+    Right,
+    /// It is another one, known to the last byte.
+    Exact,
+    /// It was read from the sky, about to one byte.
+    Read,
+    /// It is not known.
+    Unknown,
+}
+
+/// A camera, and what makes a colour of its rays.
+struct Guess {
+    eye: Eye,
+    parts: Parts,
+    tint: DMat3,
+    fault: Option<Alternative>,
+}
+
+/// How well a guess agrees with some pixels.
+#[derive(Clone, Copy, Debug)]
+struct Score {
+    /// How many are sky where it has sky, or none where it has none.
+    agree: usize,
+    /// How many are sky in both, to one byte, and to the last.
+    near: usize,
+    same: usize,
+}
+
+impl Score {
+    fn is_exact(&self) -> bool {
+        self.near - self.same <= self.near / 500 && 8 < self.near
+    }
+}
+
+impl Look<'_> {
+    /// Finds the camera and the sky's colour that agree best with the picture.
+    pub fn find_eye(&mut self) {
+        let places = scattered(self.yours, 2500);
+        let rated = self.guesses().into_iter().map(|guess| {
+            let score = self.score(&guess, &places);
+            (guess, score)
+        });
+        let mut best: Option<(Guess, Score)> = None;
+        for (guess, score) in rated {
+            // A later guess has to be clearly better.
+            let least = match &best {
+                Some((best, _)) if best.eye != Eye::Read && !score.is_exact() => {
+                    places.len()
+                }
+                Some((best, _)) if best.eye == Eye::Read && score.is_exact() => 0,
+                Some((_, best)) => best.agree + places.len() / 200,
+                None => 0,
+            };
+            let is_it = match guess.eye {
+                Eye::Read if guess.tint != DMat3::IDENTITY => 95,
+                Eye::Read => 70,
+                _ if score.is_exact() => 50,
+                _ => 101,
+            };
+            let is_it = is_it * places.len() < 100 * score.agree;
+            if is_it && 8 < score.near && least < score.agree {
+                best = Some((guess, score));
+            }
+        }
+        let Some((guess, _)) = best else {
+            self.eye = Eye::Unknown;
+            return;
+        };
+        self.eye = guess.eye;
+        self.theirs = guess.parts;
+        self.tint = guess.tint;
+        self.fault = guess.fault;
+    }
+
+    /// What is tried, the simplest first.
+    fn guesses(&self) -> Vec<Guess> {
+        let right = |eye| Guess {
+            eye,
+            parts: self.right.clone(),
+            tint: DMat3::IDENTITY,
+            fault: None,
+        };
+        let mut guesses = vec![right(Eye::Right)];
+        let faults = alternatives().filter(|a| a.section.step == Step::Rays);
+        let moved = |guess: &Guess| guess.parts.camera.centre != DVec3::ZERO;
+        let faults = faults.map(|fault| {
+            let mut guess = right(Eye::Exact);
+            (fault.change)(&mut guess.parts);
+            guess.parts.byte = self.right.byte;
+            guess.parts.order = self.right.order;
+            Guess { fault: Some(fault), ..guess }
+        });
+        // Where the rays start, the sky does not tell.
+        guesses.extend(faults.filter(|guess| !moved(guess)));
+        let Some(sky) = &self.sky else { return guesses };
+        let snapped = rays::snapped(self, sky);
+        for (eye, matrix) in [(Eye::Exact, snapped), (Eye::Read, sky.matrix)] {
+            let mut camera = right(eye);
+            camera.parts.camera.matrix = matrix;
+            let mut tint = right(eye);
+            tint.tint = matrix * self.right.camera.matrix.inverse();
+            // No camera here makes V_z anything but −1 or 1.
+            let is_tint = sky.is_deep && 0.01 < (matrix.z_axis.z.abs() - 1.0).abs();
+            guesses.extend(if is_tint { [tint, camera] } else { [camera, tint] });
+        }
+        guesses
+    }
+
+    fn score(&self, guess: &Guess, places: &[(u32, u32)]) -> Score {
+        let mut score = Score { agree: 0, near: 0, same: 0 };
+        for &(i, j) in places {
+            let is_sky = hit(&guess.parts, self.step, i.into(), j.into()).is_none();
+            let yours = self.yours.get_pixel(i, j);
+            let sky = self.sky_pixel(&guess.parts, &guess.tint, i, j);
+            let is_near = near(yours, &sky);
+            score.agree += usize::from(is_sky == is_near);
+            score.near += usize::from(is_sky && is_near);
+            score.same += usize::from(is_sky && *yours == sky);
+        }
+        score
+    }
+}
