@@ -3,6 +3,7 @@ use crate::edit::{Edit, Fault};
 use crate::name::Name;
 use gallery::{Answer, Locked, Step, check};
 use std::fs::File;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::{error::Error, io::BufReader, path::Path};
 
 /// What becomes of a reader who asks `check`.
@@ -40,7 +41,12 @@ pub fn judged(
     locked: &[Locked],
 ) -> Result<Outcome, Box<dyn Error>> {
     let png = BufReader::new(File::open(path)?);
-    let Answer { code, text, .. } = check(png, "", Some(step.name()), locked);
+    let asked = || check(png, "", Some(step.name()), locked);
+    let Ok(Answer { code, text, .. }) = catch_unwind(AssertUnwindSafe(asked))
+    else {
+        let (kind, why) = (Kind::Wrong, "panics".to_owned());
+        return Ok(Outcome { kind, why, text: String::new() });
+    };
     let yours = image::open(path)?.to_rgb8();
     let (kind, why) = match code {
         1 => {
