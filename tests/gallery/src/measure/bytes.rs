@@ -1,3 +1,4 @@
+use super::words::list;
 use super::{Eye, Look, Stage, Verdict};
 use crate::view::scattered;
 use crate::{Parts, Step, camera, section};
@@ -19,7 +20,7 @@ pub(super) struct Curve {
 /// How three intensities became a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bytes {
-    /// Which channel of the file holds red, green and blue.
+    /// Which of red, green and blue (0 to 2) each channel of the file holds.
     pub order: [usize; 3],
     /// How each became a byte.
     pub curve: &'static Curve,
@@ -34,7 +35,7 @@ const fn curve(
 }
 
 /// The right curve first.
-static CURVES: [Curve; 9] = [
+static CURVES: [Curve; 18] = [
     curve("round(255 · I)", |i| rounded(i), |b| b / 255.0),
     curve(
         "255 · I cut off, not rounded: they are darker by 1 where the fraction is above ½",
@@ -42,13 +43,30 @@ static CURVES: [Curve; 9] = [
         |b| (b + 0.5) / 255.0,
     ),
     curve(
+        "255 · I rounded up: 1 is added before the cut, where it should be 0.5",
+        |i| (255.0 * i + 1.0) as u8,
+        |b| (b - 0.5) / 255.0,
+    ),
+    curve(
         "255 · I rounded up",
         |i| (255.0 * i).ceil() as u8,
         |b| (b - 0.5) / 255.0,
     ),
+    curve(
+        "255 · I − 0.5, cut off: too dark by 1",
+        |i| (255.0 * i - 0.5) as u8,
+        |b| (b + 1.0) / 255.0,
+    ),
     curve("255.999 · I, cut off", |i| (255.999 * i) as u8, |b| (b + 0.5) / 255.999),
     curve("256 · I, cut off", |i| (256.0 * i) as u8, |b| (b + 0.5) / 256.0),
     curve("round(256 · I)", |i| (256.0 * i + 0.5) as u8, |b| b / 256.0),
+    curve("round(254 · I)", |i| (254.0 * i + 0.5) as u8, |b| b / 254.0),
+    curve("round(100 · I)", |i| (100.0 * i + 0.5) as u8, |b| b / 100.0),
+    curve(
+        "255 (I + 0.5): the 0.5 is added before the 255 is multiplied",
+        |i| (255.0 * (i + 0.5)) as u8,
+        |b| b / 255.0 - 0.5,
+    ),
     curve(
         "gamma-encoded, I to the power of 1/2.2",
         |i| rounded(i.max(0.0).powf(1.0 / 2.2)),
@@ -64,10 +82,32 @@ static CURVES: [Curve; 9] = [
         |i| rounded(i.max(0.0).powf(2.2)),
         |b| (b / 255.0).powf(1.0 / 2.2),
     ),
+    curve(
+        "the square of I, a gamma of 2 the wrong way round",
+        |i| rounded(i * i),
+        |b| (b / 255.0).sqrt(),
+    ),
+    curve("1 − I, a negative: inverted", |i| rounded(1.0 - i), |b| 1.0 - b / 255.0),
+    curve(
+        "255 · I without a clamp: above 1 they wrap, counting from 255 on to 0 as if modulo 256",
+        |i| (255.0 * i + 0.5) as i64 as u8,
+        |b| b / 255.0,
+    ),
+    curve("round(I), without the 255", |i| (i + 0.5) as u8, |b| b),
 ];
 
-const ORDERS: [[usize; 3]; 6] =
-    [[0, 1, 2], [2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
+/// In the order of the file's red, green and blue: which of I's channels each holds.
+const ORDERS: [[usize; 3]; 9] = [
+    [0, 1, 2],
+    [2, 1, 0],
+    [1, 0, 2],
+    [0, 2, 1],
+    [1, 2, 0],
+    [2, 0, 1],
+    [0, 0, 0],
+    [1, 1, 1],
+    [2, 2, 2],
+];
 
 fn rounded(intensity: f64) -> u8 {
     (255.0 * intensity + 0.5) as u8
@@ -97,22 +137,26 @@ impl Bytes {
         let right = explains(&Self::RIGHT);
         let best = all.map(|bytes| (explains(&bytes), bytes));
         let best = best.min_by_key(|(count, _)| Reverse(*count));
-        best.filter(|(count, _)| right + pairs.len() / 20 < *count)
+        // All is explained, or much more than by the right ones.
+        let is_it = |count: usize| {
+            right < count
+                && (count == pairs.len() || right + pairs.len() / 20 < count)
+        };
+        best.filter(|(count, _)| is_it(*count))
             .map_or(Self::RIGHT, |(_, bytes)| bytes)
     }
 
     /// The intensities that a pixel stands for.
     pub fn read(&self, pixel: &Rgb<u8>) -> DVec3 {
-        let read = |k: usize| (self.curve.read)(f64::from(pixel[self.order[k]]));
+        let read = |k: usize| (self.curve.read)(f64::from(pixel[self.channel(k)]));
         DVec3::new(read(0), read(1), read(2))
     }
 
     /// How much the intensity changes at most from each of its bytes to the next.
     pub fn size(&self, pixel: &Rgb<u8>) -> DVec3 {
-        DVec3::from_array(self.order.map(|channel| {
-            let read = |by: f64| {
-                (self.curve.read)((f64::from(pixel[channel]) + by).max(0.0))
-            };
+        DVec3::from_array([0, 1, 2].map(|k| {
+            let byte = f64::from(pixel[self.channel(k)]);
+            let read = |by: f64| (self.curve.read)((byte + by).max(0.0));
             (read(1.0) - read(0.0)).max(read(0.0) - read(-1.0)).max(1e-9)
         }))
     }
@@ -120,7 +164,7 @@ impl Bytes {
     /// The pixel of three intensities.
     pub fn write(&self, intensity: DVec3) -> Rgb<u8> {
         let mut pixel = Rgb([0; 3]);
-        for (k, channel) in self.order.into_iter().enumerate() {
+        for (channel, k) in self.order.into_iter().enumerate() {
             pixel[channel] = (self.curve.write)(intensity[k]);
         }
         pixel
@@ -128,18 +172,40 @@ impl Bytes {
 
     /// Whether the byte of red, green or blue (0 to 2) was clamped.
     pub fn is_clamped(&self, pixel: &Rgb<u8>, k: usize) -> bool {
-        matches!(pixel[self.order[k]], 0 | 255)
+        !self.order.contains(&k) || matches!(pixel[self.channel(k)], 0 | 255)
+    }
+
+    /// Which channel of the file holds red, green or blue (0 to 2); red's, if none does.
+    fn channel(&self, k: usize) -> usize {
+        self.order.iter().position(|held| *held == k).unwrap_or(0)
+    }
+
+    /// Whether red, green and blue are not in this order.
+    pub fn is_swapped(&self) -> bool {
+        self.order != ORDERS[0]
     }
 
     /// What is wrong with them.
     pub fn faults(&self) -> Vec<String> {
         let mut faults = vec![];
-        if self.order != ORDERS[0] {
-            let names = self.order.map(|k| ["red", "green", "blue"][k]);
-            faults.push(format!(
-                "your red, green and blue are in the file's {}, {} and {}",
-                names[0], names[1], names[2]
-            ));
+        let names = self.order.map(|k| ["red", "green", "blue"][k]);
+        match self.order {
+            [0, 1, 2] => {}
+            [a, b, _] if a == b => faults.push(format!(
+                "your picture is grey: all three bytes are those of {}",
+                names[0]
+            )),
+            order => {
+                let moved: Vec<_> = (0..3).filter(|&k| order[k] != k).collect();
+                let moved: Vec<_> = moved
+                    .into_iter()
+                    .map(|k| ["red", "green", "blue"][k].to_owned())
+                    .collect();
+                faults.push(format!(
+                    "{} have changed places: the file's red, green and blue hold {}, {} and {}",
+                    list(&moved), names[0], names[1], names[2]
+                ));
+            }
         }
         if !std::ptr::eq(self.curve, &CURVES[0]) {
             faults.push(format!(

@@ -1,7 +1,7 @@
 use super::look::{hit, near};
 use super::{Alternative, Look, alternatives, rays};
 use crate::view::scattered;
-use crate::{Parts, Step};
+use crate::{Parts, Step, section};
 use glam::{DMat3, DVec3};
 
 /// How well the camera of a picture is known.
@@ -37,7 +37,7 @@ struct Score {
 
 impl Score {
     fn is_exact(&self) -> bool {
-        self.near - self.same <= self.near / 500 && 8 < self.near
+        self.near - self.same <= self.near / 100 && 8 < self.near
     }
 }
 
@@ -51,22 +51,28 @@ impl Look<'_> {
         });
         let mut best: Option<(Guess, Score)> = None;
         for (guess, score) in rated {
-            // A later guess has to be clearly better.
+            // A later guess has to be clearly better, and to explain nearly all.
+            let most = places.len() * 993 / 1000;
             let least = match &best {
-                Some((best, _)) if best.eye != Eye::Read && !score.is_exact() => {
-                    places.len()
-                }
                 Some((best, _)) if best.eye == Eye::Read && score.is_exact() => 0,
-                Some((_, best)) => best.agree + places.len() / 200,
+                Some((best, score)) if best.eye == Eye::Right => {
+                    most.max(score.agree + places.len() / 200)
+                }
+                Some((_, best)) if score.is_exact() => {
+                    best.agree + places.len() / 200
+                }
+                Some(_) => places.len(),
                 None => 0,
             };
             let is_it = match guess.eye {
                 Eye::Read if guess.tint != DMat3::IDENTITY => 95,
                 Eye::Read => 70,
-                _ if score.is_exact() => 50,
-                _ => 101,
+                _ if !score.is_exact() => 101,
+                Eye::Right if places.len() < 50 * score.near => 0,
+                _ if score.near * 20 < places.len() => 90,
+                _ => 50,
             };
-            let is_it = is_it * places.len() < 100 * score.agree;
+            let is_it = is_it * places.len() <= 100 * score.agree;
             if is_it && 8 < score.near && least < score.agree {
                 best = Some((guess, score));
             }
@@ -90,7 +96,9 @@ impl Look<'_> {
             fault: None,
         };
         let mut guesses = vec![right(Eye::Right)];
-        let faults = alternatives().filter(|a| a.section.step == Step::Rays);
+        let faults = alternatives().filter(|a| {
+            a.section.step == Step::Rays && a.section != section::BYTES
+        });
         let moved = |guess: &Guess| guess.parts.camera.centre != DVec3::ZERO;
         let faults = faults.map(|fault| {
             let mut guess = right(Eye::Exact);

@@ -148,7 +148,14 @@ impl Fit {
         let free = (0..3).map(|k| fit(samples, k, &[1.0; 5], f64::INFINITY).0);
         let free: Vec<_> = free.collect();
         let free = Self::from(samples, near, [free[0], free[1], free[2]]);
-        if once.explained < free.explained { free } else { once }
+        let best = if once.explained < free.explained { free } else { once };
+        // Where 1 explains nearly as much, it is 1.
+        let is_explained = |s: &&Sample| s.is_explained(&ONCE, near);
+        let explained = samples.iter().filter(is_explained).count();
+        match 100 * explained < 99 * best.explained {
+            true => best,
+            false => Self { weights: ONCE, explained, ..best },
+        }
     }
 
     /// How many of the weights are not 1, as far as they can be told.

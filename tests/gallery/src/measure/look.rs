@@ -58,8 +58,24 @@ impl<'a> Look<'a> {
         };
         look.sky = Sky::of(yours, &look.bytes);
         look.find_eye();
+        if look.bytes.is_swapped() && look.eye != Eye::Right {
+            look.unswap();
+        }
         look.is_smooth = look.has_smooth_edges();
         look
+    }
+
+    /// Takes the bytes for those of the right order where that makes the sky right.
+    fn unswap(&mut self) {
+        let (bytes, sky, fault) = (self.bytes, self.sky, self.fault);
+        let (eye, theirs, tint) = (self.eye, self.theirs.clone(), self.tint);
+        self.bytes.order = Bytes::RIGHT.order;
+        self.sky = Sky::of(self.yours, &self.bytes);
+        self.find_eye();
+        if self.eye != Eye::Right {
+            (self.bytes, self.sky, self.fault) = (bytes, sky, fault);
+            (self.eye, self.theirs, self.tint) = (eye, theirs, tint);
+        }
     }
 
     /// Whether what is known of it draws some pixels a little otherwise.

@@ -48,7 +48,7 @@ fn verdict(look: &Look, places: &[Place]) -> (Verdict, Vec<String>) {
 }
 
 /// The ways to choose a hit that explain every pixel.
-fn explained(look: &Look, places: &[Place]) -> Option<String> {
+pub(super) fn explained(look: &Look, places: &[Place]) -> Option<String> {
     let few: Vec<_> = places.iter().filter(|p| !p.is_sky).collect();
     let few: Vec<_> = few.iter().step_by(few.len() / 3000 + 1).collect();
     let ways = alternatives()

@@ -9,6 +9,13 @@ use crate::{Parts, Section, Step, section};
 pub(super) fn stage(look: &mut Look) -> Stage {
     let (mut section, test) = (section::MEETING, Some("coefficients_of_a_pixel"));
     let name = "outlines";
+    if look.eye == Eye::Unknown && is_turned_round(look) {
+        let told = "the sky is where the objects should be, and the objects are where the \
+                    sky should be: Some and None, or hit and miss, have changed places";
+        (look.has_shapes, section) = (false, section::ONE_COLOUR);
+        let numbers = vec![told.to_owned()];
+        return Stage { name, verdict: Verdict::Wrong, numbers, section, test };
+    }
     if look.eye == Eye::Unknown && !has_no_sky(look) {
         let why = "no sky can be told from the objects".to_owned();
         look.has_shapes = false;
@@ -50,6 +57,13 @@ pub(super) fn stage(look: &mut Look) -> Stage {
         }
     }
     Stage { name, verdict: Verdict::Wrong, numbers, section, test }
+}
+
+/// Whether the sky is where the objects should be, and no sky where it should be.
+fn is_turned_round(look: &Look) -> bool {
+    let places = look.places();
+    let turned = places.iter().filter(|p| p.is_sky == p.hit.is_some()).count();
+    places.len() * 99 < turned * 100
 }
 
 /// Whether no place looks like the right sky, so that there may be none.
@@ -141,18 +155,7 @@ fn explained(look: &Look, places: &[Place], wrong: &[Place]) -> Option<Explained
     });
     let formulas: Vec<_> = formulas.filter(|(misses, ..)| near(*misses)).collect();
     let least = formulas.iter().map(|(misses, ..)| *misses).min();
-    let telling = knobs::telling(look, places, 300);
-    let mut shapes = knobs::suspects(look, places);
-    if look.step == Step::Sphere {
-        shapes = vec![0];
-    }
-    let knob =
-        knobs::turned(look, &Knob::shapes(&shapes), &telling).and_then(|turned| {
-            let mut parts = look.theirs.clone();
-            knobs::set(&mut parts, &turned, look.step);
-            let misses = misses(look, &parts, &sample);
-            (misses * 50 <= before).then_some((misses, turned.knob, parts))
-        });
+    let knob = number(look, places, &sample);
     match (least, knob) {
         (Some(least), knob)
             if knob.as_ref().is_none_or(|(misses, ..)| least <= *misses) =>
@@ -170,14 +173,49 @@ fn explained(look: &Look, places: &[Place], wrong: &[Place]) -> Option<Explained
     }
 }
 
+/// The number of the scene that explains the sample, and how much it leaves over.
+fn number(
+    look: &Look,
+    places: &[Place],
+    sample: &[Place],
+) -> Option<(usize, Knob, Parts)> {
+    let before = misses(look, &look.theirs, sample);
+    let telling = knobs::telling(look, places, 300);
+    let shapes = match look.step {
+        Step::Sphere => vec![0],
+        _ => knobs::suspects(look, places),
+    };
+    let turned = knobs::turned(look, &Knob::shapes(&shapes), &telling)?;
+    let mut parts = look.theirs.clone();
+    knobs::set(&mut parts, &turned, look.step);
+    let misses = misses(look, &parts, sample);
+    (misses * 50 <= before).then_some((misses, turned.knob, parts))
+}
+
+/// In step 3, the number that explains an outline which lies before other objects, where
+/// no other way to choose a hit does.
+fn hidden(look: &Look, places: &[Place]) -> Option<Explained> {
+    let is_wrong =
+        |p: &&Place| nearest::shown(look, p).is_some_and(|k| p.hit != Some(k));
+    let wrong = places.iter().filter(|p| !p.is_sky).filter(is_wrong);
+    let wrong: Vec<_> = wrong.copied().collect();
+    if look.step != Step::Nearest || wrong.len() < 12 || look.is_smooth {
+        return None;
+    }
+    let few = places.iter().step_by(places.len() / 2500 + 1);
+    let sample: Vec<_> =
+        few.chain(wrong.iter().step_by(wrong.len() / 800 + 1)).copied().collect();
+    let (_, knob, parts) = nearest::explained(look, places)
+        .is_none()
+        .then(|| number(look, places, &sample))??;
+    let told = knob.told(&parts, &look.right, look.step);
+    Some((knob.section(look.step), parts, told))
+}
+
 /// All that give these outlines, in words.
 fn names(best: &[&(usize, Alternative, Parts)]) -> String {
-    let names: Vec<_> = best.iter().take(4).map(|(_, one, _)| one.when).collect();
-    let more = if best.len() < 5 { "" } else { ", and in other ways" };
-    format!(
-        "these outlines are what you get when {}{more}",
-        names.join("; or when ")
-    )
+    let names: Vec<_> = best.iter().map(|(_, one, _)| one.when).collect();
+    format!("these outlines are what you get when {}", names.join("; or when "))
 }
 
 /// What may change outlines.

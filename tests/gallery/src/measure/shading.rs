@@ -48,10 +48,12 @@ impl Shading {
 
     /// The verdict on a stage with these faults.
     fn verdict(&self, faults: &[String]) -> Verdict {
+        let is_found = !self.wrong.is_empty() || 0 < self.fit.strangeness();
+        let least = if is_found { 0.98 } else { 0.997 };
         match self.share() {
             share if share < 0.97 => self.unexplained(),
             _ if !faults.is_empty() => Verdict::Wrong,
-            share if 0.997 < share => Verdict::Right,
+            share if least < share => Verdict::Right,
             _ => self.unexplained(),
         }
     }
@@ -154,7 +156,44 @@ pub(super) fn stages(look: &mut Look, places: &[Place]) -> Vec<Stage> {
             stage.numbers.clear();
         }
     }
+    doubt(&shading, &mut stages);
     stages
+}
+
+/// Where one thing explains as much as another of a later stage, neither is known.
+fn doubt(shading: &Shading, stages: &mut [Stage]) {
+    let Some(last) = shading.wrong.last() else { return };
+    let group = |s: Section| match s {
+        s if POINT.contains(&s) => 0,
+        section::NEAREST => 1,
+        section::AMBIENT => 2,
+        section::ATTENUATION => 3,
+        s if sections(1).contains(&s) => 4,
+        _ => 5,
+    };
+    let others: Vec<_> = shading.equal.iter().map(|a| a.section).collect();
+    if others.iter().all(|s| group(*s) == group(last.section)) {
+        return;
+    }
+    let all = [&[*last], &shading.equal[..]].concat();
+    let whens: Vec<_> = all.iter().map(|a| a.when).collect();
+    let told = format!("this is what you get when {}", whens.join("; or when "));
+    for stage in stages {
+        let its = |s: Section| match stage.name {
+            "point and normal" => group(s) == 0,
+            "nearest" => group(s) == 1,
+            "ambient" => group(s) == 2,
+            "attenuation" => group(s) == 3,
+            name if name.starts_with("diffuse") => group(s) == 4,
+            name if name.starts_with("specular") => group(s) == 5,
+            _ => false,
+        };
+        if all.iter().any(|a| its(a.section)) && 0.97 < shading.share() {
+            let why = "one of two stages is wrong, and both give this picture";
+            stage.verdict = Verdict::Unknown(why.to_owned());
+            stage.numbers = vec![told.clone()];
+        }
+    }
 }
 
 /// Some places on objects, away from all edges; half of them are not as they should be,
