@@ -51,6 +51,14 @@ impl Edit {
         &ALL[first.map_or(0, |number| number - 1)..]
     }
 
+    /// What there is of it in the picture of a step.
+    pub fn until(&self, step: Step) -> Self {
+        let pairs = self.changes.iter().zip(&self.faults);
+        let pairs = pairs.filter(|(change, _)| change.step <= step);
+        let (changes, faults) = pairs.map(|(c, f)| (c.clone(), f.clone())).unzip();
+        Self { changes, faults, ..self.clone() }
+    }
+
     /// What kind of edit it is, of which this is the first picture, or a later one.
     pub fn group(&self, is_first: bool) -> &'static str {
         match (&self.changes[..], &self.options[..]) {

@@ -40,6 +40,7 @@ pub fn judged(
     path: &Path,
     locked: &[Locked],
 ) -> Result<Outcome, Box<dyn Error>> {
+    let edit = &edit.until(step);
     let png = BufReader::new(File::open(path)?);
     let asked = || check(png, "", Some(step.name()), locked);
     let Ok(Answer { code, text, .. }) = catch_unwind(AssertUnwindSafe(asked))
