@@ -1,12 +1,16 @@
+use crate::fov::FOV;
 use crate::recognise::RAYS;
 use crate::turned::turned;
 use crate::view::View;
-use crate::{Cause, Found, Locked, Parts, Rest, Step, camera, recognise, whose};
+use crate::{Cause, Found, Locked, Rest, Step, camera, recognise, whose};
 use image::RgbImage;
 
 /// The most rays that are worth the wait for a very large picture: one for each pixel of
 /// the largest.
 const MOST: usize = 16384 * 16384;
+
+/// So few pixels are a slip of the mouse, and no mistake of a program.
+const STRAYS: usize = 12;
 
 /// A picture that is not right, and what is found out about it before it is measured.
 pub(crate) struct Case<'a> {
@@ -62,10 +66,8 @@ impl<'a> Case<'a> {
             |found: &Found| self.yours.pixels() * found.samples.pow(2) as usize;
         let found =
             self.found.as_ref().filter(|found| !is_kept && rays(found) <= MOST);
-        let cause = found.and_then(|found| {
-            let (step, samples) = (Step::named(&found.name)?, found.samples);
-            Some(Cause { step, samples, mistakes: found.causes[0].clone() })
-        });
+        let cause =
+            found.and_then(|found| Some(found.cause(Step::named(&found.name)?)));
         if let (Some(found), Some(cause)) = (&mut self.found, cause) {
             found.rest = recount(&cause).unwrap_or_else(|| found.rest.clone());
         }
@@ -74,6 +76,11 @@ impl<'a> Case<'a> {
     /// Whether it is known how every pixel came about.
     pub fn is_explained(&self) -> bool {
         self.found.as_ref().is_some_and(|found| found.rest.is_none())
+    }
+
+    /// Whether what is not explained is so little that it tells of no stage.
+    pub fn has_strays_only(&self) -> bool {
+        self.found.as_ref().is_some_and(|found| found.rest.beyond(0) <= STRAYS)
     }
 
     /// Whether nothing is wrong with the picture but its size, its rays or single
@@ -89,16 +96,17 @@ impl<'a> Case<'a> {
         if self.is_explained() && self.is_nearly_right() {
             return None;
         }
-        let (width, height) = yours.size;
-        if (width, height) == ours.picture.dimensions() {
+        let found = self.found.as_ref();
+        let fov = found.map_or(FOV, |found| found.fov);
+        if yours.size == ours.picture.dimensions() && fov == FOV {
             return Some(ours.picture.clone());
         }
         // More rays a pixel are not worth the wait, except for a small picture.
-        let is_small = yours.pixels() as u64 * 256 <= RAYS;
-        let samples = self.found.as_ref().filter(|_| is_small);
-        let samples = samples.map_or(1, |found| found.samples);
-        let step = self.step.filter(|_| 2 <= width)?;
-        let parts = Parts::right(&camera(width, height));
+        let found = found.filter(|_| yours.pixels() as u64 * 256 <= RAYS);
+        let samples = found.map_or(1, |found| found.samples);
+        let step = self.step.filter(|_| 2 <= yours.size.0)?;
+        let parts =
+            Cause { step, samples, fov, mistakes: vec![] }.parts(yours.size);
         let (columns, rows) = yours.kept.dimensions();
         Some(RgbImage::from_fn(columns, rows, |i, j| {
             parts.pixel(step, samples, i * yours.stride, j * yours.stride)

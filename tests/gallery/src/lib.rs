@@ -11,7 +11,9 @@ mod mistake;
 mod mistakes;
 
 mod difference;
+mod label;
 mod locked;
+mod panels;
 mod png;
 mod view;
 mod workspace;
@@ -19,6 +21,7 @@ mod workspace;
 mod drawn;
 
 mod cause;
+mod fov;
 mod recognise;
 mod rest;
 mod sight;

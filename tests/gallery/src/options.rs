@@ -1,8 +1,9 @@
 use crate::Found;
+use crate::fov::FOV;
 use std::fmt::Write;
 
-/// Says both sizes and both numbers of rays where they differ, and the options that
-/// give the right ones.
+/// Says both sizes, numbers of rays and fields of view where they differ, and the
+/// options that give the right ones.
 pub(crate) fn options(
     yours: (u32, u32),
     ours: (u32, u32),
@@ -25,6 +26,15 @@ pub(crate) fn options(
             text,
             "It has {samples}×{samples} rays a pixel, and the locked picture 1: \
              --samples 1 gives that."
+        );
+    }
+    if let Some(found) = found.filter(|found| found.fov != FOV) {
+        let _ = writeln!(
+            text,
+            "Its field of view is {}°, and that of the locked picture {FOV}°: --fov \
+             {FOV} gives that. If you gave no such option, look at what becomes of θ, \
+             in camera.rs and program.rs.",
+            found.fov
         );
     }
     text

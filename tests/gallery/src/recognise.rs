@@ -1,4 +1,5 @@
 use crate::difference::apart;
+use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
 use crate::{Cause, Mistake, Rest, Step};
 use std::cmp::Reverse;
@@ -11,11 +12,23 @@ pub struct Found {
     pub name: String,
     /// The side of the grid of rays in each pixel.
     pub samples: u32,
+    /// The field of view θ, in degrees.
+    pub fov: f64,
     /// What went wrong; several lists, where several give the same picture. Where only
     /// the size or the samples are wrong, the list is empty.
     pub causes: Vec<Vec<&'static Mistake>>,
+    /// A field of view that explains it as well, without any mistake.
+    pub same_fov: Option<f64>,
     /// What they leave unexplained.
     pub rest: Rest,
+}
+
+impl Found {
+    /// The first cause, in the picture of `step`.
+    pub fn cause(&self, step: Step) -> Cause {
+        let Self { samples, fov, .. } = *self;
+        Cause { step, samples, fov, mistakes: self.causes[0].clone() }
+    }
 }
 
 /// About how many rays are cast at most to compare a picture with one cause.
@@ -27,21 +40,51 @@ pub(crate) const ROUNDING: u8 = 2;
 /// Finds out how a picture came about in one of `steps`, or None where that is unknown.
 ///
 /// Few pixels sort out nearly all causes; all pixels decide. The fewest mistakes win.
-/// A cause that leaves pixels unexplained is found only where these are few: less than
-/// one in 1000, and than a tenth of those that it explains; or where rounding explains
-/// them. Two mistakes must explain every pixel. A picture of one colour tells too little
-/// for two mistakes, or for rounding.
+/// One mistake that leaves pixels unexplained is found only where these are few: less
+/// than one in 1000, and than a tenth of those that it explains. Two mistakes must
+/// explain every pixel. Only of the right picture it is said that it may be rounded.
 pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
     if yours.size.0 < 2 {
         return None;
     }
-    let (most, roundings): (_, &[u8]) = match yours.flat() {
-        Some(_) => (1, &[0]),
-        None => (2, &[0, ROUNDING]),
-    };
+    let is_flat = yours.flat().is_some();
     let mut likely = vec![];
+    let most = if is_flat { 1 } else { 2 };
+    let found = levels(yours, steps, most, FOV, &mut likely);
+    let options = |most: usize| {
+        let mut all =
+            if is_flat { vec![] } else { fields_of_view(yours) }.into_iter();
+        all.find_map(|fov| levels(yours, steps, most, fov, &mut vec![]))
+    };
+    if let Some(found) = found {
+        let is_right = found.causes[0].is_empty();
+        let same = if is_right { None } else { options(0) };
+        return Some(Found { same_fov: same.map(|same| same.fov), ..found });
+    }
+    if let Some(found) = options(1) {
+        return Some(found);
+    }
+    likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
+    let more = with_more_rays(yours, &likely);
+    likely.extend(more.iter().cloned());
+    let found = exact(yours, &more).or_else(|| near(yours, &likely, 0));
+    found.or_else(|| {
+        likely.retain(|(_, cause)| cause.mistakes.is_empty() && !is_flat);
+        near(yours, &likely, ROUNDING)
+    })
+}
+
+/// The cause, of `most` mistakes or less, that explains every pixel; if there is none,
+/// the likeliest are added to `likely`.
+fn levels(
+    yours: &View,
+    steps: &[Step],
+    most: usize,
+    fov: f64,
+    likely: &mut Vec<Rated>,
+) -> Option<Found> {
     for count in 0..=most {
-        let all = steps.iter().flat_map(|&step| Cause::all(step, count));
+        let all = steps.iter().flat_map(|&step| Cause::all(step, count, fov));
         let mut level = sieved(yours, all.collect());
         level.sort_by_key(|(misses, _)| *misses);
         let more = || exact(yours, &with_more_rays(yours, &level));
@@ -50,10 +93,7 @@ pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
         }
         likely.append(&mut level);
     }
-    likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
-    let more = with_more_rays(yours, &likely);
-    let near = |&rounding| near(yours, &likely, &more, rounding);
-    exact(yours, &more).or_else(|| roundings.iter().find_map(near))
+    None
 }
 
 type Rated = (usize, Cause);
@@ -93,31 +133,32 @@ fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
 /// The causes and what they leave over, by the first of them: each once, although
 /// several steps may know it.
 fn found(causes: Vec<(Cause, Rest)>) -> Option<Found> {
-    let (Cause { step, samples, .. }, rest) = causes.first()?.clone();
+    let (Cause { step, samples, fov, .. }, rest) = causes.first()?.clone();
     let mut told = HashSet::new();
     let names = |mistakes: &[&Mistake]| -> Vec<_> {
         mistakes.iter().map(|mistake| mistake.name).collect()
     };
     let causes = causes.into_iter().map(|(cause, _)| cause.mistakes);
     let causes = causes.filter(|mistakes| told.insert(names(mistakes))).collect();
-    Some(Found { name: step.name().to_owned(), samples, causes, rest })
+    Some(Found {
+        name: step.name().to_owned(),
+        samples,
+        fov,
+        causes,
+        same_fov: None,
+        rest,
+    })
 }
 
 /// The causes, of one mistake at most, that explain all but a few pixels, or all but
 /// the rounding; two mistakes that do not explain every pixel would be a guess.
-fn near(
-    yours: &View,
-    likely: &[Rated],
-    more: &[Rated],
-    rounding: u8,
-) -> Option<Found> {
+fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let rated =
         |rated| Some((rate(yours, rated, 3000, rounding, usize::MAX)?, rated));
-    let all = likely.iter().chain(more);
-    let all = all.filter(|(_, cause)| cause.mistakes.len() <= 1);
+    let all = likely.iter().filter(|(_, cause)| cause.mistakes.len() <= 1);
     let mut causes: Vec<_> = all.filter_map(rated).collect();
     causes.sort_by_key(|(misses, (_, cause))| (*misses, cause.mistakes.len()));
-    let best = causes.into_iter().take(6);
+    let best = causes.into_iter().take(4);
     let mut best: Vec<_> = best
         .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause)))
         .collect();

@@ -1,4 +1,5 @@
 use crate::difference::apart;
+use crate::fov::FOV;
 use crate::recognise::ROUNDING;
 use crate::view::View;
 use crate::{Found, Locked, Mistake, Rest, mistakes};
@@ -17,7 +18,14 @@ pub(crate) fn turned(yours: &View, ours: &Locked) -> Option<Found> {
     };
     let causes = vec![mistakes().filter(chosen).collect()];
     let name = ours.name.clone();
-    rest.is_few(ROUNDING).then_some(Found { name, samples: 1, causes, rest })
+    rest.is_few(ROUNDING).then_some(Found {
+        name,
+        samples: 1,
+        fov: FOV,
+        causes,
+        same_fov: None,
+        rest,
+    })
 }
 
 /// How far the picture is from ours where that is upside down, or mirrored, or has red

@@ -1,3 +1,4 @@
+use crate::fov::FOV;
 use crate::recognise::ROUNDING;
 use crate::{Found, Mistake, Rest};
 use std::fmt::Write;
@@ -9,6 +10,7 @@ pub(crate) fn verdict(found: &Found) -> String {
     if first.is_empty() {
         let but = match (found.rest.is_none(), found.samples) {
             (false, _) => "Nearly right",
+            _ if found.fov != FOV => "Right but for its field of view",
             (true, 1) => "Right but for its size",
             (true, _) => "Right but for its rays",
         };
@@ -27,6 +29,9 @@ pub(crate) fn verdict(found: &Found) -> String {
         let pages: Vec<_> = other.iter().map(|one| one.section.page()).collect();
         let (when, pages) = (when(other), pages.join(", "));
         let _ = writeln!(text, "You get the same picture when {when} ({pages}).");
+    }
+    if let Some(fov) = found.same_fov {
+        let _ = writeln!(text, "You get the same picture with --fov {fov}.");
     }
     text
 }

@@ -245,7 +245,6 @@ fn off(picture: &RgbImage, by: u8, share: usize) -> RgbImage {
 fn what_is_off_by_one_or_two_is_never_right() {
     let small = Step::Phong.picture(&camera(320, 180), 1);
     for (name, picture, by, share) in [
-        ("step01_rays", &right("step01_rays"), 1, 1),
         ("step05_phong", &right("step05_phong"), 1, 640 * 360),
         ("step05_phong", &small, 2, 3),
         ("glass", &right("glass"), 2, 3),
@@ -253,10 +252,15 @@ fn what_is_off_by_one_or_two_is_never_right() {
         let words = ["Nearly right: ", &format!("(off by {by} of 255 at most).")];
         told(&off(picture, by, share), Some(name), &words);
     }
+    told(
+        &off(&right("step01_rays"), 1, 1),
+        Some("step01_rays"),
+        &["Not right yet"],
+    );
+    // No name where so many pixels are not explained.
     let mirrored = off(&made(Step::Phong, &["mirrored"], SIZE, 1), 2, 9);
-    let but =
-        "is in all but 25600 pixels (off by 2 of 255 at most) what you get when x";
-    told(&mirrored, Some("step05_phong"), &[but]);
+    let text = told(&mirrored, Some("step05_phong"), &["no known mistake"]);
+    assert!(!text.contains(" what you get when x"), "{text}");
     // Where more rays are needed than are cast for an answer, one pixel can hide.
     let mut large = Step::Nearest.picture(&camera(640, 120), 16);
     large.put_pixel(1, 1, Rgb([0; 3]));
@@ -299,12 +303,17 @@ fn every_cause_is_told_once() {
     let causes: Vec<_> = mistakes().filter(is_cause).collect();
     assert!(4 <= causes.len());
     for Mistake { when, .. } in causes {
-        assert_eq!(text.matches(&format!(" when {when}")).count(), 1, "{text}");
+        // The stages say it again, on lines of their own.
+        let lines = text.lines().filter(|line| !line.starts_with("  "));
+        let told = lines.filter(|line| line.contains(&format!(" when {when}")));
+        assert_eq!(told.count(), 1, "{text}");
     }
     // The sphere is behind the camera, so the pictures of steps 1 and 2 are the same.
     let picture = made(Step::Rays, &["looks-back"], SIZE, 1);
     let text = told(&picture, None, &[]);
-    assert_eq!(text.matches(named("looks-back").when).count(), 1, "{text}");
+    let lines = text.lines().filter(|line| !line.starts_with("  "));
+    let told = lines.filter(|line| line.contains(named("looks-back").when));
+    assert_eq!(told.count(), 1, "{text}");
 }
 
 #[test]
@@ -312,12 +321,13 @@ fn the_picture_of_the_difference_is_yours_ours_and_where_they_differ() {
     let ours = right("step03_nearest");
     let yours = made(Step::Nearest, &["mirrored"], SIZE, 1);
     let panels = look(&yours, None, locked()).difference.expect("a difference");
-    assert_eq!(panels.dimensions(), (3 * 640, 360));
+    assert_eq!((panels.width(), 360 + 20), (3 * 640, panels.height()));
     let panel =
-        |k: u32| imageops::crop_imm(&panels, k * 640, 0, 640, 360).to_image();
+        |k: u32| imageops::crop_imm(&panels, k * 640, 20, 640, 360).to_image();
     assert!(panel(0) == yours && panel(1) == ours);
     for ((a, b), c) in yours.pixels().zip(ours.pixels()).zip(panel(2).pixels()) {
-        assert_eq!(a != b, *c != Rgb([0; 3]));
+        let is_grey = c.0 == [c[0]; 3];
+        assert_eq!(a == b, is_grey, "{a:?}, {b:?}: {c:?}");
     }
 }
 

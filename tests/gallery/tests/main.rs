@@ -2,7 +2,9 @@
 //! bring.
 
 mod check;
+mod damaged;
 mod edits;
+mod kinds;
 mod mistakes;
 mod program;
 

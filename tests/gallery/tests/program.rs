@@ -55,7 +55,7 @@ fn the_program_ends_with_0_1_or_2() {
     let wrong = String::from_utf8_lossy(&wrong);
     let (_, panels) = wrong.trim().rsplit_once("side by side: ").expect("a path");
     assert!(panels.ends_with("wrong.difference.png"), "{panels}");
-    assert_eq!(opened(panels.as_ref()).dimensions(), (3 * 640, 360));
+    assert_eq!(opened(panels.as_ref()).dimensions(), (3 * 640, 380));
     let help = run(&["--help"]);
     assert!(help.status.success());
     assert!(String::from_utf8_lossy(&help.stdout).contains("step05_phong"));

@@ -125,12 +125,17 @@ impl Bytes {
         let pairs: Vec<_> = (places.into_iter())
             .map(|(i, j)| (parts.intensity(step, i, j), *yours.get_pixel(i, j)))
             .collect();
+        // What is clamped anyway tells nothing, unless nearly all is.
+        let is_clamped =
+            |yours: &Rgb<u8>| yours.0.iter().all(|b| matches!(b, 0 | 255));
+        let few = pairs.iter().filter(|(_, yours)| !is_clamped(yours)).count();
+        let is_dull = few * 20 < pairs.len();
         let explains = |bytes: &Self| {
-            pairs
-                .iter()
-                .filter(|(ours, yours)| bytes.write(*ours) == *yours)
-                .count()
+            let its =
+                pairs.iter().filter(|(_, yours)| is_dull || !is_clamped(yours));
+            its.filter(|(ours, yours)| bytes.write(*ours) == *yours).count()
         };
+        let most = if is_dull { pairs.len() } else { few };
         let all = CURVES.iter().flat_map(|curve| {
             ORDERS.into_iter().map(move |order| Self { order, curve })
         });
@@ -140,7 +145,7 @@ impl Bytes {
         // All is explained, or much more than by the right ones.
         let is_it = |count: usize| {
             right < count
-                && (count == pairs.len() || right + pairs.len() / 20 < count)
+                && (count == most || !is_dull && right + pairs.len() / 20 < count)
         };
         best.filter(|(count, _)| is_it(*count))
             .map_or(Self::RIGHT, |(_, bytes)| bytes)
@@ -173,6 +178,17 @@ impl Bytes {
     /// Whether the byte of red, green or blue (0 to 2) was clamped.
     pub fn is_clamped(&self, pixel: &Rgb<u8>, k: usize) -> bool {
         !self.order.contains(&k) || matches!(pixel[self.channel(k)], 0 | 255)
+    }
+
+    /// Whether an intensity of red, green or blue (0 to 2) gives the byte of a pixel.
+    pub fn is_from(&self, pixel: &Rgb<u8>, k: usize, intensity: f64) -> bool {
+        !self.order.contains(&k)
+            || pixel[self.channel(k)] == (self.curve.write)(intensity)
+    }
+
+    /// The right order, and each of the curves but the right one.
+    pub fn others() -> impl Iterator<Item = Self> {
+        CURVES.iter().skip(1).map(|curve| Self { order: ORDERS[0], curve })
     }
 
     /// Which channel of the file holds red, green or blue (0 to 2); red's, if none does.

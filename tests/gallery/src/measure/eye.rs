@@ -44,20 +44,30 @@ impl Score {
 impl Look<'_> {
     /// Finds the camera and the sky's colour that agree best with the picture.
     pub fn find_eye(&mut self) {
+        self.choose(self.guesses());
+    }
+
+    /// Whether some camera draws the sky to the last byte; then it is taken.
+    pub fn has_exact_sky(&mut self) -> bool {
+        let cameras = self.cameras();
+        self.choose(cameras.into_iter().filter(|g| g.eye == Eye::Exact).collect());
+        self.eye == Eye::Exact && self.fault.is_none()
+    }
+
+    /// Takes the best of some guesses.
+    fn choose(&mut self, guesses: Vec<Guess>) {
         let places = scattered(self.yours, 2500);
-        let rated = self.guesses().into_iter().map(|guess| {
+        let is_all = guesses.len() > 40;
+        let rated = guesses.into_iter().map(|guess| {
             let score = self.score(&guess, &places);
             (guess, score)
         });
         let mut best: Option<(Guess, Score)> = None;
         for (guess, score) in rated {
-            // A later guess has to be clearly better, and to explain nearly all.
-            let most = places.len() * 993 / 1000;
+            // A later guess has to be clearly better, and a right sky is right.
             let least = match &best {
                 Some((best, _)) if best.eye == Eye::Read && score.is_exact() => 0,
-                Some((best, score)) if best.eye == Eye::Right => {
-                    most.max(score.agree + places.len() / 200)
-                }
+                Some((best, _)) if best.eye == Eye::Right => break,
                 Some((_, best)) if score.is_exact() => {
                     best.agree + places.len() / 200
                 }
@@ -77,7 +87,9 @@ impl Look<'_> {
                 best = Some((guess, score));
             }
         }
-        let Some((guess, _)) = best else {
+        let Some((guess, _)) =
+            best.or_else(|| self.skyless(&places).filter(|_| is_all))
+        else {
             self.eye = Eye::Unknown;
             return;
         };
@@ -87,40 +99,67 @@ impl Look<'_> {
         self.fault = guess.fault;
     }
 
+    /// A camera that explains a picture without sky, by its objects.
+    fn skyless(&self, places: &[(u32, u32)]) -> Option<(Guess, Score)> {
+        let few: Vec<_> = places.iter().step_by(places.len() / 250 + 1).collect();
+        let is_same = |parts: &Parts, &(i, j): &(u32, u32)| {
+            let ours = parts.intensity(self.step, i, j);
+            near(self.yours.get_pixel(i, j), &self.bytes.write(ours))
+        };
+        let guess = |matrix: DMat3| {
+            let mut parts = self.right.clone();
+            parts.camera.matrix = matrix;
+            let count = few.iter().filter(|p| is_same(&parts, p)).count();
+            (count, parts)
+        };
+        let all = rays::ordinary(self).into_iter().map(guess);
+        let (count, parts) = all.max_by_key(|(count, _)| *count)?;
+        let is_it = few.len() * 97 <= count * 100 && Step::Rays < self.step;
+        let score = Score { agree: count, near: count, same: count };
+        let (eye, tint, fault) = (Eye::Exact, DMat3::IDENTITY, None);
+        is_it.then_some((Guess { eye, parts, tint, fault }, score))
+    }
+
     /// What is tried, the simplest first.
     fn guesses(&self) -> Vec<Guess> {
-        let right = |eye| Guess {
-            eye,
-            parts: self.right.clone(),
-            tint: DMat3::IDENTITY,
-            fault: None,
-        };
-        let mut guesses = vec![right(Eye::Right)];
+        let mut guesses = vec![self.guess(Eye::Right)];
         let faults = alternatives().filter(|a| {
             a.section.step == Step::Rays && a.section != section::BYTES
         });
-        let moved = |guess: &Guess| guess.parts.camera.centre != DVec3::ZERO;
         let faults = faults.map(|fault| {
-            let mut guess = right(Eye::Exact);
+            let mut guess = self.guess(Eye::Exact);
             (fault.change)(&mut guess.parts);
-            guess.parts.byte = self.right.byte;
-            guess.parts.order = self.right.order;
             Guess { fault: Some(fault), ..guess }
         });
         // Where the rays start, the sky does not tell.
+        let moved = |guess: &Guess| guess.parts.camera.centre != DVec3::ZERO;
         guesses.extend(faults.filter(|guess| !moved(guess)));
-        let Some(sky) = &self.sky else { return guesses };
-        let snapped = rays::snapped(self, sky);
-        for (eye, matrix) in [(Eye::Exact, snapped), (Eye::Read, sky.matrix)] {
-            let mut camera = right(eye);
+        guesses.extend(self.cameras());
+        guesses
+    }
+
+    /// The right camera, however well that is known.
+    fn guess(&self, eye: Eye) -> Guess {
+        let parts = self.right.clone();
+        Guess { eye, parts, tint: DMat3::IDENTITY, fault: None }
+    }
+
+    /// The cameras, or the colours of the sky, that the sky tells.
+    fn cameras(&self) -> Vec<Guess> {
+        let Some(sky) = &self.sky else { return vec![] };
+        let snapped = rays::snapped(self, sky).into_iter();
+        let snapped = snapped.map(|matrix| (Eye::Exact, matrix));
+        let all = snapped.chain([(Eye::Read, sky.matrix)]);
+        all.flat_map(|(eye, matrix)| {
+            let mut camera = self.guess(eye);
             camera.parts.camera.matrix = matrix;
-            let mut tint = right(eye);
+            let mut tint = self.guess(eye);
             tint.tint = matrix * self.right.camera.matrix.inverse();
             // No camera here makes V_z anything but −1 or 1.
             let is_tint = sky.is_deep && 0.01 < (matrix.z_axis.z.abs() - 1.0).abs();
-            guesses.extend(if is_tint { [tint, camera] } else { [camera, tint] });
-        }
-        guesses
+            if is_tint { [tint, camera] } else { [camera, tint] }
+        })
+        .collect()
     }
 
     fn score(&self, guess: &Guess, places: &[(u32, u32)]) -> Score {

@@ -91,6 +91,9 @@ pub(super) struct Sample {
     pub clamped: [bool; 3],
     /// How much each channel changes from one byte to the next.
     pub byte: DVec3,
+    /// The bytes themselves, and how they were made.
+    pub pixel: image::Rgb<u8>,
+    pub bytes: Bytes,
     /// The parts of ours.
     pub terms: Terms,
 }
@@ -109,14 +112,24 @@ impl Sample {
         let terms = Terms::of(parts, step, &ray, wrong)?;
         let clamped = [0, 1, 2].map(|k| bytes.is_clamped(pixel, k));
         let byte = bytes.size(pixel);
-        Some(Self { yours: bytes.read(pixel), clamped, byte, terms })
+        Some(Self {
+            yours: bytes.read(pixel),
+            clamped,
+            byte,
+            pixel: *pixel,
+            bytes: *bytes,
+            terms,
+        })
     }
 
     /// How many bytes a channel is from what the weights make of its parts.
     fn off(&self, k: usize, weights: &[f64; 5]) -> f64 {
         let parts = self.terms.channel(k);
         let sum: f64 = parts.iter().zip(weights).map(|(part, w)| part * w).sum();
-        (self.yours[k] - sum.clamp(0.0, 1.0)).abs() / self.byte[k]
+        match self.bytes.is_from(&self.pixel, k, sum) {
+            true => 0.0,
+            false => (self.yours[k] - sum.clamp(0.0, 1.0)).abs() / self.byte[k],
+        }
     }
 
     /// Whether the weights explain all three channels.
@@ -149,10 +162,12 @@ impl Fit {
         let free: Vec<_> = free.collect();
         let free = Self::from(samples, near, [free[0], free[1], free[2]]);
         let best = if once.explained < free.explained { free } else { once };
-        // Where 1 explains nearly as much, it is 1.
-        let is_explained = |s: &&Sample| s.is_explained(&ONCE, near);
+        // Where 1 explains nearly as much, it is 1, and has to do so to the last byte.
+        let exact = if near < 1.0 { 0.0 } else { near };
+        let is_explained = |s: &&Sample| s.is_explained(&ONCE, exact);
         let explained = samples.iter().filter(is_explained).count();
-        match 100 * explained < 99 * best.explained {
+        let is_other = 100 * explained < 99 * best.explained;
+        match is_other && 0 < best.strangeness() {
             true => best,
             false => Self { weights: ONCE, explained, ..best },
         }

@@ -48,7 +48,7 @@ fn once(look: &Look, places: &[Place]) -> f64 {
 fn surface(look: &mut Look, k: usize, places: &[Place], local: &mut Local) -> bool {
     let samples = samples(look, &look.theirs, places, &[]);
     let fit = Fit::of(&samples, near(look));
-    if fit.explained * 100 < 97 * samples.len() {
+    if fit.explained * 100 < 93 * samples.len() {
         return false;
     }
     let weight =
@@ -130,7 +130,14 @@ fn shininess(
     let best = seen.iter().max().copied().unwrap_or((0, ours));
     let near = best.1 - best.1 / 9 - 1..=best.1 + best.1 / 9 + 1;
     near.for_each(|n| seen.push(rate(n.max(1))));
-    let (count, n) = seen.into_iter().max().unwrap_or((0, ours));
+    let count = seen.iter().map(|(count, _)| *count).max().unwrap_or(0);
+    let mut equal: Vec<_> =
+        seen.iter().filter(|one| count <= one.0 + 1).map(|one| one.1).collect();
+    // The roundest of those that explain as much.
+    equal.sort_by_key(|n| {
+        [100, 50, 10, 5].iter().position(|by| n % by == 0).unwrap_or(9)
+    });
+    let n = equal.first().copied().unwrap_or(ours);
     let is_it = 97 * places.len() <= 100 * count && n != ours;
     let material = &mut look.theirs.scene.objects[k].material;
     material.material.shininess = if is_it { n } else { ours };

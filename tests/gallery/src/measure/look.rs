@@ -24,6 +24,8 @@ pub(super) struct Look<'a> {
     pub tint: DMat3,
     /// Whether its outlines are known.
     pub has_shapes: bool,
+    /// Other parts that draw the same outlines.
+    pub others: Vec<Parts>,
     /// What is wrong with the rays or the sky, where that has a name.
     pub fault: Option<Alternative>,
 }
@@ -51,6 +53,7 @@ impl<'a> Look<'a> {
             eye: Eye::Right,
             is_smooth: false,
             has_shapes: true,
+            others: vec![],
             theirs: right.clone(),
             right,
             tint: DMat3::IDENTITY,
@@ -61,8 +64,26 @@ impl<'a> Look<'a> {
         if look.bytes.is_swapped() && look.eye != Eye::Right {
             look.unswap();
         }
+        if look.eye == Eye::Read || look.eye == Eye::Unknown {
+            look.recode();
+        }
         look.is_smooth = look.has_smooth_edges();
         look
+    }
+
+    /// Takes the bytes for those of another curve where that makes the sky exact.
+    fn recode(&mut self) {
+        let (bytes, sky, fault) = (self.bytes, self.sky, self.fault);
+        let (eye, theirs, tint) = (self.eye, self.theirs.clone(), self.tint);
+        for other in Bytes::others() {
+            self.bytes = other;
+            self.sky = Sky::of(self.yours, &self.bytes);
+            if self.sky.is_some() && self.has_exact_sky() {
+                return;
+            }
+        }
+        (self.bytes, self.sky, self.fault) = (bytes, sky, fault);
+        (self.eye, self.theirs, self.tint) = (eye, theirs, tint);
     }
 
     /// Takes the bytes for those of the right order where that makes the sky right.
@@ -98,9 +119,17 @@ impl<'a> Look<'a> {
             let hit = hit(&self.theirs, self.step, f64::from(i), f64::from(j));
             let sky = self.sky_pixel(&self.theirs, &self.tint, i, j);
             let is_sky = near(self.yours.get_pixel(i, j), &sky);
+            // Where an object has the sky's colour, it is the object.
+            let is_sky = is_sky && (hit.is_none() || !self.is_object(i, j));
             Place { i, j, is_sky, hit }
         };
         self.pixels().map(place).collect()
+    }
+
+    /// Whether a pixel is what the parts that are known make of their object there.
+    fn is_object(&self, i: u32, j: u32) -> bool {
+        let ours = self.bytes.write(self.theirs.intensity(self.step, i, j));
+        near(self.yours.get_pixel(i, j), &ours)
     }
 
     /// The pixel that the sky should be, by these parts and this tint.

@@ -73,6 +73,7 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
         } else {
             stages.extend(shading::stages(&mut look, &places));
         }
+        settle(&look, &mut stages, before);
         // Where the shapes are not known, the light can't be.
         if !look.has_shapes {
             for stage in &mut stages[before..] {
@@ -84,4 +85,35 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
     }
     stages.push(bytes::stage(&look));
     stages
+}
+
+/// Where there is no sky, outlines are known only if they explain the light; and a
+/// formula that the light tells tells the outlines, too.
+fn settle(look: &Look, stages: &mut [Stage], before: usize) {
+    if look.step < Step::Diffuse || stages[before - 1].verdict != Verdict::Wrong {
+        return;
+    }
+    let is_ambient =
+        |s: &&Stage| s.name == "ambient" && s.verdict == Verdict::Right;
+    if look.eye == Eye::Unknown && !stages.iter().any(|s| is_ambient(&s)) {
+        for stage in &mut stages[before - 1..] {
+            let why =
+                "no part of the picture is the sky of any camera that is known";
+            stage.verdict = Verdict::Unknown(why.to_owned());
+            stage.numbers.clear();
+        }
+        return;
+    }
+    let point = stages.iter().position(|s| s.name == "point and normal");
+    let Some(point) = point.filter(|&k| stages[k].verdict == Verdict::Wrong) else {
+        return;
+    };
+    if stages[point].section.step < Step::Diffuse {
+        let numbers = std::mem::take(&mut stages[point].numbers);
+        let why = "it is wrong as the outlines are".to_owned();
+        stages[point].verdict = Verdict::Unknown(why);
+        stages[before - 1].section = stages[point].section;
+        stages[before - 1].numbers.truncate(1);
+        stages[before - 1].numbers.extend(numbers);
+    }
 }

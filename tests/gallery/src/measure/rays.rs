@@ -147,6 +147,62 @@ fn sum(row: DVec3) -> String {
     terms.map(term).collect()
 }
 
+/// Cameras of which one number is another, as ordinary mistakes make it.
+pub(super) fn ordinary(look: &Look) -> Vec<DMat3> {
+    let ours = look.right.camera.matrix;
+    let mut all = vec![];
+    for column in 0..3 {
+        for row in 0..2 {
+            for (ratio, _) in meanings(look) {
+                for c in 0..3 {
+                    for value in [ours.col(c).x, ours.col(c).y] {
+                        let mut matrix = ours;
+                        matrix.col_mut(column)[row] = ratio * value;
+                        all.push(matrix);
+                        matrix.col_mut(column)[row] = -ratio * value;
+                        all.push(matrix);
+                    }
+                }
+            }
+        }
+    }
+    all.retain(|matrix| *matrix != ours);
+    all
+}
+
+/// Cameras that can't be told from the one that a sky tells, with numbers that ordinary
+/// mistakes give.
+pub(super) fn snapped(look: &Look, sky: &Sky) -> Vec<DMat3> {
+    let ours = look.right.camera.matrix;
+    let mut all =
+        [true, false].map(|simple| nearest_ordinary(look, sky, simple)).to_vec();
+    let is_near = |matrix: &DMat3| {
+        (0..3).all(|k| {
+            let off = (matrix.col(k) - sky.matrix.col(k)).abs();
+            off.max_element() < 8.0 * sky.errors[k]
+        })
+    };
+    // Some of the four numbers are all wrong by one factor.
+    let views = [1.0, 2.0, 4.0].map(|part| {
+        let fov = 2.0 * (-sky.matrix.z_axis.x).atan().to_degrees();
+        ((fov * part).round() / part / 2.0).to_radians().tan() / -ours.z_axis.x
+    });
+    let ratios = meanings(look).into_iter().map(|(ratio, _)| ratio).chain(views);
+    for (ratio, which) in ratios.flat_map(|r| (1..16).map(move |which| (r, which)))
+    {
+        let factor = |bit: u32| if which & bit == 0 { 1.0 } else { ratio };
+        let mut matrix = ours;
+        matrix.x_axis.x *= factor(1);
+        matrix.y_axis.y *= factor(2);
+        matrix.z_axis.x *= factor(4);
+        matrix.z_axis.y *= factor(8);
+        all.push(matrix);
+    }
+    let two = all.split_off(2);
+    all.extend(two.into_iter().filter(is_near).take(8));
+    all
+}
+
 /// What half a pixel, or one, added to i and j makes of a number of V_0.
 fn shifted(ours: &DMat3, column: usize, row: usize) -> Vec<f64> {
     let step = ours.col(0)[row] + ours.col(1)[row];
@@ -157,9 +213,9 @@ fn shifted(ours: &DMat3, column: usize, row: usize) -> Vec<f64> {
     }
 }
 
-/// The camera that a sky tells, with numbers that ordinary mistakes give for those that
-/// can't be told from them.
-pub(super) fn snapped(look: &Look, sky: &Sky) -> DMat3 {
+/// The camera that a sky tells, with the nearest numbers that ordinary mistakes give, or
+/// with the simplest.
+fn nearest_ordinary(look: &Look, sky: &Sky, is_simple: bool) -> DMat3 {
     let ours = look.right.camera.matrix;
     let mut matrix = sky.matrix;
     for column in 0..3 {
@@ -180,8 +236,8 @@ pub(super) fn snapped(look: &Look, sky: &Sky) -> DMat3 {
             let first = near
                 .min_by(|a, b| (a - *value).abs().total_cmp(&(b - *value).abs()));
             let simple = [ours.col(column)[row], 0.0];
-            let simple =
-                simple.into_iter().find(|one| (one - *value).abs() < error);
+            let mut simple = simple.into_iter().filter(|_| is_simple);
+            let simple = simple.find(|one| (one - *value).abs() < error);
             *value = simple.or(first).unwrap_or(*value);
         }
     }

@@ -59,6 +59,11 @@ impl Shading {
     }
 
     fn unexplained(&self) -> Verdict {
+        if self.all == 0 {
+            return Verdict::Unknown(
+                "no object is seen as it should be".to_owned(),
+            );
+        }
         let told = self.told();
         Verdict::Unknown(format!("only {told} of the pixels are explained so far"))
     }
@@ -262,6 +267,17 @@ fn search(look: &mut Look, places: &[Place]) -> Shading {
         fit,
         all: lit.len(),
     };
+    if lit.is_empty() || 0.985 < shading.share() {
+        return shading;
+    }
+    for other in std::mem::take(&mut look.others) {
+        let old = std::mem::replace(&mut look.theirs, other);
+        let fit = fitted(look, &lit, &[]);
+        match shading.fit.explained < fit.explained {
+            true => shading.fit = fit,
+            false => look.theirs = old,
+        }
+    }
     if 0.985 < shading.share() {
         return shading;
     }

@@ -54,6 +54,32 @@ pub(super) const ALL: &[Alternative] = &[
     vectors(DIFFUSE, "the diffuse term has V for n", 1, |v| v.n = v.ray.direction),
     vectors(DIFFUSE, "the diffuse term has r for l", 1, |v| v.l = v.r),
     vectors(DIFFUSE, "the diffuse term has a d of 1", 1, |v| v.d = 1.0),
+    vectors(DIFFUSE, "the diffuse term has d² for d", 1, |v| v.d *= v.d),
+    vectors(DIFFUSE, "the diffuse term has 1/d for d", 1, |v| v.d = 1.0 / v.d),
+    part(DIFFUSE, "the diffuse term is not divided by a + bd + cd²", |p| {
+        p.diffuse = |n, l, d, s, light| {
+            term(l.dot(n).max(0.0), d, s, light) * light.attenuation.at(d)
+        };
+    }),
+    part(
+        DIFFUSE,
+        "the diffuse term is multiplied by a + bd + cd², not divided",
+        |p| {
+            p.diffuse = |n, l, d, s, light| {
+                term(l.dot(n).max(0.0), d, s, light)
+                    * light.attenuation.at(d).powi(2)
+            };
+        },
+    ),
+    part(
+        DIFFUSE,
+        "the diffuse term is divided by a + bd + cd² twice, by its square",
+        |p| {
+            p.diffuse = |n, l, d, s, light| {
+                term(l.dot(n).max(0.0), d, s, light) / light.attenuation.at(d)
+            };
+        },
+    ),
     vectors(LIGHT, "the light is seen from n, not from p", 0, |v| v.p = v.n),
     vectors(LIGHT, "the light is seen from S, not from p", 0, |v| {
         v.p = v.ray.start

@@ -1,6 +1,6 @@
 use super::{Alternative, part};
 use crate::Parts;
-use crate::section::{CENTRE, FORMULA, MEETING, NEAREST, ROOT};
+use crate::section::{CENTRE, FORMULA, MEETING, NEAREST, ROOT, SCENE};
 use step02_sphere::{Roots, quadratic};
 use step03_nearest::Hit;
 
@@ -17,6 +17,13 @@ fn roots(a: f64, b: f64, d: f64) -> Roots {
 /// The first hit with another near root, made of a, b and √D.
 fn near(near: f64, far: f64) -> Roots {
     Roots::Two(near, far)
+}
+
+/// Changes every radius of the scene.
+fn scaled(parts: &mut Parts, radius: fn(f64) -> f64) {
+    for object in &mut parts.scene.objects {
+        object.sphere.radius = radius(object.sphere.radius);
+    }
 }
 
 /// Keeps only some of the spheres.
@@ -215,17 +222,13 @@ pub(super) const ALL: &[Alternative] = &[
             (a, b, c + r * r - r * r * r)
         };
     }),
-    part(
-        MEETING,
-        "c has r⁴ for r², or the radii are squared in the scene",
-        |p| {
-            p.coefficients = |sphere, ray| {
-                let (a, b, c) = sphere.coefficients(ray);
-                let r = sphere.radius;
-                (a, b, c + r * r - r.powi(4))
-            };
-        },
-    ),
+    part(MEETING, "c has r⁴ for r²", |p| {
+        p.coefficients = |sphere, ray| {
+            let (a, b, c) = sphere.coefficients(ray);
+            let r = sphere.radius;
+            (a, b, c + r * r - r.powi(4))
+        };
+    }),
     part(MEETING, "all radii are doubled", |p| {
         p.coefficients = |sphere, ray| {
             let (a, b, c) = sphere.coefficients(ray);
@@ -237,6 +240,15 @@ pub(super) const ALL: &[Alternative] = &[
             let (a, b, c) = sphere.coefficients(ray);
             (a, b, c + 0.75 * sphere.radius.powi(2))
         };
+    }),
+    part(SCENE, "all radii are doubled in the scene, 2 r", |p| {
+        scaled(p, |r| 2.0 * r)
+    }),
+    part(SCENE, "all radii are halved in the scene, r / 2", |p| {
+        scaled(p, |r| r / 2.0)
+    }),
+    part(SCENE, "all radii are squared in the scene, r²", |p| {
+        scaled(p, |r| r * r)
     }),
     part(MEETING, "a and c change places", |p| {
         p.quadratic = |a, b, c| quadratic(c, b, a)

@@ -48,6 +48,8 @@ pub(super) const ALL: &[Alternative] = &[
     }),
     vectors(SPECULAR, "r·r is taken for r·v", 2, |v| v.v = v.r),
     vectors(SPECULAR, "the specular term has a d of 1", 2, |v| v.d = 1.0),
+    vectors(SPECULAR, "the specular term has d² for d", 2, |v| v.d *= v.d),
+    vectors(SPECULAR, "the specular term has 1/d for d", 2, |v| v.d = 1.0 / v.d),
     part(REFLECT, "r has a plus: 2(n·l)n + l", |p| {
         p.reflect = |l, n| 2.0 * n.dot(l) * n + l
     }),
