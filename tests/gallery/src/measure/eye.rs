@@ -101,7 +101,11 @@ impl Look<'_> {
 
     /// A camera that explains a picture without sky, by its objects.
     fn skyless(&self, places: &[(u32, u32)]) -> Option<(Guess, Score)> {
-        let few: Vec<_> = places.iter().step_by(places.len() / 250 + 1).collect();
+        let is_open = |&&(i, j): &&(u32, u32)| {
+            self.yours.get_pixel(i, j).0.iter().all(|byte| (1..255).contains(byte))
+        };
+        let few: Vec<_> = places.iter().filter(is_open).collect();
+        let few: Vec<_> = few.iter().step_by(few.len() / 250 + 1).copied().collect();
         let is_same = |parts: &Parts, &(i, j): &(u32, u32)| {
             let ours = parts.intensity(self.step, i, j);
             near(self.yours.get_pixel(i, j), &self.bytes.write(ours))
@@ -114,7 +118,8 @@ impl Look<'_> {
         };
         let all = rays::ordinary(self).into_iter().map(guess);
         let (count, parts) = all.max_by_key(|(count, _)| *count)?;
-        let is_it = few.len() * 97 <= count * 100 && Step::Rays < self.step;
+        let is_it = 60 < few.len() && few.len() * 97 <= count * 100;
+        let is_it = is_it && Step::Nearest < self.step;
         let score = Score { agree: count, near: count, same: count };
         let (eye, tint, fault) = (Eye::Exact, DMat3::IDENTITY, None);
         is_it.then_some((Guess { eye, parts, tint, fault }, score))

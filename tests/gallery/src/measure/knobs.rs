@@ -202,6 +202,7 @@ fn rounded(
 
 /// How far off a picture of some parts is, at some places.
 pub(super) fn cost(look: &Look, parts: &Parts, places: &[Place]) -> u32 {
+    let least = u8::from(look.is_loose());
     let apart = |p: &Place| {
         let sky = hit(parts, look.step, p.i.into(), p.j.into()).is_none();
         let ours = match sky {
@@ -209,7 +210,7 @@ pub(super) fn cost(look: &Look, parts: &Parts, places: &[Place]) -> u32 {
             false => look.bytes.write(parts.intensity(look.step, p.i, p.j)),
         };
         let apart = crate::difference::apart(look.yours.get_pixel(p.i, p.j), &ours);
-        u32::from(apart.min(24)) * u32::from(1 < apart)
+        u32::from(apart.min(24)) * u32::from(least < apart)
     };
     places.iter().map(apart).sum()
 }

@@ -27,12 +27,17 @@ pub(super) fn mend(look: &mut Look, places: &[Place]) -> Local {
         .collect();
     let (right, wrong): (Vec<_>, Vec<_>) =
         all.into_iter().partition(|(_, its)| 0.98 < once(look, its));
-    if right.is_empty() || 4 < wrong.len() {
+    if right.is_empty() {
         return local;
     }
+    let (before, many) = (look.theirs.clone(), 4 < wrong.len());
     for (k, its) in wrong {
-        let _ = surface(look, k, &its, &mut local)
-            || shininess(look, k, &its, &mut local);
+        let is_found = surface(look, k, &its, &mut local)
+            || !many && shininess(look, k, &its, &mut local);
+        if many && !is_found {
+            look.theirs = before;
+            return Local::default();
+        }
     }
     local
 }
@@ -72,7 +77,7 @@ fn surface(look: &mut Look, k: usize, places: &[Place], local: &mut Local) -> bo
     let told = |what: &str, w: DVec3, ours: DVec3| {
         format!(
             "{what} of {name} is {} in your picture; it should be {}{}",
-            vector(round(w * ours)),
+            vector(round(digits(w * ours))),
             vector(ours),
             ratio(w)
         )
@@ -85,12 +90,15 @@ fn surface(look: &mut Look, k: usize, places: &[Place], local: &mut Local) -> bo
             local.colours.extend(is_d.then(|| told("R_d", d, r_d)));
         }
     }
-    if look.step == Step::Phong && is_off(s) {
+    let is_shine = (6.0 * error(2).min(error(4))).max(DVec3::splat(0.03));
+    let is_shine = (s - 1.0).abs().cmpgt(is_shine).any();
+    if look.step == Step::Phong && is_shine {
         local.shine.push(told("R_s", s, r_s));
     }
-    material.surface.ambient *= a;
-    material.surface.diffuse *= if is_colour { a } else { d };
-    material.specular *= s;
+    let taken = |w: DVec3, ours: DVec3| if is_off(w) { digits(w * ours) } else { ours };
+    material.surface.ambient = taken(a, r_a);
+    material.surface.diffuse = taken(if is_colour { a } else { d }, r_d);
+    material.specular = if is_shine { digits(s * r_s) } else { r_s };
     true
 }
 
@@ -98,6 +106,14 @@ fn surface(look: &mut Look, k: usize, places: &[Place], local: &mut Local) -> bo
 fn ratio(w: DVec3) -> String {
     let is_same = (w - w.x).abs().max_element() < 0.01;
     if is_same { format!(": {}", times(w.x)) } else { String::new() }
+}
+
+/// Two digits, where they can't be told from more.
+fn digits(v: DVec3) -> DVec3 {
+    v.map(|x| {
+        let two = (100.0 * x).round() / 100.0;
+        if (x - two).abs() < 0.004 { two } else { x }
+    })
 }
 
 /// Three digits.

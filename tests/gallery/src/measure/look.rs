@@ -64,7 +64,7 @@ impl<'a> Look<'a> {
         if look.bytes.is_swapped() && look.eye != Eye::Right {
             look.unswap();
         }
-        if look.eye == Eye::Read || look.eye == Eye::Unknown {
+        if look.eye == Eye::Read {
             look.recode();
         }
         look.is_smooth = look.has_smooth_edges();

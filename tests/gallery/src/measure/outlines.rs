@@ -30,13 +30,13 @@ pub(super) fn stage(look: &mut Look) -> Stage {
     let places = look.places();
     let wrong = wrong(look, &places);
     if wrong.is_empty() {
-        return Stage {
-            name,
-            verdict: Verdict::Right,
-            numbers: vec![],
-            section,
-            test,
-        };
+        let (mut verdict, mut numbers) = (Verdict::Right, vec![]);
+        if let Some((its, mut parts, told)) = hidden(look, &places) {
+            (verdict, section) = (Verdict::Wrong, its);
+            numbers.push(told);
+            look.theirs = parts.remove(0);
+        }
+        return Stage { name, verdict, numbers, section, test };
     }
     let mut numbers = counted(&wrong, &places);
     match explained(look, &places, &wrong) {
@@ -187,12 +187,15 @@ fn number(
     sample: &[Place],
 ) -> Option<(usize, Knob, Parts)> {
     let before = misses(look, &look.theirs, sample);
-    let telling = knobs::telling(look, places, 300);
+    let mut telling = knobs::telling(look, places, 300);
+    let is_wrong = |p: &&Place| 0 < misses(look, &look.theirs, std::slice::from_ref(p));
+    telling.extend(sample.iter().filter(is_wrong).take(200));
     let shapes = match look.step {
         Step::Sphere => vec![0],
         _ => knobs::suspects(look, places),
     };
-    let turned = knobs::turned(look, &Knob::shapes(&shapes), &telling)?;
+    let turned = knobs::turned(look, &Knob::shapes(&shapes), &telling);
+    let turned = turned?;
     let mut parts = look.theirs.clone();
     knobs::set(&mut parts, &turned, look.step);
     let misses = misses(look, &parts, sample);

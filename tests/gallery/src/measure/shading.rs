@@ -344,7 +344,8 @@ fn turn(look: &mut Look, places: &[Place], lit: &[Place], shading: &mut Shading)
     if suspects.iter().filter(seen).count() <= 4 {
         all.extend(Knob::shapes(&suspects));
     }
-    let Some(turned) = knobs::turned(look, &all, &telling) else { return };
+    let turned = knobs::turned(look, &all, &telling);
+    let Some(turned) = turned else { return };
     let mut parts = look.theirs.clone();
     knobs::set(&mut parts, &turned, look.step);
     let fit = Fit::of(&samples(look, &parts, lit, &[]), near(look));
