@@ -1,7 +1,8 @@
 use crate::edit::Change;
-use gallery::{Mistake, Parts, Step, camera, mistakes};
+use gallery::{Mistake, Parts, Step, mistakes};
 use image::RgbImage;
 use std::fmt;
+use step01_rays::Camera;
 
 /// A name that an answer gives to a picture.
 pub struct Name {
@@ -55,7 +56,9 @@ impl Name {
     /// How many pixels it does not explain.
     fn unexplained(&self, yours: &RgbImage, step: Step, text: &str) -> usize {
         let (width, height) = yours.dimensions();
-        let mut parts = Parts::right(&camera(width, height));
+        let fov = number(text, "field of view is ").unwrap_or(60.0);
+        let camera = Camera::new(width, height, fov.to_radians());
+        let mut parts = Parts::right(&camera);
         self.causes.iter().for_each(|cause| (cause.change)(&mut parts));
         let rays = text.split_once(" rays a pixel");
         let samples =
@@ -80,7 +83,11 @@ fn causes(line: &str) -> Vec<&'static Mistake> {
 
 /// How many pixels a line says that its mistakes do not explain.
 fn left(line: &str) -> usize {
-    let words = line.split_once(" in all but ").map(|(_, rest)| rest);
-    let number = words.and_then(|words| words.split(' ').next());
-    number.and_then(|number| number.parse().ok()).unwrap_or(0)
+    number(line, " in all but ").unwrap_or(0.0) as usize
+}
+
+/// The number after these words.
+fn number(text: &str, words: &str) -> Option<f64> {
+    let (_, rest) = text.split_once(words)?;
+    rest.split([' ', '°']).next()?.parse().ok()
 }

@@ -105,7 +105,8 @@ impl Look<'_> {
             self.yours.get_pixel(i, j).0.iter().all(|byte| (1..255).contains(byte))
         };
         let few: Vec<_> = places.iter().filter(is_open).collect();
-        let few: Vec<_> = few.iter().step_by(few.len() / 250 + 1).copied().collect();
+        let few: Vec<_> =
+            few.iter().step_by(few.len() / 250 + 1).copied().collect();
         let is_same = |parts: &Parts, &(i, j): &(u32, u32)| {
             let ours = parts.intensity(self.step, i, j);
             near(self.yours.get_pixel(i, j), &self.bytes.write(ours))

@@ -95,7 +95,8 @@ fn surface(look: &mut Look, k: usize, places: &[Place], local: &mut Local) -> bo
     if look.step == Step::Phong && is_shine {
         local.shine.push(told("R_s", s, r_s));
     }
-    let taken = |w: DVec3, ours: DVec3| if is_off(w) { digits(w * ours) } else { ours };
+    let taken =
+        |w: DVec3, ours: DVec3| if is_off(w) { digits(w * ours) } else { ours };
     material.surface.ambient = taken(a, r_a);
     material.surface.diffuse = taken(if is_colour { a } else { d }, r_d);
     material.specular = if is_shine { digits(s * r_s) } else { r_s };

@@ -188,7 +188,8 @@ fn number(
 ) -> Option<(usize, Knob, Parts)> {
     let before = misses(look, &look.theirs, sample);
     let mut telling = knobs::telling(look, places, 300);
-    let is_wrong = |p: &&Place| 0 < misses(look, &look.theirs, std::slice::from_ref(p));
+    let is_wrong =
+        |p: &&Place| 0 < misses(look, &look.theirs, std::slice::from_ref(p));
     telling.extend(sample.iter().filter(is_wrong).take(200));
     let shapes = match look.step {
         Step::Sphere => vec![0],
