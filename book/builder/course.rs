@@ -8,7 +8,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::io;
-use std::path::{PathBuf, absolute};
+use std::path::{Path, PathBuf, absolute};
 
 /// The preprocessor of this book: turns the chapters as they are written into plain
 /// Markdown.
@@ -25,9 +25,12 @@ impl Preprocessor for Course {
         let workspace =
             root.parent().context("the book is a folder of a workspace")?;
         picture::copy_snapshots(workspace)?;
+        let url = context.config.get::<String>("output.html.git-repository-url")?;
+        let ours = our_folder(workspace, url.as_deref());
         let chapters: Vec<_> = book.chapters().collect();
         let expanded = chapters.par_iter().filter_map(|chapter| {
-            let expanded = draft::expand(&chapter.content, workspace);
+            let text = chapter.content.replace("{{#our-folder}}", &ours);
+            let expanded = draft::expand(&text, workspace);
             Some((chapter.source_path.clone()?, expanded))
         });
         let expanded: BTreeMap<PathBuf, Chapter> = expanded.collect();
@@ -46,6 +49,15 @@ impl Preprocessor for Course {
         });
         fault::check(&faults)?;
         Ok(book)
+    }
+}
+
+/// Where the reader finds our folder: a book that is published has a link to it, one
+/// that is built at home was built in it.
+pub fn our_folder(workspace: &Path, url: Option<&str>) -> String {
+    match url {
+        Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
+        None => format!("where this book was built: `{}`", workspace.display()),
     }
 }
 

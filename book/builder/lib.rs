@@ -26,6 +26,7 @@ mod site;
 
 mod browser;
 mod course;
+mod paper;
 mod press;
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
-use crate::{Course, Files, Site, fault, link};
+use crate::{Course, Files, Site, fault, link, paper};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
+use std::fs;
 use std::path::{Component, Path, PathBuf, absolute};
 
 /// Builds the book whose `book.toml` is in the folder `root`; returns the folder of
@@ -23,6 +24,9 @@ pub fn build(root: &Path) -> Result<(PathBuf, Site)> {
             part => folder.push(part),
         }
     }
+    let print = folder.join("print.html");
+    let paper = paper::pressed(&fs::read_to_string(&print)?);
+    fs::write(print, paper)?;
     let site = Site::new(Files::read(&folder)?);
     fault::check(&link::faults(&site))?;
     Ok((folder, site))

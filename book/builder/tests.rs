@@ -152,3 +152,11 @@ fn every_figure_and_every_value_is_used() {
         assert_eq!(unused(&chapters.replace(one, "")), [one]);
     }
 }
+
+#[test]
+fn a_reader_is_told_where_our_folder_is() {
+    let ours = |url| crate::course::our_folder("/home/me/course".as_ref(), url);
+    assert!(ours(None).contains("built: `/home/me/course`"));
+    let url = "https://example.org/course";
+    assert!(ours(Some(url)).contains("`git clone https://example.org/course`"));
+}

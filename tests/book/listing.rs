@@ -23,7 +23,8 @@ impl<'a> Listing<'a> {
         page.all("code").filter_map(|code| Self::of(page, code))
     }
 
-    fn of(page: &'a Page, code: &'a Element) -> Option<Self> {
+    /// The listing that an element `code` is.
+    pub fn of(page: &'a Page, code: &'a Element) -> Option<Self> {
         let rust = ["rust", "rs"].iter().any(|name| {
             code.is("code", name) || code.is("code", &format!("language-{name}"))
         });

@@ -8,6 +8,7 @@ mod book;
 mod listing;
 mod source;
 
+mod reading;
 mod typed;
 mod typist;
 
@@ -24,6 +25,8 @@ mod lecture;
 mod notation;
 
 mod prose;
+
+mod rust;
 
 /// Fails if there are faults, and tells all of them.
 #[track_caller]

@@ -1,4 +1,5 @@
 use crate::listing::Listing;
+use crate::reading::Asked;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
 use gallery::workspace;
@@ -16,6 +17,14 @@ pub const STEPS: [&str; 5] = [
     "step04_diffuse",
     "step05_phong",
 ];
+
+/// A crate as a page shows it at some place, under a name of its own.
+pub struct State {
+    pub name: String,
+    pub step: String,
+    /// The text of each file of its folder `src`, but for its program.
+    pub files: BTreeMap<String, String>,
+}
 
 /// A reader's workspace: what the book shows, and nothing else.
 pub struct Typist {
@@ -40,10 +49,7 @@ impl Typist {
     /// A part of a file goes where its caption says.
     pub fn write(&self, files: &BTreeMap<&str, Vec<Listing>>) -> Result<()> {
         for (path, parts) in files {
-            let mut parts: Vec<_> = parts.iter().collect();
-            parts.sort_by_key(|part| part.lines());
-            let lines = parts.iter().flat_map(|part| part.code.split('\n'));
-            let text: String = lines.flat_map(|line| [line, "\n"]).collect();
+            let text = text(parts);
             let aside = self.folder.join("later").join(path);
             let path = self.folder.join(path);
             if aside.is_file() {
@@ -58,66 +64,90 @@ impl Typist {
         Ok(())
     }
 
-    /// Says what is wrong with the workspace now that the chapter of `step` is typed.
-    pub fn check(&self, step: &str) -> Result<()> {
-        let program = self.folder.join("target/debug").join(step);
-        let program = program.with_extension(env::consts::EXE_EXTENSION);
-        // What an earlier run left does not count.
-        let _ = fs::remove_file(&program);
-        let mut cargo = self.cargo(&["build", "--bins"]);
-        if self.folder.join("steps").join(step).join("benches").is_dir() {
-            cargo.args(["--bench", "*"]);
-        }
-        build(cargo)?;
+    /// Says what is wrong with the packages that Cargo has taken.
+    pub fn check_lock(&self) -> Result<()> {
         let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
         let (ours, theirs) = (lock(&workspace())?, lock(&self.folder)?);
         if let Some(package) = packages(&theirs).difference(&packages(&ours)).next()
         {
             bail!("Cargo takes a package not in our lock: {package}");
         }
-        self.compare(&program, step)
+        Ok(())
     }
 
-    /// Says what is wrong with these examples, and with all that are typed by now.
+    /// Does what a command of the book says, and compares what is printed and drawn;
+    /// gives the names of the pictures that were compared.
+    pub fn run(&self, asked: &Asked) -> Result<Vec<String>> {
+        let package = asked.option("-p").context("the command names no package")?;
+        if asked.words[1] == "bench" {
+            build(self.cargo(&["build", "-p", package, "--bench", "*"]))?;
+            return Ok(vec![]);
+        }
+        let (words, is_small) = drawn_small(asked);
+        let own =
+            words.iter().position(|word| *word == "--").unwrap_or(words.len());
+        self.pictures()?.iter().try_for_each(fs::remove_file)?;
+        let output = self.cargo(&words[1..own]).args(&words[own..]).output()?;
+        let text = [output.stderr, output.stdout].concat();
+        let text = String::from_utf8_lossy(&text);
+        let wanted = if asked.is_refused { 2 } else { 0 };
+        ensure!(output.status.code() == Some(wanted), "{}", error(&text));
+        if let Some(line) = asked.unsaid(&text) {
+            bail!("it does not print {line:?}, but {text:?}");
+        }
+        let drawn = self.pictures()?;
+        let draws = asked.words[1] == "run" && !asked.words.contains(&"--help");
+        ensure!(draws && !asked.is_refused || drawn.is_empty(), "it draws");
+        ensure!(
+            !draws || asked.is_refused || !drawn.is_empty(),
+            "it draws nothing"
+        );
+        let names = drawn.iter().filter_map(|path| path.file_stem()?.to_str());
+        let names = names.filter(|name| is_locked(name) && !is_small);
+        names.map(|name| self.compare(name).map(|()| name.to_owned())).collect()
+    }
+
+    /// Says what is wrong with the solutions and starters, typed as well by now.
     pub fn check_examples(&self, names: &BTreeSet<&str>) -> Result<()> {
         build(self.cargo(&["build", "--bins", "--examples"]))?;
         let programs = self.folder.join("target/debug/examples");
         names.iter().try_for_each(|name| {
+            let _ = fs::remove_file(self.folder.join(format!("{name}.png")));
             let program = programs.join(name);
-            self.compare(&program.with_extension(env::consts::EXE_EXTENSION), name)
+            let program = program.with_extension(env::consts::EXE_EXTENSION);
+            let _ = Command::new(program).current_dir(&self.folder).output();
+            self.compare(name)
         })
     }
 
-    /// Says which group of a table of contents needs a later one, or which numbers by
-    /// hand do not compile: each group ends an example, a crate of its own.
-    pub fn check_groups(&self) -> Result<()> {
-        for step in STEPS {
-            let (folder, mut root) =
-                (self.folder.join("steps").join(step), String::new());
-            fs::create_dir_all(folder.join("examples"))?;
-            let whole = fs::read_to_string(folder.join("src/lib.rs"))?;
-            for (number, group) in whole.split("\n\n").enumerate() {
-                for line in group.lines() {
-                    if let Some(name) = line.strip_prefix("mod ") {
-                        let file = name.replace(';', ".rs");
-                        root += &format!("#[path = \"../src/{file}\"]\n");
-                    }
-                    root += &format!("{line}\n");
-                }
-                let example = folder.join(format!("examples/{step}_{number}.rs"));
-                fs::write(example, format!("{root}fn main() {{}}\n"))?;
+    /// Says which of the states of the crates on the way does not compile: each is an
+    /// example, a crate of its own.
+    pub fn check_states(&self, states: &[State]) -> Result<()> {
+        for State { name, step, files } in states {
+            ensure!(files.contains_key("lib.rs"), "{name} has no lib.rs");
+            let folder = self.folder.join(format!("steps/{step}/examples/{name}"));
+            fs::create_dir_all(&folder)?;
+            for (file, text) in files {
+                let (file, end) = match file.as_str() {
+                    "lib.rs" => ("main.rs", "fn main() {}\n"),
+                    other => (other, ""),
+                };
+                fs::write(folder.join(file), format!("{text}{end}"))?;
             }
         }
-        let what = ["check", "--example", "step*_?", "--test", "by_hand"];
-        build(self.cargo(&what))
+        build(self.cargo(&["check", "--example", "state_*", "--test", "by_hand"]))
     }
 
-    /// Compares the picture that `program` writes with the locked one of its name.
-    fn compare(&self, program: &Path, name: &str) -> Result<()> {
-        let file = self.folder.join(format!("{name}.png"));
-        let _ = fs::remove_file(&file);
-        let _ = Command::new(program).current_dir(&self.folder).output();
-        let picture = image::open(file);
+    /// The pictures that are in the reader's folder.
+    fn pictures(&self) -> Result<Vec<PathBuf>> {
+        let files = fs::read_dir(&self.folder)?.flatten().map(|file| file.path());
+        let is_png = |path: &PathBuf| path.extension().is_some_and(|e| e == "png");
+        Ok(files.filter(is_png).collect())
+    }
+
+    /// Compares the picture `name` there with the locked one.
+    fn compare(&self, name: &str) -> Result<()> {
+        let picture = image::open(self.folder.join(format!("{name}.png")));
         let picture = picture.with_context(|| format!("no program {name}"))?;
         match Difference::between(&locked(name), &picture.to_rgb8()) {
             Some(how) => bail!("{name} draws another picture: {how}"),
@@ -128,12 +158,7 @@ impl Typist {
     /// Cargo in the reader's folder, told to do `what`.
     fn cargo(&self, what: &[&str]) -> Command {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(what).args([
-            "--offline",
-            "--quiet",
-            "--message-format",
-            "short",
-        ]);
+        cargo.args(what).args(["--offline", "--quiet"]);
         cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
         // What the crates depend on is compiled already, for ours. As the crates have
         // the names of ours, a setting of their own keeps them apart.
@@ -148,6 +173,14 @@ impl Typist {
     }
 }
 
+/// The text of a file, of which these parts are shown.
+pub fn text(parts: &[Listing]) -> String {
+    let mut parts: Vec<_> = parts.iter().collect();
+    parts.sort_by_key(|part| part.lines());
+    let lines = parts.iter().flat_map(|part| part.code.split('\n'));
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
 /// Moves a file into a folder that need not be there.
 fn rename(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to.with_file_name(""))?;
@@ -156,11 +189,39 @@ fn rename(from: &Path, to: &Path) -> Result<()> {
 
 /// Builds, or tells why Cargo does not, in its own words.
 fn build(mut cargo: Command) -> Result<()> {
-    let output = cargo.output()?;
+    let output = cargo.args(["--message-format", "short"]).output()?;
     let text = String::from_utf8_lossy(&output.stderr);
-    let error = text.lines().find(|line| line.contains("error")).unwrap_or(&text);
-    ensure!(output.status.success(), "Cargo says: {error}");
+    ensure!(output.status.success(), "{}", error(&text));
     Ok(())
+}
+
+/// The first of Cargo's lines that tells of an error, and the one after it.
+fn error(text: &str) -> String {
+    let mut lines = text.lines().skip_while(|line| !line.contains("error"));
+    let [first, second] =
+        [lines.next().unwrap_or(text), lines.next().unwrap_or("")];
+    format!("Cargo says: {first} {}", second.trim())
+}
+
+/// The words of a command, with a small picture where it would draw one that takes long
+/// here, where nothing is optimised.
+fn drawn_small<'a>(asked: &Asked<'a>) -> (Vec<&'a str>, bool) {
+    let mut words = asked.words.clone();
+    let at = |words: &[&str], name| words.iter().position(|word| *word == name);
+    let is_large = at(&words, "--samples").or(at(&words, "--width")).is_some();
+    if asked.is_refused || !is_large {
+        return (words, false);
+    }
+    if let Some(at) = at(&words, "--width") {
+        words.drain(at..at + 2);
+    }
+    words.extend(["--width", "64"]);
+    (words, true)
+}
+
+/// Whether there is a locked picture of this name.
+fn is_locked(name: &str) -> bool {
+    workspace().join(format!("tests/snapshots/{name}.snap.png")).is_file()
 }
 
 /// The packages in a lock file, each with its version.

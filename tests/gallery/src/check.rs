@@ -94,6 +94,9 @@ fn measured(mut case: Case, mut text: String) -> Answer {
         case.found.as_ref(),
     );
     text += &stages.map_or(String::new(), |stages| stages.text);
+    if step.is_some() && !is_whole {
+        text += "It is too large to be measured stage by stage; a smaller one tells more.\n";
+    }
     let ours = case.drawn();
     if let Some(ours) = &ours {
         let yours = &case.yours.kept;

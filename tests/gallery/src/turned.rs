@@ -16,16 +16,12 @@ pub(crate) fn turned(yours: &View, ours: &Locked) -> Option<Found> {
         let mut names = ["y-down", "mirrored", "bgr"].iter().zip(choice);
         names.any(|(name, is_chosen)| is_chosen && *name == one.name)
     };
-    let causes = vec![mistakes().filter(chosen).collect()];
-    let name = ours.name.clone();
-    rest.is_few(ROUNDING).then_some(Found {
-        name,
-        samples: 1,
-        fov: FOV,
-        causes,
-        same_fov: None,
-        rest,
-    })
+    let mistakes: Vec<_> = mistakes().filter(chosen).collect();
+    // Only of what is right it is said that it may be rounded.
+    let rounding = if mistakes.is_empty() { ROUNDING } else { 0 };
+    let (name, causes) = (ours.name.clone(), vec![mistakes]);
+    let few = rest.is_few(rounding).then_some(rest)?;
+    Some(Found { name, samples: 1, fov: FOV, causes, same_fov: None, rest: few })
 }
 
 /// How far the picture is from ours where that is upside down, or mirrored, or has red

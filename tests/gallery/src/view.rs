@@ -32,7 +32,7 @@ impl View {
 
     /// Keeps what is to be kept of row `j`, whose pixels are `row`.
     pub fn fill(&mut self, j: u32, row: &[[u8; 3]]) {
-        if j % self.stride == 0 {
+        if j.is_multiple_of(self.stride) {
             for (i, colour) in row.iter().step_by(self.stride as usize).enumerate()
             {
                 self.kept.put_pixel(i as u32, j / self.stride, Rgb(*colour));

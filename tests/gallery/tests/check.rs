@@ -246,7 +246,7 @@ fn what_is_off_by_one_or_two_is_never_right() {
     let small = Step::Phong.picture(&camera(320, 180), 1);
     for (name, picture, by, share) in [
         ("step05_phong", &right("step05_phong"), 1, 640 * 360),
-        ("step05_phong", &small, 2, 3),
+        ("step05_phong", &small, 1, 9),
         ("glass", &right("glass"), 2, 3),
     ] {
         let words = ["Nearly right: ", &format!("(off by {by} of 255 at most).")];

@@ -206,4 +206,5 @@ fn of_very_large_pictures_every_pixel_is_looked_at() {
         named("mirrored").picture_in(Step::Nearest, &camera(5000, 2000), 1);
     let text = asked(&mirrored);
     assert!(text.contains("is what you get when x points left."), "{text}");
+    assert!(text.contains("too large to be measured"), "{text}");
 }

@@ -14,6 +14,10 @@ pub(super) struct Terms {
     pub object: usize,
     /// The five parts, which add up to the intensity.
     pub parts: [DVec3; 5],
+    /// d of each light.
+    pub distances: [f64; 2],
+    /// l·n of each light.
+    pub cosines: [f64; 2],
 }
 
 impl Terms {
@@ -33,14 +37,16 @@ impl Terms {
         let (l, d, r) = (DVec3::ZERO, 0.0, DVec3::ZERO);
         let seen = Vectors { ray, p, n, v, l, d, r };
         let mut terms = [DVec3::ZERO; 5];
+        let (mut distances, mut cosines) = ([0.0; 2], [0.0; 2]);
         let material = &material.material;
         terms[0] = ambient(material.surface.ambient, parts.scene.ambient_light);
         for (k, light) in parts.scene.lights.iter().enumerate().take(2) {
-            let two = lit(parts, step, material, light, seen, wrong);
+            let (two, d, cosine) = lit(parts, step, material, light, seen, wrong);
             terms[1 + 2 * k..3 + 2 * k].copy_from_slice(&two);
+            (distances[k], cosines[k]) = (d, cosine);
         }
         wrong.iter().for_each(|a| (a.sum)(&mut terms, parts.scene.ambient_light));
-        Some(Self { object, parts: terms })
+        Some(Self { object, parts: terms, distances, cosines })
     }
 
     /// The five parts of one channel.
@@ -49,7 +55,7 @@ impl Terms {
     }
 }
 
-/// The diffuse and the specular part of one light.
+/// The diffuse and the specular part of one light, its d and its l·n.
 fn lit(
     parts: &Parts,
     step: Step,
@@ -57,7 +63,7 @@ fn lit(
     light: &Light,
     mut seen: Vectors,
     wrong: &[Alternative],
-) -> [DVec3; 2] {
+) -> ([DVec3; 2], f64, f64) {
     let change = |seen: &mut Vectors, which: usize| {
         wrong.iter().for_each(|a| (a.vectors[which])(seen));
     };
@@ -75,11 +81,12 @@ fn lit(
     let Vectors { n, l, d, .. } = matt;
     let diffuse = (parts.diffuse)(n, l, d, &material.surface, &fades(d).point);
     if step < Step::Phong || !(parts.lit)(seen.n, seen.l) {
-        return [diffuse, DVec3::ZERO];
+        return ([diffuse, DVec3::ZERO], d, l.dot(n));
     }
     change(&mut seen, 2);
+    let cosine = l.dot(n);
     let Vectors { r, v, d, .. } = seen;
-    [diffuse, (parts.specular)(r, v, d, material, &fades(d))]
+    ([diffuse, (parts.specular)(r, v, d, material, &fades(d))], d, cosine)
 }
 
 /// One pixel of an object.

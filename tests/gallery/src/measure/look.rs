@@ -118,7 +118,8 @@ impl<'a> Look<'a> {
         let place = |(i, j)| {
             let hit = hit(&self.theirs, self.step, f64::from(i), f64::from(j));
             let sky = self.sky_pixel(&self.theirs, &self.tint, i, j);
-            let is_sky = near(self.yours.get_pixel(i, j), &sky);
+            let most = if hit.is_some() { 1 } else { 6 };
+            let is_sky = apart(self.yours.get_pixel(i, j), &sky) <= most;
             // Where an object has the sky's colour, it is the object.
             let is_sky = is_sky && (hit.is_none() || !self.is_object(i, j));
             Place { i, j, is_sky, hit }

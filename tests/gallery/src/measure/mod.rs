@@ -18,6 +18,7 @@ mod outlines;
 mod rays;
 
 mod alternatives;
+mod classes;
 mod light;
 mod pixel;
 mod shading;

@@ -187,14 +187,19 @@ fn number(
     sample: &[Place],
 ) -> Option<(usize, Knob, Parts)> {
     let before = misses(look, &look.theirs, sample);
-    let mut telling = knobs::telling(look, places, 300);
-    let is_wrong =
-        |p: &&Place| 0 < misses(look, &look.theirs, std::slice::from_ref(p));
-    telling.extend(sample.iter().filter(is_wrong).take(200));
     let shapes = match look.step {
         Step::Sphere => vec![0],
         _ => knobs::suspects(look, places),
     };
+    let mut telling = knobs::telling(look, places, 300);
+    let is_wrong =
+        |p: &&Place| 0 < misses(look, &look.theirs, std::slice::from_ref(p));
+    telling.extend(sample.iter().filter(is_wrong).take(200));
+    let its: Vec<_> = places
+        .iter()
+        .filter(|p| p.hit.is_some_and(|k| shapes.contains(&k)))
+        .collect();
+    telling.extend(its.iter().step_by(its.len() / 400 + 1).copied());
     let turned = knobs::turned(look, &Knob::shapes(&shapes), &telling);
     let turned = turned?;
     let mut parts = look.theirs.clone();

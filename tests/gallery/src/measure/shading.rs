@@ -2,7 +2,7 @@ use super::knobs::{self, Knob, Turned};
 use super::light::Sample;
 use super::local::{self, Local};
 use super::words::{percent, times, vector};
-use super::{Alternative, Fit, Look, Place, Stage, Verdict, alternatives};
+use super::{Alternative, Fit, Look, Place, Stage, Verdict, alternatives, classes};
 use crate::difference::apart;
 use crate::section::{self, Section};
 use crate::{Parts, Step};
@@ -162,6 +162,10 @@ pub(super) fn stages(look: &mut Look, places: &[Place]) -> Vec<Stage> {
         }
     }
     doubt(&shading, &mut stages);
+    if shading.share() < 0.97 && look.has_shapes {
+        let samples = samples(look, &look.theirs, &lit(look, places), &[]);
+        classes::tell(&samples, near(look), &mut stages);
+    }
     stages
 }
 

@@ -1,0 +1,76 @@
+//! What a week of Rust does not teach has a note below the listing in which it first
+//! appears.
+
+use crate::book::BOOK;
+use crate::listing::Listing;
+use crate::{assert_found, assert_none};
+use book::{Page, Site};
+
+/// How such a thing looks in code, and what the note about it says.
+const NEW: [(&str, &str); 26] = [
+    ("|i, j|", "closure"),
+    ("#[derive(", "derive"),
+    ("pub(crate)", "pub(crate)"),
+    ("impl Fn(", "impl Fn"),
+    ("static ", "static"),
+    ("Atomic", "AtomicU32"),
+    ("let Self {", "takes a struct apart"),
+    (".then_some(", "then_some"),
+    (".ok_or(", "ok_or"),
+    ("#[arg(", "#[arg"),
+    (": fn(", "a plain function"),
+    ("let _ =", "let _ ="),
+    ("Cursor::", "Cursor"),
+    ("Box<dyn Error>", "Box<dyn Error>"),
+    ("?;", "?"),
+    (".filter(", "filter"),
+    ("(_) | Roots::", "“or”"),
+    (") if ", "guard"),
+    ("const SPHERE", "const fn"),
+    ("<M>", "generic"),
+    ("<'a", "lifetime"),
+    ("        && ", "let chain"),
+    ("let [", "takes an array apart"),
+    (" else {\n            return", "let … else"),
+    ("..scene", "struct update"),
+    ("#[divan::", "divan::bench"),
+];
+
+/// Each of them that has no note where it first appears, or no place in the book.
+fn faults(book: &Site) -> Vec<String> {
+    let pages =
+        book.chapters().into_iter().filter(|page| page.name != "solutions.html");
+    let listings: Vec<_> = pages
+        .flat_map(|page| Listing::all(page).map(move |one| (page, one)))
+        .collect();
+    let faults = NEW.iter().filter_map(|(code, word)| {
+        let Some((page, first)) =
+            listings.iter().find(|(_, one)| one.code.contains(code))
+        else {
+            return Some(format!("No listing has {code:?}."));
+        };
+        let has_note = notes(page, first).any(|note| note.contains(word));
+        (!has_note).then(|| {
+            format!("No note below the listing on {} tells of {word:?}.", first.at)
+        })
+    });
+    faults.collect()
+}
+
+/// The notes below a listing, above the next heading.
+fn notes<'a>(page: &'a Page, listing: &Listing) -> impl Iterator<Item = &'a str> {
+    let after = page.elements.iter().skip_while(|e| page.at(e) != listing.at);
+    let section = after.take_while(|e| !["h2", "h3"].contains(&e.tag.as_str()));
+    section.filter(|e| e.is("p", "new-rust")).map(|note| note.text.as_str())
+}
+
+#[test]
+fn what_is_new_in_rust_is_told_where_it_first_appears() {
+    assert_none(&faults(&BOOK));
+}
+
+#[test]
+fn a_missing_note_is_found() {
+    let book = BOOK.with("step03_nearest.html", "let chain", "chain");
+    assert_found(&faults(&book), &["step03_nearest.html", "let chain"]);
+}
