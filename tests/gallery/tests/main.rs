@@ -5,6 +5,7 @@ mod check;
 mod damaged;
 mod edits;
 mod kinds;
+mod measure;
 mod mistakes;
 mod program;
 

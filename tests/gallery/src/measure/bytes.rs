@@ -233,9 +233,26 @@ impl Bytes {
     }
 }
 
+/// The last column or row, where it is black though the one before is not.
+fn black(yours: &RgbImage) -> Option<String> {
+    let (width, height) = yours.dimensions();
+    let is_black = |i: u32, j: u32| yours.get_pixel(i, j).0 == [0; 3];
+    let column = |i: u32| (0..height).all(|j| is_black(i, j));
+    let row = |j: u32| (0..width).all(|i| is_black(i, j));
+    let told = |what: &str, k: u32| {
+        format!("the last {what}, {what} {k}, is black: nothing is drawn there")
+    };
+    if 2 < width && column(width - 1) && !column(width - 2) {
+        return Some(told("column", width - 1));
+    }
+    let is_row = 2 < height && row(height - 1) && !row(height - 2);
+    is_row.then(|| told("row", height - 1))
+}
+
 /// The stage of the sum, its bytes and their order.
 pub(super) fn stage(look: &Look) -> Stage {
-    let numbers = look.bytes.faults();
+    let mut numbers = look.bytes.faults();
+    numbers.extend(black(look.yours));
     let verdict = match numbers.is_empty() {
         true if [Eye::Right, Eye::Exact].contains(&look.eye) => Verdict::Right,
         true => Verdict::Unknown("too little else is right".to_owned()),

@@ -1,6 +1,7 @@
 use super::light::{ONCE, Sample};
 use super::words::number;
 use super::{Stage, Verdict};
+use step04_diffuse::{Attenuation, COOL, WARM};
 
 /// Which of the parts of ours reach a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,14 +101,9 @@ fn faded(samples: &[&Sample], light: usize, name: &str, stages: &mut [Stage]) {
         (Some(curve), other)
             if other.as_ref().is_none_or(|o| curve.rest < o.rest / 3.0) =>
         {
-            let told = curve.told(|d, factor| {
-                format!("at d = {} {} times", number(d), number(factor))
-            });
-            let told = format!(
-                "the {which} light gives, by its distance alone, {told} as much as it should: \
-                 the divisor a + bd + cd² is another"
-            );
-            put(stages, "attenuation", Verdict::Wrong, vec![told]);
+            let mut told = vec![divisors(&curve, light)];
+            told.extend(one_number(&curve, light));
+            put(stages, "attenuation", Verdict::Wrong, told);
         }
         (other, Some(curve))
             if other.as_ref().is_none_or(|o| curve.rest < o.rest / 3.0) =>
@@ -123,6 +119,50 @@ fn faded(samples: &[&Sample], light: usize, name: &str, stages: &mut [Stage]) {
         }
         _ => {}
     }
+}
+
+/// The attenuation of a light of the course.
+fn ours(light: usize) -> Attenuation {
+    [WARM, COOL][light].attenuation
+}
+
+/// The divisor at three distances, theirs and ours.
+fn divisors(curve: &Curve, light: usize) -> String {
+    let told = curve.told(|d, factor| {
+        let ours = ours(light).at(d);
+        format!(
+            "{} for {} at d = {}",
+            number(ours / factor),
+            number(ours),
+            number(d)
+        )
+    });
+    let which = ["warm", "cool"][light];
+    format!("the {which} light is divided, for a + bd + cd², by {told}")
+}
+
+/// The one of a, b and c that explains another divisor alone.
+fn one_number(curve: &Curve, light: usize) -> Option<String> {
+    let Attenuation { a, b, c } = ours(light);
+    let which = ["warm", "cool"][light];
+    let read = |k: i32| -> Option<f64> {
+        let values = curve.points.iter().map(|(d, factor)| {
+            let others = [b * d + c * d * d, a + c * d * d, a + b * d][k as usize];
+            (ours(light).at(*d) / factor - others) / d.powi(k)
+        });
+        let values: Vec<f64> = values.collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let is_near = |v: &f64| (v - mean).abs() < 0.06 * mean.abs();
+        values.iter().all(is_near).then_some(mean)
+    };
+    let (k, value) = (0..3).find_map(|k| Some((k, read(k)?)))?;
+    let k = k as usize;
+    Some(format!(
+        "that is a {} of about {} for the {which} light; it should be {}",
+        ["a", "b", "c"][k],
+        number(value),
+        number([a, b, c][k])
+    ))
 }
 
 /// A factor that depends on one thing alone.

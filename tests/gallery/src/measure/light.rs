@@ -49,6 +49,11 @@ impl Terms {
         Some(Self { object, parts: terms, distances, cosines })
     }
 
+    /// The larger of the two highlights.
+    pub fn shine(&self) -> f64 {
+        self.parts[2].max(self.parts[4]).max_element()
+    }
+
     /// The five parts of one channel.
     fn channel(&self, k: usize) -> [f64; 5] {
         self.parts.map(|part| part[k])

@@ -45,7 +45,7 @@ pub(super) fn mend(look: &mut Look, places: &[Place]) -> Local {
 /// Which share of some places the parts that are known explain.
 fn once(look: &Look, places: &[Place]) -> f64 {
     let samples = samples(look, &look.theirs, places, &[]);
-    let is_explained = |s: &&Sample| s.is_explained(&ONCE, near(look));
+    let is_explained = |s: &&Sample| s.is_explained(&ONCE, near(look).max(1.0));
     samples.iter().filter(is_explained).count() as f64 / samples.len().max(1) as f64
 }
 
@@ -137,7 +137,7 @@ fn shininess(
     let mut rate = |n: i32| {
         look.theirs.scene.objects[k].material.material.shininess = n;
         let samples = samples(look, &look.theirs, places, &[]);
-        let is_explained = |s: &&Sample| s.is_explained(&ONCE, near(look));
+        let is_explained = |s: &&Sample| s.is_explained(&ONCE, near(look).max(1.0));
         let once = samples.iter().filter(is_explained).count();
         (once, n)
     };

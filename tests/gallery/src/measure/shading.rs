@@ -21,6 +21,8 @@ struct Shading {
     fit: Fit,
     /// How many pixels were looked at.
     all: usize,
+    /// Whether some object is explained less than others.
+    is_uneven: bool,
 }
 
 impl Shading {
@@ -53,7 +55,7 @@ impl Shading {
         match self.share() {
             share if share < 0.97 => self.unexplained(),
             _ if !faults.is_empty() => Verdict::Wrong,
-            share if least < share => Verdict::Right,
+            share if least < share && !self.is_uneven => Verdict::Right,
             _ => self.unexplained(),
         }
     }
@@ -270,7 +272,12 @@ fn search(look: &mut Look, places: &[Place]) -> Shading {
         local: Local::default(),
         fit,
         all: lit.len(),
+        is_uneven: false,
     };
+    shading.is_uneven = is_uneven(look, &lit, &shading);
+    if shading.is_uneven && 0.9 < shading.share() {
+        weigh(look, &lit, &mut shading);
+    }
     if lit.is_empty() || 0.985 < shading.share() {
         return shading;
     }
@@ -301,7 +308,49 @@ fn search(look: &mut Look, places: &[Place]) -> Shading {
     if shading.share() < 0.97 {
         turn(look, places, &lit, &mut shading);
     }
+    shading.is_uneven = is_uneven(look, &lit, &shading);
     shading
+}
+
+/// Whether the highlights of some object, or all of it, are explained less than others.
+fn is_uneven(look: &Look, lit: &[Place], shading: &Shading) -> bool {
+    let mut parts = look.theirs.clone();
+    shading.wrong.iter().for_each(|one| (one.change)(&mut parts));
+    let samples = samples(look, &parts, lit, &shading.wrong);
+    let is_low = |its: &[&Sample]| {
+        let is_explained = |s: &&&Sample| {
+            s.is_explained(&shading.fit.weights, near(look).max(1.0))
+        };
+        let right = its.iter().filter(is_explained).count();
+        5 < its.len() && right * 100 < its.len() * 93
+    };
+    (0..look.theirs.objects(look.step).len()).any(|k| {
+        let its: Vec<_> = samples.iter().filter(|s| s.terms.object == k).collect();
+        let shiny = its.iter().filter(|s| 2.0 / 255.0 < s.terms.shine());
+        let shiny: Vec<_> = shiny.copied().collect();
+        is_low(&its) || is_low(&shiny)
+    })
+}
+
+/// Takes over the weights of the lights, and then looks for single objects.
+fn weigh(look: &mut Look, lit: &[Place], shading: &mut Shading) {
+    let before = look.theirs.clone();
+    let weight =
+        |k: usize| DVec3::from_array([0, 1, 2].map(|c| shading.fit.weights[c][k]));
+    let scene = &mut look.theirs.scene;
+    scene.ambient_light *= weight(0);
+    for (k, light) in scene.lights.iter_mut().enumerate() {
+        light.point.diffuse *= weight(1 + 2 * k);
+        light.specular *= weight(2 + 2 * k);
+    }
+    let local = local::mend(look, lit);
+    let objects = std::mem::replace(&mut look.theirs, before).scene.objects;
+    if local.colours.is_empty() && !local.shine.is_empty() {
+        look.theirs.scene.objects = objects;
+        shading.local = local;
+        shading.fit = fitted(look, lit, &[]);
+        shading.is_uneven = is_uneven(look, lit, shading);
+    }
 }
 
 /// Adds the alternative that explains most, if it explains much more.
