@@ -16,6 +16,13 @@ impl Told<'_> {
         fault.stages.iter().any(|stage| self.stage.contains(stage.as_str()))
     }
 
+    /// Whether it tells a fault: as its stage, or as one of two that may be it.
+    pub fn is_about(&self, fault: &Fault) -> bool {
+        let is_either =
+            self.numbers.iter().any(|number| number.contains("or else"));
+        self.is_of(fault) || is_either && self.points_at(fault)
+    }
+
     /// Whether its numbers hold one of the words of a fault.
     pub fn points_at(&self, fault: &Fault) -> bool {
         let is_told = |word: &String| self.numbers.iter().any(|n| n.contains(word));
