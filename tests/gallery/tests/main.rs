@@ -3,6 +3,7 @@
 
 mod check;
 mod damaged;
+mod edits;
 mod kinds;
 mod measure;
 mod mistakes;
