@@ -276,6 +276,7 @@ fn new_rust(words: &str) -> String {
 fn console(info: &str, commands: &str) -> Result<String, String> {
     let (whose, caption) = match info.split_once(',') {
         Some((_, "yours")) => ("yours", "in your folder"),
+        Some((_, "yours,refused")) => ("yours refused", "in your folder"),
         Some((_, "ours")) => {
             ("ours", "in <a href=\"how.html#two-folders\">our folder</a>")
         }
