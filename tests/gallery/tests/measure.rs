@@ -128,7 +128,7 @@ fn two_stages_are_told_separately() {
 
 #[test]
 fn no_picture_is_too_small_or_too_odd() {
-    for (width, height) in [(1, 1), (1, 9), (2, 1), (3, 2), (9, 1), (17, 400)] {
+    for (width, height) in [(1, 1), (1, 9), (2, 1), (3, 2), (9, 1), (17, 200)] {
         for step in Step::ALL {
             stages(&RgbImage::new(width, height), step);
             let odd = RgbImage::from_fn(width, height, |i, j| {
