@@ -175,7 +175,7 @@ fn palette() -> Vec<u8> {
 #[test]
 fn another_field_of_view_is_told_as_an_option() {
     for (fov, samples) in [(30.0_f64, 1), (75.5, 2), (110.0, 1)] {
-        let camera = Camera::new(240, 180, fov.to_radians());
+        let camera = Camera::new(400, 300, fov.to_radians());
         let picture = Step::Phong.picture(&camera, samples);
         let text = look(&picture, Some("step05_phong"), locked()).text;
         assert!(text.starts_with("Right but for its field of view"), "{text}");
@@ -186,7 +186,7 @@ fn another_field_of_view_is_told_as_an_option() {
         assert!(text.contains("--fov 60 gives that"), "{text}");
     }
     // Where an option explains as much as a mistake does, both are said.
-    let twice = Step::Phong.picture(&Camera::new(240, 180, 2.0 * PI / 3.0), 1);
+    let twice = Step::Phong.picture(&Camera::new(400, 300, 2.0 * PI / 3.0), 1);
     let text = look(&twice, Some("step05_phong"), locked()).text;
     assert!(text.contains(named("full-angle").when), "{text}");
     assert!(text.contains("You get the same picture with --fov 120."), "{text}");
