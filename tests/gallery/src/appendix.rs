@@ -18,7 +18,8 @@ file tells whose picture it should be; another name may stand behind it.
 
 A picture is a measurement of the program that drew it. Its sky holds the direction of \
 every ray. Its outlines hold the spheres. Its lit pixels are a sum, and how much of each \
-term is in it can be read from them. `check` reads all this back, whatever you did. Take \
+term is in it can be read from them. `check` reads \
+this back as well as it can. Where it is at odds with your code, it may be wrong: then believe the pixel. Take \
 a reader who leaves $L_s$ out of the specular term. The picture looks right; the answer \
 begins so:
 
