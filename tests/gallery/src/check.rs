@@ -3,7 +3,7 @@ use crate::kind::kind;
 use crate::options::options;
 use crate::panels::panels;
 use crate::png::{self, Notes};
-use crate::told::{Told, one_pixel};
+use crate::told::{Told, has_objects, one_pixel};
 use crate::verdict::verdict;
 use crate::view::View;
 use crate::{Answer, Cause, Found, Locked, Rest, Step, sight, whose};
@@ -76,7 +76,7 @@ fn measured(mut case: Case, mut text: String) -> Answer {
     let step = step.filter(|_| !(case.is_nearly_right() && case.has_strays_only()));
     let is_whole = case.yours.stride == 1;
     let stages = step.filter(|_| is_whole);
-    let stages = stages.map(|step| Told::of(&case.yours.kept, step));
+    let stages = stages.map(|step| Told::of(&case, step));
     // What seems to be rounded, but shows a wrong stage, is not nearly right.
     let is_wrong = stages.as_ref().is_some_and(|stages| stages.is_wrong);
     let is_few = |found: &Found| found.rest.is_few(0);
@@ -165,17 +165,13 @@ fn no_hit(case: &Case) -> &'static str {
     let is_explained = case.is_explained() && !case.is_nearly_right();
     let cause = case.found.as_ref().filter(|_| is_explained);
     let Some(cause) = cause.map(|found| found.cause(step)) else { return "" };
-    let parts = cause.parts(case.yours.size);
-    let ray =
-        |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
-    let mut rays = case.yours.scattered(2000).into_iter().map(ray);
-    match rays.all(|ray| parts.seen(step, &ray).is_none()) {
-        true => {
+    match has_objects(case, &cause) {
+        false => {
             "No ray meets anything in it. Other slips in a, b, c, D or the roots give the \
              same picture; the tests of steps/step02_sphere/tests/by_hand.rs tell them \
              apart.\n"
         }
-        false => "",
+        true => "",
     }
 }
 

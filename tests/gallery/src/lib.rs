@@ -26,6 +26,7 @@ mod recognise;
 mod rest;
 mod sight;
 
+mod formula;
 mod kind;
 mod measure;
 

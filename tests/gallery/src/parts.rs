@@ -117,11 +117,6 @@ impl Parts {
         Rgb((self.order)(mean.to_array().map(self.byte)))
     }
 
-    /// The intensity of the ray through the middle of a pixel.
-    pub(crate) fn intensity(&self, step: Step, i: u32, j: u32) -> DVec3 {
-        self.colour(step, &(self.ray)(self.camera.ray(i.into(), j.into())))
-    }
-
     fn colour(&self, step: Step, ray: &Ray) -> DVec3 {
         match self.seen(step, ray) {
             None => (self.miss)(ray),

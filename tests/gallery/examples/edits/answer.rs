@@ -1,4 +1,4 @@
-use crate::edit::Fault;
+use crate::edit::{Change, Fault};
 
 /// One line of the table of stages, and the numbers below it.
 pub struct Told<'a> {
@@ -17,14 +17,22 @@ impl Told<'_> {
     }
 
     /// Whether it tells a fault: as its stage, or as one of two that may be it.
-    pub fn is_about(&self, fault: &Fault) -> bool {
+    pub fn is_about(&self, fault: &Fault, changes: &[Change]) -> bool {
         let is_either =
             self.numbers.iter().any(|number| number.contains("or else"));
-        self.is_of(fault) || is_either && self.points_at(fault)
+        self.is_of(fault) || is_either && self.points_at(fault, changes)
     }
 
-    /// Whether its numbers hold one of the words of a fault.
-    pub fn points_at(&self, fault: &Fault) -> bool {
+    /// Whether its numbers hold one of the words of a fault, or the formula of the file
+    /// that explains every pixel.
+    pub fn points_at(&self, fault: &Fault, changes: &[Change]) -> bool {
+        let is_line = |number: &&str| {
+            let is_in = |change: &Change| number.contains(&format!("({})", change.path()));
+            number.contains("in every pixel") && changes.iter().any(is_in)
+        };
+        if self.numbers.iter().any(is_line) {
+            return true;
+        }
         let is_told = |word: &String| self.numbers.iter().any(|n| n.contains(word));
         fault.words.iter().any(is_told)
     }

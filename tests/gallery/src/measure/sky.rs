@@ -1,4 +1,4 @@
-use super::{Bytes, Least};
+use super::Least;
 use crate::view::scattered;
 use glam::{DMat3, DVec3};
 use image::RgbImage;
@@ -13,8 +13,6 @@ pub(super) struct Sky {
     pub matrix: DMat3,
     /// How far off each of these three may be, in x and in y.
     pub errors: [f64; 3],
-    /// Whether the blue tells V_z: elsewhere −1 is only believed.
-    pub is_deep: bool,
 }
 
 /// A place and the V that its colour stands for.
@@ -25,15 +23,15 @@ const NEAR: f64 = 0.0075;
 
 impl Sky {
     /// The plane on which most places lie, or None where there is no such.
-    pub fn of(yours: &RgbImage, bytes: &Bytes) -> Option<Self> {
-        let points = points(yours, bytes);
+    pub fn of(yours: &RgbImage) -> Option<Self> {
+        let points = points(yours);
         let few: Vec<_> = points.iter().step_by(points.len() / 1500 + 1).collect();
         let is_on =
             |matrix: &DMat3, (place, v): &Sight| is_near(*matrix * *place, *v);
         let count = |matrix: &DMat3| {
             few.iter().filter(|point| is_on(matrix, point)).count()
         };
-        let planes = triples(yours, bytes);
+        let planes = triples(yours);
         let best = planes.map(|plane| (count(&plane), plane));
         let (count, mut matrix) = best.max_by_key(|(count, _)| *count)?;
         if count * 100 < few.len() || count < 6 {
@@ -55,7 +53,15 @@ impl Sky {
         if !is_deep {
             matrix.z_axis.z = -1.0;
         }
-        Some(Self { matrix, errors, is_deep })
+        Some(Self { matrix, errors })
+    }
+
+    /// Whether a pixel is of the sky that these rays give.
+    pub fn is_on(&self, yours: &RgbImage, i: u32, j: u32) -> bool {
+        let on = |(place, v): &Sight| {
+            (self.matrix * *place - *v).abs().truncate().max_element() < 1.5 * NEAR
+        };
+        point(yours, i, j).as_ref().is_some_and(on)
     }
 }
 
@@ -81,21 +87,22 @@ fn is_deep((_, v): &Sight) -> bool {
 }
 
 /// Places all over the picture whose red and green are not clamped.
-fn points(yours: &RgbImage, bytes: &Bytes) -> Vec<Sight> {
+fn points(yours: &RgbImage) -> Vec<Sight> {
     let count = (yours.width() * yours.height()).min(12_000);
     let places = scattered(yours, count).into_iter();
-    places.filter_map(|(i, j)| point(yours, bytes, i, j)).collect()
+    places.filter_map(|(i, j)| point(yours, i, j)).collect()
 }
 
-fn point(yours: &RgbImage, bytes: &Bytes, i: u32, j: u32) -> Option<Sight> {
+fn point(yours: &RgbImage, i: u32, j: u32) -> Option<Sight> {
     let pixel = yours.get_pixel(i, j);
-    let is_open = !bytes.is_clamped(pixel, 0) && !bytes.is_clamped(pixel, 1);
-    let v = (bytes.read(pixel) - 0.7) / 0.3 * DVec3::new(1.0, 1.0, -1.0);
+    let is_open = [pixel[0], pixel[1]].iter().all(|b| !matches!(b, 0 | 255));
+    let colour = DVec3::from_array(pixel.0.map(f64::from)) / 255.0;
+    let v = (colour - 0.7) / 0.3 * DVec3::new(1.0, 1.0, -1.0);
     is_open.then(|| (DVec3::new(i.into(), j.into(), 1.0), v))
 }
 
 /// The planes through three neighbouring points each, in many parts of the picture.
-fn triples(yours: &RgbImage, bytes: &Bytes) -> impl Iterator<Item = DMat3> {
+fn triples(yours: &RgbImage) -> impl Iterator<Item = DMat3> {
     let (width, height) = yours.dimensions();
     let across = (width / 10).clamp(1, 64);
     let down = (height / 10).clamp(1, 64);
@@ -104,7 +111,7 @@ fn triples(yours: &RgbImage, bytes: &Bytes) -> impl Iterator<Item = DMat3> {
             if i + across < width { i + across } else { i.checked_sub(across)? };
         let l = if j + down < height { j + down } else { j.checked_sub(down)? };
         let [a, b, c] =
-            [(i, j), (k, j), (i, l)].map(|(i, j)| point(yours, bytes, i, j));
+            [(i, j), (k, j), (i, l)].map(|(i, j)| point(yours, i, j));
         let (a, b, c) = (a?, b?, c?);
         let places = DMat3::from_cols(a.0, b.0, c.0);
         let seen = DMat3::from_cols(a.1, b.1, c.1);

@@ -1,7 +1,7 @@
 use glam::DVec3;
 
 /// A number as the book prints it: few digits, more for small ones, and a true minus.
-pub(super) fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let digits = match x.abs() {
         size if size < 0.02 => 5,
         size if size < 2.0 => 4,
@@ -17,7 +17,7 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// A vector in parentheses.
-pub(super) fn vector(v: DVec3) -> String {
+pub(crate) fn vector(v: DVec3) -> String {
     format!("({})", v.to_array().map(number).join(", "))
 }
 

@@ -1,0 +1,247 @@
+use super::{
+    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value,
+    edits, misses, solved, unknowns,
+};
+use crate::Step;
+use crate::measure::{number, vector};
+use glam::DVec3;
+use image::RgbImage;
+use std::collections::HashSet;
+
+/// Something that is done otherwise than in the lecture, and explains a picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Cause {
+    pub changes: Vec<Change>,
+    pub place: Place,
+    pub step: Step,
+    /// The light, where it concerns one alone.
+    pub light: Option<usize>,
+    /// Theirs and ours, in words or as formulas.
+    pub told: String,
+    rank: u8,
+}
+
+/// A picture that is to be explained, and the pixels that count.
+pub(crate) struct Riddle<'a> {
+    pub yours: &'a RgbImage,
+    pub samples: u32,
+    pub places: &'a [Pixel],
+}
+
+impl Riddle<'_> {
+    /// The pixels that a tree does not explain, as far as there are at most so many.
+    pub fn wrong(&self, tree: &Tree, most: usize) -> Vec<Pixel> {
+        let context = Context { tree, changes: &[], free: Value::from(0.0) };
+        misses(&context, self.yours, self.samples, self.places, most)
+    }
+
+    fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
+        let is_wrong: HashSet<_> = wrong.iter().collect();
+        let few = self.places.iter().step_by(self.places.len() / 8000 + 1);
+        let right: Vec<_> = few.filter(|p| !is_wrong.contains(p)).copied().collect();
+        Evidence::new(tree, self.yours, self.samples, wrong, &right)
+    }
+
+    /// Each single thing that explains every pixel, the likeliest first; `wrong` are
+    /// those that the tree itself does not explain.
+    pub fn single(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+        let evidence = self.evidence(tree, wrong);
+        let found = evidence.survivors(edits(tree)).into_iter();
+        let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
+        if all.iter().all(|cause| 1 < cause.rank) {
+            all.extend(numbers(&evidence));
+        }
+        all.sort_by_key(|cause| (cause.rank, cause.told.chars().count()));
+        let mut told = HashSet::new();
+        all.retain(|cause| told.insert(cause.told.clone()));
+        // The first has to explain all pixels, the others very many.
+        let few: Vec<_> =
+            self.places.iter().step_by(self.places.len() / 6000 + 1).copied().collect();
+        let is_it = |cause: &Cause, places: &[Pixel]| {
+            let changed = tree.with(&cause.changes);
+            let context =
+                Context { tree: &changed, changes: &[], free: 0.0.into() };
+            misses(&context, self.yours, self.samples, places, 0).is_empty()
+        };
+        let first = all.iter().take(8).position(|cause| is_it(cause, self.places));
+        let Some(first) = first else { return vec![] };
+        all.drain(..first);
+        let mut k = 0;
+        all.truncate(24);
+        all.retain(|cause| {
+            k += 1;
+            k == 1 || is_it(cause, &few)
+        });
+        all
+    }
+
+    /// The things, one in each group, that explain every pixel together: none where
+    /// nothing is wrong, two at most.
+    pub fn explained(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
+        let wrong = self.wrong(tree, usize::MAX);
+        if wrong.is_empty() {
+            return Some(vec![]);
+        }
+        let single = self.single(tree, &wrong);
+        if single.is_empty() { None } else { Some(vec![single]) }
+    }
+
+    /// Two things that explain every pixel together.
+    pub fn pair(&self, tree: &Tree) -> Option<[Vec<Cause>; 2]> {
+        let wrong = self.wrong(tree, usize::MAX);
+        let evidence = self.evidence(tree, &wrong);
+        for first in halves(&evidence) {
+            let changed = tree.with(&first.changes);
+            let rest = self.wrong(&changed, usize::MAX);
+            let second = self.single(&changed, &rest);
+            if !second.is_empty() {
+                return Some([vec![first], second]);
+            }
+        }
+        None
+    }
+}
+
+/// Single things that explain some of the pixels that are wrong, and spoil none.
+fn halves(evidence: &Evidence) -> Vec<Cause> {
+    let tree = evidence.tree;
+    let (places, values) = &evidence.parts[1];
+    let pixels = |changes: &[Change]| {
+        let context = Context { tree, changes, free: Value::from(0.0) };
+        values.changed(&context).pixels(&context)
+    };
+    let before = pixels(&[]);
+    let is_right = |k: usize, pixel: [u8; 3]| evidence.pixel(places[k]) == pixel;
+    let mut seen = HashSet::new();
+    let mut rated = vec![];
+    for edit in edits(tree).into_iter().filter(|edit| edit.rank < 2) {
+        let after = pixels(&edit.changes);
+        let (mut mended, mut spoilt) = (0_usize, 0_usize);
+        for k in 0..places.len() {
+            match (is_right(k, before[k]), is_right(k, after[k])) {
+                (false, true) => mended += 1,
+                (true, false) => spoilt += 1,
+                _ => {}
+            }
+        }
+        if 2 < mended && spoilt == 0 && seen.insert(after) {
+            rated.push((mended, edit));
+        }
+    }
+    rated.sort_by_key(|(mended, edit)| (usize::MAX - mended, edit.rank));
+    rated.iter().take(3).map(|(_, edit)| cause(tree, edit)).collect()
+}
+
+/// The numbers that explain all pixels of the evidence.
+fn numbers(evidence: &Evidence) -> Vec<Cause> {
+    let tree = evidence.tree;
+    let all = unknowns(tree).into_iter().filter_map(|unknown| {
+        let x = solved(evidence, &unknown)?;
+        let (change, free) = unknown.change(tree, x);
+        let change = match change {
+            Change::Line(line, node) => Change::Line(line, filled(&node, &free)),
+            other => other,
+        };
+        let is_put_in = matches!(&change, Change::Line(..)) && unknown.is_colour;
+        let rank = if is_put_in { 2 } else { 1 };
+        let edit = Edit { changes: vec![change], rank, says: None, line: unknown.line };
+        Some(cause(tree, &edit))
+    });
+    all.collect()
+}
+
+/// An expression with the value in the place of the unknown.
+fn filled(node: &Node, free: &Value) -> Node {
+    node.map(&|node| match node {
+        Node::Free(Kind::Vector) => {
+            let three = free.vector(0).to_array().map(Node::Number);
+            Some(Node::of(Op::Vector, three))
+        }
+        Node::Free(_) => Some(Node::Number(free.scalar(0))),
+        _ => None,
+    })
+}
+
+/// An edit with its words.
+fn cause(tree: &Tree, edit: &Edit) -> Cause {
+    let place = tree.lines[edit.line].place;
+    let path = place.section.path();
+    let told = match (&edit.says, &edit.changes[..]) {
+        (Some(says), _) => format!("{says} ({path})"),
+        (None, [Change::Given(line, which, value)]) => given(tree, *line, *which, value),
+        (None, changes) => {
+            let told = changes.iter().filter_map(|change| match change {
+                Change::Line(line, node) => Some((*line, node)),
+                _ => None,
+            });
+            let (theirs, ours): (Vec<_>, Vec<_>) = told
+                .map(|(line, node)| {
+                    let ours = tree.lines[line].node.as_ref();
+                    let ours = ours.map(|node| tree.told(line, node, None));
+                    (tree.told(line, node, None), ours.unwrap_or_default())
+                })
+                .unzip();
+            let (theirs, ours) = (theirs.join(" and "), ours.join(" and "));
+            format!("{theirs}, where ours is {ours} ({path})")
+        }
+    };
+    let is_one = |change: &Change| match change {
+        Change::Given(line, which, _) if tree.lines[*line].of == Of::Light => Some(*which),
+        _ => None,
+    };
+    let lights: Vec<_> = edit.changes.iter().map(is_one).collect();
+    let light = lights.first().copied().flatten();
+    let light = light.filter(|_| lights.iter().all(|one| *one == light));
+    let (changes, step) = (edit.changes.clone(), tree.step);
+    Cause { changes, place, step, light, told, rank: edit.rank }
+}
+
+/// A number of the scene, theirs and ours.
+fn given(tree: &Tree, line: usize, which: usize, value: &Value) -> String {
+    let one = &tree.lines[line];
+    let ours = &one.given[which];
+    let text = |value: &Value| match value.is_vector() {
+        true => vector(value.vector(0)),
+        false => number(value.scalar(0)),
+    };
+    let object = |k: usize| tree.object(k);
+    let light = ["the warm light", "the cool light"][which.min(1)];
+    let (yours, ours) = (text(value), text(ours));
+    let it = |what: String| format!("{what} is {yours} in your picture; it should be {ours}");
+    match (&*one.name, one.of) {
+        (axis @ ("x_0" | "y_0" | "z_0"), _) => {
+            let part = |name: &str| {
+                let line = tree.find(name).map(|k| tree.lines[k].given[which].scalar(0));
+                line.unwrap_or(0.0)
+            };
+            let ours = DVec3::new(part("x_0"), part("y_0"), part("z_0"));
+            let mut yours = ours;
+            let axis = ["x_0", "y_0", "z_0"].iter().position(|a| *a == axis);
+            yours[axis.unwrap_or(0)] = value.scalar(0);
+            format!(
+                "{} is at {} in your picture; it should be at {}",
+                object(which),
+                vector(yours),
+                vector(ours)
+            )
+        }
+        ("radius''", _) => format!(
+            "{} has a radius of {yours} in your picture; it should be {ours}",
+            object(which)
+        ),
+        ("colour", _) => it(format!("the colour of {}", object(which))),
+        ("g", _) => it(format!("R_s of {}", object(which))),
+        ("n", _) => format!(
+            "the highlights of {} are those of n = {yours}; it should be {ours}",
+            object(which)
+        ),
+        ("P", _) => {
+            format!("{light} is at {yours} in your picture; it should be at {ours}")
+        }
+        (name, Of::Light) if name.ends_with('\'') => {
+            it(format!("{light}'s {} in a + bd + cd²", super::shown(name)))
+        }
+        (name, Of::Light) => it(format!("{light}'s {name}")),
+        (name, _) => it(super::shown(name)),
+    }
+}
