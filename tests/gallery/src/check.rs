@@ -3,7 +3,7 @@ use crate::kind::kind;
 use crate::options::options;
 use crate::panels::panels;
 use crate::png::{self, Notes};
-use crate::told::{Told, has_objects, one_pixel};
+use crate::told::{Told, objects, one_pixel};
 use crate::verdict::verdict;
 use crate::view::View;
 use crate::{Answer, Cause, Found, Locked, Rest, Step, sight, whose};
@@ -165,7 +165,7 @@ fn no_hit(case: &Case) -> &'static str {
     let is_explained = case.is_explained() && !case.is_nearly_right();
     let cause = case.found.as_ref().filter(|_| is_explained);
     let Some(cause) = cause.map(|found| found.cause(step)) else { return "" };
-    match has_objects(case, &cause) {
+    match objects(case, &cause).contains(&true) {
         false => {
             "No ray meets anything in it. Other slips in a, b, c, D or the roots give the \
              same picture; the tests of steps/step02_sphere/tests/by_hand.rs tell them \

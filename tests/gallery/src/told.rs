@@ -19,7 +19,10 @@ impl Told {
         let known = known.filter(|_| !case.is_nearly_right());
         let stages = match known {
             Some(found) => {
-                of_mistakes(step, &found.causes, has_objects(case, &found.cause(step)))
+                let cause = found.cause(step);
+                let right = Cause { mistakes: vec![], ..cause.clone() };
+                let [yours, ours] = [&cause, &right].map(|cause| objects(case, cause));
+                of_mistakes(step, &found.causes, yours.contains(&true), yours == ours)
             }
             None => stages(&case.yours.kept, step),
         };
@@ -31,12 +34,12 @@ impl Told {
     }
 }
 
-/// Whether some ray of a picture meets something.
-pub(crate) fn has_objects(case: &Case, cause: &Cause) -> bool {
+/// Whether the rays of some pixels meet something.
+pub(crate) fn objects(case: &Case, cause: &Cause) -> Vec<bool> {
     let parts = cause.parts(case.yours.size);
     let ray = |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
-    let mut rays = case.yours.scattered(2000).into_iter().map(ray);
-    rays.any(|ray| parts.seen(cause.step, &ray).is_some())
+    let rays = case.yours.scattered(2000).into_iter().map(ray);
+    rays.map(|ray| parts.seen(cause.step, &ray).is_some()).collect()
 }
 
 /// One line for each stage, and its numbers below it.

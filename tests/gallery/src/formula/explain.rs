@@ -1,5 +1,5 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value,
+    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value, Values, Where,
     edits, misses, solved, unknowns,
 };
 use crate::Step;
@@ -19,6 +19,8 @@ pub(crate) struct Cause {
     /// Theirs and ours, in words or as formulas.
     pub told: String,
     rank: u8,
+    /// What tells it from others: its line, or the number of the scene.
+    of: String,
 }
 
 /// A picture that is to be explained, and the pixels that count.
@@ -26,19 +28,39 @@ pub(crate) struct Riddle<'a> {
     pub yours: &'a RgbImage,
     pub samples: u32,
     pub places: &'a [Pixel],
+    /// Our picture.
+    pub ours: &'a RgbImage,
 }
 
 impl Riddle<'_> {
     /// The pixels that a tree does not explain, as far as there are at most so many.
-    pub fn wrong(&self, tree: &Tree, most: usize) -> Vec<Pixel> {
+    fn wrong(&self, tree: &Tree, most: usize) -> Vec<Pixel> {
         let context = Context { tree, changes: &[], free: Value::from(0.0) };
         misses(&context, self.yours, self.samples, self.places, most)
     }
 
+    /// The pixels in which the picture is not ours.
+    fn differing(&self) -> Vec<Pixel> {
+        let differs = |&&(i, j): &&Pixel| {
+            self.yours.get_pixel(i, j) != self.ours.get_pixel(i, j)
+        };
+        self.places.iter().filter(differs).copied().collect()
+    }
+
     fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
         let is_wrong: HashSet<_> = wrong.iter().collect();
-        let few = self.places.iter().step_by(self.places.len() / 8000 + 1);
-        let right: Vec<_> = few.filter(|p| !is_wrong.contains(p)).copied().collect();
+        let few = self.places.iter().step_by(self.places.len() / 400 + 1);
+        // Some of them are close to the wrong ones: outlines end there.
+        let near = wrong.iter().step_by(wrong.len() / 120 + 1).flat_map(|&(i, j)| {
+            let by = |k: u32, by: i32| k.saturating_add_signed(by);
+            [(7, 0), (-7, 0), (0, 7), (0, -7)].map(|(u, v)| (by(i, u), by(j, v)))
+        });
+        let (width, height) = self.yours.dimensions();
+        let near: Vec<_> = near.filter(|&(i, j)| i < width && j < height).collect();
+        let right = near.iter().filter(|&&(i, j)| {
+            self.yours.get_pixel(i, j) == self.ours.get_pixel(i, j)
+        });
+        let right: Vec<_> = few.chain(right).filter(|p| !is_wrong.contains(p)).copied().collect();
         Evidence::new(tree, self.yours, self.samples, wrong, &right)
     }
 
@@ -48,37 +70,79 @@ impl Riddle<'_> {
         let evidence = self.evidence(tree, wrong);
         let found = evidence.survivors(edits(tree)).into_iter();
         let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
-        if all.iter().all(|cause| 1 < cause.rank) {
-            all.extend(numbers(&evidence));
+        let is_likely = |cause: &&Cause| cause.rank < 2;
+        let is_unlikely = all.iter().find(is_likely).is_none();
+        let is_shape = all.iter().filter(is_likely).all(|cause| {
+            ["rays", "outlines", "nearest"].contains(&cause.place.stage)
+        });
+        if is_unlikely || is_shape {
+            all.extend(numbers(&evidence, is_unlikely));
         }
-        all.sort_by_key(|cause| (cause.rank, cause.told.chars().count()));
-        let mut told = HashSet::new();
-        all.retain(|cause| told.insert(cause.told.clone()));
-        // The first has to explain all pixels, the others very many.
-        let few: Vec<_> =
-            self.places.iter().step_by(self.places.len() / 6000 + 1).copied().collect();
-        let is_it = |cause: &Cause, places: &[Pixel]| {
-            let changed = tree.with(&cause.changes);
-            let context =
-                Context { tree: &changed, changes: &[], free: 0.0.into() };
-            misses(&context, self.yours, self.samples, places, 0).is_empty()
+        all.sort_by_key(|cause| {
+            // A number of the scene is the likeliest.
+            let is_formula = cause.told.contains(" ours ");
+            (cause.rank, is_formula, cause.told.chars().count())
+        });
+        let mut missed = match self.verified(tree, &mut all) {
+            Ok(()) => return all,
+            Err(missed) => missed,
         };
-        let first = all.iter().take(8).position(|cause| is_it(cause, self.places));
-        let Some(first) = first else { return vec![] };
+        // What seemed to explain all did not: then perhaps another number does.
+        for _ in 0..3 {
+            if missed.is_empty() {
+                break;
+            }
+            let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
+            let telling: Vec<_> = missed.iter().chain(few).copied().collect();
+            let mut all = numbers(&self.evidence(tree, &telling), is_unlikely || is_shape);
+            match self.verified(tree, &mut all) {
+                Ok(()) => return all,
+                Err(more) if more.is_empty() => break,
+                Err(more) => missed.extend(more),
+            }
+        }
+        vec![]
+    }
+
+    /// Keeps the causes that explain every pixel, the likeliest first, and one of each
+    /// line; or returns pixels that the likeliest do not explain.
+    fn verified(&self, tree: &Tree, all: &mut Vec<Cause>) -> Result<(), Vec<Pixel>> {
+        all.sort_by_key(|cause| {
+            // A number of the scene is the likeliest.
+            let is_formula = cause.told.contains(" ours ");
+            (cause.rank, is_formula, cause.told.chars().count())
+        });
+        let mut told = HashSet::new();
+        all.retain(|cause| told.insert(cause.of.clone()));
+        let missed = |cause: &Cause, places: &[Pixel], most: usize| {
+            let tree = tree.with(&cause.changes);
+            let context = Context { tree: &tree, changes: &[], free: 0.0.into() };
+            misses(&context, self.yours, self.samples, places, most)
+        };
+        // The first has to explain all pixels, the others very many.
+        let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
+        let few: Vec<_> = few.copied().collect();
+        let mut wrong = vec![];
+        let first = all.iter().take(6).position(|cause| {
+            let missed = missed(cause, self.places, 2000);
+            wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+            missed.is_empty()
+        });
+        let Some(first) = first else { return Err(wrong) };
         all.drain(..first);
+        all.truncate(12);
         let mut k = 0;
-        all.truncate(24);
         all.retain(|cause| {
             k += 1;
-            k == 1 || is_it(cause, &few)
+            k == 1 || missed(cause, &few, 0).is_empty()
         });
-        all
+        Ok(())
     }
 
     /// The things, one in each group, that explain every pixel together: none where
     /// nothing is wrong, two at most.
     pub fn explained(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
-        let wrong = self.wrong(tree, usize::MAX);
+        let wrong = self.differing();
         if wrong.is_empty() {
             return Some(vec![]);
         }
@@ -88,17 +152,38 @@ impl Riddle<'_> {
 
     /// Two things that explain every pixel together.
     pub fn pair(&self, tree: &Tree) -> Option<[Vec<Cause>; 2]> {
-        let wrong = self.wrong(tree, usize::MAX);
+        let wrong = self.differing();
         let evidence = self.evidence(tree, &wrong);
-        for first in halves(&evidence) {
+        let halves = halves(&evidence).into_iter().chain(self.of_objects(tree, &wrong));
+        for first in halves {
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed, usize::MAX);
             let second = self.single(&changed, &rest);
-            if !second.is_empty() {
+            if second.first().is_some_and(|second| second.of != first.of) {
                 return Some([vec![first], second]);
             }
         }
         None
+    }
+}
+
+impl Riddle<'_> {
+    /// Numbers of the scene that explain all wrong pixels of one object.
+    fn of_objects(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+        let few: Vec<_> = wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
+        let context = Context { tree, changes: &[], free: Value::from(0.0) };
+        let values = Values::at(&context, &few, self.samples);
+        let side = self.samples.pow(2) as usize;
+        let Some(nearest) = values.all[tree.nearest].first() else { return vec![] };
+        let of = |object: f64| -> Vec<Pixel> {
+            let its = few.iter().enumerate();
+            its.filter(|(k, _)| nearest.scalar(k * side) == object).map(|(_, p)| *p).collect()
+        };
+        let mut all: Vec<_> = (0..tree.count(Of::Object)).map(|k| of(k as f64)).collect();
+        all.sort_by_key(|its| usize::MAX - its.len());
+        let all = all.iter().take(3).filter(|its| 8 < its.len());
+        all.filter_map(|its| numbers(&self.evidence(tree, its), false).into_iter().next())
+            .collect()
     }
 }
 
@@ -132,10 +217,12 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
     rated.iter().take(3).map(|(_, edit)| cause(tree, edit)).collect()
 }
 
-/// The numbers that explain all pixels of the evidence.
-fn numbers(evidence: &Evidence) -> Vec<Cause> {
+/// The numbers that explain all pixels of the evidence: those of the scene, or all.
+fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
     let tree = evidence.tree;
-    let all = unknowns(tree).into_iter().filter_map(|unknown| {
+    let all = unknowns(tree).into_iter();
+    let all = all.filter(|one| has_formulas || matches!(one.place, Where::Scene(..)));
+    let all = all.filter_map(|unknown| {
         let x = solved(evidence, &unknown)?;
         let (change, free) = unknown.change(tree, x);
         let change = match change {
@@ -143,7 +230,8 @@ fn numbers(evidence: &Evidence) -> Vec<Cause> {
             other => other,
         };
         let is_put_in = matches!(&change, Change::Line(..)) && unknown.is_colour;
-        let rank = if is_put_in { 2 } else { 1 };
+        let is_scene = matches!(unknown.place, Where::Scene(..));
+        let rank = if is_put_in { 2 } else { u8::from(!is_scene) };
         let edit = Edit { changes: vec![change], rank, says: None, line: unknown.line };
         Some(cause(tree, &edit))
     });
@@ -168,7 +256,9 @@ fn cause(tree: &Tree, edit: &Edit) -> Cause {
     let path = place.section.path();
     let told = match (&edit.says, &edit.changes[..]) {
         (Some(says), _) => format!("{says} ({path})"),
-        (None, [Change::Given(line, which, value)]) => given(tree, *line, *which, value),
+        (None, [Change::Given(line, which, value)]) => {
+            format!("{} ({path})", given(tree, *line, *which, value))
+        }
         (None, changes) => {
             let told = changes.iter().filter_map(|change| match change {
                 Change::Line(line, node) => Some((*line, node)),
@@ -189,11 +279,43 @@ fn cause(tree: &Tree, edit: &Edit) -> Cause {
         Change::Given(line, which, _) if tree.lines[*line].of == Of::Light => Some(*which),
         _ => None,
     };
+    let place = match &edit.changes[..] {
+        [Change::Line(line, node)] if &*tree.lines[*line].name == "I" => {
+            Place { stage: term(tree, node).unwrap_or(place.stage), ..place }
+        }
+        _ => place,
+    };
     let lights: Vec<_> = edit.changes.iter().map(is_one).collect();
     let light = lights.first().copied().flatten();
     let light = light.filter(|_| lights.iter().all(|one| *one == light));
     let (changes, step) = (edit.changes.clone(), tree.step);
-    Cause { changes, place, step, light, told, rank: edit.rank }
+    let of = match (&edit.says, &changes[..]) {
+        (None, [Change::Given(line, which, _)]) => format!("{line} {which}"),
+        (None, [Change::Line(line, _)]) => line.to_string(),
+        _ => told.clone(),
+    };
+    Cause { changes, place, step, light, told, rank: edit.rank, of }
+}
+
+/// The stage of the one term of a sum that is not simply added.
+fn term(tree: &Tree, sum: &Node) -> Option<&'static str> {
+    fn added(node: &Node, found: &mut Vec<usize>) {
+        match node {
+            Node::Name(name) => found.push(*name),
+            Node::Of(Op::Add, two) => two.iter().for_each(|node| added(node, found)),
+            _ => {}
+        }
+    }
+    let mut found = vec![];
+    added(sum, &mut found);
+    let terms = [("I_a", "ambient"), ("E_d", "diffuse"), ("E_s", "specular")];
+    let is_other = |name: &str| {
+        let line = tree.find(name).filter(|line| tree.lines[*line].is_needed);
+        line.is_some_and(|line| found.iter().filter(|k| **k == line).count() != 1)
+    };
+    let mut others = terms.iter().filter(|(name, _)| is_other(name));
+    let stage = others.next().map(|(_, stage)| *stage);
+    stage.filter(|_| others.next().is_none())
 }
 
 /// A number of the scene, theirs and ours.

@@ -15,7 +15,7 @@ pub(crate) use edits::{Edit, edits};
 pub(crate) use eval::{Change, Context, Values};
 pub(crate) use explain::{Cause, Riddle};
 pub(crate) use node::{Kind, Node, Op};
-pub(crate) use numbers::{solved, unknowns};
+pub(crate) use numbers::{Where, solved, unknowns};
 use parse::parse;
 pub(crate) use print::shown;
 pub(crate) use search::{Evidence, Pixel, misses};

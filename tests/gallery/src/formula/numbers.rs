@@ -58,6 +58,9 @@ pub(crate) fn unknowns(tree: &Tree) -> Vec<Unknown> {
                     all.push(Unknown { line, is_colour, place, ours });
                 };
                 holes(node, &mut |node, ours| push(node, false, ours));
+                if one.of == Of::Light {
+                    letters(tree, node, &mut |node| push(node, false, 1.0));
+                }
                 put_in(tree, line, node, &mut push);
             }
         }
@@ -94,6 +97,25 @@ fn holes(node: &Node, push: &mut dyn FnMut(Node, f64)) {
                     let mut nodes = nodes.clone();
                     nodes[k] = other;
                     push(Node::Of(*op, nodes), ours);
+                });
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The expression with a number in the place of each of its scalars in turn.
+fn letters(tree: &Tree, node: &Node, push: &mut dyn FnMut(Node)) {
+    match node {
+        Node::Name(name) if tree.lines[*name].kind == Kind::Scalar => {
+            push(Node::Free(Kind::Scalar));
+        }
+        Node::Of(op, nodes) => {
+            for (k, below) in nodes.iter().enumerate() {
+                letters(tree, below, &mut |other| {
+                    let mut nodes = nodes.clone();
+                    nodes[k] = other;
+                    push(Node::Of(*op, nodes));
                 });
             }
         }
@@ -162,7 +184,7 @@ impl Best {
 pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let ours = unknown.ours;
     let before = cost(evidence, 0, unknown, ours);
-    let first = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours).into_iter().chain([ours + 0.3]);
+    let first = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours).into_iter().chain([0.3, -1.0, 6.0].map(|k| ours + k));
     let is_blind = first.into_iter().all(|x| cost(evidence, 0, unknown, x) == before);
     if is_blind {
         return None;
@@ -170,8 +192,12 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let start = cost(evidence, 1, unknown, ours);
     let mut best = Best { cost: start, x: ours };
     let factors = [-1.0, 0.0, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 100.0];
-    let terms = [-3.0, -1.0, -0.5, -0.25, -0.1, 0.1, 0.25, 0.5, 1.0, 3.0];
+    let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
     let all = factors.map(|k| k * ours).into_iter();
+    let name = &*evidence.tree.lines[unknown.line].name;
+    let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
+    let near = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
+    let terms = terms.into_iter().chain(near).flat_map(|k| [k, -k]);
     for x in all.chain(terms.map(|k| ours + k)) {
         best.take(cost(evidence, 1, unknown, x), x);
     }
@@ -180,11 +206,11 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     }
     refine(evidence, 1, unknown, &mut best, 0.35);
     let few = evidence.parts[1].0.len() as f64;
-    if few < best.cost.max_element() {
+    if 3.0 * few < best.cost.max_element() {
         return None;
     }
     best.cost = cost(evidence, 2, unknown, best.x);
-    refine(evidence, 2, unknown, &mut best, 0.01);
+    refine(evidence, 2, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
     if best.cost != DVec3::ZERO {
         return None;
     }
@@ -200,7 +226,7 @@ fn refine(
     share: f64,
 ) {
     let mut step = (share * best.x.abs()).max(DVec3::splat(share * 0.3));
-    for _ in 0..16 {
+    for _ in 0..20 {
         if best.cost == DVec3::ZERO {
             break;
         }

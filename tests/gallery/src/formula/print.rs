@@ -12,11 +12,6 @@ impl Tree {
             _ => format!("{name} = {text}"),
         }
     }
-
-    /// An expression, as the book writes it.
-    pub fn shown(&self, node: &Node) -> String {
-        Print { tree: self, free: None }.at(node, 0)
-    }
 }
 
 /// A name without the primes that tell it apart.
@@ -59,8 +54,8 @@ impl Print<'_> {
             (format!("{name}({})", all.join(", ")), 9)
         };
         match op {
-            Op::Add => (format!("{} + {}", at(0, 2), at(1, 2)), 2),
-            Op::Sub => (format!("{} − {}", at(0, 2), at(1, 3)), 2),
+            Op::Add => (format!("{} + {}", at(0, 2), at(1, 4)), 2),
+            Op::Sub => (format!("{} − {}", at(0, 2), at(1, 4)), 2),
             Op::Mul => (self.product(&nodes[0], &nodes[1]), 4),
             Op::Div => (format!("{} / {}", at(0, 4), at(1, 5)), 4),
             Op::Dot => (format!("{}·{}", at(0, 5), at(1, 5)), 5),
@@ -130,5 +125,5 @@ impl Print<'_> {
 
 /// A negative number needs parentheses behind an operator.
 fn negative(text: String, level: u8) -> String {
-    if text.starts_with('−') && 3 < level { format!("({text})") } else { text }
+    if text.starts_with('−') && 2 < level { format!("({text})") } else { text }
 }

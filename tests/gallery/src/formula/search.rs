@@ -8,7 +8,6 @@ pub(crate) type Pixel = (u32, u32);
 pub(crate) struct Evidence<'a> {
     pub tree: &'a Tree,
     yours: &'a RgbImage,
-    pub samples: u32,
     /// Few pixels, then more: each with the values of all lines there.
     pub parts: Vec<(Vec<Pixel>, Values)>,
 }
@@ -30,7 +29,7 @@ impl<'a> Evidence<'a> {
             let values = Values::at(&context, &places, samples);
             (places, values)
         });
-        Self { tree, yours, samples, parts: parts.into() }
+        Self { tree, yours, parts: parts.into() }
     }
 
     /// Whether the tree with these changes gives each of the pixels.

@@ -111,7 +111,8 @@ impl Tree {
             if let Some(words) = line.strip_prefix('[') {
                 heading = self::heading(words.trim_end_matches(']'));
             } else if let Some((name, text)) = line.split_once(" = ") {
-                tree.add(name, own(step, name).unwrap_or(text), heading);
+                let (text, place) = own(step, name).unwrap_or((text, heading.1));
+                tree.add(name, text, (heading.0, place));
             }
         }
         tree.thin();
@@ -197,6 +198,15 @@ impl Tree {
     fn thin(&mut self) {
         let last = self.lines.len() - 1;
         self.lines[last].is_needed = true;
+        // Letters that may be taken for others, although nothing needs them yet.
+        let others: &[&str] = match self.step {
+            Step::Rays | Step::Sphere => &[],
+            Step::Nearest => &["t'"],
+            Step::Diffuse | Step::Phong => &["t'", "v"],
+        };
+        for line in self.lines.iter_mut().filter(|l| others.contains(&&*l.name)) {
+            line.is_needed = true;
+        }
         for k in (0..=last).rev() {
             let node = self.lines[k].node.clone().filter(|_| self.lines[k].is_needed);
             let Some(node) = node else { continue };
@@ -272,11 +282,15 @@ impl Tree {
 }
 
 /// What stands for a formula of the last step in an earlier one.
-fn own(step: Step, name: &str) -> Option<&'static str> {
+fn own(step: Step, name: &str) -> Option<(&'static str, Place)> {
+    let place = |stage, section| Place { stage, section, test: "" };
     match (step, name) {
-        (Step::Rays, "I'") => Some("sky"),
-        (Step::Sphere | Step::Nearest, "I") => Some("colour'"),
-        (Step::Diffuse, "I") => Some("I_a + E_d"),
+        (Step::Rays, "I'") => Some(("sky", place("sky", section::DIRECTIONS))),
+        (Step::Sphere, "I") => {
+            Some(("colour'", place("colours", section::ONE_COLOUR)))
+        }
+        (Step::Nearest, "I") => Some(("colour'", place("colours", section::FLAT))),
+        (Step::Diffuse, "I") => Some(("I_a + E_d", place("sum", section::LIGHTS))),
         _ => None,
     }
 }

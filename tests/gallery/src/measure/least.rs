@@ -28,17 +28,6 @@ impl<const N: usize> Least<N> {
         Some(inverse.map(|line| dot(&line, &self.right)))
     }
 
-    /// The unknowns; one that the equations leave open is about `guess`.
-    pub fn solve_near(&self, guess: &[f64; N]) -> [f64; N] {
-        let mut pulled = self.clone();
-        let weight = 1e-9 * (1.0 + self.count);
-        for (k, guess) in guess.iter().enumerate() {
-            pulled.matrix[k][k] += weight;
-            pulled.right[k] += weight * guess;
-        }
-        pulled.solve().unwrap_or(*guess)
-    }
-
     /// How far off each unknown may be where the values are off by `sigma`.
     pub fn errors(&self, sigma: f64) -> [f64; N] {
         let mut least = self.clone();

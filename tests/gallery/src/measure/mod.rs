@@ -67,27 +67,23 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
 
 /// The options and the things done otherwise, in groups of which one explains as much
 /// as another, that explain every pixel together.
-fn explained<'a>(
-    yours: &'a RgbImage,
+fn explained(
+    yours: &RgbImage,
     step: Step,
-    places: &'a [(u32, u32)],
-) -> Option<(view::View, Tree, Vec<Vec<Cause>>)> {
+    places: &[(u32, u32)],
+) -> Option<(view::View, Tree, Groups)> {
     let views = view::views(yours);
-    let riddle = |samples: u32| Riddle { yours, samples, places };
-    let tree = |view: &view::View| {
-        Tree::new(step, yours.dimensions(), view.fov, view.samples)
+    let riddle = |view: &view::View, ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
+        let ours = view.picture(step, yours.dimensions());
+        let tree = Tree::new(step, yours.dimensions(), view.fov, view.samples);
+        let samples = view.samples;
+        let groups = ask(Riddle { yours, samples, places, ours: &ours }, &tree)?;
+        Some((*view, tree, groups))
     };
-    for view in &views {
-        let tree = tree(view);
-        if let Some(groups) = riddle(view.samples).explained(&tree) {
-            return Some((*view, tree, groups));
-        }
-    }
-    for view in views.iter().take(2) {
-        let tree = tree(view);
-        if let Some(pair) = riddle(view.samples).pair(&tree) {
-            return Some((*view, tree, pair.into()));
-        }
-    }
-    None
+    let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
+    let two = |view| riddle(view, &|riddle, tree| Some(riddle.pair(tree)?.into()));
+    views.iter().find_map(one).or_else(|| views.iter().take(2).find_map(two))
 }
+
+/// Things done otherwise, in groups of which one explains as much as another.
+type Groups = Vec<Vec<Cause>>;

@@ -93,10 +93,10 @@ fn tell(stages: &mut [Stage], group: &[Cause]) {
         }
         is_told = true;
         stage.numbers.push(format!("in every pixel, {}", first.told));
-        for other in group.iter().skip(1).take(3) {
+        for other in group.iter().skip(1).take(4) {
             stage.numbers.push(format!("or else {}", other.told));
         }
-        if let more @ 1.. = group.len().saturating_sub(4) {
+        if let more @ 1.. = group.len().saturating_sub(5) {
             stage.numbers.push(format!("or else one of {more} others, which are alike"));
         }
     }
@@ -123,19 +123,21 @@ pub(super) fn add_black(stages: &mut [Stage], black: &Black) {
 }
 
 /// The stage that a known mistake belongs to.
-fn stage_of(step: Step, mistake: &Mistake) -> &'static str {
+fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
     use section::*;
     match mistake.section {
         ROOT | NEAREST if step == Step::Sphere => "outlines",
         RAY => "point",
         CAMERA | PROGRAM | RENDER => "rays",
         DIRECTIONS => "sky",
+        MEETING | FORMULA | CENTRE if has_outlines && step != Step::Sphere => "nearest",
         MEETING | FORMULA | CENTRE => "outlines",
         ROOT | NEAREST => "nearest",
         ONE_COLOUR | SCENE | FLAT => "colours",
         NORMAL => "point",
         AMBIENT | SURFACE => "ambient",
         ATTENUATION => "attenuation",
+        LIGHTS if mistake.when.contains("ambient") => "ambient",
         LAMBERT | LIGHT | DIFFUSE | LIGHTS | LAMPS => "diffuse",
         REFLECT | SPECULAR | MATERIALS | EYE | SUM => "specular",
         _ => "sum",
@@ -145,11 +147,13 @@ fn stage_of(step: Step, mistake: &Mistake) -> &'static str {
 /// The table of a picture of which known mistakes explain every pixel: they know their
 /// stages. The others are right where the picture shows them.
 ///
-/// The first list is told; each of the others explains as much.
+/// The first list is told; each of the others explains as much. Whether it has an object
+/// at all, and whether the right pixels see one, is known.
 pub(crate) fn of_mistakes(
     step: Step,
     causes: &[Vec<&Mistake>],
     has_objects: bool,
+    has_outlines: bool,
 ) -> Vec<Stage> {
     let mut stages = blank(step, |row| match row.1 {
         "rays" | "sky" | "outlines" | "sum" => Verdict::Right,
@@ -158,17 +162,21 @@ pub(crate) fn of_mistakes(
     });
     let (first, others) = causes.split_first().map_or((&[][..], &[][..]), |(a, b)| (&a[..], b));
     for mistake in others.iter().flatten() {
-        for its in stages.iter_mut().filter(|its| row(its).1 == stage_of(step, mistake)) {
+        for its in stages.iter_mut().filter(|its| row(its).1 == stage_of(step, mistake, has_outlines)) {
             let why = "it may be what is wrong, as is told above".to_owned();
             its.verdict = Verdict::Unknown(why);
         }
     }
     for mistake in first {
-        let stage = stage_of(step, mistake);
+        let stage = stage_of(step, mistake, has_outlines);
         for (k, its) in stages.iter_mut().filter(|its| row(its).1 == stage).enumerate() {
             (its.verdict, its.section) = (Verdict::Wrong, mistake.section);
             let told = format!("it is what you get when {}", mistake.when);
             its.numbers.push(if k == 0 { told } else { "as the warm light's".to_owned() });
+            if stage == "nearest" && Step::Nearest < step {
+                let told = "or else t is right and the point p = S + t V or its n is not";
+                its.numbers.push(told.to_owned());
+            }
         }
     }
     stages

@@ -1,5 +1,7 @@
 use crate::fov::{FOV, fields_of_view};
+use crate::Step;
 use image::RgbImage;
+use step01_rays::Camera;
 
 /// The options that a picture may have been drawn with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,6 +10,14 @@ pub(super) struct View {
     pub fov: f64,
     /// The side of the grid of rays in each pixel.
     pub samples: u32,
+}
+
+impl View {
+    /// Our picture with these options.
+    pub fn picture(&self, step: Step, (width, height): (u32, u32)) -> RgbImage {
+        let camera = Camera::new(width, height, self.fov.to_radians());
+        step.picture(&camera, self.samples)
+    }
 }
 
 /// The likeliest first: the defaults.

@@ -21,22 +21,6 @@ pub(crate) fn vector(v: DVec3) -> String {
     format!("({})", v.to_array().map(number).join(", "))
 }
 
-/// "half as long" and the like, where the ratio has a name.
-pub(super) fn times(ratio: f64) -> String {
-    let named = [
-        (0.0, "it is missing"),
-        (1.0, "it is right"),
-        (-1.0, "its sign is wrong"),
-        (0.5, "half of it"),
-        (2.0, "twice as much"),
-    ];
-    let name = named.iter().find(|(value, _)| (value - ratio).abs() < 0.004);
-    name.map_or_else(
-        || format!("{} times as much", number(ratio)),
-        |n| n.1.to_owned(),
-    )
-}
-
 /// A list in words: a, b and c.
 pub(super) fn list(words: &[String]) -> String {
     match words {
