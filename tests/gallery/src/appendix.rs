@@ -33,10 +33,11 @@ pixel, or all but a few, which it counts. Here it has no name.
 2. **The stages** go from the ray to the byte. A stage is *right* where every pixel that \
 shows it agrees, and *WRONG* where the numbers show that. Where a picture can't tell, it \
 says why. Look at the first wrong stage: what comes after it is often only its consequence.
-3. **The numbers** are yours, then ours, in the letters of this book. Here the warm \
-light's highlights are 1.11 times too bright in green and 1.25 times in blue. These are \
-1/0.9 and 1/0.8, and 0.9 and 0.8 are the light's own $L_s$. The cool light has 1/0.5 and \
-1/0.7. So a factor is missing, and it is $L_s$.
+3. **The formulas** and numbers are yours, then ours, in the letters of this book. `check` \
+changes one place of one formula, draws, and compares: what stands here gives your picture, \
+pixel for pixel. Your code need not say it in these words. Here $L_s$ is missing at the \
+end. Where several changes give the same picture, each stands on a line that begins with \
+*or else*.
 4. **Where to look** is the line that computes the stage, and the test that has its \
 numbers worked out by hand.
 

@@ -33,8 +33,7 @@ pub const ONE_COLOUR: Section =
     section(Sphere, "picture.rs", "A colour for every ray");
 pub const SCENE: Section = section(Nearest, "objects.rs", "The scene");
 pub const NEAREST: Section = section(Nearest, "nearest.rs", "The nearest hit");
-pub const FLAT: Section =
-    section(Nearest, "picture.rs", "A colour for every ray");
+pub const FLAT: Section = section(Nearest, "picture.rs", "A colour for every ray");
 pub const SURFACE: Section = section(Diffuse, "surface.rs", "Colours are vectors");
 pub const NORMAL: Section = section(Diffuse, "point.rs", "The normal");
 pub const AMBIENT: Section = section(Diffuse, "ambient.rs", "Ambient light");

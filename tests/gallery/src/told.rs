@@ -21,8 +21,14 @@ impl Told {
             Some(found) => {
                 let cause = found.cause(step);
                 let right = Cause { mistakes: vec![], ..cause.clone() };
-                let [yours, ours] = [&cause, &right].map(|cause| objects(case, cause));
-                of_mistakes(step, &found.causes, yours.contains(&true), yours == ours)
+                let [yours, ours] =
+                    [&cause, &right].map(|cause| objects(case, cause));
+                of_mistakes(
+                    step,
+                    &found.causes,
+                    yours.contains(&true),
+                    yours == ours,
+                )
             }
             None => stages(&case.yours.kept, step),
         };
@@ -37,7 +43,8 @@ impl Told {
 /// Whether the rays of some pixels meet something.
 pub(crate) fn objects(case: &Case, cause: &Cause) -> Vec<bool> {
     let parts = cause.parts(case.yours.size);
-    let ray = |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
+    let ray =
+        |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
     let rays = case.yours.scattered(2000).into_iter().map(ray);
     rays.map(|ray| parts.seen(cause.step, &ray).is_some()).collect()
 }

@@ -56,7 +56,7 @@ fn one_wrong_pixel_is_never_right() {
 fn a_camera_is_read_from_the_sky() {
     for step in Step::ALL {
         let stages = of(step, |parts| parts.camera.matrix.y_axis.y *= 0.5);
-        assert_wrong(&stages, "rays", "0.5 times ours, half of it", &[]);
+        assert_wrong(&stages, "rays", "D_v = (0, (−1) h / columns, 0)", &[]);
     }
 }
 
@@ -87,12 +87,12 @@ fn a_colour_is_read() {
 fn the_weights_of_the_lights_are_read() {
     for step in [Step::Diffuse, Step::Phong] {
         let stages = of(step, |parts| parts.scene.ambient_light *= 0.5);
-        assert_wrong(&stages, "ambient", "half of it", &[]);
+        assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &[]);
         let stages = of(step, |parts| parts.scene.lights[1].point.diffuse *= 0.5);
-        assert_wrong(&stages, "diffuse, cool", "half of it", &[]);
+        assert_wrong(&stages, "diffuse, cool", "(0.225, 0.3, 0.5)", &[]);
     }
     let stages = of(Step::Phong, |parts| parts.scene.lights[0].specular *= 2.0);
-    assert_wrong(&stages, "specular, warm", "twice as much", &[]);
+    assert_wrong(&stages, "specular, warm", "(2, 1.8, 1.6)", &[]);
 }
 
 #[test]
@@ -122,8 +122,8 @@ fn two_stages_are_told_separately() {
         parts.camera.matrix.y_axis.y *= 0.5;
         parts.scene.ambient_light *= 0.5;
     });
-    assert_wrong(&stages, "rays", "your D_v is", &["ambient"]);
-    assert_wrong(&stages, "ambient", "half of it", &["rays"]);
+    assert_wrong(&stages, "rays", "D_v = (0, (−1) h", &["ambient"]);
+    assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &["rays"]);
 }
 
 #[test]

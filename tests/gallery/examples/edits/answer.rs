@@ -27,8 +27,10 @@ impl Told<'_> {
     /// that explains every pixel.
     pub fn points_at(&self, fault: &Fault, changes: &[Change]) -> bool {
         let is_line = |number: &&str| {
-            let is_in = |change: &Change| number.contains(&format!("({})", change.path()));
-            let is_told = number.contains("in every pixel") || number.contains("or else");
+            let is_in =
+                |change: &Change| number.contains(&format!("({})", change.path()));
+            let is_told =
+                number.contains("in every pixel") || number.contains("or else");
             is_told && changes.iter().any(is_in)
         };
         if self.numbers.iter().any(is_line) {

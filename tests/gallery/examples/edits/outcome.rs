@@ -75,11 +75,14 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
         return (Kind::Named, told(&exact));
     }
     let wrong = || table.iter().filter(|told| told.verdict == "WRONG");
-    let is_found = |fault: &&Fault| wrong().any(|told| told.is_about(fault, &edit.changes));
+    let is_found =
+        |fault: &&Fault| wrong().any(|told| told.is_about(fault, &edit.changes));
     let is_told = |fault: &&Fault| {
-        wrong().any(|told| told.is_about(fault, &edit.changes) && told.points_at(fault, &edit.changes))
-            || (fault.is_in("size") || first.contains("it is grey"))
-                && fault.words.iter().any(|word| text.contains(word))
+        wrong().any(|told| {
+            told.is_about(fault, &edit.changes)
+                && told.points_at(fault, &edit.changes)
+        }) || (fault.is_in("size") || first.contains("it is grey"))
+            && fault.words.iter().any(|word| text.contains(word))
     };
     let all: Vec<_> = wrong().flat_map(|told| told.numbers.clone()).collect();
     if edit.faults.iter().all(|fault| is_told(&fault)) {
@@ -107,8 +110,9 @@ fn excuse(edit: &Edit, text: &str) -> Option<String> {
 
 /// What the table says that is not so.
 fn lie(edit: &Edit, table: &[Told]) -> Option<String> {
-    let is_fault =
-        |told: &Told| edit.faults.iter().any(|fault| told.is_about(fault, &edit.changes));
+    let is_fault = |told: &Told| {
+        edit.faults.iter().any(|fault| told.is_about(fault, &edit.changes))
+    };
     let wrong =
         table.iter().find(|told| told.verdict == "WRONG" && !is_fault(told));
     if let Some(Told { stage, numbers, .. }) = wrong {

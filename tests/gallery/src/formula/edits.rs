@@ -55,10 +55,15 @@ impl Scope<'_> {
         others.extend(swapped_numbers(node));
         others.extend(self.multiplied(node));
         if &*self.line.name == "M" {
-            others.push((1, node.map(&|n| match n {
-                Node::Of(Op::Mean, nodes) => Some(Node::of(Op::Last, nodes.clone())),
-                _ => None,
-            })));
+            others.push((
+                1,
+                node.map(&|n| match n {
+                    Node::Of(Op::Mean, nodes) => {
+                        Some(Node::of(Op::Last, nodes.clone()))
+                    }
+                    _ => None,
+                }),
+            ));
         }
         for (rank, other) in others {
             let kind = self.kind(&other);
@@ -85,11 +90,18 @@ impl Scope<'_> {
             of => of == self.line.of,
         };
         let is_odd = |line: &Line| {
-            let odd = ["fade", "order", "nearest", "k_u", "k_v", "samples", "I'", "fov", "θ"];
+            let odd = [
+                "fade", "order", "nearest", "k_u", "k_v", "samples", "I'", "fov",
+                "θ",
+            ];
             odd.contains(&&*line.name) && self.line.place.stage != "rays"
         };
         let is_it = move |line: &&Line| {
-            line.is_needed && !line.is_function && line.kind == kind && is_seen(line) && !is_odd(line)
+            line.is_needed
+                && !line.is_function
+                && line.kind == kind
+                && is_seen(line)
+                && !is_odd(line)
         };
         lines.filter(move |(_, l)| is_it(l)).map(|(k, _)| Node::Name(k))
     }
@@ -153,7 +165,9 @@ impl Scope<'_> {
             for number in [0.0, 1.0] {
                 all.push((1, Node::Number(number)));
             }
-            for name in self.names(Kind::Vector).filter(|_| kind == Some(Kind::Vector)) {
+            for name in
+                self.names(Kind::Vector).filter(|_| kind == Some(Kind::Vector))
+            {
                 all.push((2, Node::of(Op::Neg, [name.clone()])));
                 let unit = Node::of(Op::Unit, [name]);
                 all.push((2, Node::of(Op::Neg, [unit.clone()])));
@@ -164,15 +178,21 @@ impl Scope<'_> {
             }
         }
         if kind == Some(Kind::Scalar) && !is_number {
-            all.push((2, Node::of(Op::Div, [with(Op::Add, 1.0), Node::Number(2.0)])));
-            let square = from(Op::Sub, 1.0).map(&|n| (n == node).then(|| with(Op::Pow, 2.0)));
+            all.push((
+                2,
+                Node::of(Op::Div, [with(Op::Add, 1.0), Node::Number(2.0)]),
+            ));
+            let square = from(Op::Sub, 1.0)
+                .map(&|n| (n == node).then(|| with(Op::Pow, 2.0)));
             all.push((2, Node::of(Op::Sqrt, [square])));
             all.push((2, one(Op::Acos)));
         }
         if kind == Some(Kind::Vector) {
             all.push((0, one(Op::Unit)));
             let part = |axis: usize| one(Op::Part(axis));
-            for (axis, sign) in [0, 1, 2].into_iter().flat_map(|k| [(k, 1.0), (k, -1.0)]) {
+            for (axis, sign) in
+                [0, 1, 2].into_iter().flat_map(|k| [(k, 1.0), (k, -1.0)])
+            {
                 let mut three = [0.0; 3];
                 three[axis] = sign;
                 all.push((2, Node::of(Op::Vector, three.map(Node::Number))));
@@ -284,7 +304,8 @@ impl Scope<'_> {
         if ![Of::Hit, Of::Light].contains(&self.line.of) {
             return vec![];
         }
-        let vectors = self.names(Kind::Vector).filter(|_| self.line.kind == Kind::Vector);
+        let vectors =
+            self.names(Kind::Vector).filter(|_| self.line.kind == Kind::Vector);
         let names = self.names(Kind::Scalar).chain(vectors);
         let powers = names.flat_map(|name| {
             let square = Node::of(Op::Pow, [name.clone(), Node::Number(2.0)]);
@@ -315,7 +336,8 @@ impl Scope<'_> {
                 let other = |n: &Node| is_its(n).then(|| name.clone());
                 all.push((1, node.map(&other)));
             }
-            let pairs = own.iter().filter(|&&b| a < b && self.tree.lines[b].kind == kind);
+            let pairs =
+                own.iter().filter(|&&b| a < b && self.tree.lines[b].kind == kind);
             for &b in pairs {
                 all.push((0, swap(a, b)));
                 for &c in own.iter().filter(|&&c| c != a && c != b) {
@@ -356,7 +378,8 @@ fn swapped_numbers(node: &Node) -> Vec<Ranked> {
             };
             all.push((0, with(*b, *a)));
             if found.len() == 2 && a.fract() != 0.0 && b.fract() != 0.0 {
-                let simple = [0.0, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0];
+                let simple =
+                    [0.0, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0];
                 for x in simple {
                     all.extend(simple.map(|y| (1, with(x, y))));
                 }
@@ -441,16 +464,19 @@ fn swapped(tree: &Tree, k: usize, l: usize) -> Vec<Change> {
         Node::Name(name) if *name == l => Some(Node::Name(k)),
         _ => None,
     };
-    let later = tree.lines.iter().enumerate().skip(l + 1).filter(|(_, l)| l.is_needed);
+    let later =
+        tree.lines.iter().enumerate().skip(l + 1).filter(|(_, l)| l.is_needed);
     let has = |node: &&Node| node.has(k) || node.has(l);
-    let its = later.filter_map(|(m, line)| Some((m, line.node.as_ref().filter(has)?)));
+    let its =
+        later.filter_map(|(m, line)| Some((m, line.node.as_ref().filter(has)?)));
     its.map(|(m, node)| Change::Line(m, node.map(&swap))).collect()
 }
 
 /// What concerns several lines of the rays, and of the bytes.
 fn rays(tree: &Tree, all: &mut Vec<Edit>) {
     let name = |name: &str| tree.find(name).map(Node::Name);
-    let (Some(i), Some(j), Some(byte)) = (tree.find("i'"), tree.find("j'"), tree.find("B"))
+    let (Some(i), Some(j), Some(byte)) =
+        (tree.find("i'"), tree.find("j'"), tree.find("B"))
     else {
         return;
     };
@@ -460,24 +486,39 @@ fn rays(tree: &Tree, all: &mut Vec<Edit>) {
             None => Node::Number(by),
         };
         let changes = vec![Change::Line(i, line(i)), Change::Line(j, line(j))];
-        let says = format!("i and j are too large by {by}, as if V_0 were another pixel's")
-            .replace('-', "−");
+        let says = format!(
+            "i and j are too large by {by}, as if V_0 were another pixel's"
+        )
+        .replace('-', "−");
         all.push(Edit { changes, rank: 0, says: Some(says), line: i });
     }
-    if let (Some(v), Some(d_u), Some(d_v), Some(v_0), Some(x), Some(y)) =
-        (tree.find("V"), name("D_u"), name("D_v"), name("V_0"), name("i'"), name("j'"))
-    {
+    if let (Some(v), Some(d_u), Some(d_v), Some(v_0), Some(x), Some(y)) = (
+        tree.find("V"),
+        name("D_u"),
+        name("D_v"),
+        name("V_0"),
+        name("i'"),
+        name("j'"),
+    ) {
         let place = Node::of(Op::Vector, [x, y, Node::Number(1.0)]);
-        let rows = [d_u, d_v, v_0].map(|row| Node::of(Op::Dot, [row, place.clone()]));
-        let says = "D_u, D_v and V_0 are the rows of the matrix, not its columns".to_owned();
+        let rows =
+            [d_u, d_v, v_0].map(|row| Node::of(Op::Dot, [row, place.clone()]));
+        let says = "D_u, D_v and V_0 are the rows of the matrix, not its columns"
+            .to_owned();
         let changes = vec![Change::Line(v, Node::of(Op::Vector, rows))];
         all.push(Edit { changes, rank: 0, says: Some(says), line: v });
     }
     if let Some(node) = &tree.lines[byte].node {
-        let turns = Node::of(Op::Floor, [Node::of(Op::Div, [node.clone(), Node::Number(256.0)])]);
+        let turns = Node::of(
+            Op::Floor,
+            [Node::of(Op::Div, [node.clone(), Node::Number(256.0)])],
+        );
         let all_turns = Node::of(Op::Mul, [Node::Number(256.0), turns]);
-        let changes = vec![Change::Line(byte, Node::of(Op::Sub, [node.clone(), all_turns]))];
-        let says = "bytes above 255 wrap, they begin again at 0: modulo 256, not clamped".to_owned();
+        let changes =
+            vec![Change::Line(byte, Node::of(Op::Sub, [node.clone(), all_turns]))];
+        let says =
+            "bytes above 255 wrap, they begin again at 0: modulo 256, not clamped"
+                .to_owned();
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
     }
 }
@@ -494,10 +535,13 @@ fn exchanges(tree: &Tree, all: &mut Vec<Edit>) {
             if let (true, Some(a), Some(b)) = (is_like, &one.node, &two.node) {
                 // The first can't need what is not computed yet.
                 let changes = match tree.uses(b) >> k {
-                    0 => vec![Change::Line(k, b.clone()), Change::Line(l, a.clone())],
+                    0 => {
+                        vec![Change::Line(k, b.clone()), Change::Line(l, a.clone())]
+                    }
                     _ => swapped(tree, k, l),
                 };
-                let [first, second] = [one, two].map(|line| super::shown(&line.name));
+                let [first, second] =
+                    [one, two].map(|line| super::shown(&line.name));
                 let says = format!("{first} and {second} have changed places");
                 all.push(Edit { changes, rank: 1, says: Some(says), line: k });
             }
@@ -542,7 +586,10 @@ fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
                     "nearest",
                     1,
                     vec![Change::Objects(0, k)],
-                    format!("only the first {k} objects count, without {}", names.join(", ")),
+                    format!(
+                        "only the first {k} objects count, without {}",
+                        names.join(", ")
+                    ),
                 );
             }
         }
@@ -555,7 +602,8 @@ fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
     {
         let of = |op: Op| Node::of(op, [Node::Name(one)]);
         let product = Node::of(Op::Mul, [Node::Name(ambient), of(Op::Product)]);
-        let says = "I_a and the I_d of the lights are multiplied, not added".to_owned();
+        let says =
+            "I_a and the I_d of the lights are multiplied, not added".to_owned();
         push("E_d", 0, vec![Change::Line(line, product)], says);
         let last = vec![Change::Line(line, of(Op::Alone(1)))];
         let says = "I is the I_d of the last light alone: the ambient part and the first \
@@ -570,8 +618,14 @@ fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) 
     for k in [0, last] {
         for (names, what) in [
             (&["centre'", "radius'"][..], "the point's sphere, of its normal,"),
-            (&["centre'", "radius'", "colour'", "g'", "n'"], "the sphere and the material of every hit"),
-            (&["colour'", "g'", "n'"], "the material of every point, R_a, R_d, R_s and n,"),
+            (
+                &["centre'", "radius'", "colour'", "g'", "n'"],
+                "the sphere and the material of every hit",
+            ),
+            (
+                &["colour'", "g'", "n'"],
+                "the material of every point, R_a, R_d, R_s and n,",
+            ),
         ] {
             let lines = names.iter().filter_map(|name| tree.find(name));
             let lines = lines.filter(|k| tree.lines[*k].is_needed);
@@ -602,7 +656,7 @@ fn lamps(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
         let says = format!("{name} of the two lights have changed places");
         push(if name == "L_s" { "I_s" } else { "I_d" }, 1, changes, says);
     }
-    if let (Some(g), Some(n)) = (tree.find("g"), tree.find("n")) {
+    if let (Some(g), Some(n)) = (tree.find("g"), tree.find("n''")) {
         let count = tree.lines[g].given.len();
         for (a, b) in (0..count).flat_map(|a| (0..a).map(move |b| (b, a))) {
             let of = |k: usize, a: usize, b: usize| {
@@ -622,25 +676,41 @@ fn lamps(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
         for line in ["I_d", "I_s"] {
             let Some(k) = tree.find(line) else { continue };
             let what = if line == "I_d" { "L_d" } else { "L_s" };
-            push(line, 1, vec![Change::Lamp(k, lamp)], format!(
-                "the {} light has the {what} and the attenuation of the {} one in {line}",
-                name(other),
-                name(lamp)
-            ));
+            push(
+                line,
+                1,
+                vec![Change::Lamp(k, lamp)],
+                format!(
+                    "the {} light has the {what} and the attenuation of the {} one in {line}",
+                    name(other),
+                    name(lamp)
+                ),
+            );
         }
-        for own in [&["P", "L_d", "a'", "b'", "c'"][..], &["P", "L_d", "L_s", "a'", "b'", "c'"], &["a'", "b'", "c'"], &["L_d", "a'", "b'", "c'"]] {
+        for own in [
+            &["P", "L_d", "a'", "b'", "c'"][..],
+            &["P", "L_d", "L_s", "a'", "b'", "c'"],
+            &["a'", "b'", "c'"],
+            &["L_d", "a'", "b'", "c'"],
+        ] {
             let all = own.iter().filter_map(|name| tree.find(name));
             let given = |k: usize| {
                 Change::Given(k, other, tree.lines[k].given[lamp].clone())
             };
             let changes: Vec<_> = all.map(given).collect();
-            let shown: Vec<_> = own.iter().map(|n| n.trim_end_matches('\'')).collect();
-            push(if own[0] == "a'" { "fade" } else { "I_d" }, 1, changes, format!(
-                "the {} light has {} of the {} one",
-                name(other),
-                shown.join(", "),
-                name(lamp)
-            ));
+            let shown: Vec<_> =
+                own.iter().map(|n| n.trim_end_matches('\'')).collect();
+            push(
+                if own[0] == "a'" { "fade" } else { "I_d" },
+                1,
+                changes,
+                format!(
+                    "the {} light has {} of the {} one",
+                    name(other),
+                    shown.join(", "),
+                    name(lamp)
+                ),
+            );
         }
     }
 }

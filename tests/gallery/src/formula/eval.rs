@@ -52,8 +52,12 @@ impl Values {
         let given = |name: &str| match name {
             "column" => Some(list(&|(p, _)| p.0.into())),
             "row" => Some(list(&|(p, _)| p.1.into())),
-            "k_u" if 1 < side => Some(list(&|(_, k)| (k % samples as usize) as f64)),
-            "k_v" if 1 < side => Some(list(&|(_, k)| (k / samples as usize) as f64)),
+            "k_u" if 1 < side => {
+                Some(list(&|(_, k)| (k % samples as usize) as f64))
+            }
+            "k_v" if 1 < side => {
+                Some(list(&|(_, k)| (k / samples as usize) as f64))
+            }
             _ => None,
         };
         for line in &context.tree.lines {
@@ -238,8 +242,12 @@ impl Here<'_> {
         };
         let rays = 0..self.values.rays;
         match all[0].is_vector() {
-            false => Value::Scalars(rays.map(|ray| object(ray).scalar(ray)).collect()),
-            true => Value::Vectors(rays.map(|ray| object(ray).vector(ray)).collect()),
+            false => {
+                Value::Scalars(rays.map(|ray| object(ray).scalar(ray)).collect())
+            }
+            true => {
+                Value::Vectors(rays.map(|ray| object(ray).vector(ray)).collect())
+            }
         }
     }
 
@@ -248,17 +256,22 @@ impl Here<'_> {
         let all = &self.values.all[name];
         match op {
             Op::Alone(which) => all[which.min(all.len() - 1)].clone(),
-            Op::Product => {
-                all.iter().skip(1).fold(all[0].clone(), |a, b| a.zip(b, |a, b| a * b))
-            }
-            _ => all.iter().skip(1).fold(all[0].clone(), |a, b| a.zip(b, |a, b| a + b)),
+            Op::Product => all
+                .iter()
+                .skip(1)
+                .fold(all[0].clone(), |a, b| a.zip(b, |a, b| a * b)),
+            _ => all
+                .iter()
+                .skip(1)
+                .fold(all[0].clone(), |a, b| a.zip(b, |a, b| a + b)),
         }
     }
 
     /// That of the last ray of a pixel, as if it were all of them.
     fn last(&self, value: &Value) -> Value {
         let side = self.values.side;
-        let last = |pixel: usize| value.vector(pixel * side + side - 1) / side as f64;
+        let last =
+            |pixel: usize| value.vector(pixel * side + side - 1) / side as f64;
         Value::Vectors((0..self.values.rays / side).map(last).collect())
     }
 

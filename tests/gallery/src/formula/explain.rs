@@ -1,6 +1,6 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value, Values, Where,
-    edits, misses, solved, unknowns,
+    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value,
+    Values, Where, edits, misses, solved, unknowns,
 };
 use crate::Step;
 use crate::measure::{number, vector};
@@ -51,22 +51,32 @@ impl Riddle<'_> {
         let is_wrong: HashSet<_> = wrong.iter().collect();
         let few = self.places.iter().step_by(self.places.len() / 400 + 1);
         // Some of them are close to the wrong ones: outlines end there.
-        let near = wrong.iter().step_by(wrong.len() / 120 + 1).flat_map(|&(i, j)| {
-            let by = |k: u32, by: i32| k.saturating_add_signed(by);
-            [(7, 0), (-7, 0), (0, 7), (0, -7)].map(|(u, v)| (by(i, u), by(j, v)))
-        });
+        let near =
+            wrong.iter().step_by(wrong.len() / 120 + 1).flat_map(|&(i, j)| {
+                let by = |k: u32, by: i32| k.saturating_add_signed(by);
+                [(7, 0), (-7, 0), (0, 7), (0, -7)]
+                    .map(|(u, v)| (by(i, u), by(j, v)))
+            });
         let (width, height) = self.yours.dimensions();
         let near: Vec<_> = near.filter(|&(i, j)| i < width && j < height).collect();
         let right = near.iter().filter(|&&(i, j)| {
             self.yours.get_pixel(i, j) == self.ours.get_pixel(i, j)
         });
-        let right: Vec<_> = few.chain(right).filter(|p| !is_wrong.contains(p)).copied().collect();
+        let right: Vec<_> =
+            few.chain(right).filter(|p| !is_wrong.contains(p)).copied().collect();
         Evidence::new(tree, self.yours, self.samples, wrong, &right)
     }
 
     /// Each single thing that explains every pixel, the likeliest first; `wrong` are
     /// those that the tree itself does not explain.
-    pub fn single(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+    ///
+    /// What is not `thorough` gives up where a number seems to explain all and does not.
+    fn single(
+        &self,
+        tree: &Tree,
+        wrong: &[Pixel],
+        is_thorough: bool,
+    ) -> Vec<Cause> {
         let evidence = self.evidence(tree, wrong);
         let found = evidence.survivors(edits(tree)).into_iter();
         let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
@@ -89,12 +99,13 @@ impl Riddle<'_> {
         };
         // What seemed to explain all did not: then perhaps another number does.
         for _ in 0..3 {
-            if missed.is_empty() {
+            if missed.is_empty() || !is_thorough {
                 break;
             }
             let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
             let telling: Vec<_> = missed.iter().chain(few).copied().collect();
-            let mut all = numbers(&self.evidence(tree, &telling), is_unlikely || is_shape);
+            let mut all =
+                numbers(&self.evidence(tree, &telling), is_unlikely || is_shape);
             match self.verified(tree, &mut all) {
                 Ok(()) => return all,
                 Err(more) if more.is_empty() => break,
@@ -106,7 +117,11 @@ impl Riddle<'_> {
 
     /// Keeps the causes that explain every pixel, the likeliest first, and one of each
     /// line; or returns pixels that the likeliest do not explain.
-    fn verified(&self, tree: &Tree, all: &mut Vec<Cause>) -> Result<(), Vec<Pixel>> {
+    fn verified(
+        &self,
+        tree: &Tree,
+        all: &mut Vec<Cause>,
+    ) -> Result<(), Vec<Pixel>> {
         all.sort_by_key(|cause| {
             // A number of the scene is the likeliest.
             let is_formula = cause.told.contains(" ours ");
@@ -146,7 +161,7 @@ impl Riddle<'_> {
         if wrong.is_empty() {
             return Some(vec![]);
         }
-        let single = self.single(tree, &wrong);
+        let single = self.single(tree, &wrong, true);
         if single.is_empty() { None } else { Some(vec![single]) }
     }
 
@@ -154,11 +169,15 @@ impl Riddle<'_> {
     pub fn pair(&self, tree: &Tree) -> Option<[Vec<Cause>; 2]> {
         let wrong = self.differing();
         let evidence = self.evidence(tree, &wrong);
-        let halves = halves(&evidence).into_iter().chain(self.of_objects(tree, &wrong));
+        // Where hardly anything is right, no object can be told by itself.
+        let is_lost = self.places.len() * 9 < wrong.len() * 10;
+        let of_objects = (!is_lost).then(|| self.of_objects(tree, &wrong));
+        let of_objects = of_objects.into_iter().flatten();
+        let halves = halves(&evidence).into_iter().chain(of_objects);
         for first in halves {
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed, usize::MAX);
-            let second = self.single(&changed, &rest);
+            let second = self.single(&changed, &rest, false);
             if second.first().is_some_and(|second| second.of != first.of) {
                 return Some([vec![first], second]);
             }
@@ -170,20 +189,26 @@ impl Riddle<'_> {
 impl Riddle<'_> {
     /// Numbers of the scene that explain all wrong pixels of one object.
     fn of_objects(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
-        let few: Vec<_> = wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
+        let few: Vec<_> =
+            wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
         let context = Context { tree, changes: &[], free: Value::from(0.0) };
         let values = Values::at(&context, &few, self.samples);
         let side = self.samples.pow(2) as usize;
         let Some(nearest) = values.all[tree.nearest].first() else { return vec![] };
         let of = |object: f64| -> Vec<Pixel> {
             let its = few.iter().enumerate();
-            its.filter(|(k, _)| nearest.scalar(k * side) == object).map(|(_, p)| *p).collect()
+            its.filter(|(k, _)| nearest.scalar(k * side) == object)
+                .map(|(_, p)| *p)
+                .collect()
         };
-        let mut all: Vec<_> = (0..tree.count(Of::Object)).map(|k| of(k as f64)).collect();
+        let mut all: Vec<_> =
+            (0..tree.count(Of::Object)).map(|k| of(k as f64)).collect();
         all.sort_by_key(|its| usize::MAX - its.len());
-        let all = all.iter().take(3).filter(|its| 8 < its.len());
-        all.filter_map(|its| numbers(&self.evidence(tree, its), false).into_iter().next())
-            .collect()
+        let all = all.iter().take(1).filter(|its| 8 < its.len());
+        all.filter_map(|its| {
+            numbers(&self.evidence(tree, its), false).into_iter().next()
+        })
+        .collect()
     }
 }
 
@@ -214,14 +239,15 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
         }
     }
     rated.sort_by_key(|(mended, edit)| (usize::MAX - mended, edit.rank));
-    rated.iter().take(3).map(|(_, edit)| cause(tree, edit)).collect()
+    rated.iter().take(2).map(|(_, edit)| cause(tree, edit)).collect()
 }
 
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.
 fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
     let tree = evidence.tree;
     let all = unknowns(tree).into_iter();
-    let all = all.filter(|one| has_formulas || matches!(one.place, Where::Scene(..)));
+    let all =
+        all.filter(|one| has_formulas || matches!(one.place, Where::Scene(..)));
     let all = all.filter_map(|unknown| {
         let x = solved(evidence, &unknown)?;
         let (change, free) = unknown.change(tree, x);
@@ -232,7 +258,8 @@ fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
         let is_put_in = matches!(&change, Change::Line(..)) && unknown.is_colour;
         let is_scene = matches!(unknown.place, Where::Scene(..));
         let rank = if is_put_in { 2 } else { u8::from(!is_scene) };
-        let edit = Edit { changes: vec![change], rank, says: None, line: unknown.line };
+        let edit =
+            Edit { changes: vec![change], rank, says: None, line: unknown.line };
         Some(cause(tree, &edit))
     });
     all.collect()
@@ -276,7 +303,9 @@ fn cause(tree: &Tree, edit: &Edit) -> Cause {
         }
     };
     let is_one = |change: &Change| match change {
-        Change::Given(line, which, _) if tree.lines[*line].of == Of::Light => Some(*which),
+        Change::Given(line, which, _) if tree.lines[*line].of == Of::Light => {
+            Some(*which)
+        }
         _ => None,
     };
     let place = match &edit.changes[..] {
@@ -302,7 +331,9 @@ fn term(tree: &Tree, sum: &Node) -> Option<&'static str> {
     fn added(node: &Node, found: &mut Vec<usize>) {
         match node {
             Node::Name(name) => found.push(*name),
-            Node::Of(Op::Add, two) => two.iter().for_each(|node| added(node, found)),
+            Node::Of(Op::Add, two) => {
+                two.iter().for_each(|node| added(node, found))
+            }
             _ => {}
         }
     }
@@ -329,11 +360,14 @@ fn given(tree: &Tree, line: usize, which: usize, value: &Value) -> String {
     let object = |k: usize| tree.object(k);
     let light = ["the warm light", "the cool light"][which.min(1)];
     let (yours, ours) = (text(value), text(ours));
-    let it = |what: String| format!("{what} is {yours} in your picture; it should be {ours}");
+    let it = |what: String| {
+        format!("{what} is {yours} in your picture; it should be {ours}")
+    };
     match (&*one.name, one.of) {
         (axis @ ("x_0" | "y_0" | "z_0"), _) => {
             let part = |name: &str| {
-                let line = tree.find(name).map(|k| tree.lines[k].given[which].scalar(0));
+                let line =
+                    tree.find(name).map(|k| tree.lines[k].given[which].scalar(0));
                 line.unwrap_or(0.0)
             };
             let ours = DVec3::new(part("x_0"), part("y_0"), part("z_0"));
@@ -353,7 +387,7 @@ fn given(tree: &Tree, line: usize, which: usize, value: &Value) -> String {
         ),
         ("colour", _) => it(format!("the colour of {}", object(which))),
         ("g", _) => it(format!("R_s of {}", object(which))),
-        ("n", _) => format!(
+        ("n''", _) => format!(
             "the highlights of {} are those of n = {yours}; it should be {ours}",
             object(which)
         ),

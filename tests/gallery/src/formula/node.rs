@@ -130,7 +130,12 @@ impl Node {
             }
             (Op::Nearest, [Scalar]) => Some(Scalar),
             (
-                Op::Chosen | Op::Sum | Op::Product | Op::Alone(_) | Op::Mean | Op::Last,
+                Op::Chosen
+                | Op::Sum
+                | Op::Product
+                | Op::Alone(_)
+                | Op::Mean
+                | Op::Last,
                 [a],
             ) => Some(*a),
             _ => None,

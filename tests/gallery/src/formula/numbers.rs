@@ -69,7 +69,8 @@ pub(crate) fn unknowns(tree: &Tree) -> Vec<Unknown> {
 }
 
 fn scene(tree: &Tree, line: usize, all: &mut Vec<Unknown>) {
-    let is_colour = ["colour", "L_d", "L_s", "L_a"].contains(&&*tree.lines[line].name);
+    let is_colour =
+        ["colour", "L_d", "L_s", "L_a"].contains(&&*tree.lines[line].name);
     for (which, value) in tree.lines[line].given.iter().enumerate() {
         let ours = value.vector(0);
         let parts: &[Option<usize>] = match (value.is_vector(), is_colour) {
@@ -90,7 +91,9 @@ fn scene(tree: &Tree, line: usize, all: &mut Vec<Unknown>) {
 /// The expression with each of its numbers unknown in turn.
 fn holes(node: &Node, push: &mut dyn FnMut(Node, f64)) {
     match node {
-        Node::Number(ours) if ours.is_finite() => push(Node::Free(Kind::Scalar), *ours),
+        Node::Number(ours) if ours.is_finite() => {
+            push(Node::Free(Kind::Scalar), *ours)
+        }
         Node::Of(op, nodes) => {
             for (k, below) in nodes.iter().enumerate() {
                 holes(below, &mut |other, ours| {
@@ -131,7 +134,10 @@ fn put_in(
     push: &mut dyn FnMut(Node, bool, f64),
 ) {
     let (name, kind) = (&*tree.lines[line].name, tree.lines[line].kind);
-    let is_light = ["R_a", "I_a", "R_d", "I_d", "R_s", "I_s", "E_d", "E_s", "I", "M", "sky", "colour'"];
+    let is_light = [
+        "R_a", "I_a", "R_d", "I_d", "R_s", "I_s", "E_d", "E_s", "I", "M", "sky",
+        "colour'",
+    ];
     let is_light = is_light.contains(&name);
     if ["nearest", "order", "I'", "pixel", "G", "S", "C", "v''"].contains(&name) {
         return;
@@ -184,14 +190,21 @@ impl Best {
 pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let ours = unknown.ours;
     let before = cost(evidence, 0, unknown, ours);
-    let first = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours).into_iter().chain([0.3, -1.0, 6.0].map(|k| ours + k));
-    let is_blind = first.into_iter().all(|x| cost(evidence, 0, unknown, x) == before);
+    let first = [-1.0, 0.0, 0.5, 2.0]
+        .map(|k| k * ours)
+        .into_iter()
+        .chain([0.3, -1.0, 6.0].map(|k| ours + k));
+    let is_blind =
+        first.into_iter().all(|x| cost(evidence, 0, unknown, x) == before);
     if is_blind {
         return None;
     }
     let start = cost(evidence, 1, unknown, ours);
     let mut best = Best { cost: start, x: ours };
-    let factors = [-1.0, 0.0, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 100.0];
+    let factors = [
+        -1.0, 0.0, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.5, 2.0, 3.0, 5.0,
+        10.0, 100.0,
+    ];
     let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
     let all = factors.map(|k| k * ours).into_iter();
     let name = &*evidence.tree.lines[unknown.line].name;

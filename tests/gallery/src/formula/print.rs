@@ -68,10 +68,9 @@ impl Print<'_> {
             Op::Length | Op::Abs => (format!("|{}|", at(0, 0)), 9),
             Op::Less => (format!("{} < {}", at(0, 2), at(1, 2)), 1),
             Op::LessOrEqual => (format!("{} ≤ {}", at(0, 2), at(1, 2)), 1),
-            Op::If => (
-                format!("{} if {}, else {}", at(1, 2), at(0, 1), at(2, 0)),
-                0,
-            ),
+            Op::If => {
+                (format!("{} if {}, else {}", at(1, 2), at(0, 1), at(2, 0)), 0)
+            }
             Op::Vector => call(""),
             Op::Part(axis) => {
                 (format!("{}_{}", at(0, 9), ["x", "y", "z"][axis]), 9)
@@ -90,7 +89,9 @@ impl Print<'_> {
             }
             Op::Call(line) => call(&self.tree.lines[line].name),
             Op::Sum => (format!("the sum of {} over all lights", at(0, 9)), 2),
-            Op::Product => (format!("the product of {} over all lights", at(0, 9)), 2),
+            Op::Product => {
+                (format!("the product of {} over all lights", at(0, 9)), 2)
+            }
             Op::Alone(0) => (format!("{} of the first alone", at(0, 9)), 2),
             Op::Alone(_) => (format!("{} of the last alone", at(0, 9)), 2),
             Op::Nearest => (format!("that of the least {}", at(0, 9)), 2),

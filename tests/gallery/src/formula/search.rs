@@ -71,7 +71,10 @@ pub(crate) fn misses(
         let values = Values::at(context, some, samples);
         let pixels = values.pixels(context);
         let its = some.iter().zip(pixels);
-        wrong.extend(its.filter(|((i, j), p)| yours.get_pixel(*i, *j).0 != *p).map(|(p, _)| *p));
+        wrong.extend(
+            its.filter(|((i, j), p)| yours.get_pixel(*i, *j).0 != *p)
+                .map(|(p, _)| *p),
+        );
         if most < wrong.len() {
             break;
         }

@@ -132,7 +132,9 @@ impl Tree {
         let mut tree = self.clone();
         for change in changes {
             match change {
-                Change::Line(line, node) => tree.lines[*line].node = Some(node.clone()),
+                Change::Line(line, node) => {
+                    tree.lines[*line].node = Some(node.clone())
+                }
                 Change::Given(line, which, value) => {
                     tree.lines[*line].given[*which] = value.clone();
                 }
@@ -191,7 +193,17 @@ impl Tree {
         let is_function = name.ends_with("(x)");
         let name = name.trim_end_matches("(x)").into();
         let node = Some(node);
-        self.lines.push(Line { name, kind, of, node, given: vec![], place, is_needed: false, uses: 0, is_function });
+        self.lines.push(Line {
+            name,
+            kind,
+            of,
+            node,
+            given: vec![],
+            place,
+            is_needed: false,
+            uses: 0,
+            is_function,
+        });
     }
 
     /// Leaves out what no pixel of this step needs.
@@ -208,12 +220,11 @@ impl Tree {
             line.is_needed = true;
         }
         for k in (0..=last).rev() {
-            let node = self.lines[k].node.clone().filter(|_| self.lines[k].is_needed);
+            let node =
+                self.lines[k].node.clone().filter(|_| self.lines[k].is_needed);
             let Some(node) = node else { continue };
             for (name, line) in self.lines.iter_mut().enumerate().take(k) {
-                let is_called = |n: &Node| {
-                    matches!(n, Node::Of(Op::Call(line), _) if *line == name)
-                };
+                let is_called = |n: &Node| matches!(n, Node::Of(Op::Call(line), _) if *line == name);
                 line.is_needed |= node.has(name) || node.any(&is_called);
             }
         }
@@ -241,7 +252,11 @@ impl Tree {
         self.objects = objects.iter().map(|o| o.material.name).collect();
         let numbers = (0..objects.len()).map(|k| (k as f64).into()).collect();
         self.put("number", Of::Object, numbers, place("nearest", section::NEAREST));
-        let scene = if self.step == Step::Sphere { section::ONE_COLOUR } else { section::SCENE };
+        let scene = if self.step == Step::Sphere {
+            section::ONE_COLOUR
+        } else {
+            section::SCENE
+        };
         let (shape, colours) = (place("outlines", scene), place("colours", scene));
         for (k, name) in ["x_0", "y_0", "z_0"].into_iter().enumerate() {
             let all = objects.iter().map(|o| o.sphere.centre[k].into()).collect();
@@ -257,13 +272,23 @@ impl Tree {
         let g = of(&|o| o.material.material.specular.x.into());
         self.put("g", Of::Object, g, materials);
         let n = of(&|o| f64::from(o.material.material.shininess).into());
-        self.put("n", Of::Object, n, materials);
+        self.put("n''", Of::Object, n, materials);
         let of = |value: &dyn Fn(&Light) -> Value| -> Vec<Value> {
             lights.iter().map(value).collect()
         };
         let lamps = |stage| place(stage, section::LAMPS);
-        self.put("P", Of::Light, of(&|l| l.point.position.into()), lamps("diffuse"));
-        self.put("L_d", Of::Light, of(&|l| l.point.diffuse.into()), lamps("diffuse"));
+        self.put(
+            "P",
+            Of::Light,
+            of(&|l| l.point.position.into()),
+            lamps("diffuse"),
+        );
+        self.put(
+            "L_d",
+            Of::Light,
+            of(&|l| l.point.diffuse.into()),
+            lamps("diffuse"),
+        );
         self.put("L_s", Of::Light, of(&|l| l.specular.into()), materials);
         let fade = lamps("attenuation");
         self.put("a'", Of::Light, of(&|l| l.point.attenuation.a.into()), fade);
@@ -277,7 +302,17 @@ impl Tree {
         let is_vector = given.first().is_some_and(Value::is_vector);
         let kind = if is_vector { Kind::Vector } else { Kind::Scalar };
         let (name, node) = (name.into(), None);
-        self.lines.push(Line { name, kind, of, node, given, place, is_needed: false, uses: 0, is_function: false });
+        self.lines.push(Line {
+            name,
+            kind,
+            of,
+            node,
+            given,
+            place,
+            is_needed: false,
+            uses: 0,
+            is_function: false,
+        });
     }
 }
 

@@ -117,9 +117,8 @@ impl Value {
 
     /// Part by part, with those of another.
     pub fn zip(&self, other: &Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let parts = |a: DVec3, b: DVec3| {
-            DVec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
-        };
+        let parts =
+            |a: DVec3, b: DVec3| DVec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z));
         let splat = DVec3::splat;
         match (self.list(), other.list()) {
             (List::Scalars(a), List::Scalars(b)) => zip(a, b, f).into(),

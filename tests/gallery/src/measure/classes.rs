@@ -46,7 +46,8 @@ pub(super) fn tell(all: &[Seen], stages: &mut [Stage]) {
     // A dark pixel of each object tells which it is, and its R_a.
     put(stages, "ambient", Verdict::Right, vec![]);
     let matt = [0, 1].map(|light| of(Class::Matt(light)));
-    for (light, name) in ["diffuse, warm", "diffuse, cool"].into_iter().enumerate() {
+    for (light, name) in ["diffuse, warm", "diffuse, cool"].into_iter().enumerate()
+    {
         if is_wrong(&matt[light]) {
             faded(&matt[light], light, name, stages);
         }
@@ -54,11 +55,15 @@ pub(super) fn tell(all: &[Seen], stages: &mut [Stage]) {
     let both = of(Class::Both);
     let is_matt = |its: &[&Seen]| its.is_empty() || right(its) == its.len();
     if matt.iter().all(|its| is_right(its)) && is_matt(&both) {
-        for name in ["diffuse, warm", "diffuse, cool", "attenuation", "point and normal"] {
+        for name in
+            ["diffuse, warm", "diffuse, cool", "attenuation", "point and normal"]
+        {
             put(stages, name, Verdict::Right, vec![]);
         }
         let shiny = of(Class::Shiny);
-        if is_wrong(&shiny) || right(&shiny) * 10 < shiny.len() * 9 && 24 < shiny.len() {
+        if is_wrong(&shiny)
+            || right(&shiny) * 10 < shiny.len() * 9 && 24 < shiny.len()
+        {
             let share = percent(shiny.len() - right(&shiny), shiny.len());
             let told = format!(
                 "what no highlight of ours reaches is right in every pixel, and {share} of \
@@ -95,14 +100,24 @@ fn faded(all: &[&Seen], light: usize, name: &str, stages: &mut [Stage]) {
     let is_better = |a: &Curve, b: &Option<Curve>| {
         b.as_ref().is_none_or(|b| a.rest < b.rest / 3.0)
     };
-    if let Some(curve) = distance.as_ref().filter(|curve| is_better(curve, &cosine)) {
+    if let Some(curve) = distance.as_ref().filter(|curve| is_better(curve, &cosine))
+    {
         let told = curve.told(|d, factor| {
             let ours = ours(light).at(d);
-            format!("{} for {} at d = {}", number(ours / factor), number(ours), number(d))
+            format!(
+                "{} for {} at d = {}",
+                number(ours / factor),
+                number(ours),
+                number(d)
+            )
         });
-        let told = format!("the {which} light is divided, for a + bd + cd², by about {told}");
+        let told = format!(
+            "the {which} light is divided, for a + bd + cd², by about {told}"
+        );
         put(stages, "attenuation", Verdict::Wrong, vec![told]);
-    } else if let Some(curve) = cosine.as_ref().filter(|curve| is_better(curve, &distance)) {
+    } else if let Some(curve) =
+        cosine.as_ref().filter(|curve| is_better(curve, &distance))
+    {
         let told = curve.told(|cosine, factor| {
             format!("{} times where l·n is {}", number(factor), number(cosine))
         });

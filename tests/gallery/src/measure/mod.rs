@@ -56,7 +56,9 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
     let black = view::black(yours);
     let places = view::places(yours, black.as_ref());
     let mut stages = match explained(yours, step, &places) {
-        Some((view, tree, groups)) => table::explained(&view, &tree, yours, &groups),
+        Some((view, tree, groups)) => {
+            table::explained(&view, &tree, yours, &groups)
+        }
         None => reading::stages(yours, step, &places),
     };
     if let Some(black) = black {
@@ -73,7 +75,8 @@ fn explained(
     places: &[(u32, u32)],
 ) -> Option<(view::View, Tree, Groups)> {
     let views = view::views(yours);
-    let riddle = |view: &view::View, ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
+    let riddle = |view: &view::View,
+                  ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let ours = view.picture(step, yours.dimensions());
         let tree = Tree::new(step, yours.dimensions(), view.fov, view.samples);
         let samples = view.samples;

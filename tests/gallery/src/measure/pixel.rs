@@ -1,8 +1,8 @@
 use super::words::vector;
+use crate::Step;
 use crate::difference::apart;
 use crate::formula::{Context, Tree, Value, Values};
 use crate::fov::FOV;
-use crate::Step;
 use glam::DVec3;
 use image::RgbImage;
 
@@ -40,7 +40,8 @@ pub fn pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
             vector(*cool)
         );
         if let [first, second] = vectors("G")[..] {
-            text += &format!("; their I_s {} and {}", vector(first), vector(second));
+            text +=
+                &format!("; their I_s {} and {}", vector(first), vector(second));
         }
         let sum = vectors("I").first().copied().unwrap_or_default();
         text += &format!("; together {}.", vector(sum));

@@ -36,14 +36,20 @@ impl Seen {
 
 /// The stages of a picture that nothing explains, as far as classes of its pixels tell
 /// them.
-pub(super) fn stages(yours: &RgbImage, step: Step, places: &[(u32, u32)]) -> Vec<Stage> {
-    let places: Vec<_> = places.iter().step_by(places.len() / 60_000 + 1).copied().collect();
+pub(super) fn stages(
+    yours: &RgbImage,
+    step: Step,
+    places: &[(u32, u32)],
+) -> Vec<Stage> {
+    let places: Vec<_> =
+        places.iter().step_by(places.len() / 60_000 + 1).copied().collect();
     let views = views(yours);
-    let read = views.iter().filter(|view| view.samples == views[0].samples).map(|view| {
-        let tree = Tree::new(step, yours.dimensions(), view.fov, 1);
-        let seen = seen(&tree, yours, &places);
-        (agreeing(&seen), view.fov, tree, seen)
-    });
+    let read =
+        views.iter().filter(|view| view.samples == views[0].samples).map(|view| {
+            let tree = Tree::new(step, yours.dimensions(), view.fov, 1);
+            let seen = seen(&tree, yours, &places);
+            (agreeing(&seen), view.fov, tree, seen)
+        });
     let best = read.max_by(|a, b| a.0.total_cmp(&b.0));
     let Some((share, fov, tree, seen)) = best else { return vec![] };
     let why = "nothing that is known explains enough of the picture";
@@ -53,7 +59,8 @@ pub(super) fn stages(yours: &RgbImage, step: Step, places: &[(u32, u32)]) -> Vec
     };
     let is_option = fov != crate::fov::FOV;
     if share < 0.6 {
-        let wrong = (!is_option).then(|| camera::read(yours, step, &seen)).flatten();
+        let wrong =
+            (!is_option).then(|| camera::read(yours, step, &seen)).flatten();
         if let Some(numbers) = wrong {
             put(&mut stages, "rays", Verdict::Wrong, numbers);
             for stage in stages.iter_mut().skip(1) {
@@ -71,7 +78,9 @@ pub(super) fn stages(yours: &RgbImage, step: Step, places: &[(u32, u32)]) -> Vec
         Verdict::Right
     } else {
         let share = percent(right, all);
-        Verdict::Unknown(format!("right in {share} of the pixels that should see the sky"))
+        Verdict::Unknown(format!(
+            "right in {share} of the pixels that should see the sky"
+        ))
     };
     put(&mut stages, "rays", verdict.clone(), vec![]);
     put(&mut stages, "sky", verdict, vec![]);
@@ -84,7 +93,12 @@ pub(super) fn stages(yours: &RgbImage, step: Step, places: &[(u32, u32)]) -> Vec
     stages
 }
 
-pub(super) fn put(stages: &mut [Stage], name: &str, verdict: Verdict, numbers: Vec<String>) {
+pub(super) fn put(
+    stages: &mut [Stage],
+    name: &str,
+    verdict: Verdict,
+    numbers: Vec<String>,
+) {
     for stage in stages.iter_mut().filter(|stage| stage.name == name) {
         stage.verdict = verdict.clone();
         stage.numbers = numbers.clone();
@@ -95,7 +109,8 @@ pub(super) fn put(stages: &mut [Stage], name: &str, verdict: Verdict, numbers: V
 /// sky.
 fn agreeing(seen: &[Seen]) -> f64 {
     let sky = seen.iter().filter(|s| s.object.is_none());
-    let right = sky.clone().filter(|s| s.is_right() && !is_clamped(&s.yours)).count();
+    let right =
+        sky.clone().filter(|s| s.is_right() && !is_clamped(&s.yours)).count();
     let all = sky.filter(|s| !is_clamped(&s.ours)).count();
     if all * 50 < seen.len() { -1.0 } else { right as f64 / all as f64 }
 }
@@ -163,24 +178,35 @@ fn outlines(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) -> bool {
         let mut numbers = vec![];
         if 0 < missing {
             let share = percent(missing, all);
-            numbers.push(format!("{share} of the pixels that should see an object see the sky"));
+            numbers.push(format!(
+                "{share} of the pixels that should see an object see the sky"
+            ));
         }
         if 0 < far {
             let share = percent(far, sky);
-            numbers.push(format!("{share} of those that should see the sky see something else"));
+            numbers.push(format!(
+                "{share} of those that should see the sky see something else"
+            ));
         }
         for object in 0..tree.count(crate::formula::Of::Object) {
             let its = || objects().filter(|s| s.object == Some(object));
             let gone = its().filter(lost).count();
             if 0 < gone {
                 let share = percent(gone, its().count());
-                numbers.push(format!("{share} of {} is sky in your picture", tree.object(object)));
+                numbers.push(format!(
+                    "{share} of {} is sky in your picture",
+                    tree.object(object)
+                ));
             }
         }
         put(stages, "outlines", Verdict::Wrong, numbers);
     }
-    for stage in stages.iter_mut().filter(|s| !["rays", "sky", "outlines"].contains(&row(s).1)) {
-        stage.verdict = Verdict::Unknown("the outlines have to be right first".to_owned());
+    for stage in stages
+        .iter_mut()
+        .filter(|s| !["rays", "sky", "outlines"].contains(&row(s).1))
+    {
+        stage.verdict =
+            Verdict::Unknown("the outlines have to be right first".to_owned());
     }
     false
 }
@@ -190,7 +216,8 @@ fn flat(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) {
     let mut numbers = vec![];
     let mut is_told = true;
     for object in 0..tree.count(crate::formula::Of::Object) {
-        let its: Vec<_> = seen.iter().filter(|s| s.object == Some(object)).collect();
+        let its: Vec<_> =
+            seen.iter().filter(|s| s.object == Some(object)).collect();
         let Some(first) = its.get(its.len() / 2) else { continue };
         let same = its.iter().filter(|s| s.yours == first.yours).count();
         let is_other = seen.iter().any(|s| {

@@ -1,12 +1,17 @@
+use super::Verdict;
 use super::table::Row;
 use super::view::{View, places};
-use super::Verdict;
 use crate::formula::{Change, Context, Node, Op, Tree, Value, Values};
 use image::RgbImage;
 
 /// Right where the picture would be another one if the stage were; else it can't be
 /// told.
-pub(super) fn verdict(tree: &Tree, row: &Row, view: &View, yours: &RgbImage) -> Verdict {
+pub(super) fn verdict(
+    tree: &Tree,
+    row: &Row,
+    view: &View,
+    yours: &RgbImage,
+) -> Verdict {
     let places = places(yours, None);
     let step = places.len() * view.samples.pow(2) as usize / 1500 + 1;
     let places: Vec<_> = places.iter().step_by(step).copied().collect();

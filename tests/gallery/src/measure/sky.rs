@@ -110,8 +110,7 @@ fn triples(yours: &RgbImage) -> impl Iterator<Item = DMat3> {
         let k =
             if i + across < width { i + across } else { i.checked_sub(across)? };
         let l = if j + down < height { j + down } else { j.checked_sub(down)? };
-        let [a, b, c] =
-            [(i, j), (k, j), (i, l)].map(|(i, j)| point(yours, i, j));
+        let [a, b, c] = [(i, j), (k, j), (i, l)].map(|(i, j)| point(yours, i, j));
         let (a, b, c) = (a?, b?, c?);
         let places = DMat3::from_cols(a.0, b.0, c.0);
         let seen = DMat3::from_cols(a.1, b.1, c.1);

@@ -1,7 +1,7 @@
 use super::view::{Black, View};
 use super::{Stage, Verdict, number, shown};
-use crate::fov::FOV;
 use crate::formula::{Cause, Tree};
+use crate::fov::FOV;
 use crate::{Mistake, Section, Step, section};
 use image::RgbImage;
 
@@ -14,17 +14,80 @@ pub(super) type Row =
 pub(super) const ROWS: [Row; 13] = [
     ("rays", "rays", None, Step::Rays, section::CAMERA, "direction_of_a_pixel"),
     ("sky", "sky", None, Step::Rays, section::DIRECTIONS, "colour_of_a_pixel"),
-    ("outlines", "outlines", None, Step::Sphere, section::MEETING, "coefficients_of_a_pixel"),
-    ("nearest", "nearest", None, Step::Nearest, section::NEAREST, "nearest_in_a_crowd"),
-    ("point and normal", "point", None, Step::Diffuse, section::NORMAL, "normal_of_a_pixel"),
+    (
+        "outlines",
+        "outlines",
+        None,
+        Step::Sphere,
+        section::MEETING,
+        "coefficients_of_a_pixel",
+    ),
+    (
+        "nearest",
+        "nearest",
+        None,
+        Step::Nearest,
+        section::NEAREST,
+        "nearest_in_a_crowd",
+    ),
+    (
+        "point and normal",
+        "point",
+        None,
+        Step::Diffuse,
+        section::NORMAL,
+        "normal_of_a_pixel",
+    ),
     ("colours", "colours", None, Step::Sphere, section::SCENE, "sum_of_a_pixel"),
     ("ambient", "ambient", None, Step::Diffuse, section::AMBIENT, "sum_of_a_pixel"),
-    ("diffuse, warm", "diffuse", Some(0), Step::Diffuse, section::DIFFUSE, "lights_of_a_pixel"),
-    ("diffuse, cool", "diffuse", Some(1), Step::Diffuse, section::DIFFUSE, "lights_of_a_pixel"),
-    ("attenuation", "attenuation", None, Step::Diffuse, section::ATTENUATION, "lights_of_a_pixel"),
-    ("specular, warm", "specular", Some(0), Step::Phong, section::SPECULAR, "terms_of_a_pixel"),
-    ("specular, cool", "specular", Some(1), Step::Phong, section::SPECULAR, "terms_of_a_pixel"),
-    ("sum, bytes, order", "sum", None, Step::Rays, section::BYTES, "colour_of_a_pixel"),
+    (
+        "diffuse, warm",
+        "diffuse",
+        Some(0),
+        Step::Diffuse,
+        section::DIFFUSE,
+        "lights_of_a_pixel",
+    ),
+    (
+        "diffuse, cool",
+        "diffuse",
+        Some(1),
+        Step::Diffuse,
+        section::DIFFUSE,
+        "lights_of_a_pixel",
+    ),
+    (
+        "attenuation",
+        "attenuation",
+        None,
+        Step::Diffuse,
+        section::ATTENUATION,
+        "lights_of_a_pixel",
+    ),
+    (
+        "specular, warm",
+        "specular",
+        Some(0),
+        Step::Phong,
+        section::SPECULAR,
+        "terms_of_a_pixel",
+    ),
+    (
+        "specular, cool",
+        "specular",
+        Some(1),
+        Step::Phong,
+        section::SPECULAR,
+        "terms_of_a_pixel",
+    ),
+    (
+        "sum, bytes, order",
+        "sum",
+        None,
+        Step::Rays,
+        section::BYTES,
+        "colour_of_a_pixel",
+    ),
 ];
 
 /// All lines of a step, each with this verdict.
@@ -52,7 +115,8 @@ fn is_of(cause: &Cause, row: &Row) -> bool {
         ("nearest", Step::Sphere) => "outlines",
         (stage, _) => stage,
     };
-    stage == row.1 && (row.2.is_none() || cause.light.is_none_or(|k| row.2 == Some(k)))
+    stage == row.1
+        && (row.2.is_none() || cause.light.is_none_or(|k| row.2 == Some(k)))
 }
 
 /// The table of a picture of which every pixel is explained.
@@ -65,7 +129,8 @@ pub(super) fn explained(
     let changes: Vec<_> =
         groups.iter().flat_map(|group| group[0].changes.iter().cloned()).collect();
     let tree = tree.with(&changes);
-    let mut stages = blank(tree.step, |row| shown::verdict(&tree, row, view, yours));
+    let mut stages =
+        blank(tree.step, |row| shown::verdict(&tree, row, view, yours));
     for group in groups {
         tell(&mut stages, group);
     }
@@ -86,7 +151,8 @@ fn tell(stages: &mut [Stage], group: &[Cause]) {
     let name = stages.iter().find(|stage| is_of(first, row(stage))).map(|s| s.name);
     for stage in stages.iter_mut().filter(|stage| is_of(first, row(stage))) {
         (stage.verdict, stage.section) = (Verdict::Wrong, first.place.section);
-        stage.test = Some(first.place.test).filter(|test| !test.is_empty()).or(stage.test);
+        stage.test =
+            Some(first.place.test).filter(|test| !test.is_empty()).or(stage.test);
         if is_told {
             stage.numbers.push("as the warm light's".to_owned());
             continue;
@@ -97,7 +163,9 @@ fn tell(stages: &mut [Stage], group: &[Cause]) {
             stage.numbers.push(format!("or else {}", other.told));
         }
         if let more @ 1.. = group.len().saturating_sub(5) {
-            stage.numbers.push(format!("or else one of {more} others, which are alike"));
+            stage
+                .numbers
+                .push(format!("or else one of {more} others, which are alike"));
         }
     }
     for other in group.iter().skip(1) {
@@ -130,7 +198,9 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
         RAY => "point",
         CAMERA | PROGRAM | RENDER => "rays",
         DIRECTIONS => "sky",
-        MEETING | FORMULA | CENTRE if has_outlines && step != Step::Sphere => "nearest",
+        MEETING | FORMULA | CENTRE if has_outlines && step != Step::Sphere => {
+            "nearest"
+        }
         MEETING | FORMULA | CENTRE => "outlines",
         ROOT | NEAREST => "nearest",
         ONE_COLOUR | SCENE | FLAT => "colours",
@@ -160,21 +230,32 @@ pub(crate) fn of_mistakes(
         _ if has_objects => Verdict::Right,
         _ => Verdict::Unknown("no object is seen".to_owned()),
     });
-    let (first, others) = causes.split_first().map_or((&[][..], &[][..]), |(a, b)| (&a[..], b));
+    let (first, others) =
+        causes.split_first().map_or((&[][..], &[][..]), |(a, b)| (&a[..], b));
     for mistake in others.iter().flatten() {
-        for its in stages.iter_mut().filter(|its| row(its).1 == stage_of(step, mistake, has_outlines)) {
+        for its in stages
+            .iter_mut()
+            .filter(|its| row(its).1 == stage_of(step, mistake, has_outlines))
+        {
             let why = "it may be what is wrong, as is told above".to_owned();
             its.verdict = Verdict::Unknown(why);
         }
     }
     for mistake in first {
         let stage = stage_of(step, mistake, has_outlines);
-        for (k, its) in stages.iter_mut().filter(|its| row(its).1 == stage).enumerate() {
+        for (k, its) in
+            stages.iter_mut().filter(|its| row(its).1 == stage).enumerate()
+        {
             (its.verdict, its.section) = (Verdict::Wrong, mistake.section);
             let told = format!("it is what you get when {}", mistake.when);
-            its.numbers.push(if k == 0 { told } else { "as the warm light's".to_owned() });
+            its.numbers.push(if k == 0 {
+                told
+            } else {
+                "as the warm light's".to_owned()
+            });
             if stage == "nearest" && Step::Nearest < step {
-                let told = "or else t is right and the point p = S + t V or its n is not";
+                let told =
+                    "or else t is right and the point p = S + t V or its n is not";
                 its.numbers.push(told.to_owned());
             }
         }
