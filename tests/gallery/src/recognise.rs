@@ -51,17 +51,20 @@ pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
     let mut likely = vec![];
     let most = if is_flat { 1 } else { 2 };
     let found = levels(yours, steps, most, FOV, &mut likely);
-    let options = |most: usize| {
-        let mut all =
-            if is_flat { vec![] } else { fields_of_view(yours) }.into_iter();
-        all.find_map(|fov| levels(yours, steps, most, fov, &mut vec![]))
+    let fields = if is_flat { vec![] } else { fields_of_view(yours) };
+    let optional = |steps: &[Step], most: usize| {
+        let mut fields = fields.iter();
+        fields.find_map(|fov| levels(yours, steps, most, *fov, &mut vec![]))
     };
     if let Some(found) = found {
         let is_right = found.causes[0].is_empty();
-        let same = if is_right { None } else { options(0) };
+        let same = if is_right { None } else { optional(steps, 0) };
         return Some(Found { same_fov: same.map(|same| same.fov), ..found });
     }
-    if let Some(found) = options(1) {
+    // Without an object, a mistake and an angle together explain too much.
+    let has_objects = |step: &&Step| **step != Step::Rays;
+    let later: Vec<_> = steps.iter().filter(has_objects).copied().collect();
+    if let Some(found) = optional(steps, 0).or_else(|| optional(&later, 1)) {
         return Some(found);
     }
     likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
