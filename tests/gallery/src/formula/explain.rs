@@ -86,7 +86,7 @@ impl Riddle<'_> {
             ["rays", "outlines", "nearest"].contains(&cause.place.stage)
         });
         if is_unlikely || is_shape {
-            all.extend(numbers(&evidence, is_unlikely));
+            all.extend(numbers(&evidence, is_unlikely && is_thorough));
         }
         all.sort_by_key(|cause| {
             // A number of the scene is the likeliest.
@@ -98,7 +98,7 @@ impl Riddle<'_> {
             Err(missed) => missed,
         };
         // What seemed to explain all did not: then perhaps another number does.
-        for _ in 0..3 {
+        for _ in 0..2 {
             if missed.is_empty() || !is_thorough {
                 break;
             }

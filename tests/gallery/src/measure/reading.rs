@@ -199,6 +199,7 @@ fn outlines(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) -> bool {
                 ));
             }
         }
+        numbers.push("or else V_z is wrong, which the sky hardly shows".to_owned());
         put(stages, "outlines", Verdict::Wrong, numbers);
     }
     for stage in stages

@@ -260,5 +260,12 @@ pub(crate) fn of_mistakes(
             }
         }
     }
+    let is_t = |s: &Stage| s.name == "nearest" && s.verdict == Verdict::Wrong;
+    if stages.iter().any(is_t) {
+        for point in stages.iter_mut().filter(|s| s.name == "point and normal") {
+            let why = "a wrong t gives the same picture as a wrong p";
+            point.verdict = Verdict::Unknown(why.to_owned());
+        }
+    }
     stages
 }
