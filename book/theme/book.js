@@ -28,12 +28,19 @@ function whenNear(elements, near) {
 // Search: fetched when it is asked for, or when a link comes from its answers.
 {
     const button = document.getElementById("mdbook-search-toggle");
+    const box = document.getElementById("mdbook-search-wrapper");
+    const words = document.getElementById("mdbook-searchbar");
     const fetchAll = async () => { for (const source of searchers) await script(source); };
     const ask = async () => {
         button.removeEventListener("click", ask);
         removeEventListener("keydown", press);
+        // Words may be typed already while it comes.
+        box.classList.remove("hidden");
+        words.focus();
         await fetchAll();
+        box.classList.add("hidden");
         button.click();
+        words.setSelectionRange(words.value.length, words.value.length);
     };
     const press = event => {
         const other = event.altKey || event.ctrlKey || event.metaKey || mdbook_something_else_has_focus(event);
