@@ -48,6 +48,7 @@ pub(crate) use cause::Cause;
 pub use check::{check, look};
 pub use difference::Difference;
 pub use drawn::draw;
+pub use formula::by_formulas;
 pub use locked::{Locked, locked, names};
 pub use measure::{Stage, Verdict, pixel, stages};
 pub use mistake::Mistake;

@@ -4,6 +4,7 @@
 mod check;
 mod damaged;
 mod edits;
+mod formulas;
 mod kinds;
 mod measure;
 mod mistakes;

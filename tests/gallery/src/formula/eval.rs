@@ -45,19 +45,17 @@ impl Values {
     pub fn at(context: &Context, places: &[(u32, u32)], samples: u32) -> Self {
         let side = samples as usize * samples as usize;
         let mut values = Self { all: vec![], rays: places.len() * side, side };
-        let all = || places.iter().flat_map(|p| (0..side).map(move |k| (p, k)));
-        let list = |f: &dyn Fn((&(u32, u32), usize)) -> f64| {
-            Value::Scalars(all().map(f).collect())
+        // What is given to each ray, from its pixel and its place in that.
+        let list = |f: &dyn Fn(usize, usize) -> f64| {
+            let rays =
+                (0..places.len()).flat_map(|p| (0..side).map(move |k| (p, k)));
+            Value::Scalars(rays.map(|(p, k)| f(p, k)).collect())
         };
         let given = |name: &str| match name {
-            "column" => Some(list(&|(p, _)| p.0.into())),
-            "row" => Some(list(&|(p, _)| p.1.into())),
-            "k_u" if 1 < side => {
-                Some(list(&|(_, k)| (k % samples as usize) as f64))
-            }
-            "k_v" if 1 < side => {
-                Some(list(&|(_, k)| (k / samples as usize) as f64))
-            }
+            "column" => Some(list(&|p, _| places[p].0.into())),
+            "row" => Some(list(&|p, _| places[p].1.into())),
+            "k_u" if 1 < side => Some(list(&|_, k| (k % samples as usize) as f64)),
+            "k_v" if 1 < side => Some(list(&|_, k| (k / samples as usize) as f64)),
             _ => None,
         };
         for line in &context.tree.lines {

@@ -1,5 +1,6 @@
 //! The lecture's formulas as data, and what becomes of a picture where one is changed.
 
+mod drawn;
 mod edits;
 mod eval;
 mod explain;
@@ -11,6 +12,7 @@ mod search;
 mod tree;
 mod value;
 
+pub use drawn::by_formulas;
 pub(crate) use edits::{Edit, edits};
 pub(crate) use eval::{Change, Context, Values};
 pub(crate) use explain::{Cause, Riddle};
