@@ -89,7 +89,7 @@ impl Parts {
     }
 
     /// The materials of the scene, to be changed.
-    pub(crate) fn materials(&mut self) -> impl Iterator<Item = &mut Material> {
+    pub fn materials(&mut self) -> impl Iterator<Item = &mut Material> {
         let objects = self.scene.objects.iter_mut();
         objects.map(|object| &mut object.material.material)
     }

@@ -1,3 +1,6 @@
+//! The sections of the book to which a mistake leads.
+#![expect(missing_docs, reason = "the heading of each section tells what it is")]
+
 use crate::Mistake;
 use crate::Step::{self, Diffuse, Nearest, Phong, Rays, Sphere};
 

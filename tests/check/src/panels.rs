@@ -1,4 +1,4 @@
-use crate::difference::apart;
+use crate::apart;
 use crate::label::{self, write};
 use image::{GenericImage, Rgb, RgbImage};
 

@@ -1,6 +1,7 @@
 //! Prints the table of stages of a picture.
 
-use gallery::{Step, Verdict, stages};
+use check::{Verdict, stages};
+use gallery::Step;
 use std::env;
 use std::time::Instant;
 

@@ -1,7 +1,8 @@
 //! What `check` says of pictures.
 
 use crate::{locked, made, named, right};
-use gallery::{Answer, Mistake, Parts, Step, camera, look, mistakes};
+use ::check::{Answer, look};
+use gallery::{Mistake, Parts, Step, camera, mistakes};
 use image::{Rgb, RgbImage, imageops};
 use std::collections::HashSet;
 

@@ -1,4 +1,4 @@
-use crate::difference::apart;
+use crate::apart;
 use crate::{Locked, Step, camera};
 use image::RgbImage;
 use image::imageops::{FilterType, resize, thumbnail};

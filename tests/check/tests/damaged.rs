@@ -1,7 +1,8 @@
 //! Whatever the bytes of a file are, there is an answer, and soon.
 
 use crate::locked;
-use gallery::{Locked, Step, camera, check};
+use ::check::{Locked, check};
+use gallery::{Step, camera};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, RgbImage};
 use std::io::Cursor;

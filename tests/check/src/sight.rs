@@ -1,4 +1,4 @@
-use crate::difference::apart;
+use crate::apart;
 use crate::view::View;
 use crate::{Parts, Step, camera};
 use image::{Rgb, RgbImage};

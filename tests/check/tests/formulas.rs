@@ -1,6 +1,7 @@
 //! The formulas as data: they draw what the steps draw, and an edit of them is found.
 
-use gallery::{Step, Verdict, by_formulas, camera, stages};
+use ::check::{Verdict, by_formulas, stages};
+use gallery::{Step, camera};
 
 #[test]
 fn the_formulas_draw_the_pictures_of_the_steps() {

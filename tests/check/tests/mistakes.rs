@@ -73,7 +73,7 @@ fn every_mistake_is_told_in_full() {
 fn the_slides_own_matrix_gives_its_locked_picture() {
     let slide = named("slide-matrix");
     let picture = slide.picture_in(Step::Phong, &camera(640, 360), 1);
-    assert!(picture == gallery::locked("slide_matrix").expect("a picture"));
+    assert!(picture == ::check::locked("slide_matrix").expect("a picture"));
 }
 
 #[test]
@@ -81,8 +81,8 @@ fn the_appendix_of_the_book_shows_the_gallery() {
     let path = workspace().join("book/chapters/mistakes.md");
     let chapter = fs::read_to_string(path).expect("a chapter");
     assert!(
-        chapter == gallery::appendix(),
-        "write it anew: cargo run -p gallery --example appendix > book/chapters/mistakes.md"
+        chapter == ::check::appendix(),
+        "write it anew: cargo run -p check --example appendix > book/chapters/mistakes.md"
     );
     for (_, name) in mistakes().flat_map(Mistake::shown) {
         assert!(chapter.contains(&format!("(pictures/{name}.png ")), "{name}");

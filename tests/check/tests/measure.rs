@@ -1,6 +1,7 @@
 //! What `measure` reads out of pictures.
 
-use gallery::{Parts, Stage, Step, Verdict, camera, stages};
+use ::check::{Stage, Verdict, stages};
+use gallery::{Parts, Step, camera};
 use image::{Rgb, RgbImage};
 
 /// The stages of a picture that some parts draw in step 5 at 320×180.

@@ -22,7 +22,7 @@ impl Project {
         for name in ["Cargo.lock", "Cargo.toml"] {
             let text = fs::read_to_string(workspace().join(name))?;
             let is_kept = |line: &&str| {
-                !["\"book\"", "\"tests\"", "\"tests/gallery\""]
+                !["\"book\"", "\"tests\"", "\"tests/check\"", "\"tests/gallery\""]
                     .iter()
                     .any(|member| line.trim().trim_end_matches(',') == *member)
             };

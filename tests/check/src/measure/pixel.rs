@@ -1,6 +1,6 @@
 use super::words::vector;
 use crate::Step;
-use crate::difference::apart;
+use crate::apart;
 use crate::formula::{Context, Tree, Value, Values};
 use crate::fov::FOV;
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
+use check::{Answer, Locked, check, names, table};
 use clap::Parser;
-use gallery::{Answer, Locked, check, names, table};
 use image::RgbImage;
 use std::fs::{self, File};
 use std::io::{self, BufReader, Write};

@@ -10,7 +10,8 @@ mod measure;
 mod mistakes;
 mod program;
 
-use gallery::{Locked, Mistake, Parts, Step, camera};
+use ::check::Locked;
+use gallery::{Mistake, Parts, Step, camera};
 use image::RgbImage;
 use std::path::{Path, PathBuf};
 use std::{env, fs, sync::LazyLock};

@@ -1,4 +1,4 @@
-use crate::difference::apart;
+use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
 use crate::{Cause, Mistake, Rest, Step};

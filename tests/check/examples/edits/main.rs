@@ -1,9 +1,9 @@
-//! Tries natural one-place edits of the steps, those of `tests/gallery/edits`, and tells
+//! Tries natural one-place edits of the steps, those of `tests/check/edits`, and tells
 //! what `check` says of their pictures. Words choose the edits whose titles hold one of
 //! them; `--draw` draws and does not ask, `--ask` asks and does not draw.
 //!
 //! ```text
-//! cargo run -p gallery --example edits -- D_v attenuation
+//! cargo run -p check --example edits -- D_v attenuation
 //! ```
 //!
 //! Pictures and answers are in `target/edits/pictures`. A picture is drawn once.
@@ -15,8 +15,9 @@ mod outcome;
 mod project;
 mod view;
 
+use check::Locked;
 use edit::{Edit, edits};
-use gallery::{Locked, Step};
+use gallery::Step;
 use outcome::{Kind, judged};
 use project::Project;
 use std::collections::BTreeMap;

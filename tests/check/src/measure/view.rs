@@ -53,7 +53,7 @@ fn is_smooth(yours: &RgbImage) -> bool {
     for j in 0..yours.height() {
         for i in 2..yours.width() - 2 {
             let at = |i: u32| yours.get_pixel(i, j);
-            let apart = |a: u32, b: u32| crate::difference::apart(at(a), at(b));
+            let apart = |a: u32, b: u32| crate::apart(at(a), at(b));
             // Two even sides, and one pixel between them.
             let is_even = apart(i - 2, i - 1) < 4 && apart(i + 1, i + 2) < 4;
             if is_even && 40 < apart(i - 1, i + 1) {

@@ -101,7 +101,7 @@ pub fn edits() -> Result<Vec<Edit>, Box<dyn Error>> {
 
 /// What stands between blank lines in a file of the folder, without its comments.
 fn blocks(name: &str) -> Result<Vec<String>, Box<dyn Error>> {
-    let path = workspace().join("tests/gallery/edits").join(format!("{name}.txt"));
+    let path = workspace().join("tests/check/edits").join(format!("{name}.txt"));
     let text = fs::read_to_string(path)?;
     let is_told = |block: &&str| !block.is_empty() && !block.starts_with('#');
     Ok(text

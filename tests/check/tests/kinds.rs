@@ -1,7 +1,8 @@
 //! Pictures that are no render, or not quite: each is told in plain words.
 
 use crate::{locked, made, named, right};
-use gallery::{Answer, Step, camera, check, look, mistakes};
+use ::check::{Answer, check, look};
+use gallery::{Step, camera, mistakes};
 use image::imageops::{FilterType, crop_imm, overlay, resize};
 use image::{DynamicImage, ImageFormat};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};

@@ -1,7 +1,8 @@
 use crate::answer::{Told, stages};
 use crate::edit::{Edit, Fault};
 use crate::name::Name;
-use gallery::{Answer, Locked, Step, check};
+use check::{Answer, Locked, check};
+use gallery::Step;
 use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::{error::Error, io::BufReader, path::Path};

@@ -1,4 +1,4 @@
-use crate::difference::apart;
+use crate::apart;
 use crate::fov::FOV;
 use crate::recognise::ROUNDING;
 use crate::view::View;

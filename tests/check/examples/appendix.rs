@@ -1,5 +1,5 @@
 //! Writes the gallery's appendix of the book to standard output.
 
 fn main() {
-    print!("{}", gallery::appendix());
+    print!("{}", check::appendix());
 }

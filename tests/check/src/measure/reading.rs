@@ -4,7 +4,7 @@ use super::view::views;
 use super::words::percent;
 use super::{Stage, Verdict, camera};
 use crate::Step;
-use crate::difference::apart;
+use crate::apart;
 use crate::formula::{Context, Tree, Value, Values};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
