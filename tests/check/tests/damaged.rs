@@ -92,10 +92,11 @@ fn two_thousand_damaged_files_give_answers() {
     let start = Instant::now();
     for k in 0..2000 {
         // So that as many of either are mended.
-        let ((whole, chunks), count) = &files[usize::from(k / 2 % 8 == 0)];
+        let ((whole, chunks), count) = &files[usize::from(k / 8 % 8 == 0)];
         let mut file = whole.clone();
         mutate(&mut file, &mut random);
-        if k % 2 == 0 {
+        // Few, as those that are read are measured, and that takes longer.
+        if k % 8 == 0 {
             mend(&mut file, chunks);
         }
         let answer = check(Cursor::new(file), "my.png", None, &ours[..*count]);
