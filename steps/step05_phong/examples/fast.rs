@@ -76,8 +76,10 @@ impl<S: Simd> Packet<'_, S> {
                 continue;
             }
             // Below 0, D has a root that is no number, and no comparison holds.
-            let roots = [-b - d.sqrt(), -b + d.sqrt()].map(|x| x / (2.0 * a));
-            let t = roots[0].simd_gt(zero).select(roots[0], roots[1]);
+            let mut t = (-b - d.sqrt()) / (2.0 * a);
+            if t.simd_le(zero).any_true() {
+                t = t.simd_gt(zero).select(t, (-b + d.sqrt()) / (2.0 * a));
+            }
             let is_nearer = t.simd_gt(zero) & t.simd_lt(nearest[0]);
             let hit = [t, simd.splat_f64x8(*object as f64)];
             nearest = from_fn(|k| is_nearer.select(hit[k], nearest[k]));
@@ -90,6 +92,7 @@ impl<S: Simd> Packet<'_, S> {
     fn phong(&self, t: f64x8<S>, object: usize) -> Vectors<S> {
         let &Self(simd, start, v, a, scene) = self;
         let Object { sphere, material } = &scene.objects[object];
+        let (r_d, r_s) = (material.surface.diffuse, material.specular);
         let [zero, one, tiny] = [0.0, 1.0, 1e-300].map(|x| simd.splat_f64x8(x));
         let p: Vectors<S> = from_fn(|k| start[k] + t * v[k]);
         let n = from_fn(|k| (p[k] - sphere.centre[k]) / sphere.radius);
@@ -105,15 +108,13 @@ impl<S: Simd> Packet<'_, S> {
             if (cosine.simd_le(zero) & fade.simd_gt(tiny)).all_true() {
                 continue; // The terms of this light are 0.
             }
-            let part: Vectors<S> = from_fn(|k| material.surface.diffuse[k] / fade);
             let max = cosine.max_precise(0.0);
-            i_d = from_fn(|k| i_d[k] + part[k] * max * point.diffuse[k]);
+            i_d = from_fn(|k| i_d[k] + r_d[k] / fade * max * point.diffuse[k]);
             let r_v = dot(from_fn(|k| 2.0 * cosine * n[k] - l[k]), eye);
             let shines = cosine.simd_gt(zero) & r_v.simd_gt(zero);
             if shines.any_true() {
-                let part: Vectors<S> = from_fn(|k| material.specular[k] / fade);
                 let power = power(r_v, material.shininess, one);
-                let term = |k: usize| part[k] * power * specular[k];
+                let term = |k: usize| r_s[k] / fade * power * specular[k];
                 i_s = from_fn(|k| i_s[k] + shines.select(term(k), zero));
             }
         }
@@ -155,9 +156,8 @@ fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
         spans.sort_by_key(|span| span.object);
         for (packet, sum) in sums.iter_mut().enumerate() {
             let i = 8.0 * packet as f64;
-            let meets = |span: &&Span| span.first <= i + 8.0 && i <= span.last;
             near.clear();
-            near.extend(spans.iter().filter(meets));
+            near.extend(spans.iter().filter(|s| s.first <= i + 8.0 && i <= s.last));
             for u in offsets {
                 let i = f64x8::from_fn(simd, |k| i + k as f64 + u);
                 let v = from_fn(|k| x[k] * i + y[k] * j + z[k]);
