@@ -26,6 +26,7 @@ mod site;
 
 mod browser;
 mod course;
+mod finish;
 mod paper;
 mod press;
 
