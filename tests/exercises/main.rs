@@ -2,6 +2,7 @@
 //! book has it.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
+#![allow(clippy::duplicate_mod, reason = "`fast` has `many` in it")]
 
 mod fast;
 mod step01;
