@@ -92,11 +92,11 @@ fn two_thousand_damaged_files_give_answers() {
     let start = Instant::now();
     for k in 0..2000 {
         // So that as many of either are mended.
-        let ((whole, chunks), count) = &files[usize::from(k / 8 % 8 == 0)];
+        let ((whole, chunks), count) = &files[usize::from(k / 24 % 8 == 0)];
         let mut file = whole.clone();
         mutate(&mut file, &mut random);
         // Few, as those that are read are measured, and that takes longer.
-        if k % 8 == 0 {
+        if k % 24 == 0 {
             mend(&mut file, chunks);
         }
         let answer = check(Cursor::new(file), "my.png", None, &ours[..*count]);
@@ -104,7 +104,7 @@ fn two_thousand_damaged_files_give_answers() {
         codes[usize::from(answer.code)] += 1;
     }
     // Some are read nevertheless, and some of these are wrong pictures.
-    assert!(codes.iter().all(|&count| 20 < count), "{codes:?}");
+    assert!(codes.iter().all(|&count| 10 < count), "{codes:?}");
     assert!(start.elapsed() < Duration::from_secs(300), "{:?}", start.elapsed());
 }
 
