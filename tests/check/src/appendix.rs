@@ -37,7 +37,7 @@ says why. Look at the first wrong stage: what comes after it is often only its c
 changes one place of one formula, draws, and compares: what stands here gives your picture, \
 pixel for pixel. Your code need not say it in these words. Here $L_s$ is missing at the \
 end. Where several changes give the same picture, each stands on a line that begins with \
-*or else*.
+*or else*; of these, some six thousand pixels were compared.
 4. **Where to look** is the line that computes the stage, and the test that has its \
 numbers worked out by hand.
 
