@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, excerpt, figures, formula, picture, values};
+use crate::{boxes, excerpt, figure, formula, picture, values};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -154,7 +154,7 @@ impl Draft<'_> {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
         Part::Block(match (kind, &self.pictures(events, range)[..]) {
-            ("figure", _) => figures::html(words.trim()),
+            ("figure", _) => figure::html(words.trim()),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
             (kind, []) => match boxes::html(kind, words) {

@@ -8,11 +8,10 @@ mod files;
 
 mod formula;
 mod markdown;
-mod svg;
 
 mod boxes;
 mod excerpt;
-mod figures;
+mod figure;
 mod gallery;
 mod picture;
 mod values;

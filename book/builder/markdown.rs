@@ -37,14 +37,6 @@ pub fn inline(markdown: &str) -> Result<String, String> {
     Ok(text.replace('\n', " "))
 }
 
-/// Escapes `text` for HTML, attributes included.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
-}
-
 /// The kind and the words of a directive such as `{{#figure ray}}`.
 pub fn directive(source: &str) -> Option<(&str, &str)> {
     let inside = source.strip_prefix("{{#")?.strip_suffix("}}")?;

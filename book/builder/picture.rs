@@ -1,7 +1,8 @@
 use crate::files::{CHAPTERS, Files};
 use crate::gallery;
-use crate::markdown::{escape, inline};
+use crate::markdown::inline;
 use anyhow::{Context, Result};
+use live::escape;
 use std::fs;
 use std::path::Path;
 

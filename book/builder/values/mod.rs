@@ -12,7 +12,6 @@ mod worked;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-pub use worked::{camera, roots};
 
 /// A number of a worked example, by name.
 type Value = (&'static str, fn() -> String);

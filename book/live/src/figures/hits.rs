@@ -1,6 +1,6 @@
 use super::Figure;
+use crate::roots;
 use crate::svg::{Drawing, View};
-use crate::values::roots;
 use glam::{DVec2, DVec3, dvec2};
 use step03_nearest::{Object, Ray, Sphere, nearest};
 

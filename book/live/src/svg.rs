@@ -1,4 +1,3 @@
-use crate::markdown::escape;
 use glam::{DVec2, dvec2};
 use std::fmt::Write;
 
@@ -181,4 +180,12 @@ fn italic(c: char) -> char {
         _ => None,
     };
     letter.unwrap_or(c)
+}
+
+/// Escapes `text` for HTML, attributes included.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
