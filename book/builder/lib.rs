@@ -8,11 +8,13 @@ mod files;
 
 mod formula;
 mod markdown;
+mod number;
 
 mod boxes;
 mod excerpt;
 mod figure;
 mod gallery;
+mod module;
 mod picture;
 mod values;
 

@@ -1,6 +1,7 @@
 use crate::files::{CHAPTERS, Files};
 use crate::gallery;
 use crate::markdown::inline;
+use crate::module;
 use anyhow::{Context, Result};
 use live::escape;
 use std::fs;
@@ -46,8 +47,20 @@ impl Picture {
     }
 }
 
-/// A figure of the pictures of a paragraph, side by side if there are several.
-pub fn figure(pictures: &[Picture], workspace: &Path) -> Result<String, String> {
+/// A figure of the pictures of a paragraph, side by side if there are several. Where
+/// one answers, `live` is its name.
+pub fn figure(
+    pictures: &[Picture],
+    live: Option<String>,
+    workspace: &Path,
+) -> Result<String, String> {
+    let live = match live {
+        Some(name) if live::find(&name).is_none() => {
+            return Err(format!("nothing that is called {name} answers"));
+        }
+        Some(name) => format!(" data-live=\"{name}\""),
+        None => String::new(),
+    };
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
@@ -58,7 +71,7 @@ pub fn figure(pictures: &[Picture], workspace: &Path) -> Result<String, String> 
             }
         };
         figures +=
-            &format!("<figure class=\"picture\">{image}{caption}</figure>\n");
+            &format!("<figure class=\"picture\"{live}>{image}{caption}</figure>\n");
     }
     Ok(match pictures {
         [_] => figures,
@@ -75,7 +88,7 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 }
 
 /// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
-/// there, and removes pictures that are neither.
+/// there, adds the module for the pages, and removes what is neither.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -93,6 +106,7 @@ pub fn copy_snapshots(workspace: &Path) -> Result<()> {
         }
         names.push(name);
     }
+    names.push(module::write(workspace, &folder)?);
     for stale in old.keys().filter(|name| !names.contains(name)) {
         fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }

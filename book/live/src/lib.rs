@@ -1,8 +1,9 @@
 //! What answers in the book: a figure is a function from its parameters to a
-//! drawing, by the steps' own code.
+//! drawing, a picture one from scene and camera to pixels, by the steps' own code.
 //!
-//! The builder prints what these functions give at their defaults. Nothing here knows
-//! of the book, so that it compiles for a browser, too.
+//! The builder prints what these functions give at their defaults. The page calls
+//! them, compiled for the browser, when its reader moves something. Nothing here knows
+//! of the book.
 
 mod svg;
 pub use svg::{Drawing, View, escape};
@@ -10,5 +11,26 @@ pub use svg::{Drawing, View, escape};
 mod common;
 pub use common::{camera, roots};
 
+mod live;
+pub use live::{Handle, Knob, Live, Numbers, Sight};
+
 mod figures;
 pub use figures::{Figure, figure, names};
+
+mod pictures;
+
+/// Everything that answers.
+pub const LIVE: [&Live; 3] = [&figures::RAY, &figures::ROW, &pictures::STEP01];
+
+/// What answers to this name.
+pub fn find(name: &str) -> Option<&'static Live> {
+    LIVE.into_iter().find(|live| live.name == name)
+}
+
+mod answer;
+mod json;
+pub use answer::{Answer, answer};
+
+// A name that is kept for the page counts as unsafe, as it could clash with another.
+#[allow(unsafe_code)]
+mod module;

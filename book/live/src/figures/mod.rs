@@ -12,6 +12,9 @@ mod ray;
 mod row;
 mod three_cases;
 
+pub use ray::RAY;
+pub use row::ROW;
+
 use crate::svg::Drawing;
 
 /// A drawing, what it shows, and what to look at.
