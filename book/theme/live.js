@@ -139,6 +139,7 @@ function liven(figure, module) {
             later(() => request("drag", 0, ...place(event)));
             handles[0].focus({ preventScroll: true });
         });
+        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or use the arrow keys, to ask another pixel."));
     }
 
     const reset = make("button", { type: "button", class: "reset" }, "Reset");
@@ -148,7 +149,6 @@ function liven(figure, module) {
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
-    follow.forEach(part => { part.hidden = false; });
 
     function show(answer) {
         if (answer.error) return;
@@ -177,6 +177,9 @@ function liven(figure, module) {
         });
         for (const number of numbers) number.textContent = answer.numbers[number.dataset.number.slice(name.length + 1)];
         reset.disabled = values.every((value, k) => value === about.values[k]);
+        if (reset.disabled || !follow.some(part => part.hidden)) return;
+        follow.forEach(part => { part.hidden = false; });
+        dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }
     show(ask(module, request("show")));
     // On paper, everything is as printed.

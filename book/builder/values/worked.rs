@@ -2,7 +2,7 @@
 
 use ::gallery::{Difference, Mistake, mistakes};
 use glam::DVec3;
-pub use live::{camera, roots};
+pub use live::{camera, discriminant, roots};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
@@ -31,12 +31,6 @@ pub fn counted(number: impl Fn(&Ray) -> usize + Sync) -> String {
 /// A length on the image plane, in pixels.
 pub fn pixels(length: f64) -> f64 {
     length / camera().matrix.x_axis.x
-}
-
-/// b² − 4ac of a ray and a sphere.
-pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
-    let (a, b, c) = sphere.coefficients(ray);
-    b * b - 4.0 * a * c
 }
 
 /// Both t, with "and" between them.

@@ -9,7 +9,7 @@ mod svg;
 pub use svg::{Drawing, View, escape};
 
 mod common;
-pub use common::{camera, roots};
+pub use common::{camera, discriminant, roots};
 
 mod live;
 pub use live::{Handle, Knob, Live, Numbers, Sight};
@@ -20,7 +20,8 @@ pub use figures::{Figure, figure, names};
 mod pictures;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 3] = [&figures::RAY, &figures::ROW, &pictures::STEP01];
+pub const LIVE: [&Live; 4] =
+    [&figures::RAY, &figures::ROW, &pictures::STEP01, &pictures::STEP05];
 
 /// What answers to this name.
 pub fn find(name: &str) -> Option<&'static Live> {

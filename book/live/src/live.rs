@@ -51,6 +51,8 @@ pub struct Handle {
     pub at: fn(&[f64]) -> DVec2,
     /// Sets the values so that it comes to a place, or near it.
     pub drag: fn(&mut [f64], DVec2),
+    /// Whether its second knob counts downwards, as rows do.
+    pub is_down: bool,
 }
 
 /// What there is to see: a drawing or a picture.
@@ -119,7 +121,8 @@ impl Live {
     /// Moves a handle by some steps of its knobs, to the right and upwards.
     pub fn step(&self, values: &[f64], handle: &Handle, by: DVec2) -> Vec<f64> {
         let mut new = values.to_vec();
-        for (knob, by) in handle.knobs.into_iter().zip(by.to_array()) {
+        let up = if handle.is_down { -by.y } else { by.y };
+        for (knob, by) in handle.knobs.into_iter().zip([by.x, up]) {
             new[knob] += by / self.knobs[knob].steps;
         }
         self.allowed(new).unwrap_or_else(|| values.to_vec())

@@ -20,6 +20,7 @@ pub const RAY: Live = Live {
             knobs: [0, 1],
             at: |values| at(values, 0.0),
             drag: |values, to| values[..2].copy_from_slice(&world(to).to_array()),
+            is_down: false,
         },
         Handle {
             words: "the tip of V",
@@ -29,6 +30,7 @@ pub const RAY: Live = Live {
                 let v = world(to - BESIDE) - dvec2(values[0], values[1]);
                 values[2..4].copy_from_slice(&v.to_array());
             },
+            is_down: false,
         },
         Handle {
             words: "the point at t",
@@ -38,6 +40,7 @@ pub const RAY: Live = Live {
                 let Ray { start, direction: v } = ray(values);
                 values[4] = (world(to).extend(0.0) - start).dot(v) / v.dot(v);
             },
+            is_down: false,
         },
     ],
     is_allowed: |values| {
