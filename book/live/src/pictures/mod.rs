@@ -13,7 +13,10 @@ use step01_rays::{Camera, Ray, render};
 /// What `camera` sees, one ray a pixel.
 fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
     let image = render(camera, 1, colour);
-    let pixels = image.pixels().flat_map(|p| [p[0], p[1], p[2], 255]).collect();
+    let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
+    for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
+        four[..3].copy_from_slice(&three.0);
+    }
     Sight::Picture { size: image.dimensions().into(), pixels }
 }
 
