@@ -1,10 +1,14 @@
 //! What the tests of the five steps share: locked pictures, programs to run, random
 //! input.
 
-// The gallery has the same file, and would be built anew for every mutant.
+// The gallery has the same files, and would be built anew for every mutant.
 #[path = "gallery/src/difference.rs"]
 mod difference;
+#[path = "gallery/src/label.rs"]
+mod label;
 mod locked;
+#[path = "gallery/src/panels.rs"]
+mod panels;
 mod program;
 mod random;
 mod refusals;

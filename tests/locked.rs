@@ -1,4 +1,5 @@
 use crate::Difference;
+use crate::panels::panels;
 use image::{ImageFormat, RgbImage};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, assert_binary_snapshot};
@@ -48,11 +49,13 @@ impl Comparator for Pixels {
         let path = target().join("differences").join(format!("{}.png", self.name));
         let saved = fs::create_dir_all(path.with_file_name(""))
             .map_err(Into::into)
-            .and_then(|()| Difference::picture(&locked, &new).save(&path));
+            .and_then(|()| {
+                panels([("new", &new), ("locked", &locked)]).save(&path)
+            });
         eprintln!("{}: {difference}.", self.name);
         match saved {
             Ok(()) => eprintln!(
-                "Locked, new and difference side by side: {}",
+                "New, locked and difference side by side: {}",
                 path.display()
             ),
             Err(error) => {

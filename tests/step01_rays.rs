@@ -122,8 +122,8 @@ fn the_program_tells_on_a_terminal_how_far_a_long_picture_is() {
     // So many rays that it takes seconds anywhere; nobody waits for the end.
     let mut long = on_a_terminal("--width 16384 --aspect 4:1 --samples 16");
     let mut told = BufReader::new(long.stdout.take().expect("a pipe")).split(b'\r');
-    let seen = told
-        .any(|line| String::from_utf8_lossy(&line.unwrap()).contains("s to go"));
+    let seen =
+        told.any(|line| String::from_utf8_lossy(&line.unwrap()).contains(" to go"));
     long.kill().and_then(|()| long.wait()).expect("it runs still");
     assert!(seen, "nothing is told");
     let short = on_a_terminal("--width 2").wait_with_output().expect("it ends");

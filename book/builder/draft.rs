@@ -251,6 +251,8 @@ impl Draft<'_> {
             }
         }
         markdown += &self.text[from..];
+        // The first picture is in view from the start.
+        markdown = markdown.replacen(picture::LAZY, "", 1);
         self.faults.sort();
         let line = |at: usize| 1 + self.text[..at].matches('\n').count();
         let faults = self.faults.into_iter().map(|(at, what)| (line(at), what));
@@ -280,6 +282,7 @@ fn new_rust(words: &str) -> String {
 fn console(info: &str, commands: &str) -> Result<String, String> {
     let (whose, caption) = match info.split_once(',') {
         Some((_, "yours")) => ("yours", "in your folder"),
+        Some((_, "yours,refused")) => ("yours refused", "in your folder"),
         Some((_, "ours")) => {
             ("ours", "in <a href=\"how.html#two-folders\">our folder</a>")
         }

@@ -7,6 +7,9 @@ use live::escape;
 use std::fs;
 use std::path::Path;
 
+/// What makes a picture load when it comes into view.
+pub const LAZY: &str = r#" loading="lazy""#;
+
 /// A picture as a chapter asks for it: `![what it shows](pictures/name.png
 /// "Caption")`.
 #[derive(Debug)]
@@ -27,7 +30,7 @@ impl Picture {
         Self { alt: alt.join(" "), source, caption }
     }
 
-    /// The picture alone, in its size.
+    /// The picture alone, in its size; it loads when it comes into view.
     pub fn html(&self, workspace: &Path) -> Result<String, String> {
         let Self { alt, source, .. } = self;
         if alt.is_empty() {
@@ -40,7 +43,7 @@ impl Picture {
         let (width, height) = size(&bytes)
             .ok_or_else(|| format!("the picture {source} is not a PNG file"))?;
         Ok(format!(
-            r#"<img src="{}" alt="{}" width="{width}" height="{height}">"#,
+            r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
             escape(source),
             escape(alt)
         ))

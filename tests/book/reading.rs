@@ -34,8 +34,8 @@ pub fn events(page: &Page) -> Vec<Event<'_>> {
         match element.tag.as_str() {
             "h1" | "h2" | "h3" => events.push(Event::Section),
             "code" => match console(page, element) {
-                Some("yours") => {
-                    let commands = Asked::all(page, element);
+                Some(whose @ ("yours" | "yours refused")) => {
+                    let commands = Asked::all(page, element, whose != "yours");
                     events.extend(commands.into_iter().map(Event::Runs));
                 }
                 Some(_) => {}
@@ -54,7 +54,7 @@ fn console<'a>(page: &'a Page, code: &Element) -> Option<&'a str> {
 }
 
 impl<'a> Asked<'a> {
-    fn all(page: &Page, block: &'a Element) -> Vec<Self> {
+    fn all(page: &Page, block: &'a Element, is_refused: bool) -> Vec<Self> {
         let mut commands: Vec<Self> = vec![];
         for line in block.text.lines() {
             let Some(command) = line.strip_prefix("$ ") else {
@@ -63,12 +63,10 @@ impl<'a> Asked<'a> {
                 }
                 continue;
             };
-            let (command, comment) =
-                command.split_once('#').unwrap_or((command, ""));
             commands.push(Self {
                 at: page.at(block),
                 words: command.split_whitespace().collect(),
-                is_refused: comment.trim() == "refused",
+                is_refused,
                 says: vec![],
             });
         }

@@ -91,12 +91,12 @@ pub fn shadowed(camera: &Camera, samples: u32) -> RgbImage {
 pub fn close_up() -> RgbImage {
     let (whole, corner) = (camera(), DVec3::new(53.0, 231.0, 1.0));
     let part = DMat3::from_cols(DVec3::X / 4.0, DVec3::Y / 4.0, corner);
-    mirror::picture(&Camera { matrix: whole.matrix * part, ..whole }, 4)
+    mirror::picture(&Camera { matrix: whole.matrix * part, ..whole }, 2)
 }
 
 /// The picture of the last page, larger and smoother.
 pub fn goodbye() -> RgbImage {
-    mirror::picture(&Camera::new(1280, 720, 60_f64.to_radians()), 3)
+    mirror::picture(&Camera::new(1280, 720, 60_f64.to_radians()), 2)
 }
 
 #[test]

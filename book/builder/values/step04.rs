@@ -30,8 +30,6 @@ pub const VALUES: &[Value] = &[
     ("step04-sum", || vector(example().ambient + example().diffuse)),
     ("step04-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
     ("step04-behind-cosine", || short(lit((380, 136), 1).cosine)),
-    ("step04-cool-at-0", || left(0.0)),
-    ("step04-cool-at-10", || left(10.0)),
     ("step04-clipped", || {
         let scene = scene();
         let is_seen = |ray: &Ray| nearest(&scene.objects, ray).is_some();
@@ -39,11 +37,6 @@ pub const VALUES: &[Value] = &[
         counted(|ray| (is_seen(ray) && is_lit(ray)).into())
     }),
 ];
-
-/// The part of the cool light that is left at the distance `d`.
-fn left(d: f64) -> String {
-    short(1.0 / COOL.attenuation.at(d))
-}
 
 /// A vector as a column, for a formula.
 fn column(vector: DVec3) -> String {

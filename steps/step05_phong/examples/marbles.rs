@@ -7,7 +7,7 @@ use step05_phong::{
     scene,
 };
 
-/// R_s and n, what makes the same paint another stuff.
+/// R_s and n, what makes the same paint look like another material.
 type Polish = ([f64; 3], i32);
 
 const STONE: Polish = ([0.4; 3], 10);

@@ -1,4 +1,5 @@
-use crate::{Mistake, Step, mistakes};
+use crate::{Locked, Mistake, Parts, Step, camera, look, mistakes};
+use glam::DVec3;
 use std::fmt::Write;
 
 const HEAD: &str = "# What went wrong?
@@ -6,22 +7,54 @@ const HEAD: &str = "# What went wrong?
 Your picture is not ours, and you want to know why. Ask in our folder:
 
 ```console,ours
-$ cargo run --bin check -- ../ray-casting/step03_nearest.png step03_nearest
+$ cargo run --bin check -- ../ray-casting/step05_phong.png
+$ cargo run --bin check -- --in ../ray-casting
 ```
 
-`check` compares every pixel. It knows all the mistakes below, two of them at once, \
-and each at any size and with any number of samples. Or look for your picture here. \
-Each was drawn by the five steps themselves, with one thing wrong in them, and stands \
-under the step in whose picture it is easiest to tell from the others. It stays in all \
-pictures after that one, and a few can be seen a step earlier already. So look under the \
-steps before and after yours as well.
+The first command looks at one picture, the second at all that are there. The name of a \
+file tells whose picture it should be; another name may stand behind it.
+
+## How to read the answer
+
+A picture is a measurement of the program that drew it. Its sky holds the direction of \
+every ray. Its outlines hold the spheres. Its lit pixels are a sum, and how much of each \
+term is in it can be read from them. `check` reads \
+this back as well as it can. Where it is at odds with your code, it may be wrong: then believe the pixel. Take \
+a reader who leaves $L_s$ out of the specular term. The picture looks right; the answer \
+begins so:
+
+";
+
+const AFTER: &str = "
+Read it from the top.
+
+1. **The first line** is the verdict. It names a mistake only where that explains every \
+pixel, or all but a few, which it counts. Here it has no name.
+2. **The stages** go from the ray to the byte. A stage is *right* where every pixel that \
+shows it agrees, and *WRONG* where the numbers show that. Where a picture can't tell, it \
+says why. Look at the first wrong stage: what comes after it is often only its consequence.
+3. **The numbers** are yours, then ours, in the letters of this book. Here the warm \
+light's highlights are 1.11 times too bright in green and 1.25 times in blue. These are \
+1/0.9 and 1/0.8, and 0.9 and 0.8 are the light's own $L_s$. The cool light has 1/0.5 and \
+1/0.7. So a factor is missing, and it is $L_s$.
+4. **Where to look** is the line that computes the stage, and the test that has its \
+numbers worked out by hand.
+
+Below that stands one pixel in full, each term by itself, to set beside what your program \
+prints there. Last comes a picture: yours, ours, and where they differ. Orange pixels are \
+too bright, blue ones too dark, and a pixel that is alone has a frame.
+
+Some mistakes are so common that they have names. All these are below, drawn by the five \
+steps themselves, each under the step in whose picture it is easiest to tell from the \
+others. A mistake stays in all pictures after that one, and a few can be seen a step \
+earlier already. So look under the steps before and after yours as well.
 ";
 
 /// The appendix of the book that shows the whole gallery, as Markdown.
 ///
 /// Its pictures have the names that [`Mistake::shown`] gives.
 pub fn appendix() -> String {
-    let mut text = HEAD.to_owned();
+    let mut text = format!("{HEAD}```text\n{}```\n{AFTER}", example());
     for step in Step::ALL {
         let title = match step {
             Step::Rays => "Step 1: rays and pixels",
@@ -37,15 +70,40 @@ pub fn appendix() -> String {
             step.number(),
             step.name()
         );
-        mistakes().filter(|m| m.step == step).for_each(|m| text += &entry(m));
+        let all = || mistakes().filter(|mistake| mistake.step == step);
+        let small: String = all().map(small).collect();
+        text += &format!("\n<div class=\"contacts\">\n\n{small}\n</div>\n");
+        all().for_each(|mistake| text += &entry(mistake));
     }
     text
 }
 
+/// The beginning of what `check` says of a picture of step 5 without L_s.
+fn example() -> String {
+    let camera = camera(640, 360);
+    let name = Step::Phong.name();
+    let picture = Step::Phong.picture(&camera, 1);
+    let locked = [Locked { name: name.to_owned(), picture }];
+    let mut parts = Parts::right(&camera);
+    for light in &mut parts.scene.lights {
+        light.specular = DVec3::ONE;
+    }
+    let text = look(&parts.picture(Step::Phong, 1), Some(name), &locked).text;
+    let lines = text.lines().take_while(|line| !line.starts_with("Column "));
+    lines.map(|line| format!("{line}\n")).collect()
+}
+
+/// A mistake on the contact sheet of its step: its picture, which leads to its entry.
+fn small(mistake: &Mistake) -> String {
+    let Mistake { name, when, sees, .. } = mistake;
+    let alt = sees.replace('`', "");
+    format!("- [![{alt}](pictures/mistake-{name}.png) {}](#{name})\n", title(when))
+}
+
 fn entry(mistake: &Mistake) -> String {
-    let Mistake { when, sees, says, section, .. } = mistake;
-    let mut text = format!("\n### {}\n\n", title(when));
-    for (step, name) in mistake.shown() {
+    let Mistake { name, when, sees, says, section, .. } = mistake;
+    let mut text = format!("\n### {} {{#{name}}}\n\n", title(when));
+    for (step, picture) in mistake.shown() {
         let number = step.number();
         let caption = match step == mistake.step {
             true => formulas(sees),
@@ -53,7 +111,7 @@ fn entry(mistake: &Mistake) -> String {
         };
         let alt =
             format!("The picture of step {number} when {when}.").replace('`', "");
-        let _ = writeln!(text, "![{alt}](pictures/{name}.png \"{caption}\")");
+        let _ = writeln!(text, "![{alt}](pictures/{picture}.png \"{caption}\")");
     }
     let (heading, chapter) = (section.heading, section.step.name());
     let number = section.step.number();

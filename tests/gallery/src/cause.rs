@@ -1,22 +1,29 @@
-use crate::{Mistake, Parts, Step, camera, mistakes};
+use crate::{Mistake, Parts, Step, mistakes};
+use step01_rays::Camera;
 
-/// How a picture may have come about: a step, its samples, and up to two mistakes.
+/// How a picture may have come about: a step, its options, and up to two mistakes.
 #[derive(Clone, Debug)]
 pub struct Cause {
     /// Whose picture it is.
     pub step: Step,
     /// The side of the grid of rays in each pixel.
     pub samples: u32,
+    /// The field of view θ, in degrees.
+    pub fov: f64,
     /// What went wrong; nothing, if the picture is right.
     pub mistakes: Vec<&'static Mistake>,
 }
 
 impl Cause {
     /// Every cause in `step` that takes `count` mistakes, 0 to 2, one ray a pixel.
-    pub(crate) fn all(step: Step, count: usize) -> Vec<Self> {
+    pub(crate) fn all(step: Step, count: usize, fov: f64) -> Vec<Self> {
         let known: Vec<_> = mistakes().filter(|m| m.section.step <= step).collect();
-        let cause =
-            |mistakes: &[_]| Self { step, samples: 1, mistakes: mistakes.into() };
+        let cause = |mistakes: &[_]| Self {
+            step,
+            samples: 1,
+            fov,
+            mistakes: mistakes.into(),
+        };
         match count {
             0 => vec![cause(&[])],
             1 => known.iter().map(|&one| cause(&[one])).collect(),
@@ -28,9 +35,10 @@ impl Cause {
         }
     }
 
-    /// The parts that draw it, seen by the course's camera.
+    /// The parts that draw it.
     pub fn parts(&self, (width, height): (u32, u32)) -> Parts {
-        let mut parts = Parts::right(&camera(width, height));
+        let mut parts =
+            Parts::right(&Camera::new(width, height, self.fov.to_radians()));
         for mistake in &self.mistakes {
             (mistake.change)(&mut parts);
         }

@@ -11,31 +11,51 @@ mod mistake;
 mod mistakes;
 
 mod difference;
+mod label;
 mod locked;
+mod panels;
 mod png;
+mod view;
 mod workspace;
 
 mod drawn;
 
 mod cause;
+mod fov;
 mod recognise;
+mod rest;
 mod sight;
 
+mod kind;
+mod measure;
+
+mod answer;
+mod case;
 mod check;
+mod options;
+mod table;
+mod told;
+mod turned;
+mod verdict;
+mod whose;
 
 mod appendix;
 
+pub use answer::Answer;
 pub use appendix::appendix;
 pub(crate) use cause::Cause;
-pub use check::{Answer, check, look};
+pub use check::{check, look};
 pub use difference::Difference;
 pub use drawn::draw;
-pub use locked::{locked, names};
+pub use locked::{Locked, locked, names};
+pub use measure::{Stage, Verdict, pixel, stages};
 pub use mistake::Mistake;
 pub use mistakes::mistakes;
 pub use parts::{Nearest, Parts};
 pub(crate) use recognise::{Found, recognise};
+pub(crate) use rest::Rest;
 pub use scene::Named;
 pub use section::Section;
 pub use step::{Step, camera};
+pub use table::table;
 pub use workspace::workspace;

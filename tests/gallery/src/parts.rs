@@ -31,6 +31,8 @@ pub struct Parts {
     pub first_hit: fn(Roots) -> Option<f64>,
     /// The nearest hit of those with each sphere, which come in the list's order.
     pub nearest: Nearest,
+    /// p, from the ray and its t.
+    pub point: fn(&Ray, f64) -> DVec3,
     /// n.
     pub normal: fn(&Sphere, DVec3) -> DVec3,
     /// l and d.
@@ -72,6 +74,7 @@ impl Parts {
             quadratic,
             first_hit: Roots::first_hit,
             nearest: |hits| hits.min_by(|a, b| a.t.total_cmp(&b.t)),
+            point: Ray::at,
             normal,
             seen_from: PointLight::seen_from,
             attenuation: Attenuation::at,
@@ -114,6 +117,11 @@ impl Parts {
         Rgb((self.order)(mean.to_array().map(self.byte)))
     }
 
+    /// The intensity of the ray through the middle of a pixel.
+    pub(crate) fn intensity(&self, step: Step, i: u32, j: u32) -> DVec3 {
+        self.colour(step, &(self.ray)(self.camera.ray(i.into(), j.into())))
+    }
+
     fn colour(&self, step: Step, ray: &Ray) -> DVec3 {
         match self.seen(step, ray) {
             None => (self.miss)(ray),
@@ -141,7 +149,7 @@ impl Parts {
             Some(Hit { t, object })
         });
         let hit = (self.nearest)(&mut hits)?;
-        let p = ray.at(hit.t);
+        let p = (self.point)(ray, hit.t);
         let n = (self.normal)(&hit.object.sphere, p);
         Some(Point { p, n, material: &hit.object.material })
     }

@@ -1,6 +1,7 @@
 use crate::difference::apart;
-use crate::{Cause, Mistake, Step};
-use image::{Rgb, RgbImage};
+use crate::fov::{FOV, fields_of_view};
+use crate::view::View;
+use crate::{Cause, Mistake, Rest, Step};
 use std::cmp::Reverse;
 use std::collections::HashSet;
 
@@ -11,36 +12,22 @@ pub struct Found {
     pub name: String,
     /// The side of the grid of rays in each pixel.
     pub samples: u32,
+    /// The field of view θ, in degrees.
+    pub fov: f64,
     /// What went wrong; several lists, where several give the same picture. Where only
     /// the size or the samples are wrong, the list is empty.
     pub causes: Vec<Vec<&'static Mistake>>,
+    /// A field of view that explains it as well, without any mistake.
+    pub same_fov: Option<f64>,
     /// What they leave unexplained.
     pub rest: Rest,
 }
 
-/// How far each pixel of a picture is from that of another.
-#[derive(Clone, Debug)]
-pub struct Rest {
-    /// How far apart they are in the channel that differs most.
-    pub apart: Vec<u8>,
-    /// How many pixels there are; not all are compared where that takes very many rays.
-    pub all: usize,
-}
-
-impl Rest {
-    /// Whether the pictures are known to be equal in every pixel.
-    pub fn is_none(&self) -> bool {
-        self.beyond(0) == 0 && self.apart.len() == self.all
-    }
-
-    /// How many pixels are farther apart than by `rounding`.
-    pub fn beyond(&self, rounding: u8) -> usize {
-        self.apart.iter().filter(|&&apart| rounding < apart).count()
-    }
-
-    /// Whether these are few.
-    pub fn is_few(&self, rounding: u8) -> bool {
-        self.beyond(rounding) * FEW < self.apart.len()
+impl Found {
+    /// The first cause, in the picture of `step`.
+    pub fn cause(&self, step: Step) -> Cause {
+        let Self { samples, fov, .. } = *self;
+        Cause { step, samples, fov, mistakes: self.causes[0].clone() }
     }
 }
 
@@ -50,26 +37,54 @@ pub(crate) const RAYS: u64 = 16_000_000;
 /// A channel that is off by this much may be so by rounding.
 pub(crate) const ROUNDING: u8 = 2;
 
-/// One in so many pixels is few.
-const FEW: usize = 200;
-
 /// Finds out how a picture came about in one of `steps`, or None where that is unknown.
 ///
 /// Few pixels sort out nearly all causes; all pixels decide. The fewest mistakes win.
-/// A cause that leaves pixels unexplained is found only where these are few: less than
-/// one in 200, and than a tenth of those that it explains; or where rounding explains
-/// them. A picture of one colour tells too little for two mistakes, or for rounding.
-pub fn recognise(yours: &RgbImage, steps: &[Step]) -> Option<Found> {
-    if yours.width() < 2 {
+/// One mistake that leaves pixels unexplained is found only where these are few: less
+/// than one in 1000, and than a tenth of those that it explains. Two mistakes must
+/// explain every pixel. Only of the right picture it is said that it may be rounded.
+pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
+    if yours.size.0 < 2 {
         return None;
     }
-    let (most, roundings): (_, &[u8]) = match flat(yours) {
-        Some(_) => (1, &[0]),
-        None => (2, &[0, ROUNDING]),
-    };
+    let is_flat = yours.flat().is_some();
     let mut likely = vec![];
+    let most = if is_flat { 1 } else { 2 };
+    let found = levels(yours, steps, most, FOV, &mut likely);
+    let options = |most: usize| {
+        let mut all =
+            if is_flat { vec![] } else { fields_of_view(yours) }.into_iter();
+        all.find_map(|fov| levels(yours, steps, most, fov, &mut vec![]))
+    };
+    if let Some(found) = found {
+        let is_right = found.causes[0].is_empty();
+        let same = if is_right { None } else { options(0) };
+        return Some(Found { same_fov: same.map(|same| same.fov), ..found });
+    }
+    if let Some(found) = options(1) {
+        return Some(found);
+    }
+    likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
+    let more = with_more_rays(yours, &likely);
+    likely.extend(more.iter().cloned());
+    let found = exact(yours, &more).or_else(|| near(yours, &likely, 0));
+    found.or_else(|| {
+        likely.retain(|(_, cause)| cause.mistakes.is_empty() && !is_flat);
+        near(yours, &likely, ROUNDING)
+    })
+}
+
+/// The cause, of `most` mistakes or less, that explains every pixel; if there is none,
+/// the likeliest are added to `likely`.
+fn levels(
+    yours: &View,
+    steps: &[Step],
+    most: usize,
+    fov: f64,
+    likely: &mut Vec<Rated>,
+) -> Option<Found> {
     for count in 0..=most {
-        let all = steps.iter().flat_map(|&step| Cause::all(step, count));
+        let all = steps.iter().flat_map(|&step| Cause::all(step, count, fov));
         let mut level = sieved(yours, all.collect());
         level.sort_by_key(|(misses, _)| *misses);
         let more = || exact(yours, &with_more_rays(yours, &level));
@@ -78,29 +93,16 @@ pub fn recognise(yours: &RgbImage, steps: &[Step]) -> Option<Found> {
         }
         likely.append(&mut level);
     }
-    likely.sort_by_key(|(misses, cause)| (*misses, cause.mistakes.len()));
-    let more = with_more_rays(yours, &likely);
-    let near = |&rounding| near(yours, &likely, &more, rounding);
-    exact(yours, &more).or_else(|| roundings.iter().find_map(near))
-}
-
-/// The colour of a picture that has one colour only, but for a few pixels.
-pub(crate) fn flat(picture: &RgbImage) -> Option<Rgb<u8>> {
-    let colour = |(i, j)| *picture.get_pixel(i, j);
-    let is_all = |colour: &Rgb<u8>| {
-        let others = picture.pixels().filter(|pixel| *pixel != colour).count();
-        others * FEW < picture.pixels().len()
-    };
-    scattered(picture, 3).into_iter().map(colour).find(is_all)
+    None
 }
 
 type Rated = (usize, Cause);
 
 /// The causes that explain most of a few hundred pixels, and of the first few of them.
-fn sieved(yours: &RgbImage, causes: Vec<Cause>) -> Vec<Rated> {
-    let places = scattered(yours, 320);
+fn sieved(yours: &View, causes: Vec<Cause>) -> Vec<Rated> {
+    let places = yours.scattered(320);
     // Along edges, more rays a pixel give other colours; small pictures are all edges.
-    let share = (0.12 + 24.0 / f64::from(yours.width())).min(0.4);
+    let share = (0.12 + 24.0 / f64::from(yours.size.0)).min(0.4);
     let most = |count: usize| (share * count as f64) as usize;
     let rate = |cause: Cause| {
         misses(yours, &cause, &places[..48], ROUNDING, 6 + most(48))?;
@@ -112,7 +114,7 @@ fn sieved(yours: &RgbImage, causes: Vec<Cause>) -> Vec<Rated> {
 
 /// The causes, of the fewest mistakes, that explain every pixel; first those of
 /// mistakes that belong to the step itself.
-fn exact(yours: &RgbImage, causes: &[Rated]) -> Option<Found> {
+fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
     (0..=2).find_map(|count| {
         let level =
             causes.iter().filter(|(_, cause)| cause.mistakes.len() == count);
@@ -131,60 +133,68 @@ fn exact(yours: &RgbImage, causes: &[Rated]) -> Option<Found> {
 /// The causes and what they leave over, by the first of them: each once, although
 /// several steps may know it.
 fn found(causes: Vec<(Cause, Rest)>) -> Option<Found> {
-    let (Cause { step, samples, .. }, rest) = causes.first()?.clone();
+    let (Cause { step, samples, fov, .. }, rest) = causes.first()?.clone();
     let mut told = HashSet::new();
     let names = |mistakes: &[&Mistake]| -> Vec<_> {
         mistakes.iter().map(|mistake| mistake.name).collect()
     };
     let causes = causes.into_iter().map(|(cause, _)| cause.mistakes);
     let causes = causes.filter(|mistakes| told.insert(names(mistakes))).collect();
-    Some(Found { name: step.name().to_owned(), samples, causes, rest })
+    Some(Found {
+        name: step.name().to_owned(),
+        samples,
+        fov,
+        causes,
+        same_fov: None,
+        rest,
+    })
 }
 
-/// The cause that explains all but a few pixels, or all but the rounding.
-fn near(
-    yours: &RgbImage,
-    likely: &[Rated],
-    more: &[Rated],
-    rounding: u8,
-) -> Option<Found> {
+/// The causes, of one mistake at most, that explain all but a few pixels, or all but
+/// the rounding; two mistakes that do not explain every pixel would be a guess.
+fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let rated =
         |rated| Some((rate(yours, rated, 3000, rounding, usize::MAX)?, rated));
-    let all = likely.iter().take(60).chain(more.iter().take(60));
+    let all = likely.iter().filter(|(_, cause)| cause.mistakes.len() <= 1);
     let mut causes: Vec<_> = all.filter_map(rated).collect();
     causes.sort_by_key(|(misses, (_, cause))| (*misses, cause.mistakes.len()));
     let best = causes.into_iter().take(4);
-    let best = best.map(|(_, (_, cause))| (cause, compare(yours, cause)));
-    // A second mistake has to explain much more than the first one alone.
-    let (cause, rest) = best.min_by_key(|(cause, rest)| {
+    let mut best: Vec<_> = best
+        .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause)))
+        .collect();
+    let cost = |(cause, rest): &(Cause, Rest)| {
         (rest.beyond(rounding) + 1) << (2 * cause.mistakes.len())
-    })?;
+    };
+    best.sort_by_key(cost);
+    let least = cost(best.first()?);
+    best.retain(|one| cost(one) == least);
+    let (cause, rest) = best.first()?;
     let right = Cause { mistakes: vec![], ..cause.clone() };
     let explained = match cause.mistakes.len() {
-        0 => rest.apart.len(),
+        0 => rest.compared(),
         _ => compare(yours, &right).beyond(rounding),
     };
     let is_near = rest.is_few(rounding) && rest.beyond(rounding) * 10 < explained;
-    is_near.then(|| found(vec![(cause.clone(), rest)]))?
+    is_near.then(|| found(best))?
 }
 
 /// At how many of about `count` rays' pixels the picture differs, or None where it is
 /// more than `most`.
 fn rate(
-    yours: &RgbImage,
+    yours: &View,
     (_, cause): &Rated,
     count: u32,
     rounding: u8,
     most: usize,
 ) -> Option<usize> {
-    let places = scattered(yours, (count / cause.samples.pow(2)).max(48));
+    let places = yours.scattered((count / cause.samples.pow(2)).max(48));
     misses(yours, cause, &places, rounding, most)
 }
 
 /// The likeliest of the causes, which come in this order, with the number of rays a
 /// pixel that explains most; none where that is one, or can't be told.
-fn with_more_rays(yours: &RgbImage, causes: &[Rated]) -> Vec<Rated> {
-    let samples = samples(yours, causes).filter(|_| flat(yours).is_none());
+fn with_more_rays(yours: &View, causes: &[Rated]) -> Vec<Rated> {
+    let samples = samples(yours, causes).filter(|_| yours.flat().is_none());
     let Some(samples) = samples else { return vec![] };
     let more =
         |(misses, cause): &Rated| (*misses, Cause { samples, ..cause.clone() });
@@ -192,14 +202,14 @@ fn with_more_rays(yours: &RgbImage, causes: &[Rated]) -> Vec<Rated> {
 }
 
 /// The samples, more than 1, that explain what the likeliest cause leaves unexplained.
-fn samples(yours: &RgbImage, causes: &[Rated]) -> Option<u32> {
+fn samples(yours: &View, causes: &[Rated]) -> Option<u32> {
     let (_, cause) = causes.first()?;
-    let parts = cause.parts(yours.dimensions());
+    let parts = cause.parts(yours.size);
     let miss = |&(i, j): &(u32, u32)| {
         let ours = parts.pixel(cause.step, 1, i, j);
-        (apart(yours.get_pixel(i, j), &ours), (i, j))
+        (apart(yours.pixel(i, j), &ours), (i, j))
     };
-    let mut edges: Vec<_> = scattered(yours, 20_000).iter().map(miss).collect();
+    let mut edges: Vec<_> = yours.scattered(20_000).iter().map(miss).collect();
     edges.sort_by_key(|&(apart, _)| Reverse(apart));
     let edges = edges.into_iter().filter(|&(apart, _)| 0 < apart);
     let edges: Vec<_> = edges.map(|(_, place)| place).take(120).collect();
@@ -212,35 +222,35 @@ fn samples(yours: &RgbImage, causes: &[Rated]) -> Option<u32> {
 }
 
 /// What `cause` leaves unexplained.
-fn compare(yours: &RgbImage, cause: &Cause) -> Rest {
-    let (width, height) = yours.dimensions();
-    let all = yours.pixels().len();
+fn compare(yours: &View, cause: &Cause) -> Rest {
+    let ((width, height), all) = (yours.size, yours.pixels());
     let rays = all as u64 * u64::from(cause.samples.pow(2));
     let stride = (rays.div_ceil(RAYS) - 1).isqrt() as u32 + 1;
-    let (columns, rows) = (width.div_ceil(stride), height.div_ceil(stride));
+    let stride = stride.next_multiple_of(yours.stride) as usize;
     let parts = cause.parts((width, height));
-    let ours = RgbImage::from_par_fn(columns, rows, |i, j| {
-        parts.pixel(cause.step, cause.samples, i * stride, j * stride)
-    });
-    let pairs = ours
-        .enumerate_pixels()
-        .map(|(i, j, ours)| apart(yours.get_pixel(i * stride, j * stride), ours));
-    Rest { apart: pairs.collect(), all }
+    let mut rest = Rest::new(all);
+    for j in (0..height).step_by(stride) {
+        for i in (0..width).step_by(stride) {
+            let ours = parts.pixel(cause.step, cause.samples, i, j);
+            rest.add(apart(yours.pixel(i, j), &ours));
+        }
+    }
+    rest
 }
 
 /// At how many of `places` the picture differs, or None where it is more than `most`.
 fn misses(
-    yours: &RgbImage,
+    yours: &View,
     cause: &Cause,
     places: &[(u32, u32)],
     rounding: u8,
     most: usize,
 ) -> Option<usize> {
-    let parts = cause.parts(yours.dimensions());
+    let parts = cause.parts(yours.size);
     let mut misses = 0;
     for &(i, j) in places {
         let ours = parts.pixel(cause.step, cause.samples, i, j);
-        if rounding < apart(yours.get_pixel(i, j), &ours) {
+        if rounding < apart(yours.pixel(i, j), &ours) {
             misses += 1;
         }
         if most < misses {
@@ -248,21 +258,4 @@ fn misses(
         }
     }
     Some(misses)
-}
-
-/// Places that lie evenly over the picture, whatever their number.
-pub(crate) fn scattered(picture: &RgbImage, count: u32) -> Vec<(u32, u32)> {
-    let (width, height) = picture.dimensions();
-    // Roberts' sequence: multiples of these two numbers fill the square evenly.
-    let at = |k: u32, step: f64, size: u32| {
-        (((f64::from(k) + 0.5) * step).fract() * f64::from(size)) as u32
-    };
-    (0..count)
-        .map(|k| {
-            (
-                at(k, 0.754_877_666_246_693, width),
-                at(k, 0.569_840_290_998_053, height),
-            )
-        })
-        .collect()
 }

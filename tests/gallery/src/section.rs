@@ -28,6 +28,9 @@ pub const FORMULA: Section =
     section(Sphere, "quadratic.rs", "The quadratic formula");
 pub const CENTRE: Section = section(Sphere, "sphere.rs", "Any centre");
 pub const ROOT: Section = section(Sphere, "quadratic.rs", "Which root");
+pub const ONE_COLOUR: Section =
+    section(Sphere, "picture.rs", "A colour for every ray");
+pub const SCENE: Section = section(Nearest, "objects.rs", "The scene");
 pub const NEAREST: Section = section(Nearest, "nearest.rs", "The nearest hit");
 pub const NORMAL: Section = section(Diffuse, "point.rs", "The normal");
 pub const AMBIENT: Section = section(Diffuse, "ambient.rs", "Ambient light");
@@ -36,9 +39,11 @@ pub const ATTENUATION: Section = section(Diffuse, "light.rs", "Attenuation");
 pub const LIGHT: Section = section(Diffuse, "light.rs", "Point lights");
 pub const DIFFUSE: Section = section(Diffuse, "diffuse.rs", "The diffuse term");
 pub const LIGHTS: Section = section(Diffuse, "picture.rs", "Two lights");
+pub const LAMPS: Section = section(Diffuse, "scene.rs", "Two lights");
 pub const REFLECT: Section = section(Phong, "reflect.rs", "The reflected vector");
 pub const SPECULAR: Section = section(Phong, "specular.rs", "The specular term");
 pub const SUM: Section = section(Phong, "phong.rs", "The sum");
+pub const MATERIALS: Section = section(Phong, "scene.rs", "Nine materials");
 pub const EYE: Section = section(Phong, "phong.rs", "The way to the eye");
 
 impl Section {

@@ -2,13 +2,17 @@
 //! bring.
 
 mod check;
+mod damaged;
+mod edits;
+mod kinds;
+mod measure;
 mod mistakes;
 mod program;
 
-use gallery::{Mistake, Parts, Step, camera, locked};
+use gallery::{Locked, Mistake, Parts, Step, camera};
 use image::RgbImage;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
+use std::{env, fs, sync::LazyLock};
 
 /// A folder of the target folder, upwards from this test program.
 fn target(levels: usize) -> PathBuf {
@@ -29,9 +33,17 @@ fn opened(path: &Path) -> RgbImage {
     image::open(path).expect("a PNG").to_rgb8()
 }
 
+/// All pictures that there are to compare with.
+fn locked() -> &'static [Locked] {
+    static LOCKED: LazyLock<Result<Vec<Locked>, String>> =
+        LazyLock::new(Locked::all);
+    LOCKED.as_ref().expect("locked pictures")
+}
+
 /// The locked picture `name`.
 fn right(name: &str) -> RgbImage {
-    locked(name).expect("a locked picture")
+    let one = locked().iter().find(|one| one.name == name);
+    one.expect("a locked picture").picture.clone()
 }
 
 fn named(name: &str) -> &'static Mistake {

@@ -39,12 +39,12 @@ fn no_mistake_gives_the_right_picture_or_that_of_another() {
 fn a_mistake_does_not_show_before_its_step() {
     for mistake in mistakes() {
         for step in Step::ALL.into_iter().filter(|&step| step < mistake.step) {
-            let picture = mistake.picture_in(step, &camera(640, 360), 1);
+            let picture = mistake.picture_in(step, &camera(320, 180), 1);
             let drawn = mistakes().filter(|other| other.step == step);
-            let mut others = drawn.map(|other| other.picture(&camera(640, 360), 1));
+            let mut others = drawn.map(|other| other.picture(&camera(320, 180), 1));
             // Where it does, it is not to be told from another one.
             assert!(
-                picture == step.picture(&camera(640, 360), 1)
+                picture == step.picture(&camera(320, 180), 1)
                     || others.any(|other| other == picture),
                 "{} shows in {step:?}",
                 mistake.name
@@ -73,7 +73,7 @@ fn every_mistake_is_told_in_full() {
 fn the_slides_own_matrix_gives_its_locked_picture() {
     let slide = named("slide-matrix");
     let picture = slide.picture_in(Step::Phong, &camera(640, 360), 1);
-    assert!(picture == right("slide_matrix"));
+    assert!(picture == gallery::locked("slide_matrix").expect("a picture"));
 }
 
 #[test]

@@ -1,0 +1,40 @@
+use crate::view::View;
+
+/// The field of view of the course's camera, in degrees.
+pub(crate) const FOV: f64 = 60.0;
+
+/// Fields of view that a picture may have been drawn with, in degrees, other than that
+/// of the course, as round numbers: the sky tells its rays, and these the angle.
+pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
+    let Some(tan) = half_width(yours) else { return vec![] };
+    let degrees = 2.0 * tan.atan().to_degrees();
+    let rounded = |unit: f64| (degrees * unit).round() / unit;
+    let mut all: Vec<f64> = [1.0, 2.0, 10.0, 100.0].map(rounded).into();
+    all.retain(|fov| *fov != FOV && 0.0 < *fov && *fov < 180.0);
+    all.dedup();
+    all
+}
+
+/// tan(θ/2), as most of the sky has it.
+fn half_width(yours: &View) -> Option<f64> {
+    let columns = f64::from(yours.size.0 - 1);
+    let tan = |(i, j): (u32, u32)| {
+        let red = yours.pixel(i, j)[0];
+        let v_x = (f64::from(red) / 255.0 - 0.7) / 0.3;
+        let place = 2.0 * f64::from(i) / columns - 1.0;
+        let is_sky = 0 < red && red < 255 && 0.3 < place.abs();
+        is_sky.then_some((v_x / place).abs())
+    };
+    // Much of the upper third of the picture is sky.
+    let places = yours.scattered(4000).into_iter();
+    let upper = places.filter(|(_, j)| 3 * j < yours.size.1);
+    let mut all: Vec<f64> = upper.filter_map(tan).collect();
+    all.sort_by(f64::total_cmp);
+    // Where most of them are close together, and the middle of these.
+    let close = |start: usize| {
+        let end = all.partition_point(|tan| *tan < 1.01 * all[start]);
+        (end - start, (start + end) / 2)
+    };
+    let (_, middle) = (0..all.len()).map(close).max_by_key(|(count, _)| *count)?;
+    all.get(middle).copied()
+}

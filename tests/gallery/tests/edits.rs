@@ -1,0 +1,28 @@
+//! The list of edits: it tells what stands in the steps, as they are now.
+
+#[allow(dead_code)] // what only the program needs
+#[path = "../examples/edits/edit.rs"]
+mod edit;
+
+use edit::edits;
+use gallery::workspace;
+use std::collections::HashSet;
+use std::fs;
+
+#[test]
+fn every_edit_stands_once_in_its_file() {
+    let (mut titles, mut faults) = (HashSet::new(), vec![]);
+    let edits = edits().expect("a list of edits");
+    for edit in &edits {
+        assert!(titles.insert(&edit.title), "twice: {}", edit.title);
+        assert_eq!(edit.changes.len(), edit.faults.len(), "{}", edit.title);
+        for change in &edit.changes {
+            assert_ne!(change.old, change.new, "{}", edit.title);
+            let text = fs::read_to_string(workspace().join(change.path()))
+                .expect("a file");
+            faults.extend(change.applied(&text).err());
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(400 < edits.len(), "{}", edits.len());
+}
