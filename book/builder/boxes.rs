@@ -8,18 +8,10 @@ const KINDS: [(&str, &str); 3] =
 /// The HTML for `{{#predict a question}}`, which begins a box, or `{{#end}}`, which
 /// ends it.
 ///
-/// A reader opens the box to see what is in it. `{{#chain name}}` begins one that
-/// follows what answers to this name.
+/// A reader opens the box to see what is in it.
 pub fn html(kind: &str, words: &str) -> Option<Result<String, String>> {
     if kind == "end" {
         return Some(Ok("</details>\n".to_string()));
-    }
-    if kind == "chain" {
-        // Shown when its reader first asks; see book/theme/live.js.
-        return Some(Ok(format!(
-            "<details data-chain=\"{words}\" class=\"aside\" open hidden>\
-             <summary><span class=\"kind\">This pixel</span></summary>\n"
-        )));
     }
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
     Some(inline(words).map(|words| {
@@ -37,7 +29,7 @@ pub fn balanced(text: &str) -> Result<(), (usize, String)> {
     let mut at = 0;
     for line in text.split_inclusive('\n') {
         let (kind, _) = directive(line.trim_end()).unwrap_or_default();
-        let begins = kind == "chain" || KINDS.iter().any(|(name, _)| *name == kind);
+        let begins = KINDS.iter().any(|(name, _)| *name == kind);
         open = match open {
             Some(_) if begins => return wrong(at, "a box can't hold another box"),
             None if kind == "end" => {

@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, excerpt, figure, formula, number, picture, values};
+use crate::{boxes, chain, excerpt, figure, formula, number, picture, values};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -155,6 +155,7 @@ impl Draft<'_> {
             directive(self.text[range.clone()].trim()).unwrap_or_default();
         let (pictures, live) = self.pictures(events, range);
         Part::Block(match (kind, &pictures[..]) {
+            ("chain", _) => chain::html(words.trim(), self.workspace),
             ("figure", _) => figure::html(words.trim()),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),

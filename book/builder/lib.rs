@@ -11,6 +11,7 @@ mod markdown;
 mod number;
 
 mod boxes;
+mod chain;
 mod excerpt;
 mod figure;
 mod gallery;

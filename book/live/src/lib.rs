@@ -18,6 +18,7 @@ mod figures;
 pub use figures::{Figure, figure, names};
 
 mod pictures;
+pub use pictures::OBJECTS;
 
 /// Everything that answers.
 pub const LIVE: [&Live; 4] =

@@ -4,7 +4,7 @@ mod step01;
 mod step05;
 
 pub use step01::STEP01;
-pub use step05::STEP05;
+pub use step05::{OBJECTS, STEP05};
 
 use crate::Sight;
 use glam::{DMat3, DVec3};

@@ -160,19 +160,11 @@ fn root(t: f64) -> String {
     if t.is_nan() { NONE.to_string() } else { number(t) }
 }
 
-/// What the chapters call an object of the scene.
+/// What the chapters call the objects of the scene, in their order.
+pub const OBJECTS: [&str; 9] =
+    ["red", "ground", "golden", "blue", "green", "teal", "white", "salmon", "cream"];
+
 fn name(scene: &Scene<Material, Light>, object: &Object<Material>) -> &'static str {
-    let names = [
-        "red",
-        "the ground",
-        "golden",
-        "blue",
-        "green",
-        "teal",
-        "white",
-        "salmon",
-        "cream",
-    ];
-    let known = scene.objects.iter().zip(names).find(|(one, _)| *one == object);
+    let known = scene.objects.iter().zip(OBJECTS).find(|(one, _)| *one == object);
     known.map_or("", |(_, name)| name)
 }
