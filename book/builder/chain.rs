@@ -28,7 +28,9 @@ pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
 
 /// The row of one object.
 fn row((k, name): (usize, &str)) -> String {
-    let cells: Vec<_> =
-        COLUMNS.iter().map(|column| format!("{{{{#number {column}{k}}}}}")).collect();
+    let cells: Vec<_> = COLUMNS
+        .iter()
+        .map(|column| format!("{{{{#number {column}{k}}}}}"))
+        .collect();
     format!("| {name} | {} |", cells.join(" | "))
 }

@@ -3,7 +3,7 @@ use crate::live::{Handle, Knob, Live, Numbers, number, vector};
 use crate::{camera, discriminant, roots};
 use glam::{DVec3, dvec2};
 use step05_phong::{
-    Light, Material, Object, Point, Ray, Scene, colour, diffuse, direction_colour,
+    Light, Material, Object, Phong, Point, Ray, Scene, diffuse, direction_colour,
     nearest, reflect, scene, seen, specular, terms,
 };
 
@@ -31,24 +31,34 @@ pub const STEP05: Live = Live {
     is_allowed: |_| true,
     sight: |values| {
         let scene = scene();
-        let share = |k: usize| values[k];
-        picture(&camera(), |ray| match terms(&scene, ray) {
-            Some(terms) => {
-                share(2) * terms.ambient
-                    + share(3) * terms.diffuse
-                    + share(4) * terms.specular
-            }
-            None => direction_colour(ray),
-        })
+        picture(&camera(), |ray| lit(&scene, values, ray))
     },
-    numbers: |values| chain(&scene(), values[0], values[1]),
+    numbers: |values| chain(&scene(), values),
 };
+
+/// The terms that are switched on; the others are 0.
+fn switched(terms: &Phong, values: &[f64]) -> Phong {
+    Phong {
+        ambient: values[2] * terms.ambient,
+        diffuse: values[3] * terms.diffuse,
+        specular: values[4] * terms.specular,
+    }
+}
+
+/// The colour that `ray` sees in the light of these terms.
+fn lit(scene: &Scene<Material, Light>, values: &[f64], ray: &Ray) -> DVec3 {
+    match terms(scene, ray) {
+        Some(terms) => switched(&terms, values).sum(),
+        None => direction_colour(ray),
+    }
+}
 
 /// What is written where a ray has no such number.
 const NONE: &str = "–";
 
 /// Everything on the way from a pixel to its three bytes.
-fn chain(scene: &Scene<Material, Light>, i: f64, j: f64) -> Numbers {
+fn chain(scene: &Scene<Material, Light>, values: &[f64]) -> Numbers {
+    let [i, j] = [values[0], values[1]];
     let ray = camera().ray(i, j);
     let mut chain: Numbers = vec![
         ("i".into(), number(i)),
@@ -69,11 +79,11 @@ fn chain(scene: &Scene<Material, Light>, i: f64, j: f64) -> Numbers {
     chain.push(("which".into(), which.into()));
     let point = seen(&scene.objects, &ray);
     chain.extend(match &point {
-        Some(point) => shading(scene, &ray, point),
+        Some(point) => shading(scene, values, &ray, point),
         // A ray that meets nothing leaves the rest empty.
         None => NAMES.map(|name| (name.into(), NONE.into())).into(),
     });
-    let bytes = pixel(&ray, |ray| colour(scene, ray));
+    let bytes = pixel(&ray, |ray| lit(scene, values, ray));
     chain.push(("bytes".into(), vector(&bytes.map(f64::from))));
     chain
 }
@@ -111,6 +121,7 @@ const NAMES: [&str; 26] = [
 /// From the point that a ray sees to the sum of the terms.
 fn shading(
     scene: &Scene<Material, Light>,
+    values: &[f64],
     ray: &Ray,
     point: &Point<Material>,
 ) -> Numbers {
@@ -143,6 +154,7 @@ fn shading(
         all.extend(numbers.map(|(name, text)| (format!("{name} {lamp}"), text)));
     }
     if let Some(terms) = terms(scene, ray) {
+        let terms = switched(&terms, values);
         let terms = [
             ("ambient", terms.ambient),
             ("diffuse", terms.diffuse),
@@ -161,8 +173,9 @@ fn root(t: f64) -> String {
 }
 
 /// What the chapters call the objects of the scene, in their order.
-pub const OBJECTS: [&str; 9] =
-    ["red", "ground", "golden", "blue", "green", "teal", "white", "salmon", "cream"];
+pub const OBJECTS: [&str; 9] = [
+    "red", "ground", "golden", "blue", "green", "teal", "white", "salmon", "cream",
+];
 
 fn name(scene: &Scene<Material, Light>, object: &Object<Material>) -> &'static str {
     let known = scene.objects.iter().zip(OBJECTS).find(|(one, _)| *one == object);
