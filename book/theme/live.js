@@ -74,7 +74,7 @@ function liven(figure, module) {
     const turned = new Set(about.handles.flatMap(handle => handle.knobs));
     const controls = make("div", { class: "knobs" });
     const knobs = about.knobs.map((knob, k) => {
-        if (turned.has(k)) return null;
+        if (turned.has(k) || knob.isFixed) return null;
         const input = make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });

@@ -64,6 +64,9 @@ fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
     ranges.collect::<Vec<_>>()
 }
 
+/// How often to try each.
+const CASES: u32 = 16;
+
 /// Shows something, drags a handle of it and steps one.
 fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);
@@ -78,13 +81,6 @@ fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     })
 }
 
-/// How often to try: a picture of full size takes as long as a hundred figures.
-fn cases(live: &Live) -> u32 {
-    let has_columns = live.knobs.iter().any(|knob| knob.words == "columns");
-    let is_picture = live.name.starts_with("step");
-    if is_picture && !has_columns { 1 } else { 40 }
-}
-
 #[test]
 fn the_module_says_what_we_say_at_random() {
     let mut module = ours();
@@ -94,7 +90,7 @@ fn the_module_says_what_we_say_at_random() {
         let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
         let config = Config { failure_persistence: None, ..Config::default() };
         let mut runner = TestRunner::new_with_rng(config, rng);
-        for _ in 0..cases(live) {
+        for _ in 0..CASES {
             let tree = requests(live).new_tree(&mut runner).expect("requests");
             for request in tree.current() {
                 assert_same(&mut module, &request);

@@ -1,5 +1,8 @@
 use live::Answer;
-use wasmi::{Engine, Instance, Linker, Memory, Store, WasmParams, WasmResults};
+use wasmi::{
+    CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams,
+    WasmResults,
+};
 
 /// A module, running as in a page.
 pub struct Module {
@@ -11,7 +14,10 @@ pub struct Module {
 impl Module {
     /// Loads a module, which asks nothing of its page.
     pub fn new(bytes: &[u8]) -> Self {
-        let engine = Engine::default();
+        let mut config = Config::default();
+        // Most functions are called by few tests.
+        config.compilation_mode(CompilationMode::Lazy);
+        let engine = Engine::new(&config);
         let module = wasmi::Module::new(&engine, bytes).expect("a module");
         let mut store = Store::new(&engine, ());
         let linker = Linker::new(&engine);

@@ -64,6 +64,7 @@ fn about(live: &Live) -> String {
             ("min", min.into()),
             ("max", max.into()),
             ("step", (1.0 / knob.steps).into()),
+            ("isFixed", Json::from(f64::from(u8::from(knob.is_fixed)))),
             (
                 "isSwitch",
                 Json::from(f64::from(u8::from(knob.choices == ["off", "on"]))),

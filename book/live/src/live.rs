@@ -38,6 +38,8 @@ pub struct Knob {
     pub steps: f64,
     /// What the values 0, 1, 2, … are called, where they are no numbers.
     pub choices: &'static [&'static str],
+    /// Whether the page leaves it at its printed value.
+    pub is_fixed: bool,
 }
 
 /// A place that the reader drags, by pointer or by arrow keys.
@@ -77,7 +79,16 @@ impl Knob {
         range: [f64; 2],
         steps: f64,
     ) -> Self {
-        Self { symbol, words, unit, value, range, steps, choices: &[] }
+        Self {
+            symbol,
+            words,
+            unit,
+            value,
+            range,
+            steps,
+            choices: &[],
+            is_fixed: false,
+        }
     }
 
     /// One of several choices.
@@ -87,7 +98,21 @@ impl Knob {
         choices: &'static [&'static str],
     ) -> Self {
         let range = [0.0, (choices.len() - 1) as f64];
-        Self { symbol: "", words, unit: "", value, range, steps: 1.0, choices }
+        Self {
+            symbol: "",
+            words,
+            unit: "",
+            value,
+            range,
+            steps: 1.0,
+            choices,
+            is_fixed: false,
+        }
+    }
+
+    /// The same number, which the page leaves as it is.
+    pub const fn fixed(self) -> Self {
+        Self { is_fixed: true, ..self }
     }
 
     /// The allowed value that is nearest to `value`.

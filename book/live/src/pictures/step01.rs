@@ -24,13 +24,15 @@ pub const STEP01: Live = Live {
 
 const SHAPES: [[f64; 2]; 4] = [[4.0, 3.0], [16.0, 9.0], [2.35, 1.0], [2.59, 1.0]];
 
-fn camera(values: &[f64]) -> Result<Camera, String> {
+/// The camera of these values.
+pub fn camera(values: &[f64]) -> Result<Camera, String> {
     let &[degrees, shape, columns] = values else { return Err(String::new()) };
     let [width, height] = SHAPES[shape as usize];
     let rows = AspectRatio { width, height }.v_res(columns as u32)?;
     Ok(Camera::new(columns as u32, rows, degrees.to_radians()))
 }
 
-fn seen(values: &[f64]) -> Camera {
+/// The camera of allowed values.
+pub fn seen(values: &[f64]) -> Camera {
     camera(values).unwrap_or_else(|_| crate::camera())
 }

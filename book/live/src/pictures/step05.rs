@@ -1,4 +1,4 @@
-use super::{picture, pixel};
+use super::{picture, pixel, step01};
 use crate::live::{Handle, Knob, Live, Numbers, number, vector};
 use crate::{camera, discriminant, roots};
 use glam::{DVec3, dvec2};
@@ -18,6 +18,7 @@ pub const STEP05: Live = Live {
         Knob::choice("ambient", 1.0, SWITCH),
         Knob::choice("diffuse", 1.0, SWITCH),
         Knob::choice("specular", 1.0, SWITCH),
+        Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0).fixed(),
     ],
     handles: &[Handle {
         words: "the pixel that you ask",
@@ -28,10 +29,12 @@ pub const STEP05: Live = Live {
         },
         is_down: true,
     }],
-    is_allowed: |_| true,
+    is_allowed: |values| step01::camera(&[60.0, 1.0, values[5]]).is_ok(),
     sight: |values| {
         let scene = scene();
-        picture(&camera(), |ray| lit(&scene, values, ray))
+        picture(&step01::seen(&[60.0, 1.0, values[5]]), |ray| {
+            lit(&scene, values, ray)
+        })
     },
     numbers: |values| chain(&scene(), values),
 };
