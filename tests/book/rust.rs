@@ -7,7 +7,7 @@ use crate::{assert_found, assert_none};
 use book::{Page, Site};
 
 /// How such a thing looks in code, and what the note about it says.
-const NEW: [(&str, &str); 26] = [
+const NEW: [(&str, &str); 33] = [
     ("|i, j|", "closure"),
     ("#[derive(", "derive"),
     ("pub(crate)", "pub(crate)"),
@@ -34,6 +34,13 @@ const NEW: [(&str, &str); 26] = [
     (" else {\n            return", "let … else"),
     ("..scene", "struct update"),
     ("#[divan::", "divan::bench"),
+    ("..=", "..="),
+    ("&'static str", "&'static str"),
+    (".is_ok_and(", "is_ok_and"),
+    (".inspect_err(", "inspect_err"),
+    (" drop(", "drop"),
+    ("= *point", "*point"),
+    ("< *k", "*k"),
 ];
 
 /// Each of them that has no note where it first appears, or no place in the book.

@@ -13,7 +13,7 @@ fn from_line(angle: f64) -> f64 {
 }
 
 /// The colour that `ray` sees: lines, two pixels wide, where a pixel is the angle
-/// `pixel` wide, before its direction.
+/// `pixel` wide, in front of the colour of its direction.
 fn colour(ray: &Ray, pixel: f64) -> DVec3 {
     let v = ray.direction.normalize();
     let (longitude, latitude) = (v.x.atan2(-v.z), v.y.asin());

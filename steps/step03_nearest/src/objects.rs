@@ -6,7 +6,7 @@ pub fn objects() -> [Object<DVec3>; 9] {
     [
         object([-0.65, -0.16, -7.4], 1.2, [0.91, 0.34, 0.28]), // red, in the middle
         object([0.0, -41.2, -11.0], 40.0, [0.80, 0.76, 0.82]), // the ground
-        object([0.45, -1.12, -5.8], 0.42, [0.99, 0.76, 0.32]), // golden, before red
+        object([0.45, -1.12, -5.8], 0.42, [0.99, 0.76, 0.32]), // golden, in front
         object([-3.0, -0.02, -10.2], 1.3, [0.44, 0.47, 0.78]), // blue, far away
         object([0.3, 0.4, 4.0], 1.2, [0.00, 1.00, 0.00]), // green, behind the eye
         object([3.3, -0.69, -6.4], 0.9, [0.16, 0.60, 0.60]), // teal, partly outside

@@ -1,4 +1,4 @@
-//! The scene of step 4 with shadows: a light counts where nothing stands before it.
+//! The scene of step 4 with shadows: a light counts where nothing is in between.
 
 use glam::DVec3;
 use image::RgbImage;

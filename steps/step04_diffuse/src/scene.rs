@@ -12,7 +12,7 @@ pub struct Scene<M, L> {
     pub lights: Vec<L>,
 }
 
-/// The warm light, up on the left before the objects.
+/// The warm light, up on the left, in front of the objects.
 pub const WARM: PointLight = PointLight {
     position: DVec3::new(-4.0, 5.0, -2.0),
     diffuse: DVec3::new(1.0, 0.84, 0.64),

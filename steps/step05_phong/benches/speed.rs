@@ -23,7 +23,7 @@ fn five_spheres(bencher: Bencher, threads: usize) {
     cast(bencher, threads, &lit(FIVE.into()));
 }
 
-/// As many spheres as told in a cube before the camera, on all threads.
+/// As many spheres as told in a cube in front of the camera, on all threads.
 #[divan::bench(args = [5, 100, 1000], sample_count = 3)]
 fn spheres(bencher: Bencher, count: u32) {
     let place = |k: u32| {

@@ -71,7 +71,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "distance-from-eye",
         when: "d is the distance to the eye",
-        sees: "The ground before you is too bright, and its pool of bluish light is gone.",
+        sees: "The ground in front of you is too bright, and its pool of bluish light is gone.",
         says: "d lies between the point and the light, in a + bd + cd².",
         change: |parts| {
             parts.seen_from = |light, p| {

@@ -18,7 +18,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "parallel",
         when: "the ray starts at its pixel and goes straight ahead",
-        sees: "The sky has one colour, and only what is right before the eye is seen, large.",
+        sees: "The sky has one colour, and only what is right in front of the eye is seen, large.",
         says: "Every ray starts at C, and its pixel says where it goes.",
         change: |parts| {
             parts.ray = |ray| Ray { start: ray.at(1.0), direction: DVec3::NEG_Z };
