@@ -51,6 +51,12 @@ function mdbook_something_else_has_focus(event) {
     }
 }
 
+// Pictures: they load when they come into view. From a folder that saves nothing, so there
+// all are loaded at once, and none is missing on paper.
+if (location.protocol === "file:") {
+    for (const picture of document.querySelectorAll("img[loading=lazy]")) picture.loading = "eager";
+}
+
 // Code: colours, and a button that copies a listing.
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const text = code.textContent;
