@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, chain, excerpt, figure, formula, number, picture, values};
+use crate::{boxes, excerpt, figure, formula, number, picture, values};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -153,9 +153,8 @@ impl Draft<'_> {
     fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
-        let (pictures, live) = self.pictures(events, range);
+        let (pictures, is_live) = self.pictures(events, range);
         Part::Block(match (kind, &pictures[..]) {
-            ("chain", _) => chain::html(words.trim(), self.workspace),
             ("figure", _) => figure::html(words.trim()),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
@@ -163,17 +162,17 @@ impl Draft<'_> {
                 Some(html) => html,
                 None => return Part::Plain,
             },
-            (_, pictures) => picture::figure(pictures, live, self.workspace),
+            (_, pictures) => picture::figure(pictures, is_live, self.workspace),
         })
     }
 
-    /// The pictures of a paragraph of nothing but pictures, and what it says behind
-    /// them about which answers, `{{#live name}}`.
+    /// The pictures of a paragraph of nothing but pictures, and whether it says
+    /// behind them, by `{{#live}}`, that they answer.
     fn pictures(
         &self,
         events: &Events,
         range: &Range<usize>,
-    ) -> (Vec<picture::Picture>, Option<String>) {
+    ) -> (Vec<picture::Picture>, bool) {
         let mut pictures = vec![];
         let mut rest = self.text[range.clone()].to_string();
         for (event, inner) in events {
@@ -185,10 +184,9 @@ impl Draft<'_> {
                 rest = rest.replacen(markdown, "", 1);
             }
         }
-        let live = directive(rest.trim()).filter(|(kind, _)| *kind == "live");
-        let live = live.map(|(_, name)| name.to_string());
-        let is_whole = live.is_some() || rest.trim().is_empty();
-        (if is_whole { pictures } else { vec![] }, live)
+        let is_live = rest.trim() == "{{#live}}";
+        let is_whole = is_live || rest.trim().is_empty();
+        (if is_whole { pictures } else { vec![] }, is_live)
     }
 
     /// Finds dollar signs that are no formula.

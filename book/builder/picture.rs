@@ -1,9 +1,9 @@
 use crate::files::{CHAPTERS, Files};
-use crate::gallery;
 use crate::markdown::inline;
 use crate::module;
+use crate::{chain, gallery};
 use anyhow::{Context, Result};
-use live::escape;
+use live::{Live, escape};
 use std::fs;
 use std::path::Path;
 
@@ -30,6 +30,14 @@ impl Picture {
         Self { alt: alt.join(" "), source, caption }
     }
 
+    /// What answers where this picture is, of the name of its file.
+    fn live(&self) -> Result<&'static Live, String> {
+        let name =
+            Path::new(&self.source).file_stem().and_then(|name| name.to_str());
+        name.and_then(live::find)
+            .ok_or(format!("nothing answers for the picture {}", self.source))
+    }
+
     /// The picture alone, in its size; it loads when it comes into view.
     pub fn html(&self, workspace: &Path) -> Result<String, String> {
         let Self { alt, source, .. } = self;
@@ -51,30 +59,32 @@ impl Picture {
 }
 
 /// A figure of the pictures of a paragraph, side by side if there are several. Where
-/// one answers, `live` is its name.
+/// they answer, what is said of a pixel stands below each.
 pub fn figure(
     pictures: &[Picture],
-    live: Option<String>,
+    is_live: bool,
     workspace: &Path,
 ) -> Result<String, String> {
-    let live = match live {
-        Some(name) if live::find(&name).is_none() => {
-            return Err(format!("nothing that is called {name} answers"));
-        }
-        Some(name) => format!(" data-live=\"{name}\""),
-        None => String::new(),
-    };
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
+        let (mut live, mut below) = Default::default();
+        if is_live {
+            let answers = picture.live()?;
+            live = format!(" data-live=\"{}\"", answers.name);
+            if answers.is_asked() {
+                below = chain::html(answers, workspace)?;
+            }
+        }
         let caption = match picture.caption.as_str() {
             "" => String::new(),
             markdown => {
                 format!("<figcaption>{}</figcaption>", inline(markdown)?)
             }
         };
-        figures +=
-            &format!("<figure class=\"picture\"{live}>{image}{caption}</figure>\n");
+        figures += &format!(
+            "<figure class=\"picture\"{live}>{image}{caption}</figure>\n{below}"
+        );
     }
     Ok(match pictures {
         [_] => figures,

@@ -61,12 +61,17 @@ function liven(figure, module) {
     }
     stage.append(sight);
 
-    // What waits to be asked; only the last gesture before a frame counts.
-    let waiting = null;
-    const later = request => {
-        const isFirst = waiting === null;
-        waiting = request;
-        if (isFirst) requestAnimationFrame(() => { const last = waiting; waiting = null; show(ask(module, last())); });
+    // What waits to be asked: of each thing that is moved, only the last gesture before a frame counts.
+    const waiting = new Map();
+    const later = (what, request) => {
+        if (waiting.size === 0) {
+            requestAnimationFrame(() => {
+                const requests = [...waiting.values()];
+                waiting.clear();
+                requests.forEach(last => show(ask(module, last())));
+            });
+        }
+        waiting.set(what, request);
     };
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
@@ -84,7 +89,7 @@ function liven(figure, module) {
             make("span", {}, symbol, knob.symbol ? " " : "", knob.words), input, output);
         input.addEventListener("input", () => {
             values = values.with(k, knob.isSwitch ? Number(input.checked) : input.valueAsNumber);
-            later(() => request("show"));
+            later("show", () => request("show"));
         });
         controls.append(label);
         return { input, output, isSwitch: knob.isSwitch };
@@ -105,6 +110,7 @@ function liven(figure, module) {
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
+            reveal();
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
             grip.classList.add("held");
@@ -113,7 +119,7 @@ function liven(figure, module) {
             if (!offset) return;
             const [x, y] = place(event);
             const [dx, dy] = offset;
-            later(() => request("drag", k, x + dx, y + dy));
+            later(k, () => request("drag", k, x + dx, y + dy));
         });
         for (const end of ["pointerup", "pointercancel"]) {
             grip.addEventListener(end, () => { offset = null; grip.classList.remove("held"); });
@@ -125,6 +131,7 @@ function liven(figure, module) {
             const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
             if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
+            reveal();
             const far = event.shiftKey ? 10 : 1;
             // Keys follow each other faster than frames: none is lost.
             show(ask(module, request("step", k, far * step[0], far * step[1])));
@@ -136,7 +143,8 @@ function liven(figure, module) {
     if (handles.length === 1 && sight.tagName === "CANVAS") {
         sight.classList.add("asked-by-press");
         sight.addEventListener("click", event => {
-            later(() => request("drag", 0, ...place(event)));
+            reveal();
+            later(0, () => request("drag", 0, ...place(event)));
             handles[0].focus({ preventScroll: true });
         });
         controls.prepend(make("span", { class: "hint" }, "Press on the picture, or use the arrow keys, to ask another pixel."));
@@ -148,6 +156,7 @@ function liven(figure, module) {
     stage.after(controls);
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
+    const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
 
     function show(answer) {
@@ -157,7 +166,7 @@ function liven(figure, module) {
             const [width, height] = answer.size;
             if (sight.width !== width || sight.height !== height) Object.assign(sight, { width, height });
             sight.getContext("2d").putImageData(new ImageData(answer.pixels, width, height), 0, 0);
-        } else {
+        } else if (answer.drawing !== undefined) {
             drawn.innerHTML = answer.drawing;
         }
         knobs.forEach((knob, k) => {
@@ -175,9 +184,15 @@ function liven(figure, module) {
             grip.setAttribute("aria-valuenow", values[turns[0]]);
             grip.setAttribute("aria-valuetext", turns.map(knob => answer.texts[knob]).join(", "));
         });
-        for (const number of numbers) number.textContent = answer.numbers[number.dataset.number.slice(name.length + 1)];
+        // A number that there is not here is left empty, and what speaks of it is hidden.
+        const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
+        for (const number of numbers) number.textContent = told(number.dataset.number);
+        for (const part of spoken) part.hidden = told(part.dataset.when) === "";
         reset.disabled = values.every((value, k) => value === about.values[k]);
-        if (reset.disabled || !follow.some(part => part.hidden)) return;
+    }
+    // What is said of a pixel comes when the first is asked.
+    function reveal() {
+        if (!follow.some(part => part.hidden)) return;
         follow.forEach(part => { part.hidden = false; });
         dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }

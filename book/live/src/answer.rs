@@ -17,6 +17,8 @@ pub struct Answer {
 /// - `show NAME VALUES`: what it shows at these values.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
+///
+/// A handle that asks leaves what is seen as it is, and nothing is drawn.
 pub fn answer(request: &str) -> Answer {
     answered(request).unwrap_or_else(|| {
         let what = format!("There is no answer to {request:?}.");
@@ -38,19 +40,20 @@ fn answered(request: &str) -> Option<Answer> {
         numbers.split_at_checked(3)?
     };
     let values = live.allowed(values.to_vec())?;
-    let values = match (verb, gesture) {
-        ("show", _) => values,
+    let (values, is_seen) = match (verb, gesture) {
+        ("show", _) => (values, true),
         (_, &[handle, x, y]) if x.is_finite() && y.is_finite() => {
             let handle = live.handles.get(handle as usize)?;
-            match verb {
+            let values = match verb {
                 "drag" => live.drag(&values, handle, dvec2(x, y)),
                 "step" => live.step(&values, handle, dvec2(x, y)),
                 _ => return None,
-            }
+            };
+            (values, !handle.is_asking)
         }
         _ => return None,
     };
-    Some(show(live, &values))
+    Some(show(live, &values, is_seen))
 }
 
 /// What the page has to know before it can ask.
@@ -84,7 +87,8 @@ fn about(live: &Live) -> String {
     ])
 }
 
-fn show(live: &Live, values: &[f64]) -> Answer {
+/// The values and what belongs to them, with what there `is_seen` at them.
+fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let texts = live.knobs.iter().zip(values);
     let texts = texts.map(|(knob, value)| knob.text(*value).into());
     let places = live.handles.iter().map(|handle| {
@@ -100,9 +104,12 @@ fn show(live: &Live, values: &[f64]) -> Answer {
         ("numbers", Json::raw(json::object(numbers))),
     ];
     let mut pixels = vec![];
-    match (live.sight)(values) {
-        Sight::Drawing(drawing) => fields.push(("drawing", drawing.body().into())),
-        Sight::Picture { size, pixels: drawn } => {
+    match is_seen.then(|| (live.sight)(values)) {
+        None => {}
+        Some(Sight::Drawing(drawing)) => {
+            fields.push(("drawing", drawing.body().into()))
+        }
+        Some(Sight::Picture { size, pixels: drawn }) => {
             let size = size.map(|side| Json::from(f64::from(side)));
             fields.push(("size", Json::list(size)));
             pixels = drawn;

@@ -21,8 +21,15 @@ mod pictures;
 pub use pictures::OBJECTS;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 4] =
-    [&figures::RAY, &figures::ROW, &pictures::STEP01, &pictures::STEP05];
+pub const LIVE: [&Live; 7] = [
+    &figures::RAY,
+    &figures::ROW,
+    &pictures::STEP01,
+    &pictures::STEP02,
+    &pictures::STEP03,
+    &pictures::STEP04,
+    &pictures::STEP05,
+];
 
 /// What answers to this name.
 pub fn find(name: &str) -> Option<&'static Live> {

@@ -55,6 +55,8 @@ pub struct Handle {
     pub drag: fn(&mut [f64], DVec2),
     /// Whether its second knob counts downwards, as rows do.
     pub is_down: bool,
+    /// Whether it asks, and changes nothing of what there is to see.
+    pub is_asking: bool,
 }
 
 /// What there is to see: a drawing or a picture.
@@ -134,6 +136,11 @@ impl Live {
     /// The values in the printed book.
     pub fn values(&self) -> Vec<f64> {
         self.knobs.iter().map(|knob| knob.value).collect()
+    }
+
+    /// Whether its reader can ask a part of it.
+    pub fn is_asked(&self) -> bool {
+        self.handles.iter().any(|handle| handle.is_asking)
     }
 
     /// Moves a handle to a place; the values stay where nothing is allowed there.

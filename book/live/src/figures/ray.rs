@@ -21,6 +21,7 @@ pub const RAY: Live = Live {
             at: |values| at(values, 0.0),
             drag: |values, to| values[..2].copy_from_slice(&world(to).to_array()),
             is_down: false,
+            is_asking: false,
         },
         Handle {
             words: "the tip of V",
@@ -31,6 +32,7 @@ pub const RAY: Live = Live {
                 values[2..4].copy_from_slice(&v.to_array());
             },
             is_down: false,
+            is_asking: false,
         },
         Handle {
             words: "the point at t",
@@ -41,6 +43,7 @@ pub const RAY: Live = Live {
                 values[4] = (world(to).extend(0.0) - start).dot(v) / v.dot(v);
             },
             is_down: false,
+            is_asking: false,
         },
     ],
     is_allowed: |values| {

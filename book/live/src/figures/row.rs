@@ -20,6 +20,7 @@ pub const ROW: Live = Live {
             values[1] = 2.0 * f64::atan2(-to.x, -to.y).to_degrees();
         },
         is_down: false,
+        is_asking: false,
     }],
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),

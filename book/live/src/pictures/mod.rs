@@ -1,13 +1,20 @@
 //! The pictures that answer, each drawn by its step.
 
+mod asked;
 mod step01;
+mod step02;
+mod step03;
+mod step04;
 mod step05;
 
 pub use step01::STEP01;
-pub use step05::{OBJECTS, STEP05};
+pub use step02::STEP02;
+pub use step03::{OBJECTS, STEP03};
+pub use step04::STEP04;
+pub use step05::STEP05;
 
 use crate::Sight;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use step01_rays::{Camera, Ray, render};
 
 /// What `camera` sees, one ray a pixel.
@@ -18,11 +25,4 @@ fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
         four[..3].copy_from_slice(&three.0);
     }
     Sight::Picture { size: image.dimensions().into(), pixels }
-}
-
-/// The three bytes of the pixel through which `ray` goes: a picture of this one ray.
-fn pixel(ray: &Ray, colour: impl Fn(&Ray) -> DVec3 + Sync) -> [u8; 3] {
-    let matrix = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, ray.direction);
-    let camera = Camera { centre: ray.start, h_res: 1, v_res: 1, matrix };
-    render(&camera, 1, colour).get_pixel(0, 0).0
 }
