@@ -21,9 +21,14 @@ mod pictures;
 pub use pictures::OBJECTS;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 7] = [
+pub const LIVE: [&Live; 12] = [
     &figures::RAY,
     &figures::ROW,
+    &figures::THREE_CASES,
+    &figures::HITS,
+    &figures::LAMBERT,
+    &figures::ATTENUATION,
+    &figures::LOBES,
     &pictures::STEP01,
     &pictures::STEP02,
     &pictures::STEP03,

@@ -12,8 +12,13 @@ mod ray;
 mod row;
 mod three_cases;
 
+pub use attenuation::ATTENUATION;
+pub use hits::HITS;
+pub use lambert::LAMBERT;
+pub use lobes::LOBES;
 pub use ray::RAY;
 pub use row::ROW;
+pub use three_cases::THREE_CASES;
 
 use crate::svg::Drawing;
 
