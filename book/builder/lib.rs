@@ -28,6 +28,7 @@ mod site;
 
 mod browser;
 mod course;
+mod finish;
 mod paper;
 mod press;
 

@@ -1,4 +1,4 @@
-use crate::{Course, Files, Site, fault, link, paper};
+use crate::{Course, Files, Site, fault, finish, link, paper};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use std::fs;
@@ -24,10 +24,20 @@ pub fn build(root: &Path) -> Result<(PathBuf, Site)> {
             part => folder.push(part),
         }
     }
-    let print = folder.join("print.html");
-    let paper = paper::pressed(&fs::read_to_string(&print)?);
-    fs::write(print, paper)?;
-    let site = Site::new(Files::read(&folder)?);
+    let mut files = Files::read(&folder)?;
+    let mut pages = vec![];
+    for (name, html) in files.texts(".html") {
+        let html = match name {
+            "print.html" => &paper::pressed(html),
+            _ => html,
+        };
+        pages.push((name.to_owned(), finish::finished(html, &files)));
+    }
+    for (name, html) in pages {
+        fs::write(folder.join(&name), &html)?;
+        files.0.insert(name, html.into_bytes());
+    }
+    let site = Site::new(files);
     fault::check(&link::faults(&site))?;
     Ok((folder, site))
 }

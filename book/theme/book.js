@@ -5,6 +5,56 @@ function mdbook_something_else_has_focus(event) {
     return /^(input|select|textarea)$/i.test(event.target.nodeName);
 }
 
+// Fetches a script when it is needed first.
+const fetched = {};
+const script = source => fetched[source] ??= new Promise((done, failed) => {
+    const element = document.createElement("script");
+    Object.assign(element, { src: source, onload: done, onerror: failed });
+    document.head.append(element);
+});
+
+// Calls back, once for each element, when it comes near the view.
+function whenNear(elements, near) {
+    const observer = new IntersectionObserver(entries => {
+        for (const { isIntersecting, target } of entries) {
+            if (!isIntersecting) continue;
+            observer.unobserve(target);
+            near(target);
+        }
+    }, { rootMargin: "600px" });
+    elements.forEach(element => observer.observe(element));
+}
+
+// Search: fetched when it is asked for, or when a link comes from its answers.
+{
+    const button = document.getElementById("mdbook-search-toggle");
+    const box = document.getElementById("mdbook-search-wrapper");
+    const words = document.getElementById("mdbook-searchbar");
+    const fetchAll = async () => { for (const source of searchers) await script(source); };
+    const ask = async () => {
+        button.removeEventListener("click", ask);
+        removeEventListener("keydown", press);
+        // Words may be typed already while it comes.
+        box.classList.remove("hidden");
+        words.focus();
+        await fetchAll();
+        box.classList.add("hidden");
+        button.click();
+        words.setSelectionRange(words.value.length, words.value.length);
+    };
+    const press = event => {
+        const other = event.altKey || event.ctrlKey || event.metaKey || mdbook_something_else_has_focus(event);
+        if (other || !["s", "S", "/"].includes(event.key)) return;
+        event.preventDefault();
+        ask();
+    };
+    if (/[?&](search|highlight)=/.test(location.search)) fetchAll();
+    else {
+        button.addEventListener("click", ask);
+        addEventListener("keydown", press);
+    }
+}
+
 // Theme: follow the system, or stay light, or stay dark.
 {
     const themes = ["auto", "light", "dark"];
@@ -51,16 +101,21 @@ function mdbook_something_else_has_focus(event) {
     }
 }
 
-// Pictures: they load when they come into view. From a folder that saves nothing, so there
-// all are loaded at once, and none is missing on paper.
+// Pictures load when they come into view. From a folder that saves nothing, so there all are
+// loaded at once, and none is missing on paper.
 if (location.protocol === "file:") {
     for (const picture of document.querySelectorAll("img[loading=lazy]")) picture.loading = "eager";
 }
 
-// Code: colours, and a button that copies a listing.
+// Code: colours, when it comes into view, and a button that copies a listing.
+{
+    const colour = async code => { await script(highlighter); hljs.highlightBlock(code); };
+    const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
+    if (location.protocol === "file:") codes.forEach(colour);
+    else whenNear(codes, colour);
+}
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const text = code.textContent;
-    if (/language-(rust|toml)/.test(code.className)) hljs.highlightBlock(code);
     const caption = code.closest(".listing")?.querySelector("figcaption");
     if (!caption) continue;
     const button = caption.appendChild(document.createElement("button"));

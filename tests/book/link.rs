@@ -63,8 +63,9 @@ fn what_is_fetched_from_elsewhere_is_found() {
 fn a_missing_file_is_found() {
     let mut book = BOOK.clone();
     book.files.0.remove("fonts/literata.woff2");
-    assert_found(
-        &faults(&book),
-        &["fonts/literata.woff2, which is not in the book"],
-    );
+    // Each page asks for it.
+    let faults = faults(&book);
+    let words = "fonts/literata.woff2, which is not in the book";
+    assert!(BOOK.chapters().len() < faults.len());
+    assert!(faults.iter().all(|fault| fault.contains(words)), "{faults:#?}");
 }

@@ -9,11 +9,11 @@ use step02_sphere::{Ray, Sphere};
 pub const THREE_CASES: Live = Live {
     name: "three-cases",
     knobs: &[
-        side("left start, sideways", -2.125, [-2.125, 1.875]),
+        side("left start, sideways", -2.125, [-2.25, 1.875]),
         side("left start, upwards", 1.375, [-1.5, 1.5]),
-        side("middle start, sideways", -2.125, [-2.125, 1.875]),
+        side("middle start, sideways", -2.125, [-2.25, 1.875]),
         side("middle start, upwards", 1.0, [-1.5, 1.5]),
-        side("right start, sideways", -2.125, [-2.125, 1.875]),
+        side("right start, sideways", -2.125, [-2.25, 1.875]),
         side("right start, upwards", 0.4375, [-1.5, 1.5]),
     ],
     handles: &[
