@@ -4,16 +4,17 @@
 // The gallery has the same files, and would be built anew for every mutant.
 #[path = "gallery/src/difference.rs"]
 mod difference;
-#[path = "gallery/src/label.rs"]
+#[path = "check/src/label.rs"]
 mod label;
 mod locked;
-#[path = "gallery/src/panels.rs"]
+#[path = "check/src/panels.rs"]
 mod panels;
 mod program;
 mod random;
 mod refusals;
 
 pub use difference::Difference;
+use difference::apart;
 pub use locked::{assert_locked, here, locked, target};
 pub use program::{Program, assert_program};
 pub use random::{point, rays, sphere, unit};

@@ -16,6 +16,7 @@ use glam::DVec3;
 use many::Tree;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
+use step02_sphere::Roots;
 use step03_nearest::{Object, Ray, Sphere, nearest, objects};
 use tests::{camera, point, rays, sphere, unit};
 
@@ -121,6 +122,27 @@ proptest! {
         if let (Some(p), Some(d)) = (p, d) {
             prop_assert!((p.distance(start) - d).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn what_rays_of_a_plane_meet_is_in_boxes_that_the_plane_cuts(
+        list in vec(sphere(), 0..30), start in point(), u in unit(), w in unit()
+    ) {
+        prop_assume!(0.1 < u.cross(w).length());
+        let objects = list.into_iter().enumerate();
+        let objects = objects.map(|(material, sphere)| Object { sphere, material });
+        let mut sorted: Vec<_> = objects.collect();
+        let objects = sorted.clone();
+        let cut = Tree::new(&mut sorted).cut(start, u.cross(w));
+        for k in 0..32 {
+            let (sin, cos) = (f64::from(k) / 5.0).sin_cos();
+            let ray = Ray { start, direction: sin * u + cos * w };
+            let hit = objects.iter().filter(|o| o.sphere.intersect(&ray) != Roots::None);
+            prop_assert!(hit.into_iter().all(|object| cut.contains(&object)));
+        }
+        // Not all boxes are cut by a plane that is far away.
+        let away = DVec3::new(0.0, 100.0, 0.0);
+        prop_assert!(Tree::new(&mut sorted).cut(away, DVec3::Y).is_empty());
     }
 
     #[test]

@@ -1,3 +1,5 @@
+#[path = "../../steps/step05_phong/examples/fast.rs"]
+pub mod fast;
 #[path = "../../steps/step05_phong/examples/glass.rs"]
 pub mod glass;
 #[path = "../../steps/step05_phong/examples/halfway.rs"]

@@ -75,7 +75,7 @@ fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
 }
 
 /// How often to try each.
-const CASES: u32 = 4;
+const CASES: u32 = 2;
 
 /// Shows something, drags a handle of it and steps one.
 fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {

@@ -1,9 +1,10 @@
 //! The numbers of the last chapter.
 
 use super::Value;
-use super::worked::{counted, short, vector};
+use super::worked::{count, counted, short, vector};
 use glam::{DMat3, DVec3};
-use step04_diffuse::{Sphere, objects};
+use step02_sphere::Roots;
+use step04_diffuse::{Object, PointLight, Ray, Sphere, objects, scene, seen};
 
 pub const VALUES: &[Value] = &[
     ("next-basis-x", || vector(basis().x_axis)),
@@ -14,6 +15,15 @@ pub const VALUES: &[Value] = &[
     ("next-critical", || format!("{:.0}", (1.0_f64 / 1.5).asin().to_degrees())),
     ("next-tests", || counted(|_| objects().len())),
     ("next-tests-many", || counted(|_| 1000)),
+    ("next-roots", || counted(roots)),
+    ("next-wasted", || {
+        let asked = count(|_| objects().len()) as f64;
+        format!("{:.0}", 100.0 * (1.0 - count(roots) as f64 / asked))
+    }),
+    ("next-lamps", || counted(|ray| lamps(ray).len())),
+    ("next-lamps-in-front", || {
+        counted(|ray| lamps(ray).into_iter().filter(|cosine| 0.0 < *cosine).count())
+    }),
     ("next-half-byte", || short(light_of_byte(128.0))),
     ("next-byte-of-half", || short(byte_of_light(0.5))),
 ];
@@ -22,6 +32,20 @@ pub const VALUES: &[Value] = &[
 fn depth(part: f64) -> String {
     let left = |count: &i32| part.powi(*count) < 1.0 / 255.0;
     (1..).find(left).map_or("none".to_string(), |count| count.to_string())
+}
+
+/// How many spheres of the scene the line of a ray meets.
+fn roots(ray: &Ray) -> usize {
+    let meets = |object: &&Object<_>| object.sphere.intersect(ray) != Roots::None;
+    objects().iter().filter(meets).count()
+}
+
+/// The cosine between n and l for each lamp, at the point that a ray sees.
+fn lamps(ray: &Ray) -> Vec<f64> {
+    let scene = scene();
+    let Some(point) = seen(&scene.objects, ray) else { return vec![] };
+    let cosine = |light: &PointLight| point.n.dot(light.seen_from(point.p).0);
+    scene.lights.iter().map(cosine).collect()
 }
 
 /// The basis x', y', z' of a camera at (4, 2, 0) that looks at the middle of the

@@ -98,6 +98,26 @@ impl<'a, M> Tree<'a, M> {
         }
         found
     }
+
+    /// The objects in boxes that the plane through `start` with this normal cuts, for a
+    /// whole packet of rays that lie in it, such as those of a row.
+    #[allow(dead_code, reason = "the example `fast` of step 5 takes packets")]
+    pub fn cut(&self, start: DVec3, normal: DVec3) -> Vec<&'a Object<M>> {
+        let normal = normal.normalize();
+        let (mut found, mut trees) = (vec![], vec![self]);
+        while let Some(Tree { bounds, content }) = trees.pop() {
+            let to_middle = (bounds.low + bounds.high) / 2.0 - start;
+            let reach = normal.abs().dot(bounds.high - bounds.low) / 2.0;
+            // Rounding makes far less of a difference.
+            let reach = reach + 1e-6 * to_middle.length();
+            match content {
+                _ if reach < normal.dot(to_middle).abs() => {}
+                Content::Few(objects) => found.extend(*objects),
+                Content::Halves(halves) => trees.extend(halves.iter()),
+            }
+        }
+        found
+    }
 }
 
 /// A sunflower of a thousand spheres: each is the golden angle further around than

@@ -11,29 +11,27 @@ fn main() {
     divan::main();
 }
 
-/// The locked scene, on one thread and on all (0).
-#[divan::bench(args = [1, 0], sample_count = 20)]
-fn locked_scene(bencher: Bencher, threads: usize) {
-    cast(bencher, threads, &scene());
-}
+/// A scene by its name, and the number of threads; 0 is all that there are.
+type Case = (&'static str, usize);
 
-/// Five spheres and one light, on one thread and on all (0).
-#[divan::bench(args = [1, 0], sample_count = 20)]
-fn five_spheres(bencher: Bencher, threads: usize) {
-    cast(bencher, threads, &lit(FIVE.into()));
-}
+const CASES: [Case; 8] = [
+    ("locked scene", 1),
+    ("locked scene", 0),
+    ("5 spheres", 1),
+    ("5 spheres", 0),
+    ("100 spheres", 1),
+    ("100 spheres", 0),
+    ("1000 spheres", 1),
+    ("1000 spheres", 0),
+];
 
-/// As many spheres as told in a cube in front of the camera, on all threads.
-#[divan::bench(args = [5, 100, 1000], sample_count = 3)]
-fn spheres(bencher: Bencher, count: u32) {
-    let place = |k: u32| {
-        DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64)
+/// Step 5 as it is.
+#[divan::bench(args = CASES, sample_count = 5)]
+fn clear(bencher: Bencher, case: Case) {
+    let draw = |camera: &Camera, scene: &Scene<Material, Light>| {
+        render(camera, 1, |ray| colour(scene, ray))
     };
-    let sphere = |k: u32| Sphere {
-        centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
-        radius: 0.4,
-    };
-    cast(bencher, 0, &lit((0..count).map(sphere).collect()));
+    measure(bencher, case, draw);
 }
 
 /// The final picture as PNG bytes.
@@ -44,6 +42,29 @@ fn encode(bencher: Bencher) {
         .bench(|| image.write_to(&mut Cursor::new(Vec::new()), ImageFormat::Png));
 }
 
+fn camera() -> Camera {
+    Camera::new(1920, 1080, 60_f64.to_radians())
+}
+
+fn measure(
+    bencher: Bencher,
+    (name, threads): Case,
+    draw: impl Fn(&Camera, &Scene<Material, Light>) -> RgbImage + Sync,
+) {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.expect("a pool of threads");
+    let camera = camera();
+    let scene = match name {
+        "locked scene" => scene(),
+        "5 spheres" => lit(FIVE.into()),
+        "100 spheres" => lit(cube(100)),
+        _ => lit(cube(1000)),
+    };
+    bencher
+        .counter(ItemsCount::new(camera.h_res * camera.v_res))
+        .bench(|| pool.install(|| draw(&camera, &scene)));
+}
+
 const FIVE: [Sphere; 5] = [
     Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 },
     Sphere { centre: DVec3::new(-2.0, 0.25, -6.0), radius: 1.0 },
@@ -51,6 +72,19 @@ const FIVE: [Sphere; 5] = [
     Sphere { centre: DVec3::new(0.625, 1.125, -4.0), radius: 0.375 },
     Sphere { centre: DVec3::new(0.0, -21.0, -8.0), radius: 20.0 },
 ];
+
+/// As many spheres as told, ten in a row and ten rows in a square, in front of the
+/// camera.
+fn cube(count: u32) -> Vec<Sphere> {
+    let place = |k: u32| {
+        DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64)
+    };
+    let sphere = |k: u32| Sphere {
+        centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
+        radius: 0.4,
+    };
+    (0..count).map(sphere).collect()
+}
 
 /// The spheres, of the materials of the locked scene in turn, in one white light.
 fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
@@ -71,19 +105,14 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
     }
 }
 
-fn camera() -> Camera {
-    Camera::new(1920, 1080, 60_f64.to_radians())
-}
+/// The example, of which the benchmark needs no program.
+#[allow(dead_code)]
+#[path = "../examples/fast.rs"]
+mod example;
 
-fn cast(bencher: Bencher, threads: usize, scene: &Scene<Material, Light>) {
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .expect("a pool of threads");
-    let camera = camera();
-    bencher.counter(ItemsCount::new(camera.h_res * camera.v_res)).bench(
-        || -> RgbImage {
-            pool.install(|| render(&camera, 1, |ray| colour(scene, ray)))
-        },
-    );
+/// The same pictures, to the byte.
+#[divan::bench(args = CASES, sample_count = 5)]
+fn fast(bencher: Bencher, case: Case) {
+    let level = fearless_simd::Level::new();
+    measure(bencher, case, |camera, scene| example::draw(level, camera, 1, scene));
 }

@@ -89,7 +89,7 @@ impl Parts {
     }
 
     /// The materials of the scene, to be changed.
-    pub(crate) fn materials(&mut self) -> impl Iterator<Item = &mut Material> {
+    pub fn materials(&mut self) -> impl Iterator<Item = &mut Material> {
         let objects = self.scene.objects.iter_mut();
         objects.map(|object| &mut object.material.material)
     }
@@ -115,11 +115,6 @@ impl Parts {
         }
         let mean = sum * (1.0 / (side * side));
         Rgb((self.order)(mean.to_array().map(self.byte)))
-    }
-
-    /// The intensity of the ray through the middle of a pixel.
-    pub(crate) fn intensity(&self, step: Step, i: u32, j: u32) -> DVec3 {
-        self.colour(step, &(self.ray)(self.camera.ray(i.into(), j.into())))
     }
 
     fn colour(&self, step: Step, ray: &Ray) -> DVec3 {

@@ -23,7 +23,7 @@ const NAMES: [&str; 9] = [
 ];
 
 /// The scene of step 5, and the names of its objects.
-pub(crate) fn scene() -> Scene<Named, Light> {
+pub fn scene() -> Scene<Named, Light> {
     let Scene { objects, ambient_light, lights } = step05_phong::scene();
     let named = |(Object { sphere, material }, name)| Object {
         sphere,

@@ -1,0 +1,5 @@
+//! Writes the gallery's appendix of the book to standard output.
+
+fn main() {
+    print!("{}", check::appendix());
+}

@@ -1,0 +1,403 @@
+use super::{
+    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value,
+    Values, Where, edits, misses, solved, unknowns,
+};
+use crate::Step;
+use crate::measure::{number, vector};
+use glam::DVec3;
+use image::RgbImage;
+use std::collections::HashSet;
+
+/// Something that is done otherwise than in the lecture, and explains a picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Cause {
+    pub changes: Vec<Change>,
+    pub place: Place,
+    pub step: Step,
+    /// The light, where it concerns one alone.
+    pub light: Option<usize>,
+    /// Theirs and ours, in words or as formulas.
+    pub told: String,
+    rank: u8,
+    /// What tells it from others: its line, or the number of the scene.
+    of: String,
+}
+
+/// A picture that is to be explained, and the pixels that count.
+pub(crate) struct Riddle<'a> {
+    pub yours: &'a RgbImage,
+    pub samples: u32,
+    pub places: &'a [Pixel],
+    /// Our picture.
+    pub ours: &'a RgbImage,
+}
+
+impl Riddle<'_> {
+    /// The pixels that a tree does not explain, as far as there are at most so many.
+    fn wrong(&self, tree: &Tree, most: usize) -> Vec<Pixel> {
+        let context = Context { tree, changes: &[], free: Value::from(0.0) };
+        misses(&context, self.yours, self.samples, self.places, most)
+    }
+
+    /// The pixels in which the picture is not ours.
+    fn differing(&self) -> Vec<Pixel> {
+        let differs = |&&(i, j): &&Pixel| {
+            self.yours.get_pixel(i, j) != self.ours.get_pixel(i, j)
+        };
+        self.places.iter().filter(differs).copied().collect()
+    }
+
+    fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
+        let is_wrong: HashSet<_> = wrong.iter().collect();
+        let few = self.places.iter().step_by(self.places.len() / 400 + 1);
+        // Some of them are close to the wrong ones: outlines end there.
+        let near =
+            wrong.iter().step_by(wrong.len() / 120 + 1).flat_map(|&(i, j)| {
+                let by = |k: u32, by: i32| k.saturating_add_signed(by);
+                [(7, 0), (-7, 0), (0, 7), (0, -7)]
+                    .map(|(u, v)| (by(i, u), by(j, v)))
+            });
+        let (width, height) = self.yours.dimensions();
+        let near: Vec<_> = near.filter(|&(i, j)| i < width && j < height).collect();
+        let right = near.iter().filter(|&&(i, j)| {
+            self.yours.get_pixel(i, j) == self.ours.get_pixel(i, j)
+        });
+        let right: Vec<_> =
+            few.chain(right).filter(|p| !is_wrong.contains(p)).copied().collect();
+        Evidence::new(tree, self.yours, self.samples, wrong, &right)
+    }
+
+    /// Each single thing that explains every pixel, the likeliest first; `wrong` are
+    /// those that the tree itself does not explain.
+    ///
+    /// What is not `thorough` gives up where a number seems to explain all and does not.
+    fn single(
+        &self,
+        tree: &Tree,
+        wrong: &[Pixel],
+        is_thorough: bool,
+    ) -> Vec<Cause> {
+        let evidence = self.evidence(tree, wrong);
+        let found = evidence.survivors(edits(tree)).into_iter();
+        let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
+        let is_likely = |cause: &&Cause| cause.rank < 2;
+        let is_unlikely = all.iter().find(is_likely).is_none();
+        let is_shape = all.iter().filter(is_likely).all(|cause| {
+            ["rays", "outlines", "nearest"].contains(&cause.place.stage)
+        });
+        if is_unlikely || is_shape {
+            all.extend(numbers(&evidence, is_unlikely && is_thorough));
+        }
+        all.sort_by_key(|cause| {
+            // A number of the scene is the likeliest.
+            let is_formula = cause.told.contains(" ours ");
+            (cause.rank, is_formula, cause.told.chars().count())
+        });
+        let mut missed = match self.verified(tree, &mut all) {
+            Ok(()) => return all,
+            Err(missed) => missed,
+        };
+        // What seemed to explain all did not: then perhaps another number does.
+        for _ in 0..2 {
+            if missed.is_empty() || !is_thorough {
+                break;
+            }
+            let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
+            let telling: Vec<_> = missed.iter().chain(few).copied().collect();
+            let mut all =
+                numbers(&self.evidence(tree, &telling), is_unlikely || is_shape);
+            match self.verified(tree, &mut all) {
+                Ok(()) => return all,
+                Err(more) if more.is_empty() => break,
+                Err(more) => missed.extend(more),
+            }
+        }
+        vec![]
+    }
+
+    /// Keeps the causes that explain every pixel, the likeliest first, and one of each
+    /// line; or returns pixels that the likeliest do not explain.
+    fn verified(
+        &self,
+        tree: &Tree,
+        all: &mut Vec<Cause>,
+    ) -> Result<(), Vec<Pixel>> {
+        all.sort_by_key(|cause| {
+            // A number of the scene is the likeliest.
+            let is_formula = cause.told.contains(" ours ");
+            (cause.rank, is_formula, cause.told.chars().count())
+        });
+        let mut told = HashSet::new();
+        all.retain(|cause| told.insert(cause.of.clone()));
+        let missed = |cause: &Cause, places: &[Pixel], most: usize| {
+            let tree = tree.with(&cause.changes);
+            let context = Context { tree: &tree, changes: &[], free: 0.0.into() };
+            misses(&context, self.yours, self.samples, places, most)
+        };
+        // The first has to explain all pixels, the others very many.
+        let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
+        let few: Vec<_> = few.copied().collect();
+        let mut wrong = vec![];
+        let first = all.iter().take(6).position(|cause| {
+            let missed = missed(cause, self.places, 2000);
+            wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+            missed.is_empty()
+        });
+        let Some(first) = first else { return Err(wrong) };
+        all.drain(..first);
+        all.truncate(12);
+        let mut k = 0;
+        all.retain(|cause| {
+            k += 1;
+            k == 1 || missed(cause, &few, 0).is_empty()
+        });
+        Ok(())
+    }
+
+    /// The things, one in each group, that explain every pixel together: none where
+    /// nothing is wrong, two at most.
+    pub fn explained(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
+        let wrong = self.differing();
+        if wrong.is_empty() {
+            return Some(vec![]);
+        }
+        let single = self.single(tree, &wrong, true);
+        if single.is_empty() { None } else { Some(vec![single]) }
+    }
+
+    /// Two things that explain every pixel together.
+    pub fn pair(&self, tree: &Tree) -> Option<[Vec<Cause>; 2]> {
+        let wrong = self.differing();
+        let evidence = self.evidence(tree, &wrong);
+        // Where hardly anything is right, no object can be told by itself.
+        let is_lost = self.places.len() * 9 < wrong.len() * 10;
+        let of_objects = (!is_lost).then(|| self.of_objects(tree, &wrong));
+        let of_objects = of_objects.into_iter().flatten();
+        let halves = halves(&evidence).into_iter().chain(of_objects);
+        for first in halves {
+            let changed = tree.with(&first.changes);
+            let rest = self.wrong(&changed, usize::MAX);
+            let second = self.single(&changed, &rest, false);
+            if second.first().is_some_and(|second| second.of != first.of) {
+                return Some([vec![first], second]);
+            }
+        }
+        None
+    }
+}
+
+impl Riddle<'_> {
+    /// Numbers of the scene that explain all wrong pixels of one object.
+    fn of_objects(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+        let few: Vec<_> =
+            wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
+        let context = Context { tree, changes: &[], free: Value::from(0.0) };
+        let values = Values::at(&context, &few, self.samples);
+        let side = self.samples.pow(2) as usize;
+        let Some(nearest) = values.all[tree.nearest].first() else { return vec![] };
+        let of = |object: f64| -> Vec<Pixel> {
+            let its = few.iter().enumerate();
+            its.filter(|(k, _)| nearest.scalar(k * side) == object)
+                .map(|(_, p)| *p)
+                .collect()
+        };
+        let mut all: Vec<_> =
+            (0..tree.count(Of::Object)).map(|k| of(k as f64)).collect();
+        all.sort_by_key(|its| usize::MAX - its.len());
+        let all = all.iter().take(1).filter(|its| 8 < its.len());
+        all.filter_map(|its| {
+            numbers(&self.evidence(tree, its), false).into_iter().next()
+        })
+        .collect()
+    }
+}
+
+/// Single things that explain some of the pixels that are wrong, and spoil none.
+fn halves(evidence: &Evidence) -> Vec<Cause> {
+    let tree = evidence.tree;
+    let (places, values) = &evidence.parts[1];
+    let pixels = |changes: &[Change]| {
+        let context = Context { tree, changes, free: Value::from(0.0) };
+        values.changed(&context).pixels(&context)
+    };
+    let before = pixels(&[]);
+    let is_right = |k: usize, pixel: [u8; 3]| evidence.pixel(places[k]) == pixel;
+    let mut seen = HashSet::new();
+    let mut rated = vec![];
+    for edit in edits(tree).into_iter().filter(|edit| edit.rank < 2) {
+        let after = pixels(&edit.changes);
+        let (mut mended, mut spoilt) = (0_usize, 0_usize);
+        for k in 0..places.len() {
+            match (is_right(k, before[k]), is_right(k, after[k])) {
+                (false, true) => mended += 1,
+                (true, false) => spoilt += 1,
+                _ => {}
+            }
+        }
+        if 2 < mended && spoilt == 0 && seen.insert(after) {
+            rated.push((mended, edit));
+        }
+    }
+    rated.sort_by_key(|(mended, edit)| (usize::MAX - mended, edit.rank));
+    rated.iter().take(2).map(|(_, edit)| cause(tree, edit)).collect()
+}
+
+/// The numbers that explain all pixels of the evidence: those of the scene, or all.
+fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
+    let tree = evidence.tree;
+    let all = unknowns(tree).into_iter();
+    let all =
+        all.filter(|one| has_formulas || matches!(one.place, Where::Scene(..)));
+    let all = all.filter_map(|unknown| {
+        let x = solved(evidence, &unknown)?;
+        let (change, free) = unknown.change(tree, x);
+        let change = match change {
+            Change::Line(line, node) => Change::Line(line, filled(&node, &free)),
+            other => other,
+        };
+        let is_put_in = matches!(&change, Change::Line(..)) && unknown.is_colour;
+        let is_scene = matches!(unknown.place, Where::Scene(..));
+        let rank = if is_put_in { 2 } else { u8::from(!is_scene) };
+        let edit =
+            Edit { changes: vec![change], rank, says: None, line: unknown.line };
+        Some(cause(tree, &edit))
+    });
+    all.collect()
+}
+
+/// An expression with the value in the place of the unknown.
+fn filled(node: &Node, free: &Value) -> Node {
+    node.map(&|node| match node {
+        Node::Free(Kind::Vector) => {
+            let three = free.vector(0).to_array().map(Node::Number);
+            Some(Node::of(Op::Vector, three))
+        }
+        Node::Free(_) => Some(Node::Number(free.scalar(0))),
+        _ => None,
+    })
+}
+
+/// An edit with its words.
+fn cause(tree: &Tree, edit: &Edit) -> Cause {
+    let place = tree.lines[edit.line].place;
+    let path = place.section.path();
+    let told = match (&edit.says, &edit.changes[..]) {
+        (Some(says), _) => format!("{says} ({path})"),
+        (None, [Change::Given(line, which, value)]) => {
+            format!("{} ({path})", given(tree, *line, *which, value))
+        }
+        (None, changes) => {
+            let told = changes.iter().filter_map(|change| match change {
+                Change::Line(line, node) => Some((*line, node)),
+                _ => None,
+            });
+            let (theirs, ours): (Vec<_>, Vec<_>) = told
+                .map(|(line, node)| {
+                    let ours = tree.lines[line].node.as_ref();
+                    let ours = ours.map(|node| tree.told(line, node, None));
+                    (tree.told(line, node, None), ours.unwrap_or_default())
+                })
+                .unzip();
+            let (theirs, ours) = (theirs.join(" and "), ours.join(" and "));
+            format!("{theirs}, where ours is {ours} ({path})")
+        }
+    };
+    let is_one = |change: &Change| match change {
+        Change::Given(line, which, _) if tree.lines[*line].of == Of::Light => {
+            Some(*which)
+        }
+        _ => None,
+    };
+    let place = match &edit.changes[..] {
+        [Change::Line(line, node)] if &*tree.lines[*line].name == "I" => {
+            Place { stage: term(tree, node).unwrap_or(place.stage), ..place }
+        }
+        _ => place,
+    };
+    let lights: Vec<_> = edit.changes.iter().map(is_one).collect();
+    let light = lights.first().copied().flatten();
+    let light = light.filter(|_| lights.iter().all(|one| *one == light));
+    let (changes, step) = (edit.changes.clone(), tree.step);
+    let of = match (&edit.says, &changes[..]) {
+        (None, [Change::Given(line, which, _)]) => format!("{line} {which}"),
+        (None, [Change::Line(line, _)]) => line.to_string(),
+        _ => told.clone(),
+    };
+    Cause { changes, place, step, light, told, rank: edit.rank, of }
+}
+
+/// The stage of the one term of a sum that is not simply added.
+fn term(tree: &Tree, sum: &Node) -> Option<&'static str> {
+    fn added(node: &Node, found: &mut Vec<usize>) {
+        match node {
+            Node::Name(name) => found.push(*name),
+            Node::Of(Op::Add, two) => {
+                two.iter().for_each(|node| added(node, found))
+            }
+            _ => {}
+        }
+    }
+    let mut found = vec![];
+    added(sum, &mut found);
+    let terms = [("I_a", "ambient"), ("E_d", "diffuse"), ("E_s", "specular")];
+    let is_other = |name: &str| {
+        let line = tree.find(name).filter(|line| tree.lines[*line].is_needed);
+        line.is_some_and(|line| found.iter().filter(|k| **k == line).count() != 1)
+    };
+    let mut others = terms.iter().filter(|(name, _)| is_other(name));
+    let stage = others.next().map(|(_, stage)| *stage);
+    stage.filter(|_| others.next().is_none())
+}
+
+/// A number of the scene, theirs and ours.
+fn given(tree: &Tree, line: usize, which: usize, value: &Value) -> String {
+    let one = &tree.lines[line];
+    let ours = &one.given[which];
+    let text = |value: &Value| match value.is_vector() {
+        true => vector(value.vector(0)),
+        false => number(value.scalar(0)),
+    };
+    let object = |k: usize| tree.object(k);
+    let light = ["the warm light", "the cool light"][which.min(1)];
+    let (yours, ours) = (text(value), text(ours));
+    let it = |what: String| {
+        format!("{what} is {yours} in your picture; it should be {ours}")
+    };
+    match (&*one.name, one.of) {
+        (axis @ ("x_0" | "y_0" | "z_0"), _) => {
+            let part = |name: &str| {
+                let line =
+                    tree.find(name).map(|k| tree.lines[k].given[which].scalar(0));
+                line.unwrap_or(0.0)
+            };
+            let ours = DVec3::new(part("x_0"), part("y_0"), part("z_0"));
+            let mut yours = ours;
+            let axis = ["x_0", "y_0", "z_0"].iter().position(|a| *a == axis);
+            yours[axis.unwrap_or(0)] = value.scalar(0);
+            format!(
+                "{} is at {} in your picture; it should be at {}",
+                object(which),
+                vector(yours),
+                vector(ours)
+            )
+        }
+        ("radius''", _) => format!(
+            "{} has a radius of {yours} in your picture; it should be {ours}",
+            object(which)
+        ),
+        ("colour", _) => it(format!("the colour of {}", object(which))),
+        ("g", _) => it(format!("R_s of {}", object(which))),
+        ("n''", _) => format!(
+            "the highlights of {} are those of n = {yours}; it should be {ours}",
+            object(which)
+        ),
+        ("P", _) => {
+            format!("{light} is at {yours} in your picture; it should be at {ours}")
+        }
+        (name, Of::Light) if name.ends_with('\'') => {
+            it(format!("{light}'s {} in a + bd + cd²", super::shown(name)))
+        }
+        (name, Of::Light) => it(format!("{light}'s {name}")),
+        (name, _) => it(super::shown(name)),
+    }
+}

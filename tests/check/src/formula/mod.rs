@@ -1,0 +1,25 @@
+//! The lecture's formulas as data, and what becomes of a picture where one is changed.
+
+mod drawn;
+mod edits;
+mod eval;
+mod explain;
+mod node;
+mod numbers;
+mod parse;
+mod print;
+mod search;
+mod tree;
+mod value;
+
+pub use drawn::by_formulas;
+pub(crate) use edits::{Edit, edits};
+pub(crate) use eval::{Change, Context, Values};
+pub(crate) use explain::{Cause, Riddle};
+pub(crate) use node::{Kind, Node, Op};
+pub(crate) use numbers::{Where, solved, unknowns};
+use parse::parse;
+pub(crate) use print::shown;
+pub(crate) use search::{Evidence, Pixel, misses};
+pub(crate) use tree::{Line, Of, Place, Tree};
+pub(crate) use value::Value;

@@ -1,0 +1,282 @@
+use super::{Change, Context, Evidence, Kind, Node, Of, Op, Tree, Value};
+use glam::DVec3;
+
+/// A number that may be another one, and the values to begin with.
+#[derive(Clone, Debug)]
+pub(crate) struct Unknown {
+    /// The line that it belongs to.
+    pub line: usize,
+    /// Whether it is one number each for red, green and blue.
+    pub is_colour: bool,
+    pub place: Where,
+    /// Ours; 1 for a factor or a power that is put in, 0 for what is added.
+    pub ours: DVec3,
+}
+
+/// Where an unknown number stands.
+#[derive(Clone, Debug)]
+pub(crate) enum Where {
+    /// In the scene: of this object or light, all of a vector or one part of it.
+    Scene(usize, Option<usize>),
+    /// In a formula.
+    Formula(Node),
+}
+
+impl Unknown {
+    /// The change that gives it this value.
+    pub fn change(&self, tree: &Tree, value: DVec3) -> (Change, Value) {
+        let line = &tree.lines[self.line];
+        let free: Value = match self.is_colour {
+            true => value.into(),
+            false => value.x.into(),
+        };
+        let change = match &self.place {
+            Where::Formula(node) => Change::Line(self.line, node.clone()),
+            Where::Scene(which, None) => {
+                Change::Given(self.line, *which, free.clone())
+            }
+            Where::Scene(which, Some(part)) => {
+                let mut whole = line.given[*which].vector(0);
+                whole[*part] = value.x;
+                Change::Given(self.line, *which, whole.into())
+            }
+        };
+        (change, free)
+    }
+}
+
+/// Every number of the scene and of the formulas, and those that may be put in.
+pub(crate) fn unknowns(tree: &Tree) -> Vec<Unknown> {
+    let mut all = vec![];
+    for (line, one) in tree.lines.iter().enumerate().filter(|(_, l)| l.is_needed) {
+        match &one.node {
+            None if one.of == Of::Ray && &*one.name != "L_a" => {}
+            None => scene(tree, line, &mut all),
+            Some(node) => {
+                let mut push = |place: Node, is_colour: bool, ours: f64| {
+                    let (place, ours) = (Where::Formula(place), DVec3::splat(ours));
+                    all.push(Unknown { line, is_colour, place, ours });
+                };
+                holes(node, &mut |node, ours| push(node, false, ours));
+                if one.of == Of::Light {
+                    letters(tree, node, &mut |node| push(node, false, 1.0));
+                }
+                put_in(tree, line, node, &mut push);
+            }
+        }
+    }
+    all
+}
+
+fn scene(tree: &Tree, line: usize, all: &mut Vec<Unknown>) {
+    let is_colour =
+        ["colour", "L_d", "L_s", "L_a"].contains(&&*tree.lines[line].name);
+    for (which, value) in tree.lines[line].given.iter().enumerate() {
+        let ours = value.vector(0);
+        let parts: &[Option<usize>] = match (value.is_vector(), is_colour) {
+            (true, false) => &[Some(0), Some(1), Some(2)],
+            _ => &[None],
+        };
+        if &*tree.lines[line].name != "number" {
+            all.extend(parts.iter().map(|&part| Unknown {
+                line,
+                is_colour,
+                place: Where::Scene(which, part),
+                ours: part.map_or(ours, |part| DVec3::splat(ours[part])),
+            }));
+        }
+    }
+}
+
+/// The expression with each of its numbers unknown in turn.
+fn holes(node: &Node, push: &mut dyn FnMut(Node, f64)) {
+    match node {
+        Node::Number(ours) if ours.is_finite() => {
+            push(Node::Free(Kind::Scalar), *ours)
+        }
+        Node::Of(op, nodes) => {
+            for (k, below) in nodes.iter().enumerate() {
+                holes(below, &mut |other, ours| {
+                    let mut nodes = nodes.clone();
+                    nodes[k] = other;
+                    push(Node::Of(*op, nodes), ours);
+                });
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The expression with a number in the place of each of its scalars in turn.
+fn letters(tree: &Tree, node: &Node, push: &mut dyn FnMut(Node)) {
+    match node {
+        Node::Name(name) if tree.lines[*name].kind == Kind::Scalar => {
+            push(Node::Free(Kind::Scalar));
+        }
+        Node::Of(op, nodes) => {
+            for (k, below) in nodes.iter().enumerate() {
+                letters(tree, below, &mut |other| {
+                    let mut nodes = nodes.clone();
+                    nodes[k] = other;
+                    push(Node::Of(*op, nodes));
+                });
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A factor, a power or a term for the whole line.
+fn put_in(
+    tree: &Tree,
+    line: usize,
+    node: &Node,
+    push: &mut dyn FnMut(Node, bool, f64),
+) {
+    let (name, kind) = (&*tree.lines[line].name, tree.lines[line].kind);
+    let is_light = [
+        "R_a", "I_a", "R_d", "I_d", "R_s", "I_s", "E_d", "E_s", "I", "M", "sky",
+        "colour'",
+    ];
+    let is_light = is_light.contains(&name);
+    if ["nearest", "order", "I'", "pixel", "G", "S", "C", "v''"].contains(&name) {
+        return;
+    }
+    let with = |op: Op, kind: Kind| Node::of(op, [node.clone(), Node::Free(kind)]);
+    push(with(Op::Mul, Kind::Scalar), false, 1.0);
+    if is_light {
+        push(with(Op::Mul, Kind::Vector), true, 1.0);
+        push(with(Op::Pow, Kind::Scalar), false, 1.0);
+    }
+    if is_light || kind == Kind::Scalar {
+        push(with(Op::Add, Kind::Scalar), false, 0.0);
+    }
+}
+
+/// How far off some pixels are, for each channel.
+fn cost(evidence: &Evidence, part: usize, unknown: &Unknown, x: DVec3) -> DVec3 {
+    let (change, free) = unknown.change(evidence.tree, x);
+    let changes = [change];
+    let context = Context { tree: evidence.tree, changes: &changes, free };
+    let (places, values) = &evidence.parts[part];
+    let pixels = values.changed(&context).pixels(&context);
+    let mut cost = DVec3::ZERO;
+    for (place, pixel) in places.iter().zip(pixels) {
+        let yours = evidence.pixel(*place);
+        for k in 0..3 {
+            cost[k] += f64::from(yours[k].abs_diff(pixel[k]).min(24));
+        }
+    }
+    if unknown.is_colour { cost } else { DVec3::splat(cost.element_sum()) }
+}
+
+/// A value for each of the channels, and what it costs.
+#[derive(Clone, Copy, Debug)]
+struct Best {
+    cost: DVec3,
+    x: DVec3,
+}
+
+impl Best {
+    fn take(&mut self, cost: DVec3, x: DVec3) {
+        let is_less = cost.cmplt(self.cost);
+        self.x = DVec3::select(is_less, x, self.x);
+        self.cost = DVec3::select(is_less, cost, self.cost);
+    }
+}
+
+/// The value of an unknown that explains the few pixels of the evidence, if there is
+/// one; it is as round as it may be.
+pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
+    let ours = unknown.ours;
+    let before = cost(evidence, 0, unknown, ours);
+    let first = [-1.0, 0.0, 0.5, 2.0]
+        .map(|k| k * ours)
+        .into_iter()
+        .chain([0.3, -1.0, 6.0].map(|k| ours + k));
+    let is_blind =
+        first.into_iter().all(|x| cost(evidence, 0, unknown, x) == before);
+    if is_blind {
+        return None;
+    }
+    let start = cost(evidence, 1, unknown, ours);
+    let mut best = Best { cost: start, x: ours };
+    let factors = [
+        -1.0, 0.0, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.5, 2.0, 3.0, 5.0,
+        10.0, 100.0,
+    ];
+    let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
+    let all = factors.map(|k| k * ours).into_iter();
+    let name = &*evidence.tree.lines[unknown.line].name;
+    let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
+    let near = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
+    let terms = terms.into_iter().chain(near).flat_map(|k| [k, -k]);
+    for x in all.chain(terms.map(|k| ours + k)) {
+        best.take(cost(evidence, 1, unknown, x), x);
+    }
+    if (0.85 * start).cmplt(best.cost).all() {
+        return None;
+    }
+    refine(evidence, 1, unknown, &mut best, 0.35);
+    let few = evidence.parts[1].0.len() as f64;
+    if 3.0 * few < best.cost.max_element() {
+        return None;
+    }
+    best.cost = cost(evidence, 2, unknown, best.x);
+    refine(evidence, 2, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
+    if best.cost != DVec3::ZERO {
+        return None;
+    }
+    rounded(evidence, unknown, best.x)
+}
+
+/// Looks around the best value, in smaller and smaller steps.
+fn refine(
+    evidence: &Evidence,
+    part: usize,
+    unknown: &Unknown,
+    best: &mut Best,
+    share: f64,
+) {
+    let mut step = (share * best.x.abs()).max(DVec3::splat(share * 0.3));
+    for _ in 0..20 {
+        if best.cost == DVec3::ZERO {
+            break;
+        }
+        let x = best.x;
+        for x in [x - step, x + step] {
+            best.take(cost(evidence, part, unknown, x), x);
+        }
+        step *= 0.6;
+    }
+}
+
+/// The value of the fewest digits that explains all pixels of the evidence.
+fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
+    let is_it = |x: DVec3| {
+        (0..3).all(|part| cost(evidence, part, unknown, x) == DVec3::ZERO)
+    };
+    let digits = |digits: i32| {
+        x.map(|x| {
+            let scale = 10_f64.powi(digits);
+            (x * scale).round() / scale
+        })
+    };
+    // Each channel by itself: one may need more digits than another.
+    let mut rounds = (0..6).map(digits).collect::<Vec<_>>();
+    rounds.push(x);
+    if !unknown.is_colour {
+        return rounds.into_iter().find(|x| is_it(*x));
+    }
+    let mut best = x;
+    for k in 0..3 {
+        let with = |value: f64| {
+            let mut other = best;
+            other[k] = value;
+            other
+        };
+        let round = rounds.iter().map(|x| with(x[k])).find(|x| is_it(*x));
+        best = round.unwrap_or(best);
+    }
+    is_it(best).then_some(best)
+}

@@ -1,0 +1,45 @@
+//! `check`: what a picture tells of the program that drew it.
+
+mod label;
+mod locked;
+mod panels;
+mod png;
+mod view;
+
+mod cause;
+mod fov;
+mod recognise;
+mod rest;
+mod sight;
+
+mod formula;
+mod kind;
+mod measure;
+
+mod answer;
+mod case;
+mod check;
+mod options;
+mod table;
+mod told;
+mod turned;
+mod verdict;
+mod whose;
+
+mod appendix;
+
+pub use answer::Answer;
+pub use appendix::appendix;
+pub(crate) use cause::Cause;
+pub use check::{check, look};
+pub use formula::by_formulas;
+pub use locked::{Locked, locked, names};
+pub use measure::{Stage, Verdict, pixel, stages};
+pub(crate) use recognise::{Found, recognise};
+pub(crate) use rest::Rest;
+pub use table::table;
+
+use gallery::{
+    Mistake, Named, Parts, Section, Step, apart, camera, mistakes, section,
+    workspace,
+};

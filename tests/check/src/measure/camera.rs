@@ -1,0 +1,57 @@
+use super::Sky;
+use super::reading::Seen;
+use super::words::{list, number, vector};
+use crate::{Step, camera};
+use glam::{DMat3, DVec3};
+use image::RgbImage;
+
+/// What the sky tells of a camera that no known formula gives: theirs and ours.
+///
+/// None where no sky tells it, or where the objects are not where it would see them.
+pub(super) fn read(
+    yours: &RgbImage,
+    step: Step,
+    seen: &[Seen],
+) -> Option<Vec<String>> {
+    let (width, height) = yours.dimensions();
+    let sky = Sky::of(yours)?;
+    let is_sky = |s: &&Seen| sky.is_on(yours, s.place.0, s.place.1);
+    let share =
+        seen.iter().filter(is_sky).count() as f64 / seen.len().max(1) as f64;
+    let least = if step == Step::Rays { 0.97 } else { 0.2 };
+    let ours = camera(width, height).matrix;
+    let numbers = differences(&sky, &ours);
+    (least < share && !numbers.is_empty()).then_some(numbers)
+}
+
+/// How the columns of a matrix differ from those of ours, as far as can be told.
+fn differences(sky: &Sky, ours: &DMat3) -> Vec<String> {
+    let mut numbers = vec![];
+    for (k, name) in ["D_u", "D_v", "V_0"].into_iter().enumerate() {
+        let (yours, ours, error) =
+            (sky.matrix.col(k), ours.col(k), 5.0 * sky.errors[k]);
+        if error < (yours - ours).abs().max_element() {
+            let why = list(&ratios(yours, ours, error));
+            let why = if why.is_empty() { why } else { format!(": {why}") };
+            let clean = yours.map(|x| if x.abs() < error { 0.0 } else { x });
+            numbers.push(format!(
+                "your {name} is about {}; it should be {}{why}",
+                vector(clean),
+                vector(ours)
+            ));
+        }
+    }
+    numbers
+}
+
+/// How many times ours the parts are that are wrong.
+fn ratios(yours: DVec3, ours: DVec3, error: f64) -> Vec<String> {
+    let parts = ["x", "y", "z"].into_iter().enumerate();
+    let wrong = parts
+        .filter(|&(k, _)| error <= (yours[k] - ours[k]).abs() && ours[k] != 0.0);
+    wrong
+        .map(|(k, part)| {
+            format!("its {part} is {} times ours", number(yours[k] / ours[k]))
+        })
+        .collect()
+}

@@ -1,0 +1,170 @@
+use super::reading::{Seen, put};
+use super::words::{number, percent};
+use super::{Stage, Verdict};
+use step04_diffuse::{Attenuation, COOL, WARM};
+
+/// Which of the parts of ours reach a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Class {
+    /// No light: the ambient part alone.
+    Dark,
+    /// One light (0 or 1) without a highlight.
+    Matt(usize),
+    /// Two lights without a highlight.
+    Both,
+    /// One light or two, with a highlight.
+    Shiny,
+}
+
+fn class(seen: &Seen) -> Class {
+    let shine = seen.specular[0].max(seen.specular[1]).max_element();
+    if 0.25 / 255.0 < shine {
+        return Class::Shiny;
+    }
+    match seen.cosines.map(|cosine| 0.0 < cosine) {
+        [false, false] => Class::Dark,
+        [true, false] => Class::Matt(0),
+        [false, true] => Class::Matt(1),
+        [true, true] => Class::Both,
+    }
+}
+
+/// Tells the stages of a light that nothing explains as a whole, from the pixels that
+/// only some of them reach. A stage is right where each pixel of its class is.
+pub(super) fn tell(all: &[Seen], stages: &mut [Stage]) {
+    let of = |wanted: Class| -> Vec<&Seen> {
+        let its = all.iter().filter(|s| s.object.is_some());
+        its.filter(|s| class(s) == wanted).collect()
+    };
+    let right = |its: &[&Seen]| its.iter().filter(|s| s.is_right()).count();
+    let is_right = |its: &[&Seen]| 24 <= its.len() && right(its) == its.len();
+    let is_wrong = |its: &[&Seen]| 24 <= its.len() && 2 * right(its) < its.len();
+    let dark = of(Class::Dark);
+    if !is_right(&dark) {
+        return;
+    }
+    // A dark pixel of each object tells which it is, and its R_a.
+    put(stages, "ambient", Verdict::Right, vec![]);
+    let matt = [0, 1].map(|light| of(Class::Matt(light)));
+    for (light, name) in ["diffuse, warm", "diffuse, cool"].into_iter().enumerate()
+    {
+        if is_wrong(&matt[light]) {
+            faded(&matt[light], light, name, stages);
+        }
+    }
+    let both = of(Class::Both);
+    let is_matt = |its: &[&Seen]| its.is_empty() || right(its) == its.len();
+    if matt.iter().all(|its| is_right(its)) && is_matt(&both) {
+        for name in
+            ["diffuse, warm", "diffuse, cool", "attenuation", "point and normal"]
+        {
+            put(stages, name, Verdict::Right, vec![]);
+        }
+        let shiny = of(Class::Shiny);
+        if is_wrong(&shiny)
+            || right(&shiny) * 10 < shiny.len() * 9 && 24 < shiny.len()
+        {
+            let share = percent(shiny.len() - right(&shiny), shiny.len());
+            let told = format!(
+                "what no highlight of ours reaches is right in every pixel, and {share} of \
+                 what one reaches is not: r·v, its power n, R_s, L_s or their fading"
+            );
+            for name in ["specular, warm", "specular, cool"] {
+                put(stages, name, Verdict::Wrong, vec![told.clone()]);
+            }
+        }
+    }
+}
+
+/// How many times as much as ours a light gives to a pixel that no other one reaches.
+fn factor(seen: &Seen, light: usize) -> Option<f64> {
+    let (mut yours, mut ours) = (0.0, 0.0);
+    for k in 0..3 {
+        let byte = seen.yours[k];
+        if !matches!(byte, 0 | 255) && 0.03 < seen.diffuse[light][k] {
+            yours += f64::from(byte) / 255.0 - seen.ambient[k];
+            ours += seen.diffuse[light][k];
+        }
+    }
+    (0.0 < ours).then(|| yours / ours)
+}
+
+/// Tells by how much one light is wrong, by its distance or by its angle.
+fn faded(all: &[&Seen], light: usize, name: &str, stages: &mut [Stage]) {
+    let factors = all.iter().filter_map(|s| Some((s, factor(s, light)?)));
+    let factors: Vec<_> = factors.collect();
+    let distances = factors.iter().map(|(s, f)| (s.distances[light], *f)).collect();
+    let cosines = factors.iter().map(|(s, f)| (s.cosines[light], *f)).collect();
+    let which = ["warm", "cool"][light];
+    let [distance, cosine] = [Curve::of(distances), Curve::of(cosines)];
+    let is_better = |a: &Curve, b: &Option<Curve>| {
+        b.as_ref().is_none_or(|b| a.rest < b.rest / 3.0)
+    };
+    if let Some(curve) = distance.as_ref().filter(|curve| is_better(curve, &cosine))
+    {
+        let told = curve.told(|d, factor| {
+            let ours = ours(light).at(d);
+            format!(
+                "{} for {} at d = {}",
+                number(ours / factor),
+                number(ours),
+                number(d)
+            )
+        });
+        let told = format!(
+            "the {which} light is divided, for a + bd + cd², by about {told}"
+        );
+        put(stages, "attenuation", Verdict::Wrong, vec![told]);
+    } else if let Some(curve) =
+        cosine.as_ref().filter(|curve| is_better(curve, &distance))
+    {
+        let told = curve.told(|cosine, factor| {
+            format!("{} times where l·n is {}", number(factor), number(cosine))
+        });
+        let told = format!(
+            "the {which} light gives, by its angle alone, about {told} as much as it should: \
+             max(l·n, 0) is another"
+        );
+        put(stages, name, Verdict::Wrong, vec![told]);
+    }
+}
+
+/// The attenuation of a light of the course.
+fn ours(light: usize) -> Attenuation {
+    [WARM, COOL][light].attenuation
+}
+
+/// A factor that depends on one thing alone.
+struct Curve {
+    /// The thing and the factor, at a few places.
+    points: Vec<(f64, f64)>,
+    /// How far the factors are from the curve.
+    rest: f64,
+}
+
+impl Curve {
+    /// The curve through pairs of a thing and a factor, if they lie on one.
+    fn of(mut pairs: Vec<(f64, f64)>) -> Option<Self> {
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let size = (pairs.len() / 16).max(4);
+        let (mut points, mut rests) = (vec![], vec![]);
+        for bin in pairs.chunks(size).filter(|bin| bin.len() == size) {
+            let count = size as f64;
+            let x = bin.iter().map(|p| p.0).sum::<f64>() / count;
+            let y = bin.iter().map(|p| p.1).sum::<f64>() / count;
+            points.push((x, y));
+            let off = bin.iter().map(|p| (p.1 - y).abs()).sum::<f64>() / count;
+            rests.push(off / y.abs().max(0.05));
+        }
+        rests.sort_by(f64::total_cmp);
+        let rest = *rests.get(rests.len() / 2)?;
+        (4 <= points.len() && rest < 0.08).then_some(Self { points, rest })
+    }
+
+    /// Three of its points in words.
+    fn told(&self, words: impl Fn(f64, f64) -> String) -> String {
+        let last = self.points.len() - 1;
+        let three = [0, last / 2, last].map(|k| self.points[k]);
+        three.map(|(x, y)| words(x, y)).join(", ")
+    }
+}

@@ -1,0 +1,92 @@
+//! What a picture tells of the program that drew it, stage after stage.
+
+use crate::formula::{Cause, Riddle, Tree};
+use crate::{Section, Step};
+use image::RgbImage;
+
+mod least;
+mod sky;
+mod words;
+
+mod camera;
+mod classes;
+mod pixel;
+mod reading;
+mod shown;
+mod table;
+mod view;
+
+use least::Least;
+pub use pixel::pixel;
+use sky::Sky;
+pub(crate) use table::of_mistakes;
+pub(crate) use words::{number, vector};
+
+/// One stage on the way from a ray to three bytes, and what a picture tells of it.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// What it is called in the table.
+    pub name: &'static str,
+    /// Whether it is right.
+    pub verdict: Verdict,
+    /// Whole sentences with numbers, theirs and ours.
+    pub numbers: Vec<String>,
+    /// The section of the book to go back to.
+    pub section: Section,
+    /// The function of `tests/by_hand.rs` that would show it.
+    pub test: Option<&'static str>,
+}
+
+/// What a picture tells of a stage.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Every pixel that shows it agrees.
+    Right,
+    /// The numbers show that it is wrong.
+    Wrong,
+    /// It can't be told from this picture, and why.
+    Unknown(String),
+}
+
+/// The stages of `step`, in order, as a picture of that step tells them.
+pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
+    if yours.width() < 2 {
+        return vec![];
+    }
+    let black = view::black(yours);
+    let places = view::places(yours, black.as_ref());
+    let mut stages = match explained(yours, step, &places) {
+        Some((view, tree, groups)) => {
+            table::explained(&view, &tree, yours, &groups)
+        }
+        None => reading::stages(yours, step, &places),
+    };
+    if let Some(black) = black {
+        table::add_black(&mut stages, &black);
+    }
+    stages
+}
+
+/// The options and the things done otherwise, in groups of which one explains as much
+/// as another, that explain every pixel together.
+fn explained(
+    yours: &RgbImage,
+    step: Step,
+    places: &[(u32, u32)],
+) -> Option<(view::View, Tree, Groups)> {
+    let views = view::views(yours);
+    let riddle = |view: &view::View,
+                  ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
+        let ours = view.picture(step, yours.dimensions());
+        let tree = Tree::new(step, yours.dimensions(), view.fov, view.samples);
+        let samples = view.samples;
+        let groups = ask(Riddle { yours, samples, places, ours: &ours }, &tree)?;
+        Some((*view, tree, groups))
+    };
+    let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
+    let two = |view| riddle(view, &|riddle, tree| Some(riddle.pair(tree)?.into()));
+    views.iter().find_map(one).or_else(|| views.iter().take(2).find_map(two))
+}
+
+/// Things done otherwise, in groups of which one explains as much as another.
+type Groups = Vec<Vec<Cause>>;

@@ -1,0 +1,50 @@
+use super::words::vector;
+use crate::Step;
+use crate::apart;
+use crate::formula::{Context, Tree, Value, Values};
+use crate::fov::FOV;
+use glam::DVec3;
+use image::RgbImage;
+
+/// The pixel that differs most, in full: yours, ours, which object, and each of its
+/// terms.
+pub fn pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
+    let pairs = yours.enumerate_pixels().zip(ours.pixels());
+    let worst = pairs.max_by_key(|((_, _, a), b)| apart(a, b));
+    let Some(((i, j, a), b)) = worst else { return String::new() };
+    let (width, height) = yours.dimensions();
+    let tree = Tree::new(step, (width.max(2), height), FOV, 1);
+    let context = Context { tree: &tree, changes: &[], free: Value::from(0.0) };
+    let values = Values::at(&context, &[(i, j)], 1);
+    let vectors = |name: &str| -> Vec<DVec3> {
+        let all = tree.find(name).map(|line| values.all[line].iter());
+        all.into_iter().flatten().map(|value| value.vector(0)).collect()
+    };
+    let direction = vectors("V").first().copied().unwrap_or_default();
+    let mut text = format!(
+        "Column {i}, row {j}: yours is {:?}, ours {:?}. Its V is {}",
+        a.0,
+        b.0,
+        vector(direction)
+    );
+    let object = vectors("nearest").first().map_or(-1.0, |v| v.x);
+    if object < 0.0 {
+        return text + ", and it sees the sky.";
+    }
+    text += &format!(", and it sees {}.", tree.object(object as usize));
+    if let ([ambient], [warm, cool]) = (&vectors("I_a")[..], &vectors("I_d")[..]) {
+        text += &format!(
+            " I_a is {}; the warm light's I_d {}, the cool light's {}",
+            vector(*ambient),
+            vector(*warm),
+            vector(*cool)
+        );
+        if let [first, second] = vectors("G")[..] {
+            text +=
+                &format!("; their I_s {} and {}", vector(first), vector(second));
+        }
+        let sum = vectors("I").first().copied().unwrap_or_default();
+        text += &format!("; together {}.", vector(sum));
+    }
+    text
+}

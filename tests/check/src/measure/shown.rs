@@ -1,0 +1,57 @@
+use super::Verdict;
+use super::table::Row;
+use super::view::{View, places};
+use crate::formula::{Change, Context, Node, Op, Tree, Value, Values};
+use image::RgbImage;
+
+/// Right where the picture would be another one if the stage were; else it can't be
+/// told.
+pub(super) fn verdict(
+    tree: &Tree,
+    row: &Row,
+    view: &View,
+    yours: &RgbImage,
+) -> Verdict {
+    let places = places(yours, None);
+    let step = places.len() * view.samples.pow(2) as usize / 1500 + 1;
+    let places: Vec<_> = places.iter().step_by(step).copied().collect();
+    let pixels = |changes: &[Change]| {
+        let context = Context { tree, changes, free: Value::from(0.0) };
+        Values::at(&context, &places, view.samples).pixels(&context)
+    };
+    match pixels(&[]) == pixels(&other(tree, row)) {
+        true => Verdict::Unknown("nothing in this picture shows it".to_owned()),
+        false => Verdict::Right,
+    }
+}
+
+/// A stage with another formula or number.
+fn other(tree: &Tree, (_, stage, light, ..): &Row) -> Vec<Change> {
+    let (names, factor): (&[&str], f64) = match (*stage, light) {
+        ("rays", _) => (&["h"], 1.2),
+        ("sky", _) => (&["sky"], 0.8),
+        ("outlines", _) => (&["radius"], 1.1),
+        ("nearest", _) => (&["order"], -1.0),
+        ("point", _) => (&["n"], 0.8),
+        ("colours", _) => (&["colour'"], 0.8),
+        ("ambient", _) => (&["I_a"], 0.8),
+        ("attenuation", _) => (&["fade"], 1.3),
+        ("diffuse", _) => (&["L_d"], 0.7),
+        ("specular", _) => (&["L_s"], 0.7),
+        _ => (&["M"], 0.8),
+    };
+    let lines = names.iter().filter_map(|name| tree.find(name));
+    lines
+        .map(|line| match (&tree.lines[line].node, light) {
+            (Some(node), _) => {
+                let factor = Node::Number(factor);
+                Change::Line(line, Node::of(Op::Mul, [node.clone(), factor]))
+            }
+            (None, light) => {
+                let which = light.unwrap_or(0);
+                let value = tree.lines[line].given[which].map(|x| factor * x);
+                Change::Given(line, which, value)
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,101 @@
+use crate::case::Case;
+use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages};
+use crate::{Cause, Step};
+use image::RgbImage;
+use std::fmt::Write;
+
+/// The stages of a picture of `step`, and whether one of them is known to be wrong.
+pub(crate) struct Told {
+    /// A table, and where to look first.
+    pub text: String,
+    /// Whether the numbers show a stage to be wrong.
+    pub is_wrong: bool,
+}
+
+impl Told {
+    /// Measures the picture, unless it is known how every pixel came about.
+    pub fn of(case: &Case, step: Step) -> Self {
+        let known = case.found.as_ref().filter(|_| case.is_explained());
+        let known = known.filter(|_| !case.is_nearly_right());
+        let stages = match known {
+            Some(found) => {
+                let cause = found.cause(step);
+                let right = Cause { mistakes: vec![], ..cause.clone() };
+                let [yours, ours] =
+                    [&cause, &right].map(|cause| objects(case, cause));
+                of_mistakes(
+                    step,
+                    &found.causes,
+                    yours.contains(&true),
+                    yours == ours,
+                )
+            }
+            None => stages(&case.yours.kept, step),
+        };
+        let is_wrong = |stage: &&Stage| matches!(stage.verdict, Verdict::Wrong);
+        let wrong = stages.iter().find(is_wrong);
+        let mut text = table(&stages);
+        text += &wrong.map_or(String::new(), first);
+        Self { text, is_wrong: wrong.is_some() }
+    }
+}
+
+/// Whether the rays of some pixels meet something.
+pub(crate) fn objects(case: &Case, cause: &Cause) -> Vec<bool> {
+    let parts = cause.parts(case.yours.size);
+    let ray =
+        |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
+    let rays = case.yours.scattered(2000).into_iter().map(ray);
+    rays.map(|ray| parts.seen(cause.step, &ray).is_some()).collect()
+}
+
+/// One line for each stage, and its numbers below it.
+fn table(stages: &[Stage]) -> String {
+    if stages.is_empty() {
+        return String::new();
+    }
+    let mut text = "Stage by stage, as far as the picture tells:\n".to_owned();
+    let width = stages.iter().map(|stage| stage.name.chars().count()).max();
+    let width = width.unwrap_or(0) + 2;
+    for Stage { name, verdict, numbers, .. } in stages {
+        let verdict = match verdict {
+            Verdict::Right => "right",
+            Verdict::Wrong => "WRONG",
+            Verdict::Unknown(why) => &format!("can't be told: {why}"),
+        };
+        let _ = writeln!(text, "  {name:width$}{verdict}");
+        for number in numbers {
+            let _ = writeln!(text, "  {:width$}{number}", "");
+        }
+    }
+    text
+}
+
+/// Where to look first.
+fn first(stage: &Stage) -> String {
+    let Stage { name, section, test, .. } = stage;
+    let mut text = format!(
+        "Look first at {name}: step {}, \"{}\" ({}), in {}.\n",
+        section.step.number(),
+        section.heading,
+        section.page(),
+        section.path(),
+    );
+    if let Some(test) = test {
+        let step = section.step.name();
+        let _ = writeln!(
+            text,
+            "The test {test} of steps/{step}/tests/by_hand.rs has numbers to compare \
+             with yours."
+        );
+    }
+    text
+}
+
+/// One pixel in full, on lines of its own.
+pub(crate) fn one_pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
+    match pixel(yours, ours, step).trim_end() {
+        "" => String::new(),
+        text => format!("{text}\n"),
+    }
+}

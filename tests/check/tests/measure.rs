@@ -1,0 +1,141 @@
+//! What `measure` reads out of pictures.
+
+use ::check::{Stage, Verdict, stages};
+use gallery::{Parts, Step, camera};
+use image::{Rgb, RgbImage};
+
+/// The stages of a picture that some parts draw in step 5 at 320×180.
+fn of(step: Step, change: impl FnOnce(&mut Parts)) -> Vec<Stage> {
+    let mut parts = Parts::right(&camera(320, 180));
+    change(&mut parts);
+    stages(&parts.picture(step, 1), step)
+}
+
+fn named<'a>(stages: &'a [Stage], name: &str) -> &'a Stage {
+    let is_it = |stage: &&Stage| stage.name == name;
+    stages.iter().find(is_it).unwrap_or_else(|| panic!("no stage {name}"))
+}
+
+/// Asserts that one stage is wrong, tells some words, and that all other wrong ones are
+/// `also`.
+fn assert_wrong(stages: &[Stage], name: &str, words: &str, also: &[&str]) {
+    let stage = named(stages, name);
+    assert_eq!(stage.verdict, Verdict::Wrong, "{stages:#?}");
+    let told = stage.numbers.join("; ");
+    assert!(told.contains(words), "{words} is not in {told}");
+    let wrong = stages.iter().filter(|stage| stage.verdict == Verdict::Wrong);
+    for other in wrong.filter(|stage| stage.name != name) {
+        assert!(also.contains(&other.name), "{other:#?}");
+    }
+}
+
+#[test]
+fn every_stage_of_a_right_picture_is_right() {
+    for step in Step::ALL {
+        for (width, height, samples) in
+            [(320, 180, 1), (640, 360, 1), (200, 150, 2)]
+        {
+            let picture = step.picture(&camera(width, height), samples);
+            for stage in stages(&picture, step) {
+                assert_eq!(stage.verdict, Verdict::Right, "{step:?} {stage:#?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_wrong_pixel_is_never_right() {
+    for step in Step::ALL {
+        let mut picture = step.picture(&camera(320, 180), 1);
+        picture.put_pixel(160, 60, Rgb([12, 200, 90]));
+        let stages = stages(&picture, step);
+        assert!(stages.iter().any(|s| s.verdict != Verdict::Right), "{step:?}");
+    }
+}
+
+#[test]
+fn a_camera_is_read_from_the_sky() {
+    for step in Step::ALL {
+        let stages = of(step, |parts| parts.camera.matrix.y_axis.y *= 0.5);
+        assert_wrong(&stages, "rays", "D_v = (0, (−1) h / columns, 0)", &[]);
+    }
+}
+
+#[test]
+fn a_sphere_is_read_from_its_outline() {
+    for step in [Step::Nearest, Step::Diffuse, Step::Phong] {
+        let stages = of(step, |parts| {
+            parts.scene.objects[5].sphere.centre.x = 3.5;
+        });
+        assert_wrong(&stages, "outlines", "(3.5, −0.69, −6.4)", &[]);
+    }
+}
+
+#[test]
+fn a_colour_is_read() {
+    for step in [Step::Nearest, Step::Diffuse, Step::Phong] {
+        let stages = of(step, |parts| {
+            let surface = &mut parts.scene.objects[1].material.material.surface;
+            surface.ambient.y = 0.67;
+            surface.diffuse.y = 0.67;
+        });
+        assert_wrong(&stages, "colours", "the ground", &[]);
+        assert_wrong(&stages, "colours", "0.67", &[]);
+    }
+}
+
+#[test]
+fn the_weights_of_the_lights_are_read() {
+    for step in [Step::Diffuse, Step::Phong] {
+        let stages = of(step, |parts| parts.scene.ambient_light *= 0.5);
+        assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &[]);
+        let stages = of(step, |parts| parts.scene.lights[1].point.diffuse *= 0.5);
+        assert_wrong(&stages, "diffuse, cool", "(0.225, 0.3, 0.5)", &[]);
+    }
+    let stages = of(Step::Phong, |parts| parts.scene.lights[0].specular *= 2.0);
+    assert_wrong(&stages, "specular, warm", "(2, 1.8, 1.6)", &[]);
+}
+
+#[test]
+fn a_light_and_its_fading_are_read() {
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.lights[1].point.attenuation.c = 0.002;
+    });
+    assert_wrong(&stages, "attenuation", "c in a + bd + cd² is 0.002", &[]);
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.lights[0].point.position.z = 2.0;
+    });
+    assert_wrong(&stages, "diffuse, warm", "(−4, 5, 2)", &["diffuse, cool"]);
+}
+
+#[test]
+fn a_shininess_is_read_from_its_highlights() {
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.objects[2].material.material.shininess = 15;
+    });
+    let both = ["specular, warm", "specular, cool"];
+    assert_wrong(&stages, "specular, warm", "n = 15; it should be 150", &both);
+}
+
+#[test]
+fn two_stages_are_told_separately() {
+    let stages = of(Step::Phong, |parts| {
+        parts.camera.matrix.y_axis.y *= 0.5;
+        parts.scene.ambient_light *= 0.5;
+    });
+    assert_wrong(&stages, "rays", "D_v = (0, (−1) h", &["ambient"]);
+    assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &["rays"]);
+}
+
+#[test]
+fn no_picture_is_too_small_or_too_odd() {
+    for (width, height) in [(1, 1), (1, 9), (2, 1), (3, 2), (9, 1), (17, 200)] {
+        for step in Step::ALL {
+            stages(&RgbImage::new(width, height), step);
+            let odd = RgbImage::from_fn(width, height, |i, j| {
+                Rgb([(i * 97 + j * 31) as u8, (i * j) as u8, (i ^ j) as u8])
+            });
+            stages(&odd, step);
+        }
+    }
+}
