@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, excerpt, figures, formula, picture, values};
+use crate::{boxes, excerpt, figure, formula, number, picture, values};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -153,24 +153,26 @@ impl Draft<'_> {
     fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
-        Part::Block(match (kind, &self.pictures(events, range)[..]) {
-            ("figure", _) => figures::html(words.trim()),
+        let (pictures, is_live) = self.pictures(events, range);
+        Part::Block(match (kind, &pictures[..]) {
+            ("figure", _) => figure::html(words.trim()),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
             (kind, []) => match boxes::html(kind, words) {
                 Some(html) => html,
                 None => return Part::Plain,
             },
-            (_, pictures) => picture::figure(pictures, self.workspace),
+            (_, pictures) => picture::figure(pictures, is_live, self.workspace),
         })
     }
 
-    /// The pictures of a paragraph of nothing but pictures.
+    /// The pictures of a paragraph of nothing but pictures, and whether it says
+    /// behind them, by `{{#live}}`, that they answer.
     fn pictures(
         &self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Vec<picture::Picture> {
+    ) -> (Vec<picture::Picture>, bool) {
         let mut pictures = vec![];
         let mut rest = self.text[range.clone()].to_string();
         for (event, inner) in events {
@@ -182,7 +184,9 @@ impl Draft<'_> {
                 rest = rest.replacen(markdown, "", 1);
             }
         }
-        if rest.trim().is_empty() { pictures } else { vec![] }
+        let is_live = rest.trim() == "{{#live}}";
+        let is_whole = is_live || rest.trim().is_empty();
+        (if is_whole { pictures } else { vec![] }, is_live)
     }
 
     /// Finds dollar signs that are no formula.
@@ -216,7 +220,8 @@ impl Draft<'_> {
             let end = text[at..].find("}}").map_or(text.len(), |end| at + end + 2);
             // In code, a minus stays a hyphen.
             let minus = if inside(&self.literal, at) { "-" } else { "−" };
-            match values::fill(&text[at..end], |value| value.replace('-', minus)) {
+            let filled = values::fill(&text[at..end], |v| v.replace('-', minus));
+            match filled.and_then(|text| number::fill(&text)) {
                 Ok(value) => self.edits.push((at..end, value)),
                 Err(what) => self.faults.push((at, what)),
             }

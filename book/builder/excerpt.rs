@@ -1,5 +1,5 @@
 use crate::files::{CHAPTERS, joined};
-use crate::markdown::escape;
+use live::escape;
 use std::fs;
 use std::ops::Range;
 use std::path::Path;

@@ -1,3 +1,4 @@
+use crate::number;
 use math_core::{LatexToMathML, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
@@ -9,11 +10,14 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
         ));
     }
     let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
-    let converted =
-        LatexToMathML::default().convert_with_local_state(latex, style).map_err(
-            |error| format!("the formula {} does not parse: {error}", latex.trim()),
-        )?;
-    let mathml = escape(&converted.mathml);
+    let mathml = number::in_formula(latex, |latex| {
+        let converted =
+            LatexToMathML::default().convert_with_local_state(latex, style);
+        converted.map(|converted| converted.mathml).map_err(|error| {
+            format!("the formula {} does not parse: {error}", latex.trim())
+        })
+    })?;
+    let mathml = escape(&mathml);
     Ok(if display {
         format!(r#"<span class="formula">{mathml}</span>"#)
     } else {

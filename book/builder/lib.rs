@@ -8,12 +8,14 @@ mod files;
 
 mod formula;
 mod markdown;
-mod svg;
+mod number;
 
 mod boxes;
+mod chain;
 mod excerpt;
-mod figures;
+mod figure;
 mod gallery;
+mod module;
 mod picture;
 mod values;
 

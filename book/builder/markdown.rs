@@ -1,4 +1,4 @@
-use crate::formula;
+use crate::{formula, number};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
 /// Markdown as mdBook reads it, with formulas.
@@ -34,15 +34,7 @@ pub fn inline(markdown: &str) -> Result<String, String> {
     if text.contains('$') {
         return Err("a lone $ in the caption".to_string());
     }
-    Ok(text.replace('\n', " "))
-}
-
-/// Escapes `text` for HTML, attributes included.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    number::fill(&text.replace('\n', " "))
 }
 
 /// The kind and the words of a directive such as `{{#figure ray}}`.

@@ -1,7 +1,9 @@
 use crate::files::{CHAPTERS, Files};
-use crate::gallery;
-use crate::markdown::{escape, inline};
+use crate::markdown::inline;
+use crate::module;
+use crate::{chain, gallery};
 use anyhow::{Context, Result};
+use live::{Live, escape};
 use std::fs;
 use std::path::Path;
 
@@ -28,6 +30,14 @@ impl Picture {
         Self { alt: alt.join(" "), source, caption }
     }
 
+    /// What answers where this picture is, of the name of its file.
+    fn live(&self) -> Result<&'static Live, String> {
+        let name =
+            Path::new(&self.source).file_stem().and_then(|name| name.to_str());
+        name.and_then(live::find)
+            .ok_or(format!("nothing answers for the picture {}", self.source))
+    }
+
     /// The picture alone, in its size; it loads when it comes into view.
     pub fn html(&self, workspace: &Path) -> Result<String, String> {
         let Self { alt, source, .. } = self;
@@ -48,19 +58,33 @@ impl Picture {
     }
 }
 
-/// A figure of the pictures of a paragraph, side by side if there are several.
-pub fn figure(pictures: &[Picture], workspace: &Path) -> Result<String, String> {
+/// A figure of the pictures of a paragraph, side by side if there are several. Where
+/// they answer, what is said of a pixel stands below each.
+pub fn figure(
+    pictures: &[Picture],
+    is_live: bool,
+    workspace: &Path,
+) -> Result<String, String> {
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
+        let (mut live, mut below) = Default::default();
+        if is_live {
+            let answers = picture.live()?;
+            live = format!(" data-live=\"{}\"", answers.name);
+            if answers.is_asked() {
+                below = chain::html(answers, workspace)?;
+            }
+        }
         let caption = match picture.caption.as_str() {
             "" => String::new(),
             markdown => {
                 format!("<figcaption>{}</figcaption>", inline(markdown)?)
             }
         };
-        figures +=
-            &format!("<figure class=\"picture\">{image}{caption}</figure>\n");
+        figures += &format!(
+            "<figure class=\"picture\"{live}>{image}{caption}</figure>\n{below}"
+        );
     }
     Ok(match pictures {
         [_] => figures,
@@ -77,7 +101,7 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 }
 
 /// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
-/// there, and removes pictures that are neither.
+/// there, adds the module for the pages, and removes what is neither.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -95,6 +119,7 @@ pub fn copy_snapshots(workspace: &Path) -> Result<()> {
         }
         names.push(name);
     }
+    names.push(module::write(workspace, &folder)?);
     for stale in old.keys().filter(|name| !names.contains(name)) {
         fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }

@@ -2,7 +2,7 @@
 
 use crate::draft::{Chapter, expand};
 use crate::files::CHAPTERS;
-use crate::{Files, figures, values};
+use crate::{Files, values};
 
 /// The workspace of these tests is this project itself.
 fn chapter(markdown: &str) -> Chapter {
@@ -137,7 +137,7 @@ fn a_picture_may_stand_right_after_a_formula() {
 
 /// Each figure and each value that no chapter uses.
 fn unused(chapters: &str) -> Vec<String> {
-    let figures = figures::names().map(|name| format!("{{{{#figure {name}}}}}"));
+    let figures = live::names().map(|name| format!("{{{{#figure {name}}}}}"));
     let values = values::names().map(|name| format!("{{{{#value {name}}}}}"));
     figures.chain(values).filter(|one| !chapters.contains(one)).collect()
 }

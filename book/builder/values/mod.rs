@@ -12,7 +12,6 @@ mod worked;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-pub use worked::{camera, roots};
 
 /// A number of a worked example, by name.
 type Value = (&'static str, fn() -> String);
@@ -46,6 +45,10 @@ pub fn fill(text: &str, write: impl Fn(&str) -> String) -> Result<String, String
     let first_line = rest.lines().next().unwrap_or_default();
     let (directive, after) =
         rest.split_once("}}").ok_or(format!("{{{{#{first_line} has no }}}}"))?;
+    if directive.starts_with("number ") {
+        // It moves, and is put in place where the formula is converted.
+        return Ok(format!("{before}{{{{#{directive}}}}}{}", fill(after, write)?));
+    }
     let Some(name) = directive.strip_prefix("value ").map(str::trim) else {
         return Err(match directive.split(' ').next().unwrap_or_default() {
             "include" => {

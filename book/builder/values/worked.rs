@@ -2,16 +2,11 @@
 
 use ::gallery::{Difference, Mistake, mistakes};
 use glam::DVec3;
+pub use live::{camera, discriminant, roots};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::f64::consts::FRAC_PI_3;
 use std::sync::LazyLock;
-use step02_sphere::{Roots, Sphere};
-use step05_phong::{Camera, Ray, picture};
-
-/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
-pub fn camera() -> Camera {
-    Camera::new(640, 360, FRAC_PI_3)
-}
+use step02_sphere::Sphere;
+use step05_phong::{Ray, picture};
 
 /// A ray along −z that starts at (x, 0, z).
 pub fn ahead(x: f64, z: f64) -> Ray {
@@ -36,21 +31,6 @@ pub fn counted(number: impl Fn(&Ray) -> usize + Sync) -> String {
 /// A length on the image plane, in pixels.
 pub fn pixels(length: f64) -> f64 {
     length / camera().matrix.x_axis.x
-}
-
-/// b² − 4ac of a ray and a sphere.
-pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
-    let (a, b, c) = sphere.coefficients(ray);
-    b * b - 4.0 * a * c
-}
-
-/// Both t, the same twice where the ray touches, NaN where it misses.
-pub fn roots(sphere: &Sphere, ray: &Ray) -> [f64; 2] {
-    match sphere.intersect(ray) {
-        Roots::None => [f64::NAN; 2],
-        Roots::One(t) => [t; 2],
-        Roots::Two(near, far) => [near, far],
-    }
 }
 
 /// Both t, with "and" between them.

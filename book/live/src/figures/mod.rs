@@ -1,4 +1,4 @@
-//! The figures: each is drawn by the step's own functions when the book is built.
+//! The figures: each is drawn by the step's own functions.
 
 mod aspect_ratios;
 mod attenuation;
@@ -12,7 +12,14 @@ mod ray;
 mod row;
 mod three_cases;
 
-use crate::markdown::inline;
+pub use attenuation::ATTENUATION;
+pub use hits::HITS;
+pub use lambert::LAMBERT;
+pub use lobes::LOBES;
+pub use ray::RAY;
+pub use row::ROW;
+pub use three_cases::THREE_CASES;
+
 use crate::svg::Drawing;
 
 /// A drawing, what it shows, and what to look at.
@@ -44,21 +51,12 @@ const FIGURES: [Named; 11] = [
 ];
 
 /// The name of every figure.
-#[cfg(test)]
 pub fn names() -> impl Iterator<Item = &'static str> {
     FIGURES.iter().map(|(name, _)| *name)
 }
 
-/// The HTML of the figure called `name`.
-pub fn html(name: &str) -> Result<String, String> {
-    let (_, figure) = FIGURES
-        .iter()
-        .find(|(known, _)| *known == name)
-        .ok_or(format!("there is no figure {name}"))?;
-    let Figure { title, caption, drawing } = figure();
-    Ok(format!(
-        "<figure class=\"drawing\" id=\"figure-{name}\">{}<figcaption>{}</figcaption></figure>\n",
-        drawing.html(title),
-        inline(caption)?
-    ))
+/// The figure called `name`.
+pub fn figure(name: &str) -> Option<Figure> {
+    let (_, figure) = FIGURES.iter().find(|(known, _)| *known == name)?;
+    Some(figure())
 }

@@ -1,10 +1,44 @@
 use super::Figure;
+use crate::live::{Knob, Live, Sight, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use step04_diffuse::{Attenuation, WARM};
 
-/// What is left of a light at each distance, for several a, b and c.
-pub fn figure() -> Figure {
+/// What is left of a light at each distance, for an a, b and c that its reader sets.
+pub const ATTENUATION: Live = Live {
+    name: "attenuation",
+    knobs: &[
+        Knob::new(["a", "of your curve", ""], WARM.attenuation.a, [0.1, 2.0], 20.0),
+        Knob::new(
+            ["b", "of your curve", ""],
+            WARM.attenuation.b,
+            [0.0, 1.0],
+            100.0,
+        ),
+        Knob::new(
+            ["c", "of your curve", ""],
+            WARM.attenuation.c,
+            [0.0, 0.5],
+            200.0,
+        ),
+    ],
+    handles: &[],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(&chosen(values))),
+    numbers: |values| vec![("share".into(), number(share(&chosen(values), 6.0)))],
+};
+
+fn chosen(values: &[f64]) -> Attenuation {
+    Attenuation { a: values[0], b: values[1], c: values[2] }
+}
+
+/// What is left at the distance `d`, as a share of what it is at 0.
+fn share(attenuation: &Attenuation, d: f64) -> f64 {
+    attenuation.at(0.0) / attenuation.at(d)
+}
+
+/// Four curves, the last of which is `chosen`.
+fn draw(chosen: &Attenuation) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.25, 0.5, 0.75, 1.0] {
@@ -22,15 +56,22 @@ pub fn figure() -> Figure {
     drawing.arrow("axis", view.origin, view.xy(14.4, 0.0));
     drawing.arrow("axis", view.origin, view.xy(0.0, 1.14));
     let fading = |b, c| Attenuation { a: 1.0, b, c };
+    let is_warm = *chosen == WARM.attenuation;
+    // Beside its curve, or where every curve begins.
+    let (name, at, shift) = if is_warm {
+        ("the warm light", 7.4, -12.0)
+    } else {
+        ("your curve", 0.0, -8.0)
+    };
     let curves = [
         (fading(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
         (fading(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
         (fading(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
-        (WARM.attenuation, 7.4, -12.0, "the warm light"),
+        (*chosen, at, shift, name),
     ];
     for (k, (attenuation, d, shift, text)) in curves.into_iter().enumerate() {
         let class = &format!("curve curve-{}", k + 1);
-        let share = |d: f64| attenuation.at(0.0) / attenuation.at(d);
+        let share = |d: f64| share(&attenuation, d);
         let points: Vec<DVec2> = (0..=100)
             .map(|k| f64::from(k) * 0.14)
             .map(|d| view.xy(d, share(d)))
@@ -40,11 +81,16 @@ pub fn figure() -> Figure {
         drawing.label_from(class, at, text);
     }
     drawing.label("", view.xy(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
+    drawing
+}
+
+/// What is left of a light at each distance, for several a, b and c.
+pub fn figure() -> Figure {
     Figure {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
                   alone it never fades. $b$ takes most of it near the light, $c$ takes little there and \
-                  most of it far away. The warm light of this step has some of each.",
-        drawing,
+                  most of it far away. The warm light of this step has some of each; at $d = 6$ it has {{#number attenuation:share}} left.",
+        drawing: draw(&WARM.attenuation),
     }
 }

@@ -1,4 +1,3 @@
-use crate::markdown::escape;
 use glam::{DVec2, dvec2};
 use std::fmt::Write;
 
@@ -6,7 +5,7 @@ use std::fmt::Write;
 ///
 /// Every element has a class; what it looks like, in light and in dark, is the
 /// theme's business.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Drawing {
     size: DVec2,
     body: String,
@@ -125,6 +124,11 @@ impl Drawing {
         );
     }
 
+    /// Everything that was drawn, as the children of an element of SVG.
+    pub fn body(&self) -> &str {
+        &self.body
+    }
+
     /// The drawing as an element of HTML, with a `title` for those who can't see
     /// it.
     pub fn html(&self, title: &str) -> String {
@@ -169,7 +173,7 @@ fn symbol(text: &str) -> String {
 
 /// The italic letter of mathematics for a Latin or small Greek letter; others stay
 /// as they are.
-fn italic(c: char) -> char {
+pub(crate) fn italic(c: char) -> char {
     let shifted =
         |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {
@@ -181,4 +185,12 @@ fn italic(c: char) -> char {
         _ => None,
     };
     letter.unwrap_or(c)
+}
+
+/// Escapes `text` for HTML, attributes included.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }

@@ -1,17 +1,51 @@
 use super::Figure;
+use crate::live::{Handle, Knob, Live, Sight};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
 
+/// The lobes of several exponents, one of which its reader sets, and the light.
+pub const LOBES: Live = Live {
+    name: "lobes",
+    knobs: &[
+        Knob::new(["n", "of the narrowest lobe", ""], 150.0, [1.0, 300.0], 1.0),
+        Knob::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
+    ],
+    handles: &[Handle {
+        words: "the light l",
+        knobs: [1, 1],
+        at: |values| {
+            let r = reflected(values);
+            VIEW.at(0.85 * dvec2(-r.x, r.y))
+        },
+        drag: |values, to| {
+            let l = (to - VIEW.origin) * dvec2(-1.0, -1.0);
+            values[1] = l.x.atan2(l.y).to_degrees();
+        },
+        is_down: false,
+        is_asking: false,
+    }],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(values)),
+    numbers: |_| vec![],
+};
+
+const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
+
+/// The unit vector r, as far from the normal as the light on its other side.
+fn reflected(values: &[f64]) -> DVec2 {
+    DVec2::from_angle((90.0 - values[1]).to_radians())
+}
+
 /// max(r·v, 0)ⁿ for several n: as far from the point as it is bright, towards every
 /// v.
-pub fn figure() -> Figure {
-    let view = View { origin: dvec2(176.0, 258.0), scale: DVec2::splat(222.0) };
-    let r = DVec2::from_angle(FRAC_PI_4);
+fn draw(values: &[f64]) -> Drawing {
+    let (view, r) = (VIEW, reflected(values));
+    let last = values[0] as i32;
     let mut drawing = Drawing::new(480.0, 300.0);
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    for (k, n) in [1, 10, 40, 150].into_iter().enumerate() {
+    for (k, n) in [1, 10, 40, last].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
             .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
             .map(|v| view.at(highlight(r, v, n) * v))
@@ -27,9 +61,10 @@ pub fn figure() -> Figure {
     drawing.label("strong", view.at(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
     drawing.label_from("strong", view.at(1.12 * r) + dvec2(6.0, -2.0), "$r$");
     for (n, angle, y) in
-        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (150, 0.7, 118.0)]
+        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (last, 0.7, 118.0)]
     {
-        let v = DVec2::from_angle(angle);
+        // Beside r, on the side of the numbers, and above the ground.
+        let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let at = view.at(highlight(r, v, n) * v);
         let end = dvec2(418.0, y);
         drawing.line("leader", at, end - dvec2(5.0, 5.0));
@@ -38,12 +73,17 @@ pub fn figure() -> Figure {
     drawing.label_from("quiet", dvec2(418.0, 90.0), "$n$ =");
     let half = view.origin + dvec2(-111.0, 22.0);
     drawing.label("quiet", half, "one half");
+    drawing
+}
+
+/// The lobes as they are printed.
+pub fn figure() -> Figure {
     Figure {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
                   highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half.",
-        drawing,
+        drawing: draw(&LOBES.values()),
     }
 }
 

@@ -1,6 +1,6 @@
 use super::Figure;
+use crate::camera;
 use crate::svg::{Drawing, View};
-use crate::values::camera;
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{WARM, objects, reflect, seen};
 

@@ -1,0 +1,141 @@
+// Moves everything live in the built book, by pointer and by keys: it has to change, and reset
+// has to bring back what is printed, to the pixel. Prints the median time of a frame, from the
+// gesture to the pixels; nothing fails on time.
+//
+//     node live.mjs FOLDER          (CHROMIUM names the browser)
+import { chromium } from 'playwright-core';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const folder = resolve(process.argv[2]);
+const home = pathToFileURL(folder).href + '/';
+const pages = readdirSync(folder).filter(name => name.endsWith('.html') && name !== 'print.html'
+  && readFileSync(join(folder, name), 'utf8').includes('data-live='));
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM,
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'],
+});
+const faults = [];
+const frames = tab => tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+async function tryOut(tab, figure, where, source) {
+  const fault = what => faults.push(`${where}: ${what}`);
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(tab.locator('[data-ready]')).waitFor({ timeout: 10000 });
+  await frames(tab);
+  // Everything that is to be seen of it: shapes and pixels, numbers and handles.
+  const state = () => figure.evaluate(figure => {
+    const canvas = figure.querySelector('canvas');
+    const picture = canvas ? canvas.toDataURL() : figure.querySelector('svg').innerHTML;
+    const handles = [...figure.querySelectorAll('.handle')].map(one => one.style.cssText + one.ariaValueText);
+    return JSON.stringify([picture, handles, figure.querySelector('figcaption')?.textContent]);
+  });
+  const printed = await state();
+  if (source) {
+    const png = readFileSync(join(folder, source)).toString('base64');
+    const same = await figure.evaluate(async (figure, png) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${png}`;
+      await image.decode();
+      const canvas = figure.querySelector('canvas');
+      const locked = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      locked.drawImage(image, 0, 0);
+      const [a, b] = [locked, canvas.getContext('2d')].map(c => c.getImageData(0, 0, image.width, image.height).data);
+      return canvas.width === image.width && a.every((byte, k) => byte === b[k]);
+    }, png);
+    if (!same) fault('is not the locked picture');
+  }
+  const reset = figure.locator('.reset');
+  const moved = async how => {
+    await frames(tab);
+    if (await state() === printed) fault(`does not change by ${how}`);
+    if (await reset.isDisabled()) return;
+    await reset.click();
+    await frames(tab);
+    if (await state() !== printed) fault(`reset does not undo ${how}`);
+  };
+  const grips = figure.locator('.handle');
+  for (let k = 0; k < await grips.count(); k += 1) {
+    const grip = grips.nth(k);
+    const name = await grip.getAttribute('aria-label');
+    await grip.scrollIntoViewIfNeeded();
+    const box = await grip.boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await tab.mouse.move(x, y);
+    await tab.mouse.down();
+    await tab.mouse.move(x + 17, y - 23, { steps: 4 });
+    await tab.mouse.up();
+    await moved(`dragging ${name}`);
+    for (const key of ['ArrowLeft', 'ArrowUp']) {
+      await grip.focus();
+      await tab.keyboard.press(key);
+      await moved(`${key} on ${name}`);
+    }
+  }
+  const knobs = figure.locator('.knobs input');
+  for (let k = 0; k < await knobs.count(); k += 1) {
+    const knob = knobs.nth(k);
+    await knob.scrollIntoViewIfNeeded();
+    const box = await knob.boundingBox();
+    await tab.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
+    await moved(`pressing knob ${k}`);
+    await knob.focus();
+    await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
+    await moved(`a key on knob ${k}`);
+  }
+  // Frames: from a gesture until what it drew can be read. None waits for the screen.
+  const median = await figure.evaluate(async figure => {
+    const grip = figure.querySelector('.handle') ?? figure.querySelector('input[type=range]');
+    const [canvas, svg] = [figure.querySelector('canvas'), figure.querySelector('svg')];
+    const gesture = k => {
+      if (grip.matches('.handle')) {
+        const key = k % 2 ? 'ArrowLeft' : 'ArrowRight';
+        return grip.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+      }
+      grip.value = Number(grip.value) + (k % 2 ? 1 : -1);
+      return grip.dispatchEvent(new Event('input', { bubbles: true }));
+    };
+    const { requestAnimationFrame } = window;
+    const times = [];
+    for (let k = 0; k < 60; k += 1) {
+      window.requestAnimationFrame = draw => draw();
+      const start = performance.now();
+      gesture(k);
+      if (canvas) canvas.getContext('2d').getImageData(0, 0, 1, 1);
+      else svg.getBoundingClientRect();
+      times.push(performance.now() - start);
+      window.requestAnimationFrame = requestAnimationFrame;
+      await new Promise(done => requestAnimationFrame(done));
+    }
+    return times.sort((a, b) => a - b)[30];
+  });
+  if (!await reset.isDisabled()) await reset.click();
+  console.log(`${where}: ${median.toFixed(1)} ms a frame`);
+}
+
+for (const page of pages) {
+  const html = readFileSync(join(folder, page), 'utf8');
+  for (const width of [1280, 390]) {
+    const context = await browser.newContext({ viewport: { width, height: 900 } });
+    const tab = await context.newPage();
+    tab.on('pageerror', error => faults.push(`${page} (${width} px): ${error}`));
+    tab.on('request', request => {
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(home)) faults.push(`${page} asks for ${request.url()}`);
+    });
+    await tab.goto(home + page, { waitUntil: 'load' });
+    const figures = tab.locator('figure[data-live]');
+    for (let k = 0; k < await figures.count(); k += 1) {
+      const figure = figures.nth(k);
+      const where = `${page} ${await figure.getAttribute('data-live')} (${width} px)`;
+      const name = await figure.getAttribute('data-live');
+      const source = html.match(`data-live="${name}"><img src="([^"]*)"`)?.[1];
+      await tryOut(tab, figure, where, source).catch(error => faults.push(`${where}: ${error}`));
+    }
+    await context.close();
+  }
+}
+await browser.close();
+faults.forEach(what => console.log(what));
+console.log(`${pages.length} pages, ${faults.length} faults`);
+process.exit(faults.length ? 1 : 0);

@@ -1,0 +1,45 @@
+use anyhow::{Context, Result};
+use std::fs;
+use std::path::Path;
+
+/// The file of the script that holds the module.
+const NAME: &str = "live-module.js";
+
+/// Writes what answers in the pages into `folder`, as a script: a page that was opened
+/// from the file system may load scripts, and nothing else. Returns its name.
+pub fn write(workspace: &Path, folder: &Path) -> Result<String> {
+    let module = workspace.join("book/live/live.wasm");
+    let bytes = fs::read(&module)
+        .with_context(|| format!("{} can't be read", module.display()))?;
+    let script = format!("liveModule(\"{}\");\n", base64(&bytes));
+    let path = folder.join(NAME);
+    if fs::read_to_string(&path).ok().as_ref() != Some(&script) {
+        fs::write(path, script).context(NAME)?;
+    }
+    Ok(NAME.to_string())
+}
+
+/// Bytes as letters: three of the ones make four of the others.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] =
+        b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |k| u32::from(three.get(k).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for k in 0..4 {
+            let letter = LETTERS[(bits >> (18 - 6 * k) & 63) as usize] as char;
+            text.push(if k <= three.len() { letter } else { '=' });
+        }
+    }
+    text
+}
+
+#[test]
+fn bytes_are_letters() {
+    for (bytes, text) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v")]
+    {
+        assert_eq!(base64(bytes.as_bytes()), text);
+    }
+    assert_eq!(base64(&[0, 255, 190, 62]), "AP++Pg==");
+}

@@ -1,0 +1,119 @@
+use crate::json::{self, Json};
+use crate::{Live, Sight, find};
+use glam::dvec2;
+
+/// What the module says to a request of the page.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answer {
+    /// JSON: what to put where, or what was wrong with the request.
+    pub text: String,
+    /// The pixels, where there is a picture.
+    pub pixels: Vec<u8>,
+}
+
+/// Answers a line such as `show row 7 60`.
+///
+/// - `about NAME`: its knobs and handles, and their values in the printed book.
+/// - `show NAME VALUES`: what it shows at these values.
+/// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
+/// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
+///
+/// A handle that asks leaves what is seen as it is, and nothing is drawn.
+pub fn answer(request: &str) -> Answer {
+    answered(request).unwrap_or_else(|| {
+        let what = format!("There is no answer to {request:?}.");
+        Answer { text: json::object([("error", what.into())]), pixels: vec![] }
+    })
+}
+
+fn answered(request: &str) -> Option<Answer> {
+    let mut words = request.split_whitespace();
+    let (verb, live) = (words.next()?, find(words.next()?)?);
+    let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
+    let numbers = numbers?;
+    if verb == "about" {
+        return Some(Answer { text: about(live), pixels: vec![] });
+    }
+    let (gesture, values) = if verb == "show" {
+        (&[][..], &numbers[..])
+    } else {
+        numbers.split_at_checked(3)?
+    };
+    let values = live.allowed(values.to_vec())?;
+    let (values, is_seen) = match (verb, gesture) {
+        ("show", _) => (values, true),
+        (_, &[handle, x, y]) if x.is_finite() && y.is_finite() => {
+            let handle = live.handles.get(handle as usize)?;
+            let values = match verb {
+                "drag" => live.drag(&values, handle, dvec2(x, y)),
+                "step" => live.step(&values, handle, dvec2(x, y)),
+                _ => return None,
+            };
+            (values, !handle.is_asking)
+        }
+        _ => return None,
+    };
+    Some(show(live, &values, is_seen))
+}
+
+/// What the page has to know before it can ask.
+fn about(live: &Live) -> String {
+    let knobs = live.knobs.iter().map(|knob| {
+        let [min, max] = knob.range;
+        let symbol: String = knob.symbol.chars().map(crate::svg::italic).collect();
+        let fields = [
+            ("symbol", symbol.into()),
+            ("words", knob.words.into()),
+            ("min", min.into()),
+            ("max", max.into()),
+            ("step", (1.0 / knob.steps).into()),
+            ("isFixed", Json::from(f64::from(u8::from(knob.is_fixed)))),
+            (
+                "isSwitch",
+                Json::from(f64::from(u8::from(knob.choices == ["off", "on"]))),
+            ),
+        ];
+        Json::raw(json::object(fields))
+    });
+    let handles = live.handles.iter().map(|handle| {
+        let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
+        let fields = [("words", handle.words.into()), ("knobs", Json::list(knobs))];
+        Json::raw(json::object(fields))
+    });
+    json::object([
+        ("knobs", Json::list(knobs)),
+        ("handles", Json::list(handles)),
+        ("values", Json::list(live.values().into_iter().map(Json::from))),
+    ])
+}
+
+/// The values and what belongs to them, with what there `is_seen` at them.
+fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
+    let texts = live.knobs.iter().zip(values);
+    let texts = texts.map(|(knob, value)| knob.text(*value).into());
+    let places = live.handles.iter().map(|handle| {
+        let at = (handle.at)(values);
+        Json::list(at.to_array().map(|x| Json::from((100.0 * x).round() / 100.0)))
+    });
+    let numbers =
+        (live.numbers)(values).into_iter().map(|(name, text)| (name, text.into()));
+    let mut fields = vec![
+        ("values", Json::list(values.iter().map(|value| Json::from(*value)))),
+        ("texts", Json::list(texts)),
+        ("places", Json::list(places)),
+        ("numbers", Json::raw(json::object(numbers))),
+    ];
+    let mut pixels = vec![];
+    match is_seen.then(|| (live.sight)(values)) {
+        None => {}
+        Some(Sight::Drawing(drawing)) => {
+            fields.push(("drawing", drawing.body().into()))
+        }
+        Some(Sight::Picture { size, pixels: drawn }) => {
+            let size = size.map(|side| Json::from(f64::from(side)));
+            fields.push(("size", Json::list(size)));
+            pixels = drawn;
+        }
+    }
+    Answer { text: json::object(fields), pixels }
+}

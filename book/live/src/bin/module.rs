@@ -1,0 +1,58 @@
+//! Compiles this crate for the browser and writes `book/live/live.wasm`, which is
+//! checked in: who builds the book needs no second target.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::{env, fs};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+fn main() -> ExitCode {
+    let Err(error) = run() else { return ExitCode::SUCCESS };
+    eprintln!("{error}");
+    ExitCode::FAILURE
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    if !has_target()? {
+        return Err(format!(
+            "Rust can't compile for the browser yet. Install what it needs, and try again:\n\n    \
+             rustup target add {TARGET}\n"
+        )
+        .into());
+    }
+    let folder = env::current_dir()?.join("target/module");
+    let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".into());
+    let status = Command::new(cargo)
+        .args(["rustc", "--package", "live", "--lib", "--release"])
+        .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
+        .arg(&folder)
+        .args(["--", "-C", "strip=symbols"])
+        .status()?;
+    if !status.success() {
+        return Err("the module does not compile".into());
+    }
+    let module = folder.join(TARGET).join("release/live.wasm");
+    let bytes = fs::copy(module, "book/live/live.wasm")?;
+    println!("book/live/live.wasm: {bytes} bytes");
+    Ok(())
+}
+
+/// Whether the compiler has a library for the target.
+fn has_target() -> Result<bool, Box<dyn Error>> {
+    let rustc = env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
+    let asked = Command::new(rustc)
+        .args(["--print", "target-libdir", "--target", TARGET])
+        .output()?;
+    let Ok(mut files) =
+        fs::read_dir(Path::new(str::from_utf8(&asked.stdout)?.trim()))
+    else {
+        return Ok(false);
+    };
+    Ok(files.any(|file| {
+        file.is_ok_and(|file| {
+            file.file_name().to_string_lossy().starts_with("libcore-")
+        })
+    }))
+}

@@ -1,0 +1,22 @@
+use std::f64::consts::FRAC_PI_3;
+use step02_sphere::{Camera, Ray, Roots, Sphere};
+
+/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
+pub fn camera() -> Camera {
+    Camera::new(640, 360, FRAC_PI_3)
+}
+
+/// Both t, the same twice where the ray touches, NaN where it misses.
+pub fn roots(sphere: &Sphere, ray: &Ray) -> [f64; 2] {
+    match sphere.intersect(ray) {
+        Roots::None => [f64::NAN; 2],
+        Roots::One(t) => [t; 2],
+        Roots::Two(near, far) => [near, far],
+    }
+}
+
+/// b² − 4ac of a ray and a sphere.
+pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
+    let (a, b, c) = sphere.coefficients(ray);
+    b * b - 4.0 * a * c
+}

@@ -1,0 +1,131 @@
+use super::Figure;
+use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::svg::Drawing;
+use glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::FRAC_PI_2;
+use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
+
+/// A beam of light that falls straight down, and one whose angle its reader sets.
+pub const LAMBERT: Live = Live {
+    name: "lambert",
+    knobs: &[Knob::new(["α", "angle of the light", "°"], 60.0, [0.0, 130.0], 1.0)],
+    handles: &[Handle {
+        words: "the light on the right",
+        knobs: [0, 0],
+        at: |values| {
+            let l = DVec2::from_angle(FRAC_PI_2 + values[0].to_radians());
+            GROUND + LENGTH * dvec2(l.x, -l.y)
+        },
+        drag: |values, to| {
+            let l = (to - GROUND) * dvec2(-1.0, -1.0);
+            // To the right of n, the angle is 0, or as large as it can be.
+            values[0] = match l.x.atan2(l.y).to_degrees() {
+                ..-90.0 => 130.0,
+                angle => angle.max(0.0),
+            };
+        },
+        is_down: false,
+        is_asking: false,
+    }],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(values[0])),
+    numbers: |_| vec![],
+};
+
+/// Where the light on the right falls.
+const GROUND: DVec2 = dvec2(352.0, 210.0);
+
+/// How long a beam is.
+const LENGTH: f64 = 165.0;
+
+/// One beam of light that falls straight down and at `degrees`, and the ground that
+/// it lights.
+fn draw(degrees: f64) -> Drawing {
+    let mut drawing = Drawing::new(480.0, 292.0);
+    for (x, degrees) in [(106.0, 0.0), (GROUND.x, degrees)] {
+        let angle = f64::to_radians(degrees);
+        let ground = dvec2(x, 210.0);
+        let l = dvec2(-angle.sin(), angle.cos());
+        let to_light = dvec2(l.x, -l.y);
+        let share = brightness(l);
+        let cosine = DVec2::Y.dot(l);
+        // The beam has one width; the strip it lights is wider by 1 / cos.
+        let half = 26.0 / cosine;
+        // A beam that is nearly level lights more ground than is drawn.
+        let edge = (92.0 / half.abs()).min(1.0);
+        let foot = |k: f64| ground + dvec2(k * half, 0.0);
+        // Across the beam, at a right angle to it.
+        let across = dvec2(-to_light.y, to_light.x);
+        let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
+        let corners = [foot(-edge), foot(edge), start(edge), start(-edge)];
+        drawing.area("beam", &corners);
+        for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            drawing.arrow("light", start(k * edge), foot(k * edge));
+        }
+        let side = dvec2(92.0, 0.0);
+        drawing.line("ground", ground - side, ground + side);
+        if 0.0 < share {
+            drawing.line("lit", foot(-edge), foot(edge));
+        }
+        drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
+        drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
+        let is_strip = edge == 1.0 && 0.0 < share;
+        if 0.0 < angle {
+            drawing.arc("angle", ground, 92.0, FRAC_PI_2, FRAC_PI_2 + angle);
+            drawing.label_to("", ground + dvec2(-30.0, -100.0), "$α$");
+        }
+        if 0.0 < angle && is_strip {
+            // The triangle whose leg is the beam's width and whose hypotenuse is
+            // the strip.
+            let corner = foot(-1.0);
+            drawing.line("vector", corner, corner + 52.0 * across);
+            drawing.arc("angle", corner, 24.0, 0.0, angle);
+            drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
+            let beyond = corner + 66.0 * across + dvec2(3.0, 3.0);
+            drawing.label("strong", beyond, "$w$");
+        } else if is_strip {
+            let top = start(0.0) + dvec2(0.0, 26.0);
+            drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
+            let beside = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
+            drawing.label("strong", beside, "$w$");
+        }
+        let [label, strip] = words(degrees, cosine, share);
+        // Where there is room: a light from below needs that below the ground.
+        let beside =
+            if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
+        drawing.label("", ground + beside, &label);
+        drawing.label("quiet", ground + beside + dvec2(0.0, 24.0), &strip);
+    }
+    drawing
+}
+
+/// The cosine, and what it makes of the light, in words.
+fn words(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
+    let short = |value: f64| number((value * 1e3).round() / 1e3);
+    let strip = if 0.0005 <= share {
+        format!("strip × {}", short(1.0 / share))
+    } else {
+        format!("max($n$·$l$, 0) = {}: no light", short(share))
+    };
+    [format!("$n$·$l$ = cos {degrees}° = {}", short(cosine)), strip]
+}
+
+/// One beam of light that falls straight down and at 60 degrees, and the ground
+/// that it lights.
+pub fn figure() -> Figure {
+    Figure {
+        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
+        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
+                  spread over twice the ground, so each point of it gets half: the cosine of the angle.",
+        drawing: draw(60.0),
+    }
+}
+
+/// What the step's own diffuse term makes of a white light from the direction `l`,
+/// n being up.
+fn brightness(l: DVec2) -> f64 {
+    let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
+    let light =
+        PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };
+    diffuse(DVec3::Y, l.extend(0.0), 1.0, &Surface::of(DVec3::ONE), &light).x
+}

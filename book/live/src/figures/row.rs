@@ -1,0 +1,115 @@
+use super::Figure;
+use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::svg::{Drawing, View};
+use glam::{DVec2, dvec2};
+use step01_rays::Row;
+
+/// The row of rays in 2D, with V_0 and D.
+pub const ROW: Live = Live {
+    name: "row",
+    knobs: &[
+        Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
+        Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
+    ],
+    handles: &[Handle {
+        words: "the tip of V0, which opens the field of view",
+        knobs: [1, 1],
+        at: |values| view(values).at(row(values).direction(0.0)),
+        drag: |values, to| {
+            let to = to - ORIGIN;
+            values[1] = 2.0 * f64::atan2(-to.x, -to.y).to_degrees();
+        },
+        is_down: false,
+        is_asking: false,
+    }],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(values)),
+    numbers: |values| {
+        let row = row(values);
+        vec![
+            ("hRes".into(), number(values[0])),
+            ("angle".into(), number(values[1])),
+            ("D".into(), number(row.matrix.x_axis.x)),
+            ("first".into(), number(row.matrix.y_axis.x)),
+        ]
+    },
+};
+
+/// Where in the drawing C is.
+const ORIGIN: DVec2 = dvec2(240.0, 282.0);
+
+fn row(values: &[f64]) -> Row {
+    Row::new(values[0] as u32, values[1].to_radians())
+}
+
+/// A wide row is drawn smaller.
+fn view(values: &[f64]) -> View {
+    let tan = row(values).direction(0.0).x.abs();
+    View { origin: ORIGIN, scale: DVec2::splat(205.0 * (0.84 / tan).min(1.0)) }
+}
+
+fn draw(values: &[f64]) -> Drawing {
+    let (row, view) = (row(values), view(values));
+    let last = values[0] as usize - 1;
+    let c = view.at(DVec2::ZERO);
+    let directions: Vec<DVec2> =
+        (0..=last).map(|i| row.direction(i as f64)).collect();
+    let mut drawing = Drawing::new(480.0, 320.0);
+    let side = (1.02 * directions[last].x).max(0.86);
+    drawing.line("plane", view.xy(-side, 1.0), view.xy(side, 1.0));
+    drawing.line("guide", c, view.xy(0.0, 1.0));
+    for &v in &directions[1..] {
+        drawing.line("ray faint", c, view.at(1.28 * v));
+    }
+    let v_0 = directions[0];
+    drawing.line("ray faint", view.at(v_0), view.at(1.28 * v_0));
+    for &v in &directions {
+        drawing.dot("ray", view.at(v));
+    }
+    drawing.arc("angle", c, 54.0, directions[last].to_angle(), v_0.to_angle());
+    drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
+    drawing.arrow("vector", c, view.at(v_0));
+    let step = |i: usize| [view.at(directions[i]), view.at(directions[i + 1])];
+    for i in 0..last.min(2) {
+        let [from, to] = step(i);
+        drawing.arrow("accent", from, to);
+    }
+    let [from, to] = step(last.min(2) - 1);
+    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
+    let middle = view.at(0.55 * v_0);
+    drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
+    let [from, to] = step(0);
+    let is_wide = 36.0 < to.x - from.x;
+    let named = (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && is_wide);
+    for i in named {
+        let end = view.at(1.28 * directions[i]);
+        let label = format!("$i$ = {i}");
+        drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
+    }
+    if values[1] <= 75.0 {
+        let right = view.xy(side, 1.0) + dvec2(-14.0, 20.0);
+        drawing.label_from("quiet", right, "image plane");
+    }
+    drawing.dot("eye", c);
+    drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
+    let (end, tan) = (directions[last], directions[last].x);
+    let corner = view.xy(tan, 0.0);
+    drawing.line("guide", view.at(end), corner);
+    drawing.line("guide", c, corner);
+    let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
+    drawing.label_from("quiet", side, "1");
+    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+    drawing.label("quiet", base, "tan $θ$/2");
+    drawing
+}
+
+/// The row as it is printed.
+pub fn figure() -> Figure {
+    Figure {
+        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
+        caption: "The row of rays for $\\mathit{hRes} = {{#number row:hRes}}$ and $\\theta = {{#number row:angle}}°$. Follow $V_0$ to the left end \
+                  of the image plane; from there, every step $D$ leads to the next ray. The dotted \
+                  lines on the right are the sides of the triangle that gives half of its length.",
+        drawing: draw(&ROW.values()),
+    }
+}

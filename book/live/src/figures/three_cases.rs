@@ -1,0 +1,152 @@
+use super::Figure;
+use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::svg::{Drawing, View};
+use crate::{discriminant, roots};
+use glam::{DVec2, DVec3, dvec2};
+use step02_sphere::{Ray, Sphere};
+
+/// Three rays and a circle, each above its parabola at² + bt + c.
+pub const THREE_CASES: Live = Live {
+    name: "three-cases",
+    knobs: &[
+        side("left start, sideways", -2.125, [-2.25, 1.875]),
+        side("left start, upwards", 1.375, [-1.5, 1.5]),
+        side("middle start, sideways", -2.125, [-2.25, 1.875]),
+        side("middle start, upwards", 1.0, [-1.5, 1.5]),
+        side("right start, sideways", -2.125, [-2.25, 1.875]),
+        side("right start, upwards", 0.4375, [-1.5, 1.5]),
+    ],
+    handles: &[
+        Handle {
+            words: "the start of the left ray",
+            knobs: [0, 1],
+            at: |values| place(values, 0),
+            drag: |values, to| drag(values, 0, to),
+            is_down: false,
+            is_asking: false,
+        },
+        Handle {
+            words: "the start of the middle ray",
+            knobs: [2, 3],
+            at: |values| place(values, 1),
+            drag: |values, to| drag(values, 1, to),
+            is_down: false,
+            is_asking: false,
+        },
+        Handle {
+            words: "the start of the right ray",
+            knobs: [4, 5],
+            at: |values| place(values, 2),
+            drag: |values, to| drag(values, 2, to),
+            is_down: false,
+            is_asking: false,
+        },
+    ],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(values)),
+    numbers: |_| vec![],
+};
+
+/// A coordinate in sixteenths: sums and products of these are exact, so a ray that
+/// touches does so to the last digit.
+const fn side(words: &'static str, value: f64, range: [f64; 2]) -> Knob {
+    Knob::new(["", words, ""], value, range, 16.0)
+}
+
+const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
+
+/// As far as a ray is drawn, to the left and to the right.
+const ENDS: [f64; 2] = [-2.125, 2.125];
+
+/// The map of a case's ray and circle.
+fn above(case: usize) -> View {
+    let x = 80.0 + 160.0 * case as f64;
+    View { origin: dvec2(x, 112.0), scale: DVec2::splat(33.0) }
+}
+
+fn ray(values: &[f64], case: usize) -> Ray {
+    let [x, y] = [values[2 * case], values[2 * case + 1]];
+    Ray { start: DVec3::new(x, y, 0.0), direction: DVec3::X }
+}
+
+/// Where in the drawing a case's ray starts.
+fn place(values: &[f64], case: usize) -> DVec2 {
+    above(case).at(ray(values, case).start.truncate())
+}
+
+/// Lets a case's ray start at a place in the drawing.
+fn drag(values: &mut [f64], case: usize, to: DVec2) {
+    let view = above(case);
+    let world = (to - view.origin) / view.scale * dvec2(1.0, -1.0);
+    values[2 * case..2 * case + 2].copy_from_slice(&world.to_array());
+}
+
+fn draw(values: &[f64]) -> Drawing {
+    let mut drawing = Drawing::new(480.0, 330.0);
+    for case in 0..3 {
+        draw_case(&mut drawing, &ray(values, case), case);
+    }
+    drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
+    drawing
+}
+
+/// What the discriminant says, and the roots.
+fn words(ray: &Ray) -> [String; 2] {
+    let d = discriminant(&SPHERE, ray);
+    let sign = match d {
+        0.0 => "",
+        ..0.0 => " < 0",
+        _ => " > 0",
+    };
+    let t = |t: f64| number((100.0 * t).round() / 100.0);
+    let count = match roots(&SPHERE, ray) {
+        [near, _] if near.is_nan() => "no root".to_string(),
+        [near, far] if near == far => format!("one root: {}", t(near)),
+        [near, far] => format!("two roots: {}, {}", t(near), t(far)),
+    };
+    [format!("$D$ = {}{sign}", t(d)), count]
+}
+
+fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
+    let above = above(case);
+    let x = above.origin.x;
+    // Straight below the ray: t = 0 is below its start.
+    let zero = dvec2(x + 33.0 * ray.start.x, 246.0);
+    let below = View { origin: zero, scale: dvec2(33.0, 17.0) };
+    let [first, last] = ENDS.map(|end| end - ray.start.x);
+    let on_ray = |t: f64| above.at(ray.at(t).truncate());
+    let [discriminant, count] = words(ray);
+    drawing.label("strong", dvec2(x, 20.0), &discriminant);
+    drawing.label("quiet", dvec2(x, 40.0), &count);
+    drawing.circle("object", above.origin, 33.0);
+    if first < 0.0 {
+        drawing.line("guide", on_ray(first), on_ray(0.0));
+    }
+    drawing.arrow("ray", on_ray(0.0), on_ray(last));
+    drawing.dot("eye", on_ray(0.0));
+    drawing.arrow("axis", below.xy(first - 0.1, 0.0), below.xy(last + 0.1, 0.0));
+    let (a, b, c) = SPHERE.coefficients(ray);
+    let curve: Vec<DVec2> = (0..=60)
+        .map(|k| first + (last - first) * f64::from(k) / 60.0)
+        .map(|t| below.xy(t, a * t * t + b * t + c))
+        .collect();
+    drawing.path("curve", &curve);
+    for t in roots(&SPHERE, ray).into_iter().filter(|t| !t.is_nan()) {
+        let class = if t <= 0.0 { "behind" } else { "hit" };
+        drawing.line("guide", on_ray(t), below.xy(t, 0.0));
+        drawing.dot(class, on_ray(t));
+        drawing.dot(class, below.xy(t, 0.0));
+    }
+    drawing.label("quiet", below.xy(last + 0.1, 0.0) + dvec2(-2.0, 18.0), "$t$");
+}
+
+/// A ray that misses, touches and enters a circle, each above the parabola at² + bt
+/// + c.
+pub fn figure() -> Figure {
+    Figure {
+        title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
+        caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \
+                  each root is its point. The discriminant says which case it is before any root is known.",
+        drawing: draw(&THREE_CASES.values()),
+    }
+}

@@ -1,0 +1,28 @@
+//! The pictures that answer, each drawn by its step.
+
+mod asked;
+mod step01;
+mod step02;
+mod step03;
+mod step04;
+mod step05;
+
+pub use step01::STEP01;
+pub use step02::STEP02;
+pub use step03::{OBJECTS, STEP03};
+pub use step04::STEP04;
+pub use step05::STEP05;
+
+use crate::Sight;
+use glam::DVec3;
+use step01_rays::{Camera, Ray, render};
+
+/// What `camera` sees, one ray a pixel.
+fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
+    let image = render(camera, 1, colour);
+    let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
+    for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
+        four[..3].copy_from_slice(&three.0);
+    }
+    Sight::Picture { size: image.dimensions().into(), pixels }
+}

@@ -1,0 +1,102 @@
+use super::step03::named;
+use super::step04::{LAMPS, lit, place};
+use super::{asked, picture};
+use crate::live::{Knob, Live, Numbers, number, vector};
+use glam::DVec3;
+use step05_phong::{
+    Light, Material, Phong, Point, Ray, Scene, direction_colour, nearest, reflect,
+    scene, seen, specular, terms,
+};
+
+const SWITCH: &[&str] = &["off", "on"];
+
+/// The picture of step 5, with each term to switch off, and a pixel to ask.
+pub const STEP05: Live = Live {
+    name: "step05_phong",
+    knobs: &[
+        asked::COLUMN,
+        asked::ROW,
+        Knob::choice("ambient", 1.0, SWITCH),
+        Knob::choice("diffuse", 1.0, SWITCH),
+        Knob::choice("specular", 1.0, SWITCH),
+        asked::COLUMNS,
+    ],
+    handles: &[asked::PIXEL],
+    is_allowed: |values| asked::camera(values[5]).is_ok(),
+    sight: |values| {
+        let scene = scene();
+        picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
+    },
+    numbers: |values| chain(&scene(), values),
+};
+
+/// The terms that are switched on; the others are 0.
+fn switched(terms: &Phong, values: &[f64]) -> Phong {
+    Phong {
+        ambient: values[2] * terms.ambient,
+        diffuse: values[3] * terms.diffuse,
+        specular: values[4] * terms.specular,
+    }
+}
+
+/// The colour that `ray` sees in the light of these terms.
+fn shown(scene: &Scene<Material, Light>, values: &[f64], ray: &Ray) -> DVec3 {
+    match terms(scene, ray) {
+        Some(terms) => switched(&terms, values).sum(),
+        None => direction_colour(ray),
+    }
+}
+
+/// Everything on the way from a pixel to its three bytes.
+fn chain(scene: &Scene<Material, Light>, values: &[f64]) -> Numbers {
+    let ray = asked::ray(values);
+    let spheres = scene.objects.iter().map(|object| &object.sphere);
+    let mut chain = asked::from_pixel(values, spheres);
+    let hit = nearest(&scene.objects, &ray);
+    chain.extend(asked::met(hit.map(|hit| named(&scene.objects, hit)), &ray));
+    if let Some(point) = seen(&scene.objects, &ray) {
+        chain.extend(shading(scene, &ray, &point));
+    }
+    if let Some(terms) = terms(scene, &ray) {
+        let terms = switched(&terms, values);
+        let terms = [
+            ("ambient", terms.ambient),
+            ("diffuse", terms.diffuse),
+            ("specular", terms.specular),
+            ("sum", terms.sum()),
+        ];
+        let texts = terms.map(|(name, term)| (name, vector(&term.to_array())));
+        chain.extend(texts.map(|(name, text)| (name.into(), text)));
+    }
+    chain.push(asked::bytes(&ray, |ray| shown(scene, values, ray)));
+    chain
+}
+
+/// From the point that a ray sees to what each lamp adds.
+fn shading(
+    scene: &Scene<Material, Light>,
+    ray: &Ray,
+    point: &Point<Material>,
+) -> Numbers {
+    let Point { p, n, material } = *point;
+    let v = -ray.direction.normalize();
+    let mut all = place(point);
+    all.push(("v".into(), vector(&v.to_array())));
+    all.push(("shininess".into(), material.shininess.to_string()));
+    for (light, lamp) in scene.lights.iter().zip(LAMPS) {
+        all.extend(lit(point, &material.surface, &light.point, lamp));
+        let (l, d) = light.point.seen_from(p);
+        let r = reflect(l, n);
+        let i_s = specular(r, v, d, material, light);
+        let i_s = if 0.0 < n.dot(l) { i_s } else { DVec3::ZERO };
+        let power = r.dot(v).max(0.0).powi(material.shininess);
+        let numbers = [
+            ("r", vector(&r.to_array())),
+            ("rv", number(r.dot(v))),
+            ("power", number(power)),
+            ("specular", vector(&i_s.to_array())),
+        ];
+        all.extend(numbers.map(|(name, text)| (format!("{name} {lamp}"), text)));
+    }
+    all
+}

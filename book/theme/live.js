@@ -1,0 +1,218 @@
+"use strict";
+
+// What answers in this page. Gestures become requests to the module, which is the code of the
+// five crates; its answers are put in place. Nothing about rays is computed here.
+
+// The module, once the script that holds it has come.
+const liveModule = (() => {
+    let come;
+    const bytes = new Promise(resolve => { come = resolve; });
+    const ready = bytes.then(async base64 => {
+        const binary = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+        return (await WebAssembly.instantiate(binary)).instance.exports;
+    });
+    const receive = base64 => come(base64);
+    receive.ready = ready;
+    return receive;
+})();
+
+// Asks the module; its answer, with pixels where there is a picture.
+function ask(module, request) {
+    const words = new TextEncoder().encode(request);
+    const at = module.live_request(words.length);
+    new Uint8Array(module.memory.buffer, at, words.length).set(words);
+    module.live_answer();
+    const bytes = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
+    const text = new TextDecoder().decode(bytes(module.live_text(), module.live_text_length()));
+    const answer = JSON.parse(text);
+    if (answer.size) answer.pixels = bytes(module.live_pixels(), module.live_pixels_length());
+    return answer;
+}
+
+const make = (tag, attributes, ...children) => {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+};
+
+// Makes one figure answer.
+function liven(figure, module) {
+    const name = figure.dataset.live;
+    const about = ask(module, `about ${name}`);
+    let values = about.values;
+
+    // The stage: the drawing or the picture, and above it the handles.
+    const still = figure.querySelector("svg, img");
+    const stage = make("div", { class: "stage" });
+    still.replaceWith(stage);
+    const size = still.tagName === "IMG"
+        ? [Number(still.getAttribute("width")), Number(still.getAttribute("height"))]
+        : [still.viewBox.baseVal.width, still.viewBox.baseVal.height];
+    let sight = still;
+    let drawn;
+    if (still.tagName === "IMG") {
+        sight = make("canvas", { role: "img", "aria-label": still.alt, width: size[0], height: size[1] });
+        stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
+    } else {
+        drawn = document.createElementNS("http://www.w3.org/2000/svg", "g");
+        drawn.append(...[...still.childNodes].filter(node => node.nodeName !== "title"));
+        still.append(drawn);
+    }
+    stage.append(sight);
+
+    // What waits to be asked: of each thing that is moved, only the last gesture before a frame counts.
+    const waiting = new Map();
+    const later = (what, request) => {
+        if (waiting.size === 0) {
+            requestAnimationFrame(() => {
+                const requests = [...waiting.values()];
+                waiting.clear();
+                requests.forEach(last => show(ask(module, last())));
+            });
+        }
+        waiting.set(what, request);
+    };
+    const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
+
+    // Ranges and switches, for what no handle turns.
+    const turned = new Set(about.handles.flatMap(handle => handle.knobs));
+    const controls = make("div", { class: "knobs" });
+    const knobs = about.knobs.map((knob, k) => {
+        if (turned.has(k) || knob.isFixed) return null;
+        const input = make("input", knob.isSwitch
+            ? { type: "checkbox" }
+            : { type: "range", min: knob.min, max: knob.max, step: knob.step });
+        const output = make("output", {});
+        const symbol = make("span", { class: "symbol", "aria-hidden": "true" }, knob.symbol);
+        const label = make("label", { class: knob.isSwitch ? "switch" : "range" },
+            make("span", {}, symbol, knob.symbol ? " " : "", knob.words), input, output);
+        input.addEventListener("input", () => {
+            values = values.with(k, knob.isSwitch ? Number(input.checked) : input.valueAsNumber);
+            later("show", () => request("show"));
+        });
+        controls.append(label);
+        return { input, output, isSwitch: knob.isSwitch };
+    });
+
+    // Handles: pointer, finger and arrow keys.
+    const place = event => {
+        const box = sight.getBoundingClientRect();
+        return [(event.clientX - box.left) / box.width * size[0], (event.clientY - box.top) / box.height * size[1]];
+    };
+    const handles = about.handles.map((handle, k) => {
+        const [across, up] = handle.knobs;
+        const grip = make("span", {
+            class: across === up ? "handle" : "handle free", role: "slider", tabindex: 0, "aria-label": handle.words,
+            "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
+        });
+        let offset = null;
+        grip.addEventListener("pointerdown", event => {
+            if (event.button !== 0 || event.ctrlKey) return;
+            grip.setPointerCapture(event.pointerId);
+            reveal();
+            const [x, y] = place(event);
+            offset = [grip.at[0] - x, grip.at[1] - y];
+            grip.classList.add("held");
+        });
+        grip.addEventListener("pointermove", event => {
+            if (!offset) return;
+            const [x, y] = place(event);
+            const [dx, dy] = offset;
+            later(k, () => request("drag", k, x + dx, y + dy));
+        });
+        for (const end of ["pointerup", "pointercancel"]) {
+            grip.addEventListener(end, () => { offset = null; grip.classList.remove("held"); });
+        }
+        for (const unwanted of ["touchstart", "dragstart"]) {
+            grip.addEventListener(unwanted, event => event.preventDefault());
+        }
+        grip.addEventListener("keydown", event => {
+            const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+            if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+            event.preventDefault();
+            reveal();
+            const far = event.shiftKey ? 10 : 1;
+            // Keys follow each other faster than frames: none is lost.
+            show(ask(module, request("step", k, far * step[0], far * step[1])));
+        });
+        stage.append(grip);
+        return grip;
+    });
+    // A press beside the only handle of a picture brings it there.
+    if (handles.length === 1 && sight.tagName === "CANVAS") {
+        sight.classList.add("asked-by-press");
+        sight.addEventListener("click", event => {
+            reveal();
+            later(0, () => request("drag", 0, ...place(event)));
+            handles[0].focus({ preventScroll: true });
+        });
+        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or use the arrow keys, to ask another pixel."));
+    }
+
+    const reset = make("button", { type: "button", class: "reset" }, "Reset");
+    reset.addEventListener("click", () => { values = about.values; show(ask(module, request("show"))); });
+    controls.append(reset);
+    stage.after(controls);
+
+    const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
+    const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+    const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
+
+    function show(answer) {
+        if (answer.error) return;
+        values = answer.values;
+        if (answer.size) {
+            const [width, height] = answer.size;
+            if (sight.width !== width || sight.height !== height) Object.assign(sight, { width, height });
+            sight.getContext("2d").putImageData(new ImageData(answer.pixels, width, height), 0, 0);
+        } else if (answer.drawing !== undefined) {
+            drawn.innerHTML = answer.drawing;
+        }
+        knobs.forEach((knob, k) => {
+            if (!knob) return;
+            if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
+            knob.input.value = values[k];
+            knob.input.setAttribute("aria-valuetext", answer.texts[k]);
+            knob.output.textContent = answer.texts[k];
+        });
+        handles.forEach((grip, k) => {
+            const turns = [...new Set(about.handles[k].knobs)];
+            grip.at = answer.places[k];
+            grip.style.left = `${grip.at[0] / size[0] * 100}%`;
+            grip.style.top = `${grip.at[1] / size[1] * 100}%`;
+            grip.setAttribute("aria-valuenow", values[turns[0]]);
+            grip.setAttribute("aria-valuetext", turns.map(knob => answer.texts[knob]).join(", "));
+        });
+        // A number that there is not here is left empty, and what speaks of it is hidden.
+        const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
+        for (const number of numbers) number.textContent = told(number.dataset.number);
+        for (const part of spoken) part.hidden = told(part.dataset.when) === "";
+        reset.disabled = values.every((value, k) => value === about.values[k]);
+    }
+    // What is said of a pixel comes when the first is asked.
+    function reveal() {
+        if (!follow.some(part => part.hidden)) return;
+        follow.forEach(part => { part.hidden = false; });
+        dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
+    }
+    show(ask(module, request("show")));
+    // On paper, everything is as printed.
+    addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
+    figure.dataset.ready = "";
+}
+
+// What is live is made so when it comes into view; only then is the module loaded.
+{
+    const seen = new IntersectionObserver(async entries => {
+        for (const { isIntersecting, target } of entries) {
+            if (!isIntersecting) continue;
+            seen.unobserve(target);
+            if (!document.querySelector("script[data-module]")) {
+                document.head.append(make("script", { src: `${path_to_root}pictures/live-module.js`, "data-module": "" }));
+            }
+            liven(target, await liveModule.ready);
+        }
+    }, { rootMargin: "200px" });
+    document.querySelectorAll("figure[data-live]").forEach(figure => seen.observe(figure));
+}

@@ -1,0 +1,149 @@
+//! The module that the pages load says what this project says: to every request, the
+//! same text and the same pixels.
+
+mod module;
+
+use live::{Knob, LIVE, Live};
+use module::Module;
+use proptest::prelude::Strategy;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::fs;
+
+/// What mends a module that is not ours.
+const MEND: &str = "book/live/live.wasm is not what book/live says: `cargo run -p live \
+                    --bin module` compiles it anew";
+
+/// Our module, as it is checked in.
+fn ours() -> Module {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/live.wasm");
+    Module::new(&fs::read(path).expect("the module can be read"))
+}
+
+/// How the module answers a request otherwise than we do.
+fn fault(module: &mut Module, request: &str) -> Option<String> {
+    let ours = live::answer(request);
+    let theirs = module.answer(request).unwrap_or_default();
+    if ours == theirs {
+        return None;
+    }
+    let mut both = ours.text.chars().zip(theirs.text.chars());
+    let same = both.by_ref().take_while(|(our, their)| our == their).count();
+    let part = |text: &str| text.chars().skip(same).take(40).collect::<String>();
+    let (our, their) = (part(&ours.text), part(&theirs.text));
+    Some(format!("To {request:?} it says “…{their}…” for “…{our}…”. {MEND}"))
+}
+
+/// Fails unless the module answers a request as we do.
+#[track_caller]
+fn assert_same(module: &mut Module, request: &str) {
+    assert_eq!(fault(module, request), None);
+}
+
+fn words(values: &[f64]) -> String {
+    values.iter().map(|value| format!(" {value}")).collect()
+}
+
+/// The values of the printed book, but for the size of a picture: every pixel goes the
+/// same way, and a browser compares all of them with the locked ones.
+fn printed(live: &Live) -> Vec<f64> {
+    let value =
+        |knob: &Knob| if knob.words == "columns" { 64.0 } else { knob.value };
+    live.knobs.iter().map(value).collect()
+}
+
+#[test]
+fn the_module_says_what_we_say_as_printed() {
+    let mut module = ours();
+    for live in LIVE {
+        assert_same(&mut module, &format!("about {}", live.name));
+        assert_same(
+            &mut module,
+            &format!("show {}{}", live.name, words(&printed(live))),
+        );
+    }
+}
+
+/// Values anywhere in and around what is allowed; a picture is small.
+fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
+    let ranges = live.knobs.iter().map(|knob| {
+        let [min, max] = knob.range;
+        let max = if knob.words == "columns" { 16.0 } else { max };
+        min - 1.0..max + 1.0
+    });
+    ranges.collect::<Vec<_>>()
+}
+
+/// How often to try each.
+const CASES: u32 = 2;
+
+/// Shows something, drags a handle of it and steps one.
+fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
+    let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);
+    (values(live), place).prop_map(|(values, (x, y, dx, dy))| {
+        let (name, values) = (live.name, words(&values));
+        let mut requests = vec![format!("show {name}{values}")];
+        for handle in 0..live.handles.len() {
+            requests.push(format!("drag {name} {handle} {x} {y}{values}"));
+            requests.push(format!("step {name} {handle} {dx} {dy}{values}"));
+        }
+        requests
+    })
+}
+
+#[test]
+fn the_module_says_what_we_say_at_random() {
+    let mut module = ours();
+    for live in LIVE {
+        // The same numbers each time: a platform's own tangent may differ from that
+        // of the module in the last place.
+        let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+        let config = Config { failure_persistence: None, ..Config::default() };
+        let mut runner = TestRunner::new_with_rng(config, rng);
+        for _ in 0..CASES {
+            let tree = requests(live).new_tree(&mut runner).expect("requests");
+            for request in tree.current() {
+                assert_same(&mut module, &request);
+            }
+        }
+    }
+}
+
+#[test]
+fn nonsense_gets_a_sentence() {
+    let mut module = ours();
+    for request in [
+        "",
+        "show",
+        "show nowhere",
+        "about nowhere",
+        "show row",
+        "show row 7",
+        "drag row 0 1",
+        "show row 7 sixty",
+        "show row 7 NaN",
+        "drag row 5 0 0 7 60",
+        "drag row 0 inf 0 7 60",
+        "show ray 0 0 0 0 1",
+        "turn row 0 0 0 7 60",
+        "é",
+    ] {
+        let answer = live::answer(request);
+        assert!(
+            answer.text.contains("There is no answer to"),
+            "{request}: {answer:?}"
+        );
+        assert_same(&mut module, request);
+    }
+}
+
+#[test]
+fn a_module_that_is_not_ours_is_found() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/live.wasm");
+    let mut bytes = fs::read(path).expect("the module can be read");
+    let words = b"field of view";
+    let at = bytes.windows(words.len()).position(|part| part == words);
+    bytes[at.expect("a text of ours")] ^= 1;
+    let told = fault(&mut Module::new(&bytes), "about row").expect("a fault");
+    assert!(told.contains("cargo run -p live --bin module"), "{told}");
+}

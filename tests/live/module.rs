@@ -1,0 +1,55 @@
+use live::Answer;
+use wasmi::{
+    CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams,
+    WasmResults,
+};
+
+/// A module, running as in a page.
+pub struct Module {
+    store: Store<()>,
+    instance: Instance,
+    memory: Memory,
+}
+
+impl Module {
+    /// Loads a module, which asks nothing of its page.
+    pub fn new(bytes: &[u8]) -> Self {
+        let mut config = Config::default();
+        // Most functions are called by few tests.
+        config.compilation_mode(CompilationMode::Lazy);
+        let engine = Engine::new(&config);
+        let module = wasmi::Module::new(&engine, bytes).expect("a module");
+        let mut store = Store::new(&engine, ());
+        let linker = Linker::new(&engine);
+        let instance =
+            linker.instantiate_and_start(&mut store, &module).expect("it starts");
+        let memory = instance.get_memory(&store, "memory").expect("it has memory");
+        Self { store, instance, memory }
+    }
+
+    /// Its answer to a request, as book/theme/live.js gets it; none where it fails.
+    pub fn answer(&mut self, request: &str) -> Option<Answer> {
+        let at: u32 = self.call("live_request", request.len() as u32)?;
+        self.memory.write(&mut self.store, at as usize, request.as_bytes()).ok()?;
+        self.call::<_, ()>("live_answer", ())?;
+        let text = self.bytes("live_text", "live_text_length")?;
+        let pixels = self.bytes("live_pixels", "live_pixels_length")?;
+        Some(Answer { text: String::from_utf8(text).ok()?, pixels })
+    }
+
+    fn bytes(&mut self, at: &str, length: &str) -> Option<Vec<u8>> {
+        let at: u32 = self.call(at, ())?;
+        let length: u32 = self.call(length, ())?;
+        let memory = self.memory.data(&self.store);
+        Some(memory.get(at as usize..)?.get(..length as usize)?.to_vec())
+    }
+
+    fn call<P: WasmParams, R: WasmResults>(
+        &mut self,
+        name: &str,
+        parameters: P,
+    ) -> Option<R> {
+        let function = self.instance.get_typed_func(&self.store, name).ok()?;
+        function.call(&mut self.store, parameters).ok()
+    }
+}
