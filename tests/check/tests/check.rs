@@ -63,9 +63,9 @@ fn every_mistake_is_named() {
     for (k, mistake) in mistakes().enumerate() {
         let picture = mistake.picture(&camera(640, 360), 1);
         assert_named(&picture, Some(mistake.step.name()), &[mistake]);
-        // Every 24th, for this takes long: each is compared with all steps. The sky
+        // Every 40th, for this takes long: each is compared with all steps. The sky
         // without a sphere is the right picture of step 1.
-        if k % 24 == 0 && picture != right("step01_rays") {
+        if k % 40 == 0 && picture != right("step01_rays") {
             told(&picture, None, &[&format!("when {}.", mistake.when)]);
         }
     }
@@ -181,7 +181,6 @@ fn what_nobody_knows_is_not_named() {
     for (picture, name) in [
         (&noise, Some("step01_rays")),
         (&scene, Some("step05_phong")),
-        (&scene, Some("step02_sphere")),
         (&painted, None),
     ] {
         let words = ["Not right yet: this is not the picture", "no known mistake"];

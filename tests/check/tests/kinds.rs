@@ -108,7 +108,7 @@ fn a_jpeg_is_told_and_nothing_else_is_one() {
         assert!(text.contains("it was a JPEG"), "{name}, {q}: {text}");
     }
     // Neither right nor wrong pictures are taken for what they are not.
-    for mistake in mistakes().step_by(27) {
+    for mistake in mistakes().step_by(40) {
         let mut parts = gallery::Parts::right(&camera(256, 144));
         (mistake.change)(&mut parts);
         // So that no name explains it.
