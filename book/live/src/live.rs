@@ -132,6 +132,18 @@ impl Knob {
     }
 }
 
+impl Handle {
+    /// A place that turns two knobs; upwards counts upwards.
+    pub const fn new(
+        words: &'static str,
+        knobs: [usize; 2],
+        at: fn(&[f64]) -> DVec2,
+        drag: fn(&mut [f64], DVec2),
+    ) -> Self {
+        Self { words, knobs, at, drag, is_down: false, is_asking: false }
+    }
+}
+
 impl Live {
     /// The values in the printed book.
     pub fn values(&self) -> Vec<f64> {

@@ -9,14 +9,14 @@ use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
 pub const LAMBERT: Live = Live {
     name: "lambert",
     knobs: &[Knob::new(["α", "angle of the light", "°"], 60.0, [0.0, 130.0], 1.0)],
-    handles: &[Handle {
-        words: "the light on the right",
-        knobs: [0, 0],
-        at: |values| {
+    handles: &[Handle::new(
+        "the light on the right",
+        [0, 0],
+        |values| {
             let l = DVec2::from_angle(FRAC_PI_2 + values[0].to_radians());
             GROUND + LENGTH * dvec2(l.x, -l.y)
         },
-        drag: |values, to| {
+        |values, to| {
             let l = (to - GROUND) * dvec2(-1.0, -1.0);
             // To the right of n, the angle is 0, or as large as it can be.
             values[0] = match l.x.atan2(l.y).to_degrees() {
@@ -24,9 +24,7 @@ pub const LAMBERT: Live = Live {
                 angle => angle.max(0.0),
             };
         },
-        is_down: false,
-        is_asking: false,
-    }],
+    )],
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values[0])),
     numbers: |_| vec![],

@@ -12,20 +12,18 @@ pub const LOBES: Live = Live {
         Knob::new(["n", "of the narrowest lobe", ""], 150.0, [1.0, 300.0], 1.0),
         Knob::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
     ],
-    handles: &[Handle {
-        words: "the light l",
-        knobs: [1, 1],
-        at: |values| {
+    handles: &[Handle::new(
+        "the light l",
+        [1, 1],
+        |values| {
             let r = reflected(values);
             VIEW.at(0.85 * dvec2(-r.x, r.y))
         },
-        drag: |values, to| {
+        |values, to| {
             let l = (to - VIEW.origin) * dvec2(-1.0, -1.0);
             values[1] = l.x.atan2(l.y).to_degrees();
         },
-        is_down: false,
-        is_asking: false,
-    }],
+    )],
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],

@@ -15,36 +15,30 @@ pub const RAY: Live = Live {
         Knob::new(["", "t", ""], 2.0, [-0.9, 3.2], 10.0),
     ],
     handles: &[
-        Handle {
-            words: "the start S",
-            knobs: [0, 1],
-            at: |values| at(values, 0.0),
-            drag: |values, to| values[..2].copy_from_slice(&world(to).to_array()),
-            is_down: false,
-            is_asking: false,
-        },
-        Handle {
-            words: "the tip of V",
-            knobs: [2, 3],
-            at: |values| at(values, 1.0) + BESIDE,
-            drag: |values, to| {
+        Handle::new(
+            "the start S",
+            [0, 1],
+            |values| at(values, 0.0),
+            |values, to| values[..2].copy_from_slice(&world(to).to_array()),
+        ),
+        Handle::new(
+            "the tip of V",
+            [2, 3],
+            |values| at(values, 1.0) + BESIDE,
+            |values, to| {
                 let v = world(to - BESIDE) - dvec2(values[0], values[1]);
                 values[2..4].copy_from_slice(&v.to_array());
             },
-            is_down: false,
-            is_asking: false,
-        },
-        Handle {
-            words: "the point at t",
-            knobs: [4, 4],
-            at: |values| at(values, values[4]),
-            drag: |values, to| {
+        ),
+        Handle::new(
+            "the point at t",
+            [4, 4],
+            |values| at(values, values[4]),
+            |values, to| {
                 let Ray { start, direction: v } = ray(values);
                 values[4] = (world(to).extend(0.0) - start).dot(v) / v.dot(v);
             },
-            is_down: false,
-            is_asking: false,
-        },
+        ),
     ],
     is_allowed: |values| {
         let is_inside = |at: DVec2| at.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == at;

@@ -11,17 +11,15 @@ pub const ROW: Live = Live {
         Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
         Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
     ],
-    handles: &[Handle {
-        words: "the tip of V0, which opens the field of view",
-        knobs: [1, 1],
-        at: |values| view(values).at(row(values).direction(0.0)),
-        drag: |values, to| {
+    handles: &[Handle::new(
+        "the tip of V0, which opens the field of view",
+        [1, 1],
+        |values| view(values).at(row(values).direction(0.0)),
+        |values, to| {
             let to = to - ORIGIN;
             values[1] = 2.0 * f64::atan2(-to.x, -to.y).to_degrees();
         },
-        is_down: false,
-        is_asking: false,
-    }],
+    )],
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |values| {

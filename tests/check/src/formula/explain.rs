@@ -19,6 +19,8 @@ pub(crate) struct Cause {
     /// Theirs and ours, in words or as formulas.
     pub told: String,
     rank: u8,
+    /// Whether it is another formula, not a number or something told in words.
+    is_formula: bool,
     /// What tells it from others: its line, or the number of the scene.
     of: String,
 }
@@ -88,11 +90,6 @@ impl Riddle<'_> {
         if is_unlikely || is_shape {
             all.extend(numbers(&evidence, is_unlikely && is_thorough));
         }
-        all.sort_by_key(|cause| {
-            // A number of the scene is the likeliest.
-            let is_formula = cause.told.contains(" ours ");
-            (cause.rank, is_formula, cause.told.chars().count())
-        });
         let mut missed = match self.verified(tree, &mut all) {
             Ok(()) => return all,
             Err(missed) => missed,
@@ -124,8 +121,7 @@ impl Riddle<'_> {
     ) -> Result<(), Vec<Pixel>> {
         all.sort_by_key(|cause| {
             // A number of the scene is the likeliest.
-            let is_formula = cause.told.contains(" ours ");
-            (cause.rank, is_formula, cause.told.chars().count())
+            (cause.rank, cause.is_formula, cause.told.chars().count())
         });
         let mut told = HashSet::new();
         all.retain(|cause| told.insert(cause.of.clone()));
@@ -318,12 +314,15 @@ fn cause(tree: &Tree, edit: &Edit) -> Cause {
     let light = lights.first().copied().flatten();
     let light = light.filter(|_| lights.iter().all(|one| *one == light));
     let (changes, step) = (edit.changes.clone(), tree.step);
+    let is_line = |change: &Change| matches!(change, Change::Line(..));
+    let is_formula = edit.says.is_none() && changes.iter().any(is_line);
     let of = match (&edit.says, &changes[..]) {
         (None, [Change::Given(line, which, _)]) => format!("{line} {which}"),
         (None, [Change::Line(line, _)]) => line.to_string(),
         _ => told.clone(),
     };
-    Cause { changes, place, step, light, told, rank: edit.rank, of }
+    let rank = edit.rank;
+    Cause { changes, place, step, light, told, rank, is_formula, of }
 }
 
 /// The stage of the one term of a sum that is not simply added.

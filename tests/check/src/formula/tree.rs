@@ -188,7 +188,8 @@ impl Tree {
             // The last one: several things of the scene have letters of the lecture.
             _ => self.lines.iter().rposition(|l| &*l.name == word).map(Node::Name),
         };
-        let Ok(node) = parse(text, &known) else { return };
+        let node = parse(text, &known);
+        let node = node.unwrap_or_else(|what| panic!("{name} = {text}: {what}"));
         let kind = node.kind(&|name| self.lines[name].kind).unwrap_or(Kind::Scalar);
         let is_function = name.ends_with("(x)");
         let name = name.trim_end_matches("(x)").into();
@@ -340,7 +341,7 @@ fn heading(words: &'static str) -> (Of, Place) {
         "pixel" => Of::Pixel,
         _ => Of::Ray,
     };
-    let section = SECTIONS.iter().find(|(name, _)| *name == words[2]);
-    let section = section.map_or(section::CAMERA, |(_, section)| *section);
-    (of, Place { stage: words[1], section, test: words[3] })
+    let known = SECTIONS.iter().find(|(name, _)| *name == words[2]);
+    let (_, section) = known.unwrap_or_else(|| panic!("no section {}", words[2]));
+    (of, Place { stage: words[1], section: *section, test: words[3] })
 }

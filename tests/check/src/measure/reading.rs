@@ -204,7 +204,7 @@ fn outlines(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) -> bool {
     }
     for stage in stages
         .iter_mut()
-        .filter(|s| !["rays", "sky", "outlines"].contains(&row(s).1))
+        .filter(|s| !["rays", "sky", "outlines"].contains(&row(s).stage))
     {
         stage.verdict =
             Verdict::Unknown("the outlines have to be right first".to_owned());

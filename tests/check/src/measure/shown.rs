@@ -26,7 +26,7 @@ pub(super) fn verdict(
 }
 
 /// A stage with another formula or number.
-fn other(tree: &Tree, (_, stage, light, ..): &Row) -> Vec<Change> {
+fn other(tree: &Tree, Row { stage, light, .. }: &Row) -> Vec<Change> {
     let (names, factor): (&[&str], f64) = match (*stage, light) {
         ("rays", _) => (&["h"], 1.2),
         ("sky", _) => (&["sky"], 0.8),

@@ -5,107 +5,146 @@ use crate::fov::FOV;
 use crate::{Mistake, Section, Step, section};
 use image::RgbImage;
 
-/// A line of the table: its name, the stage of the formulas, which light, from which
-/// step on, where to look, and the test by hand.
-pub(super) type Row =
-    (&'static str, &'static str, Option<usize>, Step, Section, &'static str);
+/// A line of the table.
+#[derive(Debug)]
+pub(super) struct Row {
+    /// What it is called.
+    pub name: &'static str,
+    /// The stage that formulas say they belong to.
+    pub stage: &'static str,
+    /// The light, where each has a line of its own.
+    pub light: Option<usize>,
+    /// The first step that shows it.
+    from: Step,
+    section: Section,
+    /// The function of `tests/by_hand.rs`.
+    test: &'static str,
+}
 
 /// All lines, in order.
 pub(super) const ROWS: [Row; 13] = [
-    ("rays", "rays", None, Step::Rays, section::CAMERA, "direction_of_a_pixel"),
-    ("sky", "sky", None, Step::Rays, section::DIRECTIONS, "colour_of_a_pixel"),
-    (
-        "outlines",
-        "outlines",
-        None,
-        Step::Sphere,
-        section::MEETING,
-        "coefficients_of_a_pixel",
-    ),
-    (
-        "nearest",
-        "nearest",
-        None,
-        Step::Nearest,
-        section::NEAREST,
-        "nearest_in_a_crowd",
-    ),
-    (
-        "point and normal",
-        "point",
-        None,
-        Step::Diffuse,
-        section::NORMAL,
-        "normal_of_a_pixel",
-    ),
-    ("colours", "colours", None, Step::Sphere, section::SCENE, "sum_of_a_pixel"),
-    ("ambient", "ambient", None, Step::Diffuse, section::AMBIENT, "sum_of_a_pixel"),
-    (
-        "diffuse, warm",
-        "diffuse",
-        Some(0),
-        Step::Diffuse,
-        section::DIFFUSE,
-        "lights_of_a_pixel",
-    ),
-    (
-        "diffuse, cool",
-        "diffuse",
-        Some(1),
-        Step::Diffuse,
-        section::DIFFUSE,
-        "lights_of_a_pixel",
-    ),
-    (
-        "attenuation",
-        "attenuation",
-        None,
-        Step::Diffuse,
-        section::ATTENUATION,
-        "lights_of_a_pixel",
-    ),
-    (
-        "specular, warm",
-        "specular",
-        Some(0),
-        Step::Phong,
-        section::SPECULAR,
-        "terms_of_a_pixel",
-    ),
-    (
-        "specular, cool",
-        "specular",
-        Some(1),
-        Step::Phong,
-        section::SPECULAR,
-        "terms_of_a_pixel",
-    ),
-    (
-        "sum, bytes, order",
-        "sum",
-        None,
-        Step::Rays,
-        section::BYTES,
-        "colour_of_a_pixel",
-    ),
+    Row {
+        name: "rays",
+        stage: "rays",
+        light: None,
+        from: Step::Rays,
+        section: section::CAMERA,
+        test: "direction_of_a_pixel",
+    },
+    Row {
+        name: "sky",
+        stage: "sky",
+        light: None,
+        from: Step::Rays,
+        section: section::DIRECTIONS,
+        test: "colour_of_a_pixel",
+    },
+    Row {
+        name: "outlines",
+        stage: "outlines",
+        light: None,
+        from: Step::Sphere,
+        section: section::MEETING,
+        test: "coefficients_of_a_pixel",
+    },
+    Row {
+        name: "nearest",
+        stage: "nearest",
+        light: None,
+        from: Step::Nearest,
+        section: section::NEAREST,
+        test: "nearest_in_a_crowd",
+    },
+    Row {
+        name: "point and normal",
+        stage: "point",
+        light: None,
+        from: Step::Diffuse,
+        section: section::NORMAL,
+        test: "normal_of_a_pixel",
+    },
+    Row {
+        name: "colours",
+        stage: "colours",
+        light: None,
+        from: Step::Sphere,
+        section: section::SCENE,
+        test: "sum_of_a_pixel",
+    },
+    Row {
+        name: "ambient",
+        stage: "ambient",
+        light: None,
+        from: Step::Diffuse,
+        section: section::AMBIENT,
+        test: "sum_of_a_pixel",
+    },
+    Row {
+        name: "diffuse, warm",
+        stage: "diffuse",
+        light: Some(0),
+        from: Step::Diffuse,
+        section: section::DIFFUSE,
+        test: "lights_of_a_pixel",
+    },
+    Row {
+        name: "diffuse, cool",
+        stage: "diffuse",
+        light: Some(1),
+        from: Step::Diffuse,
+        section: section::DIFFUSE,
+        test: "lights_of_a_pixel",
+    },
+    Row {
+        name: "attenuation",
+        stage: "attenuation",
+        light: None,
+        from: Step::Diffuse,
+        section: section::ATTENUATION,
+        test: "lights_of_a_pixel",
+    },
+    Row {
+        name: "specular, warm",
+        stage: "specular",
+        light: Some(0),
+        from: Step::Phong,
+        section: section::SPECULAR,
+        test: "terms_of_a_pixel",
+    },
+    Row {
+        name: "specular, cool",
+        stage: "specular",
+        light: Some(1),
+        from: Step::Phong,
+        section: section::SPECULAR,
+        test: "terms_of_a_pixel",
+    },
+    Row {
+        name: "sum, bytes, order",
+        stage: "sum",
+        light: None,
+        from: Step::Rays,
+        section: section::BYTES,
+        test: "colour_of_a_pixel",
+    },
 ];
 
 /// All lines of a step, each with this verdict.
 pub(super) fn blank(step: Step, verdict: impl Fn(&Row) -> Verdict) -> Vec<Stage> {
-    let its = ROWS.iter().filter(|row| row.3 <= step);
+    let its = ROWS.iter().filter(|row| row.from <= step);
     its.map(|row| Stage {
-        name: row.0,
+        name: row.name,
         verdict: verdict(row),
         numbers: vec![],
-        section: row.4,
-        test: Some(row.5),
+        section: row.section,
+        test: Some(row.test),
     })
     .collect()
 }
 
 /// The row of a stage of the table.
 pub(super) fn row(stage: &Stage) -> &'static Row {
-    ROWS.iter().find(|row| row.0 == stage.name).unwrap_or(&ROWS[0])
+    ROWS.iter().find(|row| row.name == stage.name).unwrap_or(&ROWS[0])
 }
 
 /// Whether a thing is of a line of the table.
@@ -115,8 +154,8 @@ fn is_of(cause: &Cause, row: &Row) -> bool {
         ("nearest", Step::Sphere) => "outlines",
         (stage, _) => stage,
     };
-    stage == row.1
-        && (row.2.is_none() || cause.light.is_none_or(|k| row.2 == Some(k)))
+    stage == row.stage
+        && (row.light.is_none() || cause.light.is_none_or(|k| row.light == Some(k)))
 }
 
 /// The table of a picture of which every pixel is explained.
@@ -225,7 +264,7 @@ pub(crate) fn of_mistakes(
     has_objects: bool,
     has_outlines: bool,
 ) -> Vec<Stage> {
-    let mut stages = blank(step, |row| match row.1 {
+    let mut stages = blank(step, |row| match row.stage {
         "rays" | "sky" | "outlines" | "sum" => Verdict::Right,
         _ if has_objects => Verdict::Right,
         _ => Verdict::Unknown("no object is seen".to_owned()),
@@ -235,7 +274,7 @@ pub(crate) fn of_mistakes(
     for mistake in others.iter().flatten() {
         for its in stages
             .iter_mut()
-            .filter(|its| row(its).1 == stage_of(step, mistake, has_outlines))
+            .filter(|its| row(its).stage == stage_of(step, mistake, has_outlines))
         {
             let why = "it may be what is wrong, as is told above".to_owned();
             its.verdict = Verdict::Unknown(why);
@@ -244,7 +283,7 @@ pub(crate) fn of_mistakes(
     for mistake in first {
         let stage = stage_of(step, mistake, has_outlines);
         for (k, its) in
-            stages.iter_mut().filter(|its| row(its).1 == stage).enumerate()
+            stages.iter_mut().filter(|its| row(its).stage == stage).enumerate()
         {
             (its.verdict, its.section) = (Verdict::Wrong, mistake.section);
             let told = format!("it is what you get when {}", mistake.when);

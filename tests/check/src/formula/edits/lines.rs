@@ -1,0 +1,93 @@
+use super::Edit;
+use crate::formula::{Change, Node, Op, Tree, shown};
+
+/// Two names taken for each other in all lines after theirs.
+fn swapped(tree: &Tree, k: usize, l: usize) -> Vec<Change> {
+    let swap = |node: &Node| match node {
+        Node::Name(name) if *name == k => Some(Node::Name(l)),
+        Node::Name(name) if *name == l => Some(Node::Name(k)),
+        _ => None,
+    };
+    let later =
+        tree.lines.iter().enumerate().skip(l + 1).filter(|(_, l)| l.is_needed);
+    let has = |node: &&Node| node.has(k) || node.has(l);
+    let its =
+        later.filter_map(|(m, line)| Some((m, line.node.as_ref().filter(has)?)));
+    its.map(|(m, node)| Change::Line(m, node.map(&swap))).collect()
+}
+
+/// What concerns several lines of the rays, and of the bytes.
+pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
+    let name = |name: &str| tree.find(name).map(Node::Name);
+    let (Some(i), Some(j), Some(byte)) =
+        (tree.find("i'"), tree.find("j'"), tree.find("B"))
+    else {
+        return;
+    };
+    for by in [1.0, -1.0, 0.5, -0.5] {
+        let line = |k: usize| match &tree.lines[k].node {
+            Some(node) => Node::of(Op::Add, [node.clone(), Node::Number(by)]),
+            None => Node::Number(by),
+        };
+        let changes = vec![Change::Line(i, line(i)), Change::Line(j, line(j))];
+        let says = format!(
+            "i and j are too large by {by}, as if V_0 were another pixel's"
+        )
+        .replace('-', "−");
+        all.push(Edit { changes, rank: 0, says: Some(says), line: i });
+    }
+    if let (Some(v), Some(d_u), Some(d_v), Some(v_0), Some(x), Some(y)) = (
+        tree.find("V"),
+        name("D_u"),
+        name("D_v"),
+        name("V_0"),
+        name("i'"),
+        name("j'"),
+    ) {
+        let place = Node::of(Op::Vector, [x, y, Node::Number(1.0)]);
+        let rows =
+            [d_u, d_v, v_0].map(|row| Node::of(Op::Dot, [row, place.clone()]));
+        let says = "D_u, D_v and V_0 are the rows of the matrix, not its columns"
+            .to_owned();
+        let changes = vec![Change::Line(v, Node::of(Op::Vector, rows))];
+        all.push(Edit { changes, rank: 0, says: Some(says), line: v });
+    }
+    if let Some(node) = &tree.lines[byte].node {
+        let turns = Node::of(
+            Op::Floor,
+            [Node::of(Op::Div, [node.clone(), Node::Number(256.0)])],
+        );
+        let all_turns = Node::of(Op::Mul, [Node::Number(256.0), turns]);
+        let changes =
+            vec![Change::Line(byte, Node::of(Op::Sub, [node.clone(), all_turns]))];
+        let says =
+            "bytes above 255 wrap, they begin again at 0: modulo 256, not clamped"
+                .to_owned();
+        all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
+    }
+}
+
+/// Two lines that have changed places.
+pub(super) fn exchanges(tree: &Tree, all: &mut Vec<Edit>) {
+    let lines = || {
+        let all = tree.lines.iter().enumerate();
+        all.filter(|(_, l)| l.is_needed && !l.is_function)
+    };
+    for (k, one) in lines() {
+        for (l, two) in lines().filter(|(l, _)| k < *l && *l < k + 6) {
+            let is_like = one.kind == two.kind && one.of == two.of;
+            if let (true, Some(a), Some(b)) = (is_like, &one.node, &two.node) {
+                // The first can't need what is not computed yet.
+                let changes = match tree.uses(b) >> k {
+                    0 => {
+                        vec![Change::Line(k, b.clone()), Change::Line(l, a.clone())]
+                    }
+                    _ => swapped(tree, k, l),
+                };
+                let [first, second] = [one, two].map(|line| shown(&line.name));
+                let says = format!("{first} and {second} have changed places");
+                all.push(Edit { changes, rank: 1, says: Some(says), line: k });
+            }
+        }
+    }
+}

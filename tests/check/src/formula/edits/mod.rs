@@ -1,0 +1,132 @@
+mod lines;
+mod names;
+mod places;
+mod scene;
+
+use super::{Change, Kind, Line, Node, Of, Op, Tree};
+use lines::{exchanges, rays};
+use names::swapped_numbers;
+use scene::{given, scenes};
+
+/// One thing done otherwise than in the lecture.
+#[derive(Clone, Debug)]
+pub(crate) struct Edit {
+    pub changes: Vec<Change>,
+    /// How far-fetched it is: 0 for a slip of the hand.
+    pub rank: u8,
+    /// In words, where it is no other formula.
+    pub says: Option<String>,
+    /// The line that it belongs to.
+    pub line: usize,
+}
+
+/// Every edit of every line, the likeliest first.
+pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
+    let mut all = vec![];
+    for (k, line) in tree.lines.iter().enumerate().filter(|(_, l)| l.is_needed) {
+        if let Some(node) = &line.node {
+            let scope = Scope { tree, k, line };
+            scope.of_line(node, &mut all);
+        } else {
+            given(line, k, &mut all);
+        }
+    }
+    exchanges(tree, &mut all);
+    rays(tree, &mut all);
+    scenes(tree, &mut all);
+    for edit in &mut all {
+        // Lines that only pass on what another has computed.
+        let name = &*tree.lines[edit.line].name;
+        let is_alias = ["i'", "j'", "v''", "S", "order", "M"].contains(&name)
+            || ["I", "I'"].contains(&name) && edit.rank == 1;
+        edit.rank += u8::from(is_alias && edit.says.is_none());
+    }
+    all.sort_by_key(|edit| edit.rank);
+    all
+}
+
+/// A line, and the names that may stand in it.
+struct Scope<'a> {
+    tree: &'a Tree,
+    k: usize,
+    line: &'a Line,
+}
+
+type Ranked = (u8, Node);
+
+impl Scope<'_> {
+    fn of_line(&self, node: &Node, all: &mut Vec<Edit>) {
+        let mut others = self.variants(node);
+        others.extend(self.renamed(node));
+        others.extend(swapped_numbers(node));
+        others.extend(self.multiplied(node));
+        if &*self.line.name == "M" {
+            others.push((
+                1,
+                node.map(&|n| match n {
+                    Node::Of(Op::Mean, nodes) => {
+                        Some(Node::of(Op::Last, nodes.clone()))
+                    }
+                    _ => None,
+                }),
+            ));
+        }
+        for (rank, other) in others {
+            let kind = self.kind(&other);
+            let is_fit = kind == Some(self.line.kind)
+                || kind == Some(Kind::Scalar) && self.line.kind == Kind::Vector;
+            if is_fit && other != *node {
+                let changes = vec![Change::Line(self.k, other)];
+                all.push(Edit { changes, rank, says: None, line: self.k });
+            }
+        }
+    }
+
+    fn kind(&self, node: &Node) -> Option<Kind> {
+        node.kind(&|name| self.tree.lines[name].kind)
+    }
+
+    /// The names of a kind that may stand in the line.
+    fn names(&self, kind: Kind) -> impl Iterator<Item = Node> {
+        let lines = self.tree.lines.iter().enumerate().take(self.k);
+        let is_seen = move |line: &Line| match line.of {
+            _ if self.line.of == Of::Pixel => line.of == Of::Pixel,
+            Of::Ray => true,
+            Of::Hit => self.line.of == Of::Hit || self.line.of == Of::Light,
+            of => of == self.line.of,
+        };
+        let is_odd = |line: &Line| {
+            let odd = [
+                "fade", "order", "nearest", "k_u", "k_v", "samples", "I'", "fov",
+                "θ",
+            ];
+            odd.contains(&&*line.name) && self.line.place.stage != "rays"
+        };
+        let is_it = move |line: &&Line| {
+            line.is_needed
+                && !line.is_function
+                && line.kind == kind
+                && is_seen(line)
+                && !is_odd(line)
+        };
+        lines.filter(move |(_, l)| is_it(l)).map(|(k, _)| Node::Name(k))
+    }
+
+    /// The node with one place of it changed, in every way.
+    fn variants(&self, node: &Node) -> Vec<Ranked> {
+        let mut all = self.here(node);
+        if let Node::Of(op, nodes) = node {
+            if matches!(op, Op::Chosen | Op::Nearest | Op::Sum) {
+                return all;
+            }
+            for (k, below) in nodes.iter().enumerate() {
+                for (rank, other) in self.variants(below) {
+                    let mut nodes = nodes.clone();
+                    nodes[k] = other;
+                    all.push((rank, Node::Of(*op, nodes)));
+                }
+            }
+        }
+        all
+    }
+}
