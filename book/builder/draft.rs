@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, excerpt, figure, formula, number, picture, values};
+use crate::{boxes, check, excerpt, figure, formula, number, picture, values};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -148,14 +148,15 @@ impl Draft<'_> {
         }
     }
 
-    /// A paragraph: a figure, the name of a test, the edge of a box, pictures, or
-    /// text.
+    /// A paragraph: a figure, a form, the name of a test, the edge of a box, pictures,
+    /// or text.
     fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
         let (pictures, is_live) = self.pictures(events, range);
         Part::Block(match (kind, &pictures[..]) {
             ("figure", _) => figure::html(words.trim()),
+            ("check", _) => check::html(words.trim(), self.workspace),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
             (kind, []) => match boxes::html(kind, words) {

@@ -12,6 +12,7 @@ mod number;
 
 mod boxes;
 mod chain;
+mod check;
 mod excerpt;
 mod figure;
 mod gallery;

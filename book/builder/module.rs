@@ -2,21 +2,26 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
 
-/// The file of the script that holds the module.
-const NAME: &str = "live-module.js";
+/// The modules: what answers in the pages, and what looks at a reader's picture.
+const MODULES: [&str; 2] = ["live", "check"];
 
-/// Writes what answers in the pages into `folder`, as a script: a page that was opened
-/// from the file system may load scripts, and nothing else. Returns its name.
-pub fn write(workspace: &Path, folder: &Path) -> Result<String> {
-    let module = workspace.join("book/live/live.wasm");
-    let bytes = fs::read(&module)
-        .with_context(|| format!("{} can't be read", module.display()))?;
-    let script = format!("liveModule(\"{}\");\n", base64(&bytes));
-    let path = folder.join(NAME);
-    if fs::read_to_string(&path).ok().as_ref() != Some(&script) {
-        fs::write(path, script).context(NAME)?;
-    }
-    Ok(NAME.to_string())
+/// Writes the modules of the pages into `folder`, each as a script: a page that was opened
+/// from the file system may load scripts, and nothing else. Returns the scripts' names.
+pub fn write(workspace: &Path, folder: &Path) -> Result<Vec<String>> {
+    let script = |name: &str| {
+        let module = workspace.join(format!("book/live/{name}.wasm"));
+        let bytes = fs::read(&module)
+            .with_context(|| format!("{} can't be read", module.display()))?;
+        let script =
+            format!("liveModule.come(\"{name}\", \"{}\");\n", base64(&bytes));
+        let file = format!("{name}-module.js");
+        let path = folder.join(&file);
+        if fs::read_to_string(&path).ok().as_ref() != Some(&script) {
+            fs::write(path, script).with_context(|| file.clone())?;
+        }
+        Ok(file)
+    };
+    MODULES.into_iter().map(script).collect()
 }
 
 /// Bytes as letters: three of the ones make four of the others.

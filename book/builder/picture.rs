@@ -101,7 +101,7 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 }
 
 /// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
-/// there, adds the module for the pages, and removes what is neither.
+/// there, adds the modules for the pages, and removes what is neither.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -119,7 +119,7 @@ pub fn copy_snapshots(workspace: &Path) -> Result<()> {
         }
         names.push(name);
     }
-    names.push(module::write(workspace, &folder)?);
+    names.extend(module::write(workspace, &folder)?);
     for stale in old.keys().filter(|name| !names.contains(name)) {
         fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }

@@ -3,24 +3,29 @@
 // What answers in this page. Gestures become requests to the module, which is the code of the
 // five crates; its answers are put in place. Nothing about rays is computed here.
 
-// The module, once the script that holds it has come.
+// The modules, each once the script that holds it has come: "live" is what answers here, "check"
+// looks at the reader's picture.
 const liveModule = (() => {
-    let come;
-    const bytes = new Promise(resolve => { come = resolve; });
-    const ready = bytes.then(async base64 => {
-        const binary = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
-        return (await WebAssembly.instantiate(binary)).instance.exports;
-    });
-    const receive = base64 => come(base64);
-    receive.ready = ready;
-    return receive;
+    const come = {}, modules = {}, instances = {};
+    const load = name => modules[name] ??= new Promise((resolve, reject) => {
+        come[name] = resolve;
+        const script = make("script", { src: `${path_to_root}pictures/${name}-module.js` });
+        script.onerror = reject;
+        document.head.append(script);
+    }).then(base64 => WebAssembly.compile(Uint8Array.from(atob(base64), letter => letter.charCodeAt(0))));
+    return {
+        come: (name, base64) => come[name](base64),
+        get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports),
+        forget: name => { delete instances[name]; },
+    };
 })();
 
-// Asks the module; its answer, with pixels where there is a picture.
-function ask(module, request) {
+// Asks the module, about a file if there is one; its answer, with pixels where there is a picture.
+function ask(module, request, file) {
+    const put = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
     const words = new TextEncoder().encode(request);
-    const at = module.live_request(words.length);
-    new Uint8Array(module.memory.buffer, at, words.length).set(words);
+    put(words, module.live_request(words.length));
+    if (file) put(file, module.live_file(file.length));
     module.live_answer();
     const bytes = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
     const text = new TextDecoder().decode(bytes(module.live_text(), module.live_text_length()));
@@ -202,16 +207,65 @@ function liven(figure, module) {
     figure.dataset.ready = "";
 }
 
+// Says whether a picture is right: what `check` says of the file, which goes nowhere else.
+function looking(form) {
+    const [input, reset, output] = ["input", "button", "output"].map(tag => form.querySelector(tag));
+    let last = 0; // Only the last file that was given counts.
+    const told = ({ text, size, pixels }) => {
+        const said = make("span", { class: "said" });
+        // Where to go back to is a link.
+        text.split(/([\w-]+\.html#[\w-]+)/).forEach((part, k) => {
+            said.append(k % 2 ? make("a", { href: path_to_root + part }, part) : part);
+        });
+        if (!size) return [said];
+        const [width, height] = size;
+        const canvas = make("canvas", { role: "img", "aria-label": "Yours, ours, and where they differ.", width, height });
+        canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
+        return [said, make("span", { class: "panels" }, canvas)];
+    };
+    const show = (code, ...children) => {
+        form.dataset.code = code;
+        output.replaceChildren(...children);
+        reset.disabled = children.length === 0;
+        dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
+    };
+    const look = async file => {
+        if (!file) return;
+        const mine = last += 1;
+        show("", "Looking …");
+        try {
+            const [module, bytes] = await Promise.all([liveModule.get("check"), file.arrayBuffer()]);
+            // The screen says so before the work begins.
+            await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
+            if (mine !== last) return;
+            const answer = ask(module, `check ${form.dataset.name} ${file.name}`, new Uint8Array(bytes));
+            show(answer.code, ...told(answer));
+        } catch {
+            liveModule.forget("check");
+            if (mine === last) show(2, `This page can't look at ${file.name}. The command can: cargo run --bin check`);
+        }
+    };
+    input.addEventListener("change", () => look(input.files[0]));
+    form.addEventListener("reset", () => { last += 1; show(""); });
+    form.addEventListener("dragover", event => { event.preventDefault(); form.classList.add("held"); });
+    for (const end of ["dragleave", "drop"]) form.addEventListener(end, () => form.classList.remove("held"));
+    form.addEventListener("drop", event => {
+        event.preventDefault();
+        if (event.dataTransfer.files.length === 0) return;
+        input.files = event.dataTransfer.files;
+        look(input.files[0]);
+    });
+    form.hidden = false;
+}
+document.querySelectorAll("form[data-live=check]").forEach(looking);
+
 // What is live is made so when it comes into view; only then is the module loaded.
 {
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;
             seen.unobserve(target);
-            if (!document.querySelector("script[data-module]")) {
-                document.head.append(make("script", { src: `${path_to_root}pictures/live-module.js`, "data-module": "" }));
-            }
-            liven(target, await liveModule.ready);
+            liven(target, await liveModule.get("live"));
         }
     }, { rootMargin: "200px" });
     document.querySelectorAll("figure[data-live]").forEach(figure => seen.observe(figure));

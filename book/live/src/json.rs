@@ -1,3 +1,5 @@
+//! The text of an answer.
+
 use std::fmt::Write;
 
 /// A value in JSON, as its text.

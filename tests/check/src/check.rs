@@ -22,7 +22,8 @@ pub fn check(
 ) -> Answer {
     match png::read(&mut png) {
         Ok((view, notes)) => {
-            let name = name.or_else(|| whose::by_file(file, locked));
+            let names = locked.iter().map(|one| one.name.as_str());
+            let name = name.or_else(|| whose::by_file(file, names));
             answer(&view, name, locked, &notes, |cause| {
                 png.rewind().ok()?;
                 png::rest(&mut png, cause).ok()

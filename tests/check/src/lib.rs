@@ -35,9 +35,11 @@ pub use check::{check, look};
 pub use formula::by_formulas;
 pub use locked::{Locked, locked, names};
 pub use measure::{Stage, Verdict, pixel, stages};
+pub use png::picture;
 pub(crate) use recognise::{Found, recognise};
 pub(crate) use rest::Rest;
 pub use table::table;
+pub use whose::by_file;
 
 use gallery::{
     Mistake, Named, Parts, Section, Step, apart, camera, mistakes, section,

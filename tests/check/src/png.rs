@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::view::View;
 use crate::{Cause, Rest};
-use image::Rgb;
+use image::{Rgb, RgbImage};
 use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
 use std::borrow::Cow;
 use std::io::{BufRead, Seek};
@@ -120,6 +120,12 @@ pub(crate) fn read(file: impl BufRead + Seek) -> Result<(View, Notes), String> {
         notes.text += "Some of its pixels are transparent; that was left out.\n";
     }
     Ok((view, notes))
+}
+
+/// The picture in a file; none where it can't be read, or is too large to be kept whole.
+pub fn picture(file: impl BufRead + Seek) -> Option<RgbImage> {
+    let (view, _) = read(file).ok()?;
+    (view.stride == 1).then_some(view.kept)
 }
 
 /// What `cause` leaves unexplained of the picture in a file, of which no more than a row

@@ -1,12 +1,15 @@
 use crate::view::{View, scattered};
 use crate::{Locked, Step};
 
-/// The name that a file's own name tells: `step03_nearest.png`, `my_lens-2.png`,
-/// `step3.png`.
-pub(crate) fn by_file<'a>(file: &str, locked: &'a [Locked]) -> Option<&'a str> {
+/// The one of `names` that a file's own name tells: `step03_nearest.png`,
+/// `my_lens-2.png`, `step3.png`.
+pub fn by_file<'a>(
+    file: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+) -> Option<&'a str> {
     let lower = file.to_lowercase();
     let file = lower.rsplit(['/', '\\']).next()?;
-    let names = || locked.iter().map(|one| one.name.as_str());
+    let names = || names.clone();
     let told = names().filter(|name| has_word(file, name));
     told.max_by_key(|name| name.len()).or_else(|| {
         let is_told = |step: &Step| {

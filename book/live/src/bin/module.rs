@@ -1,5 +1,6 @@
-//! Compiles this crate for the browser and writes `book/live/live.wasm`, which is
-//! checked in: who builds the book needs no second target.
+//! Compiles the package `module` for the browser, once for what answers in the pages and
+//! once for `check`, and writes `book/live/live.wasm` and `check.wasm`. They are checked
+//! in: who builds the book needs no second target.
 
 use std::error::Error;
 use std::path::Path;
@@ -7,6 +8,9 @@ use std::process::{Command, ExitCode};
 use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The modules: each is a feature of the package.
+const MODULES: [&str; 2] = ["live", "check"];
 
 fn main() -> ExitCode {
     let Err(error) = run() else { return ExitCode::SUCCESS };
@@ -22,20 +26,27 @@ fn run() -> Result<(), Box<dyn Error>> {
         )
         .into());
     }
+    MODULES.into_iter().try_for_each(compile)
+}
+
+/// Compiles the package `module` with one of its features.
+fn compile(feature: &str) -> Result<(), Box<dyn Error>> {
     let folder = env::current_dir()?.join("target/module");
     let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let status = Command::new(cargo)
-        .args(["rustc", "--package", "live", "--lib", "--release"])
+        .args(["rustc", "--package", "module", "--lib", "--profile", "module"])
+        .args(["--no-default-features", "--features", feature])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
         .arg(&folder)
         .args(["--", "-C", "strip=symbols"])
         .status()?;
     if !status.success() {
-        return Err("the module does not compile".into());
+        return Err(format!("the module {feature} does not compile").into());
     }
-    let module = folder.join(TARGET).join("release/live.wasm");
-    let bytes = fs::copy(module, "book/live/live.wasm")?;
-    println!("book/live/live.wasm: {bytes} bytes");
+    let module = folder.join(TARGET).join("module/module.wasm");
+    let path = format!("book/live/{feature}.wasm");
+    let bytes = fs::copy(module, &path)?;
+    println!("{path}: {bytes} bytes");
     Ok(())
 }
 

@@ -15,14 +15,20 @@ pub use step05::STEP05;
 
 use crate::Sight;
 use glam::DVec3;
+use image::RgbImage;
 use step01_rays::{Camera, Ray, render};
 
 /// What `camera` sees, one ray a pixel.
 fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
     let image = render(camera, 1, colour);
+    Sight::Picture { size: image.dimensions().into(), pixels: rgba(&image) }
+}
+
+/// Red, green, blue and 255 for each pixel, row by row, as a page draws them.
+pub fn rgba(image: &RgbImage) -> Vec<u8> {
     let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
     for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
         four[..3].copy_from_slice(&three.0);
     }
-    Sight::Picture { size: image.dimensions().into(), pixels }
+    pixels
 }

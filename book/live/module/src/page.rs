@@ -1,11 +1,13 @@
-//! What a page of the book calls. It writes a request into our memory and reads the
-//! answer from there; nothing here looks behind a pointer.
+//! What a page calls. It writes a request, and a file if there is one, into our memory and
+//! reads the answer from there; nothing here looks behind a pointer.
 
-use crate::{Answer, answer};
+use crate::answer;
+use live::Answer;
 use std::cell::RefCell;
 
 thread_local! {
     static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
+    static FILE: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
     static ANSWER: RefCell<Answer> = RefCell::default();
 }
 
@@ -18,11 +20,22 @@ extern "C" fn live_request(length: usize) -> *mut u8 {
     })
 }
 
+/// Room for a file of this many bytes, of which the next request speaks.
+#[unsafe(no_mangle)]
+extern "C" fn live_file(length: usize) -> *mut u8 {
+    FILE.with_borrow_mut(|file| {
+        *file = vec![0; length];
+        file.as_mut_ptr()
+    })
+}
+
 /// Answers the request that was written there.
 #[unsafe(no_mangle)]
 extern "C" fn live_answer() {
-    let answer = REQUEST
-        .with_borrow(|request| answer(str::from_utf8(request).unwrap_or_default()));
+    let file = FILE.take();
+    let answer = REQUEST.with_borrow(|request| {
+        answer(str::from_utf8(request).unwrap_or_default(), &file)
+    });
     ANSWER.set(answer);
 }
 

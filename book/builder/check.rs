@@ -1,0 +1,28 @@
+use std::path::Path;
+
+/// The form into which a reader drops a picture to ask whether it is right, for
+/// `{{#check name}}`; without a name, the file's own tells which picture it should be.
+///
+/// It is hidden where no script can answer; see book/theme/live.js.
+pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
+    let locked = workspace.join(format!("tests/snapshots/{name}.snap.png"));
+    let (name, words) = match name {
+        "" => (
+            "*",
+            "Drop the picture of a step or an exercise here, or choose its file, \
+             whose name tells which it should be."
+                .to_owned(),
+        ),
+        name if locked.exists() => {
+            (name, format!("Drop your <code>{name}.png</code> here, or choose it."))
+        }
+        name => return Err(format!("there is no locked picture {name}")),
+    };
+    Ok(format!(
+        "<form class=\"check\" data-live=\"check\" data-name=\"{name}\" hidden>\
+         <label><b>Is it right?</b> {words} It stays on your computer. \
+         <input type=\"file\" accept=\"image/png\"></label>\
+         <button type=\"reset\" class=\"reset\" disabled>Reset</button>\
+         <output></output></form>\n"
+    ))
+}
