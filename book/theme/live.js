@@ -213,21 +213,29 @@ function looking(form) {
     let last = 0; // Only the last file that was given counts.
     const told = ({ text, size, pixels }) => {
         const said = make("span", { class: "said" });
-        // Where to go back to is a link.
-        text.split(/([\w-]+\.html#[\w-]+)/).forEach((part, k) => {
-            said.append(k % 2 ? make("a", { href: path_to_root + part }, part) : part);
-        });
+        for (const line of text.split("\n")) {
+            // What goes on in the next row begins where the line's own words do.
+            const start = line.match(/^ +(\S.*?  +)?/)?.[0].length ?? 0;
+            const row = make("span", { style: `--start: ${start}ch` });
+            // Where to go back to is a link.
+            line.split(/([\w-]+\.html#[\w-]+)/).forEach((part, k) => {
+                row.append(k % 2 ? make("a", { href: path_to_root + part }, part) : part);
+            });
+            said.append(row);
+        }
         if (!size) return [said];
-        const [width, height] = size;
-        const canvas = make("canvas", { role: "img", "aria-label": "Yours, ours, and where they differ.", width, height });
-        canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
-        return [said, make("span", { class: "panels" }, canvas)];
+        const [width, height] = [size[0] / 3, size[1]];
+        const panels = ["Yours.", "Ours.", "Where they differ."].map((label, k) => {
+            const canvas = make("canvas", { role: "img", "aria-label": label, width, height });
+            canvas.getContext("2d").putImageData(new ImageData(pixels, ...size), -k * width, 0);
+            return canvas;
+        });
+        return [said, make("span", { class: "panels" }, ...panels)];
     };
     const show = (code, ...children) => {
         form.dataset.code = code;
         output.replaceChildren(...children);
         reset.disabled = children.length === 0;
-        dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     };
     const look = async file => {
         if (!file) return;

@@ -1,36 +1,27 @@
 //! The module that the pages load says what this project says: to every request, the
 //! same text and the same pixels.
 
+mod check;
 mod module;
 
 use live::{Knob, LIVE, Live};
-use module::Module;
+use module::{Module, checked_in};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use std::path::PathBuf;
-use std::{env, fs};
 
 /// What mends a module that is not ours.
-const MEND: &str = "book/live/live.wasm is not what book/live says: `cargo run -p live \
-                    --bin module` compiles it anew";
-
-/// Our module, as it is checked in; the project may have been moved since this was
-/// compiled.
-fn checked_in() -> Vec<u8> {
-    let package = env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs this");
-    let path = PathBuf::from(package).join("live.wasm");
-    fs::read(path).expect("the module can be read")
-}
+const MEND: &str = "book/live/*.wasm are not what book/live says: `cargo run -p live \
+                    --bin module` compiles them anew";
 
 fn ours() -> Module {
-    Module::new(&checked_in())
+    Module::new(&checked_in("live"))
 }
 
 /// How the module answers a request otherwise than we do.
 fn fault(module: &mut Module, request: &str) -> Option<String> {
     let ours = live::answer(request);
-    let theirs = module.answer(request).unwrap_or_default();
+    let theirs = module.answer(request, b"").unwrap_or_default();
     if ours == theirs {
         return None;
     }
@@ -146,7 +137,7 @@ fn nonsense_gets_a_sentence() {
 
 #[test]
 fn a_module_that_is_not_ours_is_found() {
-    let mut bytes = checked_in();
+    let mut bytes = checked_in("live");
     let words = b"field of view";
     let at = bytes.windows(words.len()).position(|part| part == words);
     bytes[at.expect("a text of ours")] ^= 1;

@@ -1,8 +1,18 @@
 use live::Answer;
+use std::path::PathBuf;
+use std::{env, fs};
 use wasmi::{
     CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams,
     WasmResults,
 };
+
+/// The module `name`, as it is checked in; the project may have been moved since this
+/// was compiled.
+pub fn checked_in(name: &str) -> Vec<u8> {
+    let package = env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs this");
+    let path = PathBuf::from(package).join(format!("{name}.wasm"));
+    fs::read(path).expect("the module can be read")
+}
 
 /// A module, running as in a page.
 pub struct Module {
@@ -27,10 +37,15 @@ impl Module {
         Self { store, instance, memory }
     }
 
-    /// Its answer to a request, as book/theme/live.js gets it; none where it fails.
-    pub fn answer(&mut self, request: &str) -> Option<Answer> {
-        let at: u32 = self.call("live_request", request.len() as u32)?;
-        self.memory.write(&mut self.store, at as usize, request.as_bytes()).ok()?;
+    /// Its answer to a request about a file, as book/theme/live.js gets it; none where
+    /// it fails.
+    pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Answer> {
+        for (room, bytes) in
+            [("live_request", request.as_bytes()), ("live_file", file)]
+        {
+            let at: u32 = self.call(room, bytes.len() as u32)?;
+            self.memory.write(&mut self.store, at as usize, bytes).ok()?;
+        }
         self.call::<_, ()>("live_answer", ())?;
         let text = self.bytes("live_text", "live_text_length")?;
         let pixels = self.bytes("live_pixels", "live_pixels_length")?;

@@ -4,7 +4,11 @@ use std::fmt::Write;
 
 const HEAD: &str = "# What went wrong?
 
-Your picture is not ours, and you want to know why. Ask in our folder:
+Your picture is not ours, and you want to know why.
+
+{{#check}}
+
+In our folder, a program says the same:
 
 ```console,ours
 $ cargo run --bin check -- ../ray-casting/step05_phong.png

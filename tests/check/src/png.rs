@@ -122,10 +122,11 @@ pub(crate) fn read(file: impl BufRead + Seek) -> Result<(View, Notes), String> {
     Ok((view, notes))
 }
 
-/// The picture in a file; none where it can't be read, or is too large to be kept whole.
-pub fn picture(file: impl BufRead + Seek) -> Option<RgbImage> {
-    let (view, _) = read(file).ok()?;
-    (view.stride == 1).then_some(view.kept)
+/// The picture in a file, or what the file is that it can't be read; no picture, where
+/// that is too large to be kept whole.
+pub fn picture(file: impl BufRead + Seek) -> Result<Option<RgbImage>, String> {
+    let (view, _) = read(file)?;
+    Ok((view.stride == 1).then_some(view.kept))
 }
 
 /// What `cause` leaves unexplained of the picture in a file, of which no more than a row

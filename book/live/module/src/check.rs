@@ -1,4 +1,5 @@
 use crate::pictures::{drawn, locked, names};
+use ::check::Locked;
 use image::RgbImage;
 use live::Answer;
 use live::json::{self, Json};
@@ -13,20 +14,22 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         "*" => check::by_file(called, names()),
         name => Some(name),
     };
-    let told = name.and_then(|name| Some([drawn(name)?]));
-    let ours = match &told {
-        Some(told) if !may_be_another(file, &told[0].picture) => told,
-        _ => locked(),
+    let answer = |locked: &[Locked]| {
+        said(check::check(Cursor::new(file), called, name, locked))
     };
-    said(check::check(Cursor::new(file), called, name, ours))
+    // Each of ours takes a while to be drawn: only where it matters.
+    let Ok(yours) = check::picture(Cursor::new(file)) else { return answer(&[]) };
+    match name.and_then(drawn) {
+        Some(ours) if !may_be_another(yours.as_ref(), &ours) => answer(&[ours]),
+        _ => answer(locked()),
+    }
 }
 
-/// Whether a file may be another of our pictures than `ours`, each of which takes a while
-/// to be drawn: they have one size.
-fn may_be_another(file: &[u8], ours: &RgbImage) -> bool {
-    let is_other =
-        |yours: RgbImage| yours.dimensions() == ours.dimensions() && yours != *ours;
-    check::picture(Cursor::new(file)).is_some_and(is_other)
+/// Whether a picture may be another of ours, all of which have one size.
+fn may_be_another(yours: Option<&RgbImage>, ours: &Locked) -> bool {
+    yours.is_some_and(|yours| {
+        yours.dimensions() == ours.picture.dimensions() && *yours != ours.picture
+    })
 }
 
 /// An answer for the page.
