@@ -4,10 +4,10 @@
 // The gallery has the same files, and would be built anew for every mutant.
 #[path = "gallery/src/difference.rs"]
 mod difference;
-#[path = "check/src/label.rs"]
+#[path = "gallery/src/label.rs"]
 mod label;
 mod locked;
-#[path = "check/src/panels.rs"]
+#[path = "gallery/src/panels.rs"]
 mod panels;
 mod program;
 mod random;

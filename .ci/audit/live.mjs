@@ -1,5 +1,5 @@
 // Moves everything live in the built book, by pointer and by keys: it has to change, and reset
-// has to bring back what is printed, to the pixel. Prints the median time of a frame, from the
+// has to bring back what is printed, to the pixel. Asks each form whether pictures are right. Prints the median time of a frame, from the
 // gesture to the pixels; nothing fails on time.
 //
 //     node live.mjs FOLDER          (CHROMIUM names the browser)
@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 const folder = resolve(process.argv[2]);
 const home = pathToFileURL(folder).href + '/';
 const pages = readdirSync(folder).filter(name => name.endsWith('.html') && name !== 'print.html'
-  && readFileSync(join(folder, name), 'utf8').includes('data-live='));
+  && /<(figure|form)[^>]* data-live=/.test(readFileSync(join(folder, name), 'utf8')));
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM,
   args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'],
@@ -29,7 +29,8 @@ async function tryOut(tab, figure, where, source) {
     const canvas = figure.querySelector('canvas');
     const picture = canvas ? canvas.toDataURL() : figure.querySelector('svg').innerHTML;
     const handles = [...figure.querySelectorAll('.handle')].map(one => one.style.cssText + one.ariaValueText);
-    return JSON.stringify([picture, handles, figure.querySelector('figcaption')?.textContent]);
+    const chosen = [...figure.querySelectorAll('select')].map(one => one.value);
+    return JSON.stringify([picture, handles, chosen, figure.querySelector('figcaption')?.textContent]);
   });
   const printed = await state();
   if (source) {
@@ -84,6 +85,13 @@ async function tryOut(tab, figure, where, source) {
     await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
     await moved(`a key on knob ${k}`);
   }
+  for (const select of await figure.locator('.knobs select').all()) {
+    await select.selectOption({ index: 43 });
+    await moved('choosing');
+    await select.focus();
+    await tab.keyboard.press('ArrowDown');
+    await moved('a key on the choice');
+  }
   // Frames: from a gesture until what it drew can be read. None waits for the screen.
   const median = await figure.evaluate(async figure => {
     const grip = figure.querySelector('.handle') ?? figure.querySelector('input[type=range]');
@@ -114,6 +122,53 @@ async function tryOut(tab, figure, where, source) {
   console.log(`${where}: ${median.toFixed(1)} ms a frame`);
 }
 
+// Asks the form whether a right picture is right, by a file that is chosen and by keys; then a
+// wrong one, dropped, in the first form of a page; and what is no picture.
+async function ask(tab, form, where, isFirst) {
+  const fault = what => faults.push(`${where}: ${what}`);
+  const output = form.locator('output');
+  const says = async (words, time) => {
+    const told = form.locator('output .said').filter({ hasText: words });
+    await told.waitFor({ timeout: 30000 }).catch(async () => fault(`says "${await output.textContent()}", not "${words}"`));
+    if (time) console.log(`${where}: ${Date.now() - time} ms to look at a picture`);
+  };
+  const reset = async () => {
+    await form.locator('button').click();
+    if (await output.textContent() !== '') fault('reset leaves an answer');
+  };
+  const named = await form.getAttribute('data-name');
+  const name = named === '*' ? 'step04_diffuse' : named;
+  const right = join(folder, 'pictures', `${name}.png`);
+  await form.scrollIntoViewIfNeeded();
+  const choosing = tab.waitForEvent('filechooser');
+  await form.locator('input').focus();
+  await tab.keyboard.press('Enter');
+  let start = Date.now();
+  await (await choosing).setFiles(right);
+  await says(`Right: this is the picture of ${name}, in every pixel.`, start);
+  await reset();
+  const drop = (bytes, called) => form.evaluate((form, [bytes, called]) => {
+    const files = new DataTransfer();
+    files.items.add(new File([Uint8Array.from(atob(bytes), letter => letter.charCodeAt(0))], called));
+    form.dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
+  }, [Buffer.from(bytes).toString('base64'), called]);
+  await drop('my notes', 'notes.txt');
+  await says('notes.txt is not a PNG file');
+  await drop(readFileSync(right).subarray(0, 2000), `${name}.png`);
+  await says('is a damaged PNG file');
+  if (isFirst) {
+    start = Date.now();
+    const isAny = named === '*';
+    const [wrong, words] = isAny
+      ? ['mistake-no-exponent', 'is what you get when the exponent n is left out']
+      : ['shadowed', `Not right yet: this is not the picture of ${name}`];
+    await drop(readFileSync(join(folder, 'pictures', `${wrong}.png`)), isAny ? 'step05_phong.png' : `${name}.png`);
+    await says(words, start);
+    if (await form.locator('canvas').count() !== 3) fault('shows no difference');
+  }
+  await reset();
+}
+
 for (const page of pages) {
   const html = readFileSync(join(folder, page), 'utf8');
   for (const width of [1280, 390]) {
@@ -131,6 +186,12 @@ for (const page of pages) {
       const name = await figure.getAttribute('data-live');
       const source = html.match(`data-live="${name}"><img src="([^"]*)"`)?.[1];
       await tryOut(tab, figure, where, source).catch(error => faults.push(`${where}: ${error}`));
+    }
+    const forms = tab.locator('form[data-live=check]');
+    for (let k = 0; k < await forms.count(); k += 1) {
+      const form = forms.nth(k);
+      const where = `${page} check ${await form.getAttribute('data-name')} (${width} px)`;
+      await ask(tab, form, where, k === 0).catch(error => faults.push(`${where}: ${error}`));
     }
     await context.close();
   }

@@ -3,8 +3,11 @@ use crate::markdown::inline;
 use crate::module;
 use crate::{chain, gallery};
 use anyhow::{Context, Result};
-use live::{Live, escape};
+use image::{ColorType, ImageFormat, write_buffer_with_format};
+use live::{Live, Sight, escape};
+use std::collections::BTreeMap;
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 /// What makes a picture load when it comes into view.
@@ -101,7 +104,7 @@ fn size(png: &[u8]) -> Option<(u32, u32)> {
 }
 
 /// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
-/// there, adds the modules for the pages, and removes what is neither.
+/// and what answers with a picture of its own there, adds the modules for the pages, and removes what is neither.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -111,9 +114,17 @@ pub fn copy_snapshots(workspace: &Path) -> Result<()> {
         .with_context(|| format!("{} can't be made", folder.display()))?;
     let mut names = gallery::draw(&folder)?;
     let old = Files::read(&folder)?.0;
+    let mut pictures = BTreeMap::new();
+    for live in live::LIVE {
+        if let Sight::Picture { size, pixels } = (live.sight)(&live.values()) {
+            pictures.insert(format!("{}.png", live.name), encoded(size, &pixels)?);
+        }
+    }
     for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
         let Some(name) = name.strip_suffix(".snap.png") else { continue };
-        let name = format!("{name}.png");
+        pictures.insert(format!("{name}.png"), bytes);
+    }
+    for (name, bytes) in pictures {
         if old.get(&name) != Some(&bytes) {
             fs::write(folder.join(&name), bytes).with_context(|| name.clone())?;
         }
@@ -124,4 +135,18 @@ pub fn copy_snapshots(workspace: &Path) -> Result<()> {
         fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }
     Ok(())
+}
+
+/// A PNG file of these pixels, of four bytes each.
+fn encoded([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
+    let mut png = Cursor::new(vec![]);
+    write_buffer_with_format(
+        &mut png,
+        pixels,
+        width,
+        height,
+        ColorType::Rgba8,
+        ImageFormat::Png,
+    )?;
+    Ok(png.into_inner())
 }

@@ -137,7 +137,7 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
     const mend = () => {
-        for (const box of document.querySelectorAll("pre, .formula, .table-wrapper")) {
+        for (const box of document.querySelectorAll("pre, .formula, .table-wrapper, .stage")) {
             if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
         }

@@ -41,6 +41,16 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
+// A choice among many, in their groups.
+function choice(list) {
+    const select = make("select", {});
+    const groups = Map.groupBy(list.map(([group, name], value) => ({ group, name, value })), one => one.group);
+    for (const [label, all] of groups) {
+        select.append(make("optgroup", { label }, ...all.map(({ name, value }) => make("option", { value }, name))));
+    }
+    return select;
+}
+
 // Makes one figure answer.
 function liven(figure, module) {
     const name = figure.dataset.live;
@@ -85,19 +95,20 @@ function liven(figure, module) {
     const controls = make("div", { class: "knobs" });
     const knobs = about.knobs.map((knob, k) => {
         if (turned.has(k) || knob.isFixed) return null;
-        const input = make("input", knob.isSwitch
+        const isList = knob.list.length !== 0;
+        const input = isList ? choice(knob.list) : make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });
         const output = make("output", {});
         const symbol = make("span", { class: "symbol", "aria-hidden": "true" }, knob.symbol);
-        const label = make("label", { class: knob.isSwitch ? "switch" : "range" },
+        const label = make("label", { class: isList ? "list" : knob.isSwitch ? "switch" : "range" },
             make("span", {}, symbol, knob.symbol ? " " : "", knob.words), input, output);
         input.addEventListener("input", () => {
-            values = values.with(k, knob.isSwitch ? Number(input.checked) : input.valueAsNumber);
+            values = values.with(k, Number(knob.isSwitch ? input.checked : input.value));
             later("show", () => request("show"));
         });
         controls.append(label);
-        return { input, output, isSwitch: knob.isSwitch };
+        return { input, output, isSwitch: knob.isSwitch, isList };
     });
 
     // Handles: pointer, finger and arrow keys.
@@ -178,6 +189,7 @@ function liven(figure, module) {
             if (!knob) return;
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
+            if (knob.isList) return;
             knob.input.setAttribute("aria-valuetext", answer.texts[k]);
             knob.output.textContent = answer.texts[k];
         });

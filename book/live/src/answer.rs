@@ -1,5 +1,5 @@
 use crate::json::{self, Json};
-use crate::{Live, Sight, find};
+use crate::{Knob, Live, Sight, find};
 use glam::dvec2;
 
 /// What the module says to a request of the page.
@@ -72,6 +72,7 @@ fn about(live: &Live) -> String {
                 "isSwitch",
                 Json::from(f64::from(u8::from(knob.choices == ["off", "on"]))),
             ),
+            ("list", list(knob)),
         ];
         Json::raw(json::object(fields))
     });
@@ -85,6 +86,15 @@ fn about(live: &Live) -> String {
         ("handles", Json::list(handles)),
         ("values", Json::list(live.values().into_iter().map(Json::from))),
     ])
+}
+
+/// The group and the name of each value of a knob that is chosen from a list.
+fn list(knob: &Knob) -> Json {
+    let all = knob.list.into_iter().flat_map(|list| {
+        let row = move |k| Json::list(list(k).map(Json::from));
+        (0..=knob.range[1] as usize).map(row)
+    });
+    Json::list(all)
 }
 
 /// The values and what belongs to them, with what there `is_seen` at them.

@@ -21,7 +21,7 @@ mod pictures;
 pub use pictures::{OBJECTS, rgba};
 
 /// Everything that answers.
-pub const LIVE: [&Live; 12] = [
+pub const LIVE: [&Live; 13] = [
     &figures::RAY,
     &figures::ROW,
     &figures::THREE_CASES,
@@ -34,6 +34,7 @@ pub const LIVE: [&Live; 12] = [
     &pictures::STEP03,
     &pictures::STEP04,
     &pictures::STEP05,
+    &pictures::MISTAKES,
 ];
 
 /// What answers to this name.

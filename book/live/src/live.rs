@@ -38,6 +38,8 @@ pub struct Knob {
     pub steps: f64,
     /// What the values 0, 1, 2, … are called, where they are no numbers.
     pub choices: &'static [&'static str],
+    /// The group and the name of each of its values 0, 1, 2, …, where they are many.
+    pub list: Option<fn(usize) -> [&'static str; 2]>,
     /// Whether the page leaves it at its printed value.
     pub is_fixed: bool,
 }
@@ -89,6 +91,7 @@ impl Knob {
             range,
             steps,
             choices: &[],
+            list: None,
             is_fixed: false,
         }
     }
@@ -108,8 +111,21 @@ impl Knob {
             range,
             steps: 1.0,
             choices,
+            list: None,
             is_fixed: false,
         }
+    }
+
+    /// One of many, each with the group and the name that `list` gives.
+    pub const fn list(
+        words: &'static str,
+        value: f64,
+        count: usize,
+        list: fn(usize) -> [&'static str; 2],
+    ) -> Self {
+        let range = [0.0, (count - 1) as f64];
+        let knob = Self::new(["", words, ""], value, range, 1.0);
+        Self { list: Some(list), ..knob }
     }
 
     /// The same number, which the page leaves as it is.
@@ -126,6 +142,10 @@ impl Knob {
 
     /// A value as the page writes it.
     pub fn text(&self, value: f64) -> String {
+        if let Some(list) = self.list {
+            let [_, name] = list(value as usize);
+            return name.to_string();
+        }
         let choice = self.choices.get(value as usize);
         choice
             .map_or_else(|| number(value) + self.unit, |choice| choice.to_string())

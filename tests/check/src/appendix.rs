@@ -55,11 +55,24 @@ others. A mistake stays in all pictures after that one, and a few can be seen a 
 earlier already. So look under the steps before and after yours as well.
 ";
 
+const VIEWS: &str = "
+## A mistake at any view
+
+![The picture of step 5 with spheres that are a tenth too large, the right one, and the pixels \
+that differ, which are nearly all.](pictures/mistakes.png \"What you get when {{#number mistakes:when}}; \
+then the right picture, and where they differ: orange where the first is too bright, blue where \
+it is too dark, in {{#number mistakes:differ}} of {{#number mistakes:pixels}} pixels. \
+{{#number mistakes:says}}\") {{#live}}
+
+Turn $\\theta$ down to 5°: the tangent of so small an angle is nearly the angle itself, and \
+few pixels differ. Turn it up to 120°, and the two views have little in common.
+";
+
 /// The appendix of the book that shows the whole gallery, as Markdown.
 ///
 /// Its pictures have the names that [`Mistake::shown`] gives.
 pub fn appendix() -> String {
-    let mut text = format!("{HEAD}```text\n{}```\n{AFTER}", example());
+    let mut text = format!("{HEAD}```text\n{}```\n{AFTER}{VIEWS}", example());
     for step in Step::ALL {
         let title = match step {
             Step::Rays => "Step 1: rays and pixels",

@@ -1,12 +1,11 @@
 use crate::case::Case;
 use crate::kind::kind;
 use crate::options::options;
-use crate::panels::panels;
 use crate::png::{self, Notes};
 use crate::told::{Told, objects, one_pixel};
 use crate::verdict::verdict;
 use crate::view::View;
-use crate::{Answer, Cause, Found, Locked, Rest, Step, sight, whose};
+use crate::{Answer, Cause, Found, Locked, Rest, Step, panels, sight, whose};
 use image::RgbImage;
 use std::io::{BufRead, Seek};
 

@@ -1,8 +1,6 @@
 //! `check`: what a picture tells of the program that drew it.
 
-mod label;
 mod locked;
-mod panels;
 mod png;
 mod view;
 
@@ -42,6 +40,6 @@ pub use table::table;
 pub use whose::by_file;
 
 use gallery::{
-    Mistake, Named, Parts, Section, Step, apart, camera, mistakes, section,
+    Mistake, Named, Parts, Section, Step, apart, camera, mistakes, panels, section,
     workspace,
 };

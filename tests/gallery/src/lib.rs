@@ -10,6 +10,8 @@ mod mistake;
 mod mistakes;
 
 mod difference;
+mod label;
+mod panels;
 mod workspace;
 
 mod drawn;
@@ -17,7 +19,8 @@ mod drawn;
 pub use difference::{Difference, apart};
 pub use drawn::draw;
 pub use mistake::Mistake;
-pub use mistakes::mistakes;
+pub use mistakes::{COUNT, by_step, mistakes};
+pub use panels::panels;
 pub use parts::{Nearest, Parts};
 pub use scene::{Named, scene};
 pub use section::Section;

@@ -1,12 +1,14 @@
 //! The pictures that answer, each drawn by its step.
 
 mod asked;
+mod mistakes;
 mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
 
+pub use mistakes::MISTAKES;
 pub use step01::STEP01;
 pub use step02::STEP02;
 pub use step03::{OBJECTS, STEP03};
@@ -20,8 +22,12 @@ use step01_rays::{Camera, Ray, render};
 
 /// What `camera` sees, one ray a pixel.
 fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
-    let image = render(camera, 1, colour);
-    Sight::Picture { size: image.dimensions().into(), pixels: rgba(&image) }
+    shown(&render(camera, 1, colour))
+}
+
+/// An image, to be seen in a page.
+fn shown(image: &RgbImage) -> Sight {
+    Sight::Picture { size: image.dimensions().into(), pixels: rgba(image) }
 }
 
 /// Red, green, blue and 255 for each pixel, row by row, as a page draws them.
