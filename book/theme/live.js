@@ -79,14 +79,14 @@ function liven(figure, module) {
     // What waits to be asked: of each thing that is moved, only the last gesture before a frame counts.
     const waiting = new Map();
     const later = (what, request) => {
-        if (waiting.size === 0) {
-            requestAnimationFrame(() => {
-                const requests = [...waiting.values()];
-                waiting.clear();
-                requests.forEach(last => show(ask(module, last())));
-            });
-        }
+        const isAsked = 0 < waiting.size;
         waiting.set(what, request);
+        if (isAsked) return;
+        requestAnimationFrame(() => {
+            const requests = [...waiting.values()];
+            waiting.clear();
+            requests.forEach(last => show(ask(module, last())));
+        });
     };
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 

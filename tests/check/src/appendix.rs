@@ -61,7 +61,7 @@ const VIEWS: &str = "
 ![The picture of step 5 with spheres that are a tenth too large, the right one, and the pixels \
 that differ, which are nearly all.](pictures/mistakes.png \"What you get when {{#number mistakes:when}}; \
 then the right picture, and where they differ: orange where the first is too bright, blue where \
-it is too dark, in {{#number mistakes:differ}} of {{#number mistakes:pixels}} pixels. \
+it is too dark. \
 {{#number mistakes:says}}\") {{#live}}
 
 Turn $\\theta$ down to 5°: the tangent of so small an angle is nearly the angle itself, and \

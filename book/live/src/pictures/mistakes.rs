@@ -1,7 +1,6 @@
 use super::shown;
-use crate::live::{Knob, Live, number};
-use gallery::{COUNT, Mistake, Parts, Step, apart, by_step, panels};
-use image::RgbImage;
+use crate::live::{Knob, Live};
+use gallery::{COUNT, Mistake, Step, by_step, panels};
 use step01_rays::{AspectRatio, Camera};
 
 /// A mistake of the gallery at any view: its picture, the right one, and where they
@@ -20,20 +19,17 @@ pub const MISTAKES: Live = Live {
     handles: &[],
     is_allowed: |values| camera(values).is_ok(),
     sight: |values| {
-        let [wrong, right] = pictures(values);
+        let mistake = mistake(values);
+        let step = if values[1] == 0.0 { mistake.step } else { Step::Phong };
+        let camera = camera(values).unwrap_or_else(|_| crate::camera());
+        let (wrong, right) =
+            (mistake.picture_in(step, &camera, 1), step.picture(&camera, 1));
         shown(&panels([("wrong", &wrong), ("right", &right)]))
     },
     numbers: |values| {
-        let [wrong, right] = pictures(values);
-        let pairs = wrong.pixels().zip(right.pixels());
-        let differ = pairs.filter(|(a, b)| 0 < apart(a, b)).count();
         let Mistake { when, says, .. } = mistake(values);
-        vec![
-            ("when".into(), when.replace('`', "")),
-            ("says".into(), says.replace('`', "")),
-            ("differ".into(), number(differ as f64)),
-            ("pixels".into(), number(wrong.pixels().len() as f64)),
-        ]
+        let texts = [("when", when), ("says", says)];
+        texts.map(|(name, text)| (name.into(), text.replace('`', ""))).into()
     },
 };
 
@@ -42,17 +38,6 @@ const STEPS: [&str; 5] = ["Step 1", "Step 2", "Step 3", "Step 4", "Step 5"];
 /// The mistake of these values, which are allowed.
 fn mistake(values: &[f64]) -> &'static Mistake {
     by_step().nth(values[0] as usize).expect("a mistake of the gallery")
-}
-
-/// The picture with the mistake, and without it.
-fn pictures(values: &[f64]) -> [RgbImage; 2] {
-    let mistake = mistake(values);
-    let step = if values[1] == 0.0 { mistake.step } else { Step::Phong };
-    let camera = camera(values).unwrap_or_else(|_| crate::camera());
-    let right = Parts::right(&camera);
-    let mut wrong = right.clone();
-    (mistake.change)(&mut wrong);
-    [wrong, right].map(|parts| parts.picture(step, 1))
 }
 
 /// The camera of these values.
