@@ -1,5 +1,5 @@
 use super::{
-    Change, Context, Evidence, Kind, Known, Node, Of, Op, Part, Tree, Value,
+    Change, Context, Evidence, Kind, Known, Node, Of, Op, Part, Tree, Value, Values,
 };
 use glam::DVec3;
 
@@ -185,10 +185,10 @@ fn cost(
     cost
 }
 
-/// Whether each of some pixels that is wrong becomes another one with some values.
+/// Whether each of some pixels becomes another one with some of these values.
 fn reaches(
     evidence: &Evidence,
-    (places, values): &Known,
+    values: &Values,
     unknown: &Unknown,
     some: &[DVec3],
 ) -> bool {
@@ -197,9 +197,7 @@ fn reaches(
         values.changed(&context).pixels()
     };
     let ours = pixels(&[], 0.0.into());
-    let yours = places.iter().map(|place| evidence.pixel(*place));
-    let mut is_left: Vec<_> =
-        yours.zip(&ours).map(|(yours, ours)| yours != *ours).collect();
+    let mut is_left = vec![true; ours.len()];
     some.iter().any(|x| {
         let (change, free) = unknown.change(evidence.tree, *x);
         let both = pixels(&[change], free).into_iter().zip(&ours);
@@ -235,10 +233,10 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let more = [0.3, -1.0, 6.0].map(|k| ours + k);
     let some: Vec<_> = some.into_iter().chain(more).collect();
     let [few, more, most] = evidence.parts.each_ref();
-    let reaches = |known: &Known| reaches(evidence, known, unknown, &some);
+    let reaches = |(_, values): &Known| reaches(evidence, values, unknown, &some);
     // A small sphere may be anywhere; another number changes whatever is wrong.
     let is_hopeful = match is_shape {
-        true => few.wrong.iter().any(reaches),
+        true => few.all().any(reaches),
         false => few.wrong.iter().chain(&more.wrong).all(reaches),
     };
     if !is_hopeful {
