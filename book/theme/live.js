@@ -217,6 +217,7 @@ function liven(figure, module) {
     // On paper, everything is as printed.
     addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
     figure.dataset.ready = "";
+    dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
 }
 
 // Says whether a picture is right: what `check` says of the file, which goes nowhere else.
@@ -262,7 +263,7 @@ function looking(form) {
             show(answer.code, ...told(answer));
         } catch {
             liveModule.forget("check");
-            if (mine === last) show(2, `This page can't look at ${file.name}. The command can: cargo run --bin check`);
+            if (mine === last) show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
         }
     };
     input.addEventListener("change", () => look(input.files[0]));

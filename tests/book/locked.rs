@@ -1,19 +1,33 @@
 //! Every picture in the book is a locked one, the very same file, or one that the
-//! gallery of mistakes draws.
+//! gallery of mistakes or what answers draws.
 
 use crate::book::{BOOK, files};
 use crate::{assert_found, assert_none};
 use book::{Files, Site};
 use gallery::mistakes;
-use image::RgbImage;
+use image::{DynamicImage, RgbImage, RgbaImage};
+use live::{LIVE, Live, Sight};
 use std::{collections::HashMap, sync::LazyLock};
 
-/// What the gallery draws, by the names of the pictures.
+/// What the gallery draws, and what answers as it is printed, by the names of the
+/// pictures.
 static DRAWN: LazyLock<HashMap<String, RgbImage>> = LazyLock::new(|| {
     let shown =
         mistakes().flat_map(|one| one.shown().map(move |shown| (one, shown)));
-    shown.map(|(mistake, (step, name))| (name, mistake.show(step))).collect()
+    let gallery = shown.map(|(mistake, (step, name))| (name, mistake.show(step)));
+    gallery.chain(LIVE.into_iter().filter_map(printed)).collect()
 });
+
+/// The name of what answers, and its picture as it is printed, if it is one.
+fn printed(live: &Live) -> Option<(String, RgbImage)> {
+    let Sight::Picture { size: [width, height], pixels } =
+        (live.sight)(&live.values())
+    else {
+        return None;
+    };
+    let picture = RgbaImage::from_raw(width, height, pixels)?;
+    Some((live.name.to_owned(), DynamicImage::from(picture).to_rgb8()))
+}
 
 static SNAPSHOTS: LazyLock<Files> = LazyLock::new(|| files("tests/snapshots"));
 
@@ -35,7 +49,7 @@ fn faults(book: &Site, snapshots: &Files) -> Vec<String> {
                     continue;
                 }
                 (None, None) => "is not locked",
-                (None, _) => "is not what the gallery draws",
+                (None, _) => "is not what our code draws",
                 _ => "is not the locked one",
             };
             faults
@@ -60,7 +74,7 @@ fn a_changed_picture_is_found() {
     let faults = faults(&book, &SNAPSHOTS);
     for words in [
         ["step02_sphere.png", "line ", "step02_sphere.html", "the locked one"],
-        ["mistake-y-down.png", "line ", "mistakes.html", "the gallery draws"],
+        ["mistake-y-down.png", "line ", "mistakes.html", "our code draws"],
     ] {
         let found = |fault: &String| words.iter().all(|word| fault.contains(word));
         assert!(faults.iter().any(found), "{words:?}: {faults:?}");

@@ -124,3 +124,23 @@ fn no_exercise_is_forgotten() {
     }
     assert!(missing.is_empty(), "{missing:#?}");
 }
+
+#[test]
+fn where_our_program_looks_at_a_picture_the_page_does() {
+    let mut asked = 0;
+    for file in files("book/chapters").filter(|file| is_chapter(file)) {
+        let path = here().join("../book/chapters").join(&file);
+        let text = fs::read_to_string(path).expect("a chapter");
+        let asks = text.split("cargo run --bin check -- ../ray-casting/").skip(1);
+        for name in asks.filter_map(|rest| rest.split_once(".png")) {
+            let form = format!("{{{{#check {}}}}}", name.0);
+            assert!(name.0 == "fast" || text.contains(&form), "{file}: no {form}");
+            asked += 1;
+        }
+    }
+    assert!(20 < asked, "{asked}");
+}
+
+fn is_chapter(file: &str) -> bool {
+    file.starts_with("step0") || file == "where_next.md"
+}

@@ -23,6 +23,7 @@ exercises! {
     graticule in "../../../../steps/step01_rays/examples/graticule.rs"
     look_at in "../../../../steps/step01_rays/examples/look_at.rs"
     panorama in "../../../../steps/step01_rays/examples/panorama.rs"
+    rings in "../../../../steps/step01_rays/examples/rings.rs"
     disc in "../../../../steps/step02_sphere/examples/disc.rs"
     lens in "../../../../steps/step02_sphere/examples/lens.rs"
     plane in "../../../../steps/step02_sphere/examples/plane.rs"
@@ -58,6 +59,7 @@ const PICTURES: &[(&str, Picture)] = &[
     ("graticule", graticule::picture),
     ("look_at", look_at::picture),
     ("panorama", panorama::picture),
+    ("rings", rings::picture),
     ("disc", |camera, _| disc::picture(camera)),
     ("lens", lens::picture),
     ("plane", plane::picture),
