@@ -103,14 +103,14 @@ function liven(figure, module) {
     const handles = about.handles.map((handle, k) => {
         const [across, up] = handle.knobs;
         const grip = make("span", {
-            class: across === up ? "handle" : "handle free", role: "slider", tabindex: 0, "aria-label": handle.words,
+            class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
             "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
         });
         let offset = null;
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
-            reveal();
+            if (handle.isAsking) reveal();
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
             grip.classList.add("held");
@@ -131,7 +131,7 @@ function liven(figure, module) {
             const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
             if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
-            reveal();
+            if (handle.isAsking) reveal();
             const far = event.shiftKey ? 10 : 1;
             // Keys follow each other faster than frames: none is lost.
             show(ask(module, request("step", k, far * step[0], far * step[1])));
@@ -139,15 +139,16 @@ function liven(figure, module) {
         stage.append(grip);
         return grip;
     });
-    // A press beside the only handle of a picture brings it there.
-    if (handles.length === 1 && sight.tagName === "CANVAS") {
+    // A press on no handle of a picture brings the one there that asks.
+    const asking = about.handles.findIndex(handle => handle.isAsking);
+    if (asking >= 0) {
         sight.classList.add("asked-by-press");
         sight.addEventListener("click", event => {
             reveal();
-            later(0, () => request("drag", 0, ...place(event)));
-            handles[0].focus({ preventScroll: true });
+            later(asking, () => request("drag", asking, ...place(event)));
+            handles[asking].focus({ preventScroll: true });
         });
-        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or use the arrow keys, to ask another pixel."));
+        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or move the cross by the arrow keys, to ask a pixel."));
     }
 
     const reset = make("button", { type: "button", class: "reset" }, "Reset");

@@ -77,7 +77,12 @@ fn about(live: &Live) -> String {
     });
     let handles = live.handles.iter().map(|handle| {
         let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
-        let fields = [("words", handle.words.into()), ("knobs", Json::list(knobs))];
+        let is_asking = f64::from(u8::from(handle.is_asking));
+        let fields = [
+            ("words", handle.words.into()),
+            ("knobs", Json::list(knobs)),
+            ("isAsking", is_asking.into()),
+        ];
         Json::raw(json::object(fields))
     });
     json::object([

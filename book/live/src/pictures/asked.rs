@@ -1,6 +1,6 @@
 use crate::live::{Handle, Knob, Numbers, number, vector};
 use crate::{discriminant, roots};
-use glam::{DMat3, DVec3, dvec2};
+use glam::{DMat3, DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray, direction_colour, render};
 use step02_sphere::Sphere;
 
@@ -25,6 +25,24 @@ pub const PIXEL: Handle = Handle {
     is_down: true,
     is_asking: true,
 };
+
+/// Where in the picture of the course a point of the world is: in
+/// p = d [D_u D_v V_0] (i, j, 1)ᵀ, d is how deep it lies. What is behind the eye is
+/// left of the picture.
+pub fn place(p: DVec3) -> DVec2 {
+    let camera = crate::camera();
+    let pixel = camera.matrix.inverse() * (p - camera.centre);
+    if pixel.z <= 0.0 {
+        return DVec2::NEG_X;
+    }
+    pixel.truncate() / pixel.z + 0.5
+}
+
+/// The point of the world that is seen at a place, `depth` ahead.
+pub fn point(place: DVec2, depth: f64) -> DVec3 {
+    let pixel = place - 0.5;
+    crate::camera().ray(pixel.x, pixel.y).at(depth)
+}
 
 /// The camera of a picture of so many columns.
 pub fn camera(columns: f64) -> Result<Camera, String> {
