@@ -75,8 +75,10 @@ function liven(figure, module) {
     };
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
-    // Ranges and switches, for what no handle turns.
-    const turned = new Set(about.handles.flatMap(handle => handle.knobs));
+    // Ranges and switches, for what no handle turns that is in the printed figure.
+    const printed = ask(module, request("show"));
+    const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
+    const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
     const controls = make("div", { class: "knobs" });
     const knobs = about.knobs.map((knob, k) => {
         if (turned.has(k) || knob.isFixed) return null;
@@ -180,6 +182,9 @@ function liven(figure, module) {
         handles.forEach((grip, k) => {
             const turns = [...new Set(about.handles[k].knobs)];
             grip.at = answer.places[k];
+            const isLost = !isInside(grip.at) && grip === document.activeElement;
+            grip.hidden = !isInside(grip.at);
+            if (isLost) knobs[turns[0]]?.input.focus();
             grip.style.left = `${grip.at[0] / size[0] * 100}%`;
             grip.style.top = `${grip.at[1] / size[1] * 100}%`;
             grip.setAttribute("aria-valuenow", values[turns[0]]);
@@ -197,7 +202,7 @@ function liven(figure, module) {
         follow.forEach(part => { part.hidden = false; });
         dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }
-    show(ask(module, request("show")));
+    show(printed);
     // On paper, everything is as printed.
     addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
     figure.dataset.ready = "";

@@ -49,7 +49,8 @@ pub struct Handle {
     pub words: &'static str,
     /// The knobs that it turns: sideways, and up and down.
     pub knobs: [usize; 2],
-    /// Where it is, in the coordinates of the drawing or in pixels.
+    /// Where it is, in the coordinates of the drawing or in pixels; outside of them,
+    /// there is nothing to take.
     pub at: fn(&[f64]) -> DVec2,
     /// Sets the values so that it comes to a place, or near it.
     pub drag: fn(&mut [f64], DVec2),

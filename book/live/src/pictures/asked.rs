@@ -14,6 +14,9 @@ pub const ROW: Knob = Knob::new(["j", "row", ""], 120.0, [0.0, 359.0], 1.0);
 pub const COLUMNS: Knob =
     Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0).fixed();
 
+/// Columns and rows of the pictures of the course.
+pub const SIZE: DVec2 = dvec2(640.0, 360.0);
+
 /// The cross at the pixel, for a picture whose first knobs are `COLUMN` and `ROW`.
 pub const PIXEL: Handle = Handle {
     words: "the pixel that you ask",
