@@ -81,7 +81,7 @@ function liven(figure, module) {
     const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
     const controls = make("div", { class: "knobs" });
     const knobs = about.knobs.map((knob, k) => {
-        if (turned.has(k) || knob.isFixed) return null;
+        if (knob.isFixed || (turned.has(k) && !knob.group)) return null;
         const input = make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });
@@ -94,8 +94,20 @@ function liven(figure, module) {
             later("show", () => request("show"));
         });
         controls.append(label);
-        return { input, output, isSwitch: knob.isSwitch };
+        return { input, output, label, isSwitch: knob.isSwitch };
     });
+
+    // Where knobs are of several things, those of one are to be seen: of what was touched last.
+    const groups = [...new Set(about.knobs.map(knob => knob.group))].filter(group => group);
+    const choice = make("select", {}, ...groups.map(group => make("option", {}, group)));
+    const choose = group => {
+        if (!group) return;
+        choice.value = group;
+        knobs.forEach((knob, k) => { if (knob) knob.label.hidden = about.knobs[k].group !== group; });
+        handles.forEach(grip => grip.classList.toggle("chosen", grip.group === group));
+    };
+    choice.addEventListener("change", () => choose(choice.value));
+    if (groups.length > 0) controls.prepend(make("label", { class: "choice" }, "Change ", choice));
 
     // Handles: pointer, finger and arrow keys.
     const place = event => {
@@ -108,11 +120,14 @@ function liven(figure, module) {
             class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
             "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
         });
+        grip.group = about.knobs[across].group;
+        grip.addEventListener("focus", () => choose(grip.group));
         let offset = null;
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
             if (handle.isAsking) reveal();
+            choose(grip.group);
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
             grip.classList.add("held");
@@ -160,6 +175,7 @@ function liven(figure, module) {
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+    const code = document.querySelector(`[data-code="${name}:rust"] code`);
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
 
     function show(answer) {
@@ -193,6 +209,11 @@ function liven(figure, module) {
         // A number that there is not here is left empty, and what speaks of it is hidden.
         const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
         for (const number of numbers) number.textContent = told(number.dataset.number);
+        if (code && code.textContent !== answer.numbers.rust) {
+            code.textContent = answer.numbers.rust;
+            window.hljs?.highlightBlock(code);
+        }
+        keep(answer.numbers.address);
         for (const part of spoken) part.hidden = told(part.dataset.when) === "";
         reset.disabled = values.every((value, k) => value === about.values[k]);
     }
@@ -202,9 +223,35 @@ function liven(figure, module) {
         follow.forEach(part => { part.hidden = false; });
         dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }
+    // What is made here may be kept: it is in the address, once a gesture has come to rest.
+    let kept = printed.numbers.address;
+    let rest;
+    const refused = make("output", { class: "hint" });
+    function keep(address) {
+        refused.textContent = "";
+        if (address === kept) return;
+        kept = address;
+        clearTimeout(rest);
+        rest = setTimeout(() => history.replaceState(null, "", kept ? `#scene=${kept}` : location.pathname + location.search), 200);
+    }
+    const open = () => {
+        if (!location.hash.startsWith("#scene=")) return;
+        const answer = ask(module, `open ${name} ${location.hash.slice("#scene=".length)}`);
+        if (!answer.error) kept = answer.numbers.address;
+        show(answer);
+        refused.textContent = answer.error ? `${answer.error} So nothing has changed.` : "";
+    };
+
+    choose(handles[0]?.group);
     show(printed);
-    // On paper, everything is as printed.
-    addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
+    if (kept === undefined) {
+        // On paper, everything is as printed.
+        addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
+    } else {
+        controls.append(refused);
+        addEventListener("hashchange", open);
+        open();
+    }
     figure.dataset.ready = "";
 }
 

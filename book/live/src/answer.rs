@@ -1,3 +1,4 @@
+use crate::address::opened;
 use crate::json::{self, Json};
 use crate::{Live, Sight, find};
 use glam::dvec2;
@@ -17,18 +18,28 @@ pub struct Answer {
 /// - `show NAME VALUES`: what it shows at these values.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
+/// - `open NAME ADDRESS`: what it shows at the values of an address.
 ///
 /// A handle that asks leaves what is seen as it is, and nothing is drawn.
 pub fn answer(request: &str) -> Answer {
-    answered(request).unwrap_or_else(|| {
-        let what = format!("There is no answer to {request:?}.");
-        Answer { text: json::object([("error", what.into())]), pixels: vec![] }
-    })
+    answered(request)
+        .unwrap_or_else(|| refused(format!("There is no answer to {request:?}.")))
+}
+
+/// A sentence that says what was wrong.
+fn refused(what: String) -> Answer {
+    Answer { text: json::object([("error", what.into())]), pixels: vec![] }
 }
 
 fn answered(request: &str) -> Option<Answer> {
     let mut words = request.split_whitespace();
     let (verb, live) = (words.next()?, find(words.next()?)?);
+    if verb == "open" {
+        let values = opened(live, words.next().unwrap_or_default());
+        return Some(
+            values.map_or_else(refused, |values| show(live, &values, true)),
+        );
+    }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     let numbers = numbers?;
     if verb == "about" {
@@ -67,6 +78,7 @@ fn about(live: &Live) -> String {
             ("min", min.into()),
             ("max", max.into()),
             ("step", (1.0 / knob.steps).into()),
+            ("group", knob.group.into()),
             ("isFixed", Json::from(f64::from(u8::from(knob.is_fixed)))),
             (
                 "isSwitch",

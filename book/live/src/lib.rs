@@ -20,8 +20,11 @@ pub use figures::{Figure, figure, names};
 mod pictures;
 pub use pictures::OBJECTS;
 
+mod address;
+mod scene;
+
 /// Everything that answers.
-pub const LIVE: [&Live; 12] = [
+pub const LIVE: [&Live; 13] = [
     &figures::RAY,
     &figures::ROW,
     &figures::THREE_CASES,
@@ -34,6 +37,7 @@ pub const LIVE: [&Live; 12] = [
     &pictures::STEP03,
     &pictures::STEP04,
     &pictures::STEP05,
+    &scene::OWN_SCENE,
 ];
 
 /// What answers to this name.

@@ -40,6 +40,8 @@ pub struct Knob {
     pub choices: &'static [&'static str],
     /// Whether the page leaves it at its printed value.
     pub is_fixed: bool,
+    /// What it belongs to, where a page shows the knobs of one thing at a time.
+    pub group: &'static str,
 }
 
 /// A place that the reader drags, by pointer or by arrow keys.
@@ -91,6 +93,7 @@ impl Knob {
             steps,
             choices: &[],
             is_fixed: false,
+            group: "",
         }
     }
 
@@ -110,12 +113,18 @@ impl Knob {
             steps: 1.0,
             choices,
             is_fixed: false,
+            group: "",
         }
     }
 
     /// The same number, which the page leaves as it is.
     pub const fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }
+    }
+
+    /// The same number, of a thing of this name.
+    pub const fn of(self, group: &'static str) -> Self {
+        Self { group, ..self }
     }
 
     /// The allowed value that is nearest to `value`.

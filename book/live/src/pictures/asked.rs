@@ -29,11 +29,15 @@ pub const PIXEL: Handle = Handle {
     is_asking: true,
 };
 
-/// Where in the picture of the course a point of the world is: in
+/// Where in the picture of the course a point of the world is.
+pub fn place(p: DVec3) -> DVec2 {
+    place_by(&crate::camera(), p)
+}
+
+/// Where in the picture of a camera a point of the world is: in
 /// p = d [D_u D_v V_0] (i, j, 1)ᵀ, d is how deep it lies. What is behind the eye is
 /// left of the picture.
-pub fn place(p: DVec3) -> DVec2 {
-    let camera = crate::camera();
+pub fn place_by(camera: &Camera, p: DVec3) -> DVec2 {
     let pixel = camera.matrix.inverse() * (p - camera.centre);
     if pixel.z <= 0.0 {
         return DVec2::NEG_X;

@@ -1,7 +1,7 @@
 //! The pictures that answer, each drawn by its step.
 
-mod asked;
-mod step01;
+pub(crate) mod asked;
+pub(crate) mod step01;
 mod step02;
 mod step03;
 mod step04;
@@ -18,7 +18,10 @@ use glam::DVec3;
 use step01_rays::{Camera, Ray, render};
 
 /// What `camera` sees, one ray a pixel.
-fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
+pub(crate) fn picture(
+    camera: &Camera,
+    colour: impl Fn(&Ray) -> DVec3 + Sync,
+) -> Sight {
     let image = render(camera, 1, colour);
     let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
     for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
