@@ -80,6 +80,18 @@ function liven(figure, module) {
     const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
     const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
     const controls = make("div", { class: "knobs" });
+    // Where knobs are of several things, those of one are to be seen: of what was touched last.
+    const things = [...new Set(about.knobs.map(knob => knob.group))].filter(group => group);
+    const choice = make("select", {}, ...things.map(thing => make("option", {}, thing)));
+    const head = things.length === 0 ? controls : make("div", { class: "choice" }, make("label", {}, "Change ", choice));
+    const choose = thing => {
+        if (!thing) return;
+        choice.value = thing;
+        knobs.forEach((knob, k) => { if (knob) knob.label.hidden = about.knobs[k].group !== thing; });
+        handles.forEach(grip => grip.classList.toggle("chosen", grip.thing === thing));
+    };
+    choice.addEventListener("change", () => choose(choice.value));
+    if (head !== controls) controls.append(head);
     const knobs = about.knobs.map((knob, k) => {
         if (knob.isFixed || (turned.has(k) && !knob.group)) return null;
         const input = make("input", knob.isSwitch
@@ -93,21 +105,9 @@ function liven(figure, module) {
             values = values.with(k, knob.isSwitch ? Number(input.checked) : input.valueAsNumber);
             later("show", () => request("show"));
         });
-        controls.append(label);
+        (knob.isSwitch ? head : controls).append(label);
         return { input, output, label, isSwitch: knob.isSwitch };
     });
-
-    // Where knobs are of several things, those of one are to be seen: of what was touched last.
-    const groups = [...new Set(about.knobs.map(knob => knob.group))].filter(group => group);
-    const choice = make("select", {}, ...groups.map(group => make("option", {}, group)));
-    const choose = group => {
-        if (!group) return;
-        choice.value = group;
-        knobs.forEach((knob, k) => { if (knob) knob.label.hidden = about.knobs[k].group !== group; });
-        handles.forEach(grip => grip.classList.toggle("chosen", grip.group === group));
-    };
-    choice.addEventListener("change", () => choose(choice.value));
-    if (groups.length > 0) controls.prepend(make("label", { class: "choice" }, "Change ", choice));
 
     // Handles: pointer, finger and arrow keys.
     const place = event => {
@@ -120,14 +120,14 @@ function liven(figure, module) {
             class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
             "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
         });
-        grip.group = about.knobs[across].group;
-        grip.addEventListener("focus", () => choose(grip.group));
+        grip.thing = about.knobs[across].group;
+        grip.addEventListener("focus", () => choose(grip.thing));
         let offset = null;
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
             if (handle.isAsking) reveal();
-            choose(grip.group);
+            choose(grip.thing);
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
             grip.classList.add("held");
@@ -170,7 +170,7 @@ function liven(figure, module) {
 
     const reset = make("button", { type: "button", class: "reset" }, "Reset");
     reset.addEventListener("click", () => { values = about.values; show(ask(module, request("show"))); });
-    controls.append(reset);
+    head.append(reset);
     stage.after(controls);
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
@@ -226,7 +226,7 @@ function liven(figure, module) {
     // What is made here may be kept: it is in the address, once a gesture has come to rest.
     let kept = printed.numbers.address;
     let rest;
-    const refused = make("output", { class: "hint" });
+    const refused = make("output", { class: "refused" });
     function keep(address) {
         refused.textContent = "";
         if (address === kept) return;
@@ -239,10 +239,10 @@ function liven(figure, module) {
         const answer = ask(module, `open ${name} ${location.hash.slice("#scene=".length)}`);
         if (!answer.error) kept = answer.numbers.address;
         show(answer);
-        refused.textContent = answer.error ? `${answer.error} So nothing has changed.` : "";
+        refused.textContent = answer.error ? `${answer.error} Nothing has changed.` : "";
     };
 
-    choose(handles[0]?.group);
+    choose(handles[0]?.thing);
     show(printed);
     if (kept === undefined) {
         // On paper, everything is as printed.

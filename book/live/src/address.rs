@@ -19,21 +19,26 @@ pub fn opened(live: &Live, address: &str) -> Result<Vec<f64>, String> {
         let (which, value) = part.split_once(':').unwrap_or((part, ""));
         let mut known = live.knobs.iter().zip(&mut values);
         let known = known.find(|(knob, _)| name(knob) == which && !knob.is_fixed);
-        let (knob, at) = known
-            .ok_or(format!("There is nothing here called “{}”.", short(which)))?;
+        let (knob, at) = known.ok_or(format!(
+            "The address speaks of “{}”, and nothing here is called so.",
+            short(which)
+        ))?;
         let number: f64 = value.parse().map_err(|_| {
-            format!("The value “{}” of {which} is no number.", short(value))
+            format!(
+                "The address says “{}” for {which}, which is no number.",
+                short(value)
+            )
         })?;
         let [min, max] = knob.range;
         if !(min..=max).contains(&number) {
             let value = short(value);
             return Err(format!(
-                "{which} can't be {value}; allowed are {min} to {max}."
+                "The address says {value} for {which}; allowed are {min} to {max}."
             ));
         }
         *at = number;
     }
-    live.allowed(values).ok_or("There is nothing to show there.".into())
+    live.allowed(values).ok_or("There is nothing to show at this address.".into())
 }
 
 /// What a number is called in an address.

@@ -133,11 +133,11 @@ const fn ball(&(_, is_there, centre, r, paint, r_s, n): &Ball) -> [Knob; SPHERE]
         y,
         z,
         Knob::new(["r", "radius", ""], r, radius, 100.0),
+        Knob::new(["Rₛ", "mirrored", ""], r_s, [0.0, 1.0], 100.0),
+        Knob::new(["n", "shininess", ""], n, [1.0, 300.0], 1.0),
         red,
         green,
         blue,
-        Knob::new(["Rₛ", "mirrored", ""], r_s, [0.0, 1.0], 100.0),
-        Knob::new(["n", "shininess", ""], n, [1.0, 300.0], 1.0),
     ]
 }
 
@@ -158,9 +158,9 @@ const fn lamp(&(_, is_on, at, l_d, l_s, [a, b, c]): &Lamp) -> [Knob; LIGHT] {
         s_green,
         s_blue,
         // Above 0, so that a + bd + cd² is.
-        Knob::new(["a", "attenuation", ""], a, [0.1, 2.0], 100.0),
-        Knob::new(["b", "with d", ""], b, [0.0, 1.0], 1000.0),
-        Knob::new(["c", "with d²", ""], c, [0.0, 1.0], 1000.0),
+        Knob::new(["a", "constant fading", ""], a, [0.1, 2.0], 100.0),
+        Knob::new(["b", "linear fading", ""], b, [0.0, 1.0], 1000.0),
+        Knob::new(["c", "quadratic fading", ""], c, [0.0, 1.0], 1000.0),
     ]
 }
 

@@ -73,8 +73,8 @@ fn is_there(values: &&[f64]) -> bool {
 
 fn object(values: &[f64]) -> Object<Material> {
     let centre = DVec3::from_slice(&values[1..]);
-    let surface = Surface::of(DVec3::from_slice(&values[5..]));
-    let (specular, shininess) = (DVec3::splat(values[8]), values[9] as i32);
+    let surface = Surface::of(DVec3::from_slice(&values[7..]));
+    let (specular, shininess) = (DVec3::splat(values[5]), values[6] as i32);
     Object {
         sphere: Sphere { centre, radius: values[4] },
         material: Material { surface, specular, shininess },
