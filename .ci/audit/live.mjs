@@ -58,6 +58,7 @@ async function tryOut(tab, figure, where, source) {
   const grips = figure.locator('.handle');
   for (let k = 0; k < await grips.count(); k += 1) {
     const grip = grips.nth(k);
+    if (await grip.isHidden()) continue;
     const name = await grip.getAttribute('aria-label');
     await grip.scrollIntoViewIfNeeded();
     const box = await grip.boundingBox();
@@ -73,17 +74,26 @@ async function tryOut(tab, figure, where, source) {
       await moved(`${key} on ${name}`);
     }
   }
-  const knobs = figure.locator('.knobs input');
-  for (let k = 0; k < await knobs.count(); k += 1) {
-    const knob = knobs.nth(k);
-    await knob.scrollIntoViewIfNeeded();
-    const box = await knob.boundingBox();
-    await tab.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
-    await moved(`pressing knob ${k}`);
-    await knob.focus();
-    await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
-    await moved(`a key on knob ${k}`);
+  // Where the knobs of one thing are shown at a time, one of each kind is chosen.
+  const choice = figure.locator('.choice select');
+  const has = await choice.count() > 0;
+  for (const thing of has ? ['red sphere', 'tenth sphere', 'warm light', 'ambient light', 'camera'] : ['it']) {
+    if (has) await choice.selectOption(thing);
+    const knobs = figure.locator('.knobs label:not([hidden]) > input');
+    for (let k = 0; k < await knobs.count(); k += 1) {
+      const knob = knobs.nth(k);
+      // What is left out of a scene is not seen to change.
+      if (thing === 'tenth sphere' && k > 0) break;
+      await knob.scrollIntoViewIfNeeded();
+      const box = await knob.boundingBox();
+      await tab.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
+      await moved(`pressing knob ${k} of ${thing}`);
+      await knob.focus();
+      await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
+      await moved(`a key on knob ${k} of ${thing}`);
+    }
   }
+  if (has) await keep(tab, figure, fault);
   // Frames: from a gesture until what it drew can be read. None waits for the screen.
   const median = await figure.evaluate(async figure => {
     const grip = figure.querySelector('.handle') ?? figure.querySelector('input[type=range]');
@@ -112,6 +122,42 @@ async function tryOut(tab, figure, where, source) {
   });
   if (!await reset.isDisabled()) await reset.click();
   console.log(`${where}: ${median.toFixed(1)} ms a frame`);
+}
+
+// What was made in a page is in its address: another tab shows the same there, and nonsense gets a sentence.
+async function keep(tab, figure, fault) {
+  const seen = tab => tab.evaluate(() => JSON.stringify([
+    document.querySelector('figure[data-ready] canvas').toDataURL(), document.querySelector('[data-code] code').textContent]));
+  const printed = await seen(tab);
+  for (const name of ['red sphere', 'cool light']) {
+    await figure.locator(`.handle[aria-label="${name}"]`).focus();
+    await tab.keyboard.press('Shift+ArrowLeft');
+  }
+  await figure.locator('.choice select').selectOption('ground');
+  await figure.locator('.knobs label:not([hidden]) > input[type=range]').last().press('Home');
+  await tab.waitForTimeout(400);
+  const made = await seen(tab);
+  const other = await tab.context().newPage();
+  await other.goto(tab.url());
+  await other.locator('figure[data-ready]').waitFor();
+  await frames(other);
+  if (made === printed) fault('nothing was made');
+  if (await seen(other) !== made) fault(`shows another scene at ${tab.url()}`);
+  await other.evaluate(() => { navigator.clipboard.writeText = async text => { window.copied = text; }; });
+  await other.locator('[data-code] .copy').click();
+  if (await other.evaluate(() => window.copied) !== JSON.parse(made)[1]) fault('copies other Rust than it shows');
+  for (const nonsense of ['red-sphere-radius:0', 'red-sphere-radius:large', 'moon-radius:1', '%', 'camera-field-of-view:180']) {
+    await other.evaluate(hash => { location.hash = hash; }, `scene=${nonsense}`);
+    await other.locator('.refused:has-text("Nothing has changed.")').waitFor({ timeout: 2000 })
+      .catch(() => fault(`says nothing of ${nonsense}`));
+    if (await seen(other) !== made) fault(`changes by ${nonsense}`);
+    await other.evaluate(hash => { location.hash = hash; }, tab.url().split('#')[1]);
+    await other.locator('.refused:empty').waitFor({ state: 'attached', timeout: 2000 }).catch(() => fault('goes on about nonsense'));
+  }
+  await other.close();
+  await figure.locator('.reset').click();
+  await tab.waitForTimeout(400);
+  if (tab.url().includes('#') || await seen(tab) !== printed) fault('reset leaves something');
 }
 
 for (const page of pages) {
