@@ -130,5 +130,7 @@ fn the_rust_of_a_scene_draws_it() {
     let mut other = scene(&live().values());
     other.rust = other.rust.replace("1.2, [0.91", "1.21, [0.91");
     scenes.push(other);
+    let locked = tests::locked("step05_phong");
+    assert!(Difference::between(&locked, &scenes[0].picture).is_none());
     assert_found(&faults(&scenes), &["own_scenes 9", "pixels"]);
 }

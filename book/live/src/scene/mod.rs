@@ -1,20 +1,21 @@
 //! A scene that is its reader's own: everything in it can be set, and it says its Rust.
 
 mod knobs;
+mod literal;
 mod rust;
+mod things;
 
 use crate::address::address;
 use crate::live::{Handle, Live};
 use crate::pictures::asked::{SIZE, place_by};
 use crate::pictures::{picture, step01};
 use glam::{DVec2, DVec3};
-use knobs::{
-    AMBIENT, BALLS, FIELD_OF_VIEW, KNOBS, LAMPS, LIGHT, LIGHTS, SPHERE, SPHERES,
-};
+use knobs::{AMBIENT, FIELD_OF_VIEW, KNOBS, LIGHT, LIGHTS, SPHERE, SPHERES};
 use step05_phong::{
     Attenuation, Camera, Light, Material, Object, PointLight, Scene, Sphere,
     Surface, colour,
 };
+use things::{BALLS, LAMPS};
 
 /// The picture of step 5, with everything in it to set, and its Rust.
 pub const OWN_SCENE: Live = Live {

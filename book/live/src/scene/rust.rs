@@ -1,7 +1,7 @@
 //! A scene as the Rust that its reader saves as an example of step 5.
 
-use glam::{DVec3, dvec3};
-use step05_phong::{Attenuation, Light, Material, Object, Scene};
+use super::literal::{WIDTH, floats, light, list, object};
+use step05_phong::{Light, Material, Scene};
 
 /// The program that draws the scene, with a camera of this field of view.
 pub fn text(scene: &Scene<Material, Light>, degrees: f64) -> String {
@@ -12,13 +12,14 @@ pub fn text(scene: &Scene<Material, Light>, degrees: f64) -> String {
     if !scene.lights.is_empty() {
         helpers += LAMP;
     }
-    let ambient = call("DVec3::new", &scene.ambient_light.to_array().map(float));
+    let ambient = floats(scene.ambient_light);
+    let ambient = ambient.trim_matches(['[', ']']);
     let objects = list("objects", scene.objects.iter().map(object));
     let lights = list("lights", scene.lights.iter().map(light));
     let scene = format!(
         "/// The scene: what there is to see, and the light to see it in.\n\
          pub fn my_scene() -> Scene<Material, Light> {{\n    Scene {{\n{objects}        \
-         ambient_light: {ambient},\n{lights}    }}\n}}\n"
+         ambient_light: DVec3::new({ambient}),\n{lights}    }}\n}}\n"
     );
     let code = helpers + &scene + END;
     let options = match degrees {
@@ -35,7 +36,7 @@ const HEAD: &str = "//! A scene of your own. This draws it:\n\
                     //! `cargo run -p step05_phong --example my_scene";
 
 const BALL: &str = "\
-/// A ball of one colour, with R_s, the same for red, green and blue, and n.
+/// A ball of one colour that mirrors `r_s` of the light; `n` is its shininess.
 fn ball(
     centre: [f64; 3],
     radius: f64,
@@ -51,7 +52,7 @@ fn ball(
 ";
 
 const LAMP: &str = "\
-/// A lamp at a position, with L_d, L_s, and a, b and c.
+/// A lamp: where it is, L_d, L_s, and a, b and c.
 fn lamp(
     position: [f64; 3],
     diffuse: [f64; 3],
@@ -93,9 +94,6 @@ const NAMES: [&str; 12] = [
     "run",
 ];
 
-/// How long a line is at most.
-const WIDTH: usize = 84;
-
 /// The line that brings in what `code` has from step 5.
 fn imports(code: &str) -> String {
     let words: Vec<_> = code.split(|c: char| !c.is_alphanumeric()).collect();
@@ -117,54 +115,4 @@ fn imports(code: &str) -> String {
         line += &format!(" {name},");
     }
     lines + &line + "\n};\n"
-}
-
-/// A field of the scene that is a list.
-fn list(name: &str, items: impl Iterator<Item = String>) -> String {
-    let items: String =
-        items.map(|item| format!("            {item},\n")).collect();
-    match items.is_empty() {
-        true => format!("        {name}: vec![],\n"),
-        false => format!("        {name}: vec![\n{items}        ],\n"),
-    }
-}
-
-fn object(Object { sphere, material }: &Object<Material>) -> String {
-    let colour = material.surface.diffuse;
-    call(
-        "ball",
-        &[
-            floats(sphere.centre),
-            float(sphere.radius),
-            floats(colour),
-            float(material.specular.x),
-            material.shininess.to_string(),
-        ],
-    )
-}
-
-fn light(Light { point, specular }: &Light) -> String {
-    let Attenuation { a, b, c } = point.attenuation;
-    let [position, diffuse] = [point.position, point.diffuse].map(floats);
-    call("lamp", &[position, diffuse, floats(*specular), floats(dvec3(a, b, c))])
-}
-
-/// A call in a list of the scene; its arguments have a line each where one is too
-/// short for them.
-fn call(name: &str, arguments: &[String]) -> String {
-    let line = format!("{name}({})", arguments.join(", "));
-    if line.len() + 13 <= WIDTH {
-        return line;
-    }
-    let lines: String =
-        arguments.iter().map(|one| format!("                {one},\n")).collect();
-    format!("{name}(\n{lines}            )")
-}
-
-fn floats(all: DVec3) -> String {
-    format!("{:?}", all.to_array())
-}
-
-fn float(number: f64) -> String {
-    format!("{number:?}")
 }
