@@ -55,10 +55,9 @@ async function tryOut(tab, figure, where, source) {
     await frames(tab);
     if (await state() !== printed) fault(`reset does not undo ${how}`);
   };
-  const grips = figure.locator('.handle');
+  const grips = figure.locator('.handle:visible');
   for (let k = 0; k < await grips.count(); k += 1) {
     const grip = grips.nth(k);
-    if (await grip.isHidden()) continue;
     const name = await grip.getAttribute('aria-label');
     await grip.scrollIntoViewIfNeeded();
     const box = await grip.boundingBox();

@@ -52,7 +52,8 @@ fn random(count: usize) -> Vec<Scene> {
     let config = Config { failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, rng);
     let ranges = live().knobs.iter().map(|knob| {
-        let [min, max] = if knob.is_fixed { [160.0; 2] } else { knob.range };
+        let [min, max] =
+            if knob.words == "columns" { [160.0; 2] } else { knob.range };
         min..=max
     });
     let ranges: Vec<_> = ranges.collect();

@@ -3,10 +3,11 @@
 
 use crate::{Knob, Live};
 
-/// The values that are not as printed.
+/// The values of things that are not as printed.
 pub fn address(knobs: &[Knob], values: &[f64]) -> String {
     let all = knobs.iter().zip(values);
-    let changed = all.filter(|(knob, value)| knob.value != **value);
+    let changed =
+        all.filter(|(knob, value)| !knob.group.is_empty() && knob.value != **value);
     let changed: Vec<_> =
         changed.map(|(knob, value)| format!("{}:{value}", name(knob))).collect();
     changed.join(",")
@@ -18,7 +19,8 @@ pub fn opened(live: &Live, address: &str) -> Result<Vec<f64>, String> {
     for part in address.split(',').filter(|part| !part.is_empty()) {
         let (which, value) = part.split_once(':').unwrap_or((part, ""));
         let mut known = live.knobs.iter().zip(&mut values);
-        let known = known.find(|(knob, _)| name(knob) == which && !knob.is_fixed);
+        let known =
+            known.find(|(knob, _)| name(knob) == which && !knob.group.is_empty());
         let (knob, at) = known.ok_or(format!(
             "The address speaks of “{}”, and nothing here is called so.",
             short(which)
@@ -41,9 +43,9 @@ pub fn opened(live: &Live, address: &str) -> Result<Vec<f64>, String> {
     live.allowed(values).ok_or("There is nothing to show at this address.".into())
 }
 
-/// What a number is called in an address.
+/// What a number of a thing is called in an address.
 fn name(knob: &Knob) -> String {
-    format!("{} {}", knob.group, knob.words).trim().replace(' ', "-")
+    format!("{} {}", knob.group, knob.words).replace(' ', "-")
 }
 
 /// The beginning of a text that may be long.
