@@ -81,7 +81,7 @@ function liven(figure, module) {
     const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
     const controls = make("div", { class: "knobs" });
     const knobs = about.knobs.map((knob, k) => {
-        if (turned.has(k) || knob.isFixed) return null;
+        if (turned.has(k)) return null;
         const input = make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });
@@ -94,7 +94,7 @@ function liven(figure, module) {
             later("show", () => request("show"));
         });
         controls.append(label);
-        return { input, output, isSwitch: knob.isSwitch };
+        return { label, input, output, isSwitch: knob.isSwitch };
     });
 
     // Handles: pointer, finger and arrow keys.
@@ -174,6 +174,7 @@ function liven(figure, module) {
         }
         knobs.forEach((knob, k) => {
             if (!knob) return;
+            knob.label.hidden = !answer.shown[k];
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
             knob.input.setAttribute("aria-valuetext", answer.texts[k]);

@@ -38,8 +38,8 @@ pub struct Knob {
     pub steps: f64,
     /// What the values 0, 1, 2, … are called, where they are no numbers.
     pub choices: &'static [&'static str],
-    /// Whether the page leaves it at its printed value.
-    pub is_fixed: bool,
+    /// Whether, at these values, the page has a range or a switch for it.
+    pub is_shown: fn(&[f64]) -> bool,
 }
 
 /// A place that the reader drags, by pointer or by arrow keys.
@@ -90,7 +90,7 @@ impl Knob {
             range,
             steps,
             choices: &[],
-            is_fixed: false,
+            is_shown: |_| true,
         }
     }
 
@@ -109,13 +109,13 @@ impl Knob {
             range,
             steps: 1.0,
             choices,
-            is_fixed: false,
+            is_shown: |_| true,
         }
     }
 
     /// The same number, which the page leaves as it is.
     pub const fn fixed(self) -> Self {
-        Self { is_fixed: true, ..self }
+        Self { is_shown: |_| false, ..self }
     }
 
     /// The allowed value that is nearest to `value`.

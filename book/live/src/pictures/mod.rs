@@ -1,6 +1,7 @@
 //! The pictures that answer, each drawn by its step.
 
 mod asked;
+mod polish;
 mod step01;
 mod step02;
 mod step03;

@@ -1,3 +1,4 @@
+use super::polish::{SHININESS, SPECULAR, scene};
 use super::step03::named;
 use super::step04::{LAMPS, lit, place};
 use super::{asked, picture};
@@ -5,29 +6,37 @@ use crate::live::{Knob, Live, Numbers, number, vector};
 use glam::DVec3;
 use step05_phong::{
     Light, Material, Phong, Point, Ray, Scene, direction_colour, nearest, reflect,
-    scene, seen, specular, terms,
+    seen, specular, terms,
 };
 
 const SWITCH: &[&str] = &["off", "on"];
 
-/// The picture of step 5, with each term to switch off, and a pixel to ask.
+/// The picture of step 5: each term to switch off, a pixel to ask, and the material
+/// of what it shows to set.
 pub const STEP05: Live = Live {
     name: "step05_phong",
-    knobs: &[
-        asked::COLUMN,
-        asked::ROW,
-        Knob::choice("ambient", 1.0, SWITCH),
-        Knob::choice("diffuse", 1.0, SWITCH),
-        Knob::choice("specular", 1.0, SWITCH),
-        asked::COLUMNS,
-    ],
+    knobs: &KNOBS,
     handles: &[asked::PIXEL],
     is_allowed: |values| asked::camera(values[5]).is_ok(),
     sight: |values| {
-        let scene = scene();
+        let scene = scene(&values[6..]);
         picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
     },
-    numbers: |values| chain(&scene(), values),
+    numbers: |values| chain(&scene(&values[6..]), values),
+};
+
+const KNOBS: [Knob; 24] = {
+    let mut knobs = [asked::COLUMNS; 24];
+    (knobs[0], knobs[1]) = (asked::COLUMN, asked::ROW);
+    knobs[2] = Knob::choice("ambient", 1.0, SWITCH);
+    knobs[3] = Knob::choice("diffuse", 1.0, SWITCH);
+    knobs[4] = Knob::choice("specular", 1.0, SWITCH);
+    let mut k = 0;
+    while k < 9 {
+        (knobs[6 + k], knobs[15 + k]) = (SHININESS[k], SPECULAR[k]);
+        k += 1;
+    }
+    knobs
 };
 
 /// The terms that are switched on; the others are 0.
