@@ -55,9 +55,7 @@ function liven(figure, module) {
         sight = make("canvas", { role: "img", "aria-label": still.alt, width: size[0], height: size[1] });
         stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
     } else {
-        drawn = document.createElementNS("http://www.w3.org/2000/svg", "g");
-        drawn.append(...[...still.childNodes].filter(node => node.nodeName !== "title"));
-        still.append(drawn);
+        drawn = still.querySelector("g");
     }
     stage.append(sight);
 
@@ -160,6 +158,7 @@ function liven(figure, module) {
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+    const beside = document.querySelector(`[data-beside="${name}"] g`);
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
 
     function show(answer) {
@@ -172,6 +171,7 @@ function liven(figure, module) {
         } else if (answer.drawing !== undefined) {
             drawn.innerHTML = answer.drawing;
         }
+        if (beside) beside.innerHTML = answer.beside;
         knobs.forEach((knob, k) => {
             if (!knob) return;
             knob.label.hidden = !answer.shown[k];

@@ -105,6 +105,9 @@ fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
         ("places", Json::list(places)),
         ("numbers", Json::raw(json::object(numbers))),
     ];
+    if let Some((_, draw)) = live.beside {
+        fields.push(("beside", draw(values).body().into()));
+    }
     let mut pixels = vec![];
     match is_seen.then(|| (live.sight)(values)) {
         None => {}

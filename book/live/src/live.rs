@@ -16,7 +16,12 @@ pub struct Live {
     pub sight: fn(&[f64]) -> Sight,
     /// The numbers that move with it, by name.
     pub numbers: fn(&[f64]) -> Numbers,
+    /// A figure that moves with it.
+    pub beside: Option<Beside>,
 }
+
+/// The name of a figure, and what draws it at the values of another.
+pub type Beside = (&'static str, fn(&[f64]) -> Drawing);
 
 /// Numbers by their names, as the page writes them.
 pub type Numbers = Vec<(String, String)>;

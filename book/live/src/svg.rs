@@ -134,7 +134,7 @@ impl Drawing {
     pub fn html(&self, title: &str) -> String {
         let (width, height) = (self.size.x, self.size.y);
         format!(
-            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title>{}</svg>"#,
+            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title><g>{}</g></svg>"#,
             escape(title),
             self.body
         )

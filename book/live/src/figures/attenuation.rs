@@ -26,6 +26,7 @@ pub const ATTENUATION: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(&chosen(values))),
     numbers: |values| vec![("share".into(), number(share(&chosen(values), 6.0)))],
+    beside: None,
 };
 
 fn chosen(values: &[f64]) -> Attenuation {

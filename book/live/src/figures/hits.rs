@@ -39,6 +39,7 @@ pub const HITS: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 const fn side(words: &'static str, value: f64, range: [f64; 2]) -> Knob {

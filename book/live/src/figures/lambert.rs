@@ -33,6 +33,7 @@ pub const LAMBERT: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values[0])),
     numbers: |_| vec![],
+    beside: None,
 };
 
 /// As far below the ground as the light on the right is still in the drawing, in

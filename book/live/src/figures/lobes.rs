@@ -27,6 +27,7 @@ pub const LOBES: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };

@@ -2,6 +2,7 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod from_above;
 mod frustum;
 mod hits;
 mod lambert;
@@ -13,6 +14,7 @@ mod row;
 mod three_cases;
 
 pub use attenuation::ATTENUATION;
+pub use from_above::draw as from_above;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;
@@ -36,7 +38,7 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 11] = [
+const FIGURES: [Named; 12] = [
     ("ray", ray::figure),
     ("pinhole", pinhole::figure),
     ("row", row::figure),
@@ -44,6 +46,7 @@ const FIGURES: [Named; 11] = [
     ("aspect-ratios", aspect_ratios::figure),
     ("three-cases", three_cases::figure),
     ("hits-along-a-ray", hits::figure),
+    ("from-above", from_above::figure),
     ("lambert", lambert::figure),
     ("attenuation", attenuation::figure),
     ("phong-vectors", phong_vectors::figure),

@@ -53,6 +53,7 @@ pub const RAY: Live = Live {
             ("point".into(), vector(&point.to_array())),
         ]
     },
+    beside: None,
 };
 
 const SIZE: DVec2 = dvec2(480.0, 240.0);

@@ -31,6 +31,7 @@ pub const ROW: Live = Live {
             ("first".into(), number(row.matrix.y_axis.x)),
         ]
     },
+    beside: None,
 };
 
 /// Where in the drawing C is.

@@ -39,6 +39,7 @@ pub const THREE_CASES: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 /// A coordinate in sixteenths: sums and products of these are exact, so a ray that

@@ -20,6 +20,7 @@ pub const STEP01: Live = Live {
             ("step".into(), number(camera.matrix.x_axis.x)),
         ]
     },
+    beside: None,
 };
 
 const SHAPES: [[f64; 2]; 4] = [[4.0, 3.0], [16.0, 9.0], [2.35, 1.0], [2.59, 1.0]];

@@ -41,6 +41,7 @@ pub const STEP02: Live = Live {
         numbers.push(asked::bytes(&ray, |ray| colour(&sphere, ray)));
         numbers
     },
+    beside: None,
 };
 
 /// The sphere of these values; it stays as far ahead as it is.

@@ -1,4 +1,5 @@
 use super::{asked, picture};
+use crate::figures::from_above;
 use crate::live::{Live, vector};
 use step03_nearest::{Hit, Object, colour, nearest, objects};
 
@@ -23,6 +24,7 @@ pub const STEP03: Live = Live {
         numbers.push(asked::bytes(&ray, |ray| colour(&objects, ray)));
         numbers
     },
+    beside: Some(("from-above", from_above)),
 };
 
 /// What the chapters call the objects of the scene, in their order.

@@ -46,6 +46,7 @@ pub const STEP04: Live = Live {
         numbers.push(asked::bytes(&ray, |ray| colour(&scene, ray)));
         numbers
     },
+    beside: None,
 };
 
 const fn lamp(words: [&'static str; 3], value: f64, range: [f64; 2]) -> Knob {

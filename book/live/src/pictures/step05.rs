@@ -23,6 +23,7 @@ pub const STEP05: Live = Live {
         picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
     },
     numbers: |values| chain(&scene(&values[6..]), values),
+    beside: None,
 };
 
 const KNOBS: [Knob; 24] = {
