@@ -21,11 +21,12 @@ mod pictures;
 pub use pictures::OBJECTS;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 12] = [
+pub const LIVE: [&Live; 13] = [
     &figures::RAY,
     &figures::ROW,
     &figures::THREE_CASES,
     &figures::HITS,
+    &figures::EGGS,
     &figures::LAMBERT,
     &figures::ATTENUATION,
     &figures::LOBES,

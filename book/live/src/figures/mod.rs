@@ -2,6 +2,7 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod eggs;
 mod from_above;
 mod frustum;
 mod hits;
@@ -14,6 +15,7 @@ mod row;
 mod three_cases;
 
 pub use attenuation::ATTENUATION;
+pub use eggs::EGGS;
 pub use from_above::draw as from_above;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
@@ -38,7 +40,7 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 12] = [
+const FIGURES: [Named; 13] = [
     ("ray", ray::figure),
     ("pinhole", pinhole::figure),
     ("row", row::figure),
@@ -47,6 +49,7 @@ const FIGURES: [Named; 12] = [
     ("three-cases", three_cases::figure),
     ("hits-along-a-ray", hits::figure),
     ("from-above", from_above::figure),
+    ("eggs", eggs::figure),
     ("lambert", lambert::figure),
     ("attenuation", attenuation::figure),
     ("phong-vectors", phong_vectors::figure),
