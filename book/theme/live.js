@@ -183,9 +183,7 @@ function liven(figure, module) {
         handles.forEach((grip, k) => {
             const turns = [...new Set(about.handles[k].knobs)];
             grip.at = answer.places[k];
-            const isLost = !isInside(grip.at) && grip === document.activeElement;
             grip.hidden = !isInside(grip.at);
-            if (isLost) knobs[turns[0]]?.input.focus();
             grip.style.left = `${grip.at[0] / size[0] * 100}%`;
             grip.style.top = `${grip.at[1] / size[1] * 100}%`;
             grip.setAttribute("aria-valuenow", values[turns[0]]);

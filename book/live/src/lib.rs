@@ -21,9 +21,10 @@ mod pictures;
 pub use pictures::OBJECTS;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 13] = [
+pub const LIVE: [&Live; 14] = [
     &figures::RAY,
     &figures::ROW,
+    &figures::FRUSTUM,
     &figures::THREE_CASES,
     &figures::HITS,
     &figures::EGGS,

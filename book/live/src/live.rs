@@ -175,6 +175,9 @@ impl Live {
         for (knob, by) in handle.knobs.into_iter().zip([by.x, up]) {
             new[knob] += by / self.knobs[knob].steps;
         }
+        // It ends where the handle comes to be.
+        let to = (handle.at)(&new);
+        (handle.drag)(&mut new, to);
         self.allowed(new).unwrap_or_else(|| values.to_vec())
     }
 

@@ -79,6 +79,19 @@ impl Drawing {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
+    /// A pixel as a disc in its own colour.
+    pub fn pixel(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        [red, green, blue]: [u8; 3],
+    ) {
+        let (x, y) = (centre.x, centre.y);
+        self.body += &format!(
+            r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
+        );
+    }
+
     /// An arc about `centre` from one angle to another, in radians from the x axis,
     /// upwards.
     pub fn arc(

@@ -17,6 +17,7 @@ mod three_cases;
 pub use attenuation::ATTENUATION;
 pub use eggs::EGGS;
 pub use from_above::draw as from_above;
+pub use frustum::FRUSTUM;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;

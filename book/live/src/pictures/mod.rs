@@ -2,7 +2,7 @@
 
 mod asked;
 mod polish;
-mod step01;
+pub mod step01;
 mod step02;
 mod step03;
 mod step04;

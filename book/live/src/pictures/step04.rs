@@ -69,7 +69,7 @@ fn place_of<const FIRST: usize>(values: &[f64]) -> DVec2 {
 
 /// Brings that lamp to a place in the picture; it stays as deep as it is.
 fn drag<const FIRST: usize>(values: &mut [f64], to: DVec2) {
-    let inside = to.clamp(DVec2::ZERO, asked::SIZE);
+    let inside = to.clamp(DVec2::splat(24.0), asked::SIZE - 24.0);
     let position = asked::point(inside, -values[FIRST + 2]);
     position.write_to_slice(&mut values[FIRST..]);
 }
