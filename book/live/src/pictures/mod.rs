@@ -1,6 +1,7 @@
 //! The pictures that answer, each drawn by its step.
 
 mod asked;
+mod chain;
 mod polish;
 pub mod step01;
 mod step02;
@@ -8,9 +9,10 @@ mod step03;
 mod step04;
 mod step05;
 
+pub use chain::OBJECTS;
 pub use step01::STEP01;
 pub use step02::STEP02;
-pub use step03::{OBJECTS, STEP03};
+pub use step03::STEP03;
 pub use step04::STEP04;
 pub use step05::STEP05;
 

@@ -1,12 +1,11 @@
 use super::polish::{SHININESS, SPECULAR, scene};
-use super::step03::named;
 use super::step04::{LAMPS, lit, place};
-use super::{asked, picture};
+use super::{asked, chain, picture};
 use crate::live::{Knob, Live, Numbers, number, vector};
 use glam::DVec3;
 use step05_phong::{
-    Light, Material, Phong, Point, Ray, Scene, direction_colour, nearest, reflect,
-    seen, specular, terms,
+    Light, Material, Phong, Point, Ray, Scene, direction_colour, reflect, seen,
+    specular, terms,
 };
 
 const SWITCH: &[&str] = &["off", "on"];
@@ -22,7 +21,12 @@ pub const STEP05: Live = Live {
         let scene = scene(&values[6..]);
         picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
     },
-    numbers: |values| chain(&scene(&values[6..]), values),
+    numbers: |values| {
+        let scene = scene(&values[6..]);
+        let between = |ray: &Ray| between(&scene, values, ray).unwrap_or_default();
+        let colour = |ray: &Ray| shown(&scene, values, ray);
+        chain::chain(values, &scene.objects, between, colour)
+    },
     beside: None,
 };
 
@@ -57,29 +61,22 @@ fn shown(scene: &Scene<Material, Light>, values: &[f64], ray: &Ray) -> DVec3 {
     }
 }
 
-/// Everything on the way from a pixel to its three bytes.
-fn chain(scene: &Scene<Material, Light>, values: &[f64]) -> Numbers {
-    let ray = asked::ray(values);
-    let spheres = scene.objects.iter().map(|object| &object.sphere);
-    let mut chain = asked::from_pixel(values, spheres);
-    let hit = nearest(&scene.objects, &ray);
-    chain.extend(asked::met(hit.map(|hit| named(&scene.objects, hit)), &ray));
-    if let Some(point) = seen(&scene.objects, &ray) {
-        chain.extend(shading(scene, &ray, &point));
-    }
-    if let Some(terms) = terms(scene, &ray) {
-        let terms = switched(&terms, values);
-        let terms = [
-            ("ambient", terms.ambient),
-            ("diffuse", terms.diffuse),
-            ("specular", terms.specular),
-            ("sum", terms.sum()),
-        ];
-        let texts = terms.map(|(name, term)| (name, vector(&term.to_array())));
-        chain.extend(texts.map(|(name, text)| (name.into(), text)));
-    }
-    chain.push(asked::bytes(&ray, |ray| shown(scene, values, ray)));
-    chain
+/// Everything between the nearest hit and the sum.
+fn between(
+    scene: &Scene<Material, Light>,
+    values: &[f64],
+    ray: &Ray,
+) -> Option<Numbers> {
+    let mut numbers = shading(scene, ray, &seen(&scene.objects, ray)?);
+    let terms = switched(&terms(scene, ray)?, values);
+    let terms = [
+        ("ambient", terms.ambient),
+        ("diffuse", terms.diffuse),
+        ("specular", terms.specular),
+    ];
+    let texts = terms.map(|(name, term)| (name, vector(&term.to_array())));
+    numbers.extend(texts.map(|(name, text)| (name.into(), text)));
+    Some(numbers)
 }
 
 /// From the point that a ray sees to what each lamp adds.
