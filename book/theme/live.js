@@ -209,6 +209,7 @@ function liven(figure, module) {
 
 // What is live is made so when it comes into view; only then is the module loaded.
 {
+    document.documentElement.classList.add("answers"); // what asks to move something is to be read
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;

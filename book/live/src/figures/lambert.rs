@@ -125,7 +125,8 @@ pub fn figure() -> Figure {
     Figure {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
-                  spread over twice the ground, so each point of it gets half: the cosine of the angle.",
+                  spread over twice the ground, so each point of it gets half: the cosine of the angle. \
+                  <span class='move'>Lower the light to the ground, and below it.</span>",
         drawing: draw(60.0),
     }
 }

@@ -81,7 +81,8 @@ pub fn figure() -> Figure {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
                   highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
-                  Where a lobe crosses the dotted circle, the highlight is down to one half.",
+                  Where a lobe crosses the dotted circle, the highlight is down to one half. \
+                  <span class='move'>Turn the light, and let $n$ grow.</span>",
         drawing: draw(&LOBES.values()),
     }
 }
