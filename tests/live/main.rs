@@ -2,6 +2,7 @@
 //! same text and the same pixels.
 
 mod module;
+mod moved;
 
 use live::{Knob, LIVE, Live, Sight};
 use module::Module;
