@@ -1,6 +1,6 @@
 // Moves everything live in the built book, by pointer and by keys: it has to change, and reset
 // has to bring back what is printed, to the pixel. Prints the median time of a frame, from the
-// gesture to the pixels; nothing fails on time.
+// gesture to the pixels, and of an answer that draws nothing anew; nothing fails on time.
 //
 //     node live.mjs FOLDER          (CHROMIUM names the browser)
 import { chromium } from 'playwright-core';
@@ -28,8 +28,9 @@ async function tryOut(tab, figure, where, source) {
   const state = () => figure.evaluate(figure => {
     const canvas = figure.querySelector('canvas');
     const picture = canvas ? canvas.toDataURL() : figure.querySelector('svg').innerHTML;
-    const handles = [...figure.querySelectorAll('.handle')].map(one => one.style.cssText + one.ariaValueText);
-    return JSON.stringify([picture, handles, figure.querySelector('figcaption')?.textContent]);
+    const handles = [...figure.querySelectorAll('.handle')].map(one => one.hidden + one.style.cssText + one.ariaValueText);
+    const beside = document.querySelector(`[data-beside="${figure.dataset.live}"] g`)?.innerHTML;
+    return JSON.stringify([picture, handles, figure.querySelector('figcaption')?.textContent, beside]);
   });
   const printed = await state();
   if (source) {
@@ -73,12 +74,26 @@ async function tryOut(tab, figure, where, source) {
       await moved(`${key} on ${name}`);
     }
   }
+  // A press on no handle brings the cross, and what stands beside the picture follows.
+  const canvas = figure.locator('.asked-by-press');
+  if (await canvas.count()) {
+    const beside = tab.locator(`[data-beside="${await figure.getAttribute('data-live')}"] g`);
+    const drawing = async () => await beside.count() ? await beside.innerHTML() : 'none';
+    const before = await drawing();
+    const cross = await grips.first().getAttribute('style');
+    const box = await canvas.boundingBox();
+    await canvas.click({ position: { x: box.width * 0.2, y: box.height * 0.75 } });
+    await frames(tab);
+    if (await grips.first().getAttribute('style') === cross) fault('a press does not bring the cross');
+    if (before !== 'none' && await drawing() === before) fault('what stands beside it does not move');
+    await moved('a press on the picture');
+  }
   // Where the knobs of one thing are shown at a time, one of each kind is chosen.
   const choice = figure.locator('.choice select');
   const has = await choice.count() > 0;
   for (const thing of has ? ['red sphere', 'tenth sphere', 'warm light', 'ambient light', 'camera'] : ['it']) {
     if (has) await choice.selectOption(thing);
-    const knobs = figure.locator('.knobs label:not([hidden]) > input');
+    const knobs = figure.locator('.knobs input:visible');
     for (let k = 0; k < await knobs.count(); k += 1) {
       const knob = knobs.nth(k);
       // What is left out of a scene is not seen to change.
@@ -93,34 +108,11 @@ async function tryOut(tab, figure, where, source) {
     }
   }
   if (has) await keep(tab, figure, fault);
-  // Frames: from a gesture until what it drew can be read. None waits for the screen.
-  const median = await figure.evaluate(async figure => {
-    const grip = figure.querySelector('.handle') ?? figure.querySelector('input[type=range]');
-    const [canvas, svg] = [figure.querySelector('canvas'), figure.querySelector('svg')];
-    const gesture = k => {
-      if (grip.matches('.handle')) {
-        const key = k % 2 ? 'ArrowLeft' : 'ArrowRight';
-        return grip.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
-      }
-      grip.value = Number(grip.value) + (k % 2 ? 1 : -1);
-      return grip.dispatchEvent(new Event('input', { bubbles: true }));
-    };
-    const { requestAnimationFrame } = window;
-    const times = [];
-    for (let k = 0; k < 60; k += 1) {
-      window.requestAnimationFrame = draw => draw();
-      const start = performance.now();
-      gesture(k);
-      if (canvas) canvas.getContext('2d').getImageData(0, 0, 1, 1);
-      else svg.getBoundingClientRect();
-      times.push(performance.now() - start);
-      window.requestAnimationFrame = requestAnimationFrame;
-      await new Promise(done => requestAnimationFrame(done));
-    }
-    return times.sort((a, b) => a - b)[30];
-  });
+  const asking = await median(figure.locator('.handle.cross'));
+  const moving = await median(figure.locator('.handle:not(.cross):visible, .knobs input:visible'));
   if (!await reset.isDisabled()) await reset.click();
-  console.log(`${where}: ${median.toFixed(1)} ms a frame`);
+  const times = [moving && `${moving} ms a frame`, asking && `${asking} ms to ask`].filter(Boolean);
+  console.log(`${where}: ${times.join(', ')}`);
 }
 
 // What was made in a page is in its address: another tab shows the same there, and nonsense gets a sentence.
@@ -158,6 +150,36 @@ async function keep(tab, figure, fault) {
   await tab.waitForTimeout(400);
   if (tab.url().includes('#') || await seen(tab) !== printed) fault('reset leaves something');
 }
+// The median time, in milliseconds, from a gesture on the first of these until what it drew
+// can be read. None waits for the screen.
+const median = async parts => await parts.count() && parts.first().evaluate(async part => {
+  const figure = part.closest('figure');
+  const [canvas, svg] = [figure.querySelector('canvas'), figure.querySelector('svg')];
+  const gesture = k => {
+    if (part.matches('.handle')) {
+      const key = k % 2 ? 'ArrowLeft' : 'ArrowRight';
+      return part.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+    }
+    if (part.type === 'checkbox') return part.click();
+    part.value = Number(part.value) + Number(part.step) * (k % 2 ? 1 : -1);
+    return part.dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  const { requestAnimationFrame } = window;
+  const times = [];
+  for (let k = 0; k < 60; k += 1) {
+    const waiting = [];
+    window.requestAnimationFrame = draw => waiting.push(draw);
+    const start = performance.now();
+    gesture(k);
+    waiting.forEach(draw => draw());
+    if (canvas) canvas.getContext('2d').getImageData(0, 0, 1, 1);
+    else svg.getBoundingClientRect();
+    times.push(performance.now() - start);
+    window.requestAnimationFrame = requestAnimationFrame;
+    await new Promise(done => requestAnimationFrame(done));
+  }
+  return times.sort((a, b) => a - b)[30].toFixed(1);
+});
 
 for (const page of pages) {
   const html = readFileSync(join(folder, page), 'utf8');

@@ -55,9 +55,7 @@ function liven(figure, module) {
         sight = make("canvas", { role: "img", "aria-label": still.alt, width: size[0], height: size[1] });
         stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
     } else {
-        drawn = document.createElementNS("http://www.w3.org/2000/svg", "g");
-        drawn.append(...[...still.childNodes].filter(node => node.nodeName !== "title"));
-        still.append(drawn);
+        drawn = still.querySelector("g");
     }
     stage.append(sight);
 
@@ -93,7 +91,7 @@ function liven(figure, module) {
     choice.addEventListener("change", () => choose(choice.value));
     if (head !== controls) controls.append(head);
     const knobs = about.knobs.map((knob, k) => {
-        if (knob.isFixed || (turned.has(k) && !knob.group)) return null;
+        if (turned.has(k) && !knob.group) return null;
         const input = make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });
@@ -106,7 +104,7 @@ function liven(figure, module) {
             later("show", () => request("show"));
         });
         (knob.isSwitch ? head : controls).append(label);
-        return { input, output, label, isSwitch: knob.isSwitch };
+        return { label, input, output, isSwitch: knob.isSwitch };
     });
 
     // Handles: pointer, finger and arrow keys.
@@ -176,6 +174,7 @@ function liven(figure, module) {
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
     const code = document.querySelector(`[data-code="${name}:rust"] code`);
+    const beside = document.querySelector(`[data-beside="${name}"] g`);
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
 
     function show(answer) {
@@ -188,8 +187,10 @@ function liven(figure, module) {
         } else if (answer.drawing !== undefined) {
             drawn.innerHTML = answer.drawing;
         }
+        if (beside) beside.innerHTML = answer.beside;
         knobs.forEach((knob, k) => {
             if (!knob) return;
+            knob.label.hidden = !answer.shown[k] || about.knobs[k].group !== choice.value;
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
             knob.input.setAttribute("aria-valuetext", answer.texts[k]);
@@ -257,6 +258,7 @@ function liven(figure, module) {
 
 // What is live is made so when it comes into view; only then is the module loaded.
 {
+    document.documentElement.classList.add("answers"); // what asks to move something is to be read
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;

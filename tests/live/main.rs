@@ -2,8 +2,9 @@
 //! same text and the same pixels.
 
 mod module;
+mod moved;
 
-use live::{Knob, LIVE, Live};
+use live::{Knob, LIVE, Live, Sight};
 use module::Module;
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
@@ -68,6 +69,29 @@ fn the_module_says_what_we_say_as_printed() {
             &mut module,
             &format!("show {}{}", live.name, words(&printed(live))),
         );
+    }
+}
+
+/// The red, green and blue of every pixel of what there is to see as printed.
+fn drawn(live: &Live) -> Vec<u8> {
+    let Sight::Picture { pixels, .. } = (live.sight)(&live.values()) else {
+        return vec![];
+    };
+    pixels.chunks_exact(4).flat_map(|four| four[..3].to_vec()).collect()
+}
+
+#[test]
+fn a_picture_as_printed_is_that_of_its_step() {
+    let camera = live::camera();
+    for (name, picture) in [
+        ("step01_rays", step01_rays::picture(&camera, 1)),
+        ("step02_sphere", step02_sphere::picture(&camera, 1)),
+        ("step03_nearest", step03_nearest::picture(&camera, 1)),
+        ("step04_diffuse", step04_diffuse::picture(&camera, 1)),
+        ("step05_phong", step05_phong::picture(&camera, 1)),
+    ] {
+        let live = live::find(name).expect("the picture answers");
+        assert!(drawn(live) == *picture, "{name} as printed is another picture");
     }
 }
 

@@ -79,21 +79,16 @@ fn about(live: &Live) -> String {
             ("max", max.into()),
             ("step", (1.0 / knob.steps).into()),
             ("group", knob.group.into()),
-            ("isFixed", Json::from(f64::from(u8::from(knob.is_fixed)))),
-            (
-                "isSwitch",
-                Json::from(f64::from(u8::from(knob.choices == ["off", "on"]))),
-            ),
+            ("isSwitch", (knob.choices == ["off", "on"]).into()),
         ];
         Json::raw(json::object(fields))
     });
     let handles = live.handles.iter().map(|handle| {
         let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
-        let is_asking = f64::from(u8::from(handle.is_asking));
         let fields = [
             ("words", handle.words.into()),
             ("knobs", Json::list(knobs)),
-            ("isAsking", is_asking.into()),
+            ("isAsking", handle.is_asking.into()),
         ];
         Json::raw(json::object(fields))
     });
@@ -108,6 +103,7 @@ fn about(live: &Live) -> String {
 fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let texts = live.knobs.iter().zip(values);
     let texts = texts.map(|(knob, value)| knob.text(*value).into());
+    let shown = live.knobs.iter().map(|knob| (knob.is_shown)(values).into());
     let places = live.handles.iter().map(|handle| {
         let at = (handle.at)(values);
         Json::list(at.to_array().map(|x| Json::from((100.0 * x).round() / 100.0)))
@@ -117,9 +113,13 @@ fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let mut fields = vec![
         ("values", Json::list(values.iter().map(|value| Json::from(*value)))),
         ("texts", Json::list(texts)),
+        ("shown", Json::list(shown)),
         ("places", Json::list(places)),
         ("numbers", Json::raw(json::object(numbers))),
     ];
+    if let Some((_, draw)) = live.beside {
+        fields.push(("beside", draw(values).body().into()));
+    }
     let mut pixels = vec![];
     match is_seen.then(|| (live.sight)(values)) {
         None => {}

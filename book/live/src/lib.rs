@@ -24,11 +24,13 @@ mod address;
 mod scene;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 13] = [
+pub const LIVE: [&Live; 15] = [
     &figures::RAY,
     &figures::ROW,
+    &figures::FRUSTUM,
     &figures::THREE_CASES,
     &figures::HITS,
+    &figures::EGGS,
     &figures::LAMBERT,
     &figures::ATTENUATION,
     &figures::LOBES,

@@ -16,7 +16,12 @@ pub struct Live {
     pub sight: fn(&[f64]) -> Sight,
     /// The numbers that move with it, by name.
     pub numbers: fn(&[f64]) -> Numbers,
+    /// A figure that moves with it.
+    pub beside: Option<Beside>,
 }
+
+/// The name of a figure, and what draws it at the values of another.
+pub type Beside = (&'static str, fn(&[f64]) -> Drawing);
 
 /// Numbers by their names, as the page writes them.
 pub type Numbers = Vec<(String, String)>;
@@ -38,8 +43,8 @@ pub struct Knob {
     pub steps: f64,
     /// What the values 0, 1, 2, … are called, where they are no numbers.
     pub choices: &'static [&'static str],
-    /// Whether the page leaves it at its printed value.
-    pub is_fixed: bool,
+    /// Whether, at these values, the page has a range or a switch for it.
+    pub is_shown: fn(&[f64]) -> bool,
     /// What it belongs to, where a page shows the knobs of one thing at a time.
     pub group: &'static str,
 }
@@ -92,7 +97,7 @@ impl Knob {
             range,
             steps,
             choices: &[],
-            is_fixed: false,
+            is_shown: |_| true,
             group: "",
         }
     }
@@ -112,14 +117,14 @@ impl Knob {
             range,
             steps: 1.0,
             choices,
-            is_fixed: false,
+            is_shown: |_| true,
             group: "",
         }
     }
 
     /// The same number, which the page leaves as it is.
     pub const fn fixed(self) -> Self {
-        Self { is_fixed: true, ..self }
+        Self { is_shown: |_| false, ..self }
     }
 
     /// The same number, of a thing of this name.
@@ -179,6 +184,9 @@ impl Live {
         for (knob, by) in handle.knobs.into_iter().zip([by.x, up]) {
             new[knob] += by / self.knobs[knob].steps;
         }
+        // It ends where the handle comes to be.
+        let to = (handle.at)(&new);
+        (handle.drag)(&mut new, to);
         self.allowed(new).unwrap_or_else(|| values.to_vec())
     }
 

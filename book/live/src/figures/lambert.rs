@@ -33,6 +33,7 @@ pub const LAMBERT: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values[0])),
     numbers: |_| vec![],
+    beside: None,
 };
 
 /// As far below the ground as the light on the right is still in the drawing, in
@@ -124,7 +125,8 @@ pub fn figure() -> Figure {
     Figure {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
-                  spread over twice the ground, so each point of it gets half: the cosine of the angle.",
+                  spread over twice the ground, so each point of it gets half: the cosine of the angle. \
+                  <span class='move'>Lower the light to the ground, and below it.</span>",
         drawing: draw(60.0),
     }
 }

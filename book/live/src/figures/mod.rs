@@ -2,6 +2,8 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod eggs;
+mod from_above;
 mod frustum;
 mod hits;
 mod lambert;
@@ -13,6 +15,9 @@ mod row;
 mod three_cases;
 
 pub use attenuation::ATTENUATION;
+pub use eggs::EGGS;
+pub use from_above::draw as from_above;
+pub use frustum::FRUSTUM;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;
@@ -36,7 +41,7 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 11] = [
+const FIGURES: [Named; 13] = [
     ("ray", ray::figure),
     ("pinhole", pinhole::figure),
     ("row", row::figure),
@@ -44,6 +49,8 @@ const FIGURES: [Named; 11] = [
     ("aspect-ratios", aspect_ratios::figure),
     ("three-cases", three_cases::figure),
     ("hits-along-a-ray", hits::figure),
+    ("from-above", from_above::figure),
+    ("eggs", eggs::figure),
     ("lambert", lambert::figure),
     ("attenuation", attenuation::figure),
     ("phong-vectors", phong_vectors::figure),

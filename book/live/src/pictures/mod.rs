@@ -1,15 +1,18 @@
 //! The pictures that answer, each drawn by its step.
 
 pub(crate) mod asked;
-pub(crate) mod step01;
+mod chain;
+mod polish;
+pub mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
 
+pub use chain::OBJECTS;
 pub use step01::STEP01;
 pub use step02::STEP02;
-pub use step03::{OBJECTS, STEP03};
+pub use step03::STEP03;
 pub use step04::STEP04;
 pub use step05::STEP05;
 

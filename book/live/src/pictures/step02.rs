@@ -1,4 +1,4 @@
-use super::{asked, picture};
+use super::{asked, chain, picture};
 use crate::live::{Handle, Knob, Live, vector};
 use glam::dvec3;
 use step02_sphere::{SPHERE, Sphere, colour};
@@ -34,13 +34,14 @@ pub const STEP02: Live = Live {
     numbers: |values| {
         let (sphere, ray) = (sphere(values), asked::ray(values));
         let hit = sphere.intersect(&ray).first_hit();
-        let mut numbers = asked::from_pixel(values, [&sphere].into_iter());
-        numbers.extend(asked::met(hit.map(|t| ("the sphere", t)), &ray));
+        let mut numbers = chain::from_pixel(values, [&sphere].into_iter());
+        numbers.extend(chain::met(hit.map(|t| ("the sphere", t)), &ray));
         let sum = colour(&sphere, &ray);
         numbers.push(("sum".into(), vector(&sum.to_array())));
-        numbers.push(asked::bytes(&ray, |ray| colour(&sphere, ray)));
+        numbers.push(chain::bytes(&ray, |ray| colour(&sphere, ray)));
         numbers
     },
+    beside: None,
 };
 
 /// The sphere of these values; it stays as far ahead as it is.

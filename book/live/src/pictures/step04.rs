@@ -1,10 +1,9 @@
-use super::step03::named;
-use super::{asked, picture};
+use super::{asked, chain, picture};
 use crate::live::{Handle, Knob, Live, Numbers, number, vector};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{
-    COOL, Point, PointLight, Scene, Surface, WARM, ambient, colour, diffuse,
-    nearest, seen,
+    COOL, Point, PointLight, Ray, Scene, Surface, WARM, ambient, colour, diffuse,
+    seen,
 };
 
 /// The picture of step 4: its lamps to move, and a pixel to ask.
@@ -33,19 +32,14 @@ pub const STEP04: Live = Live {
         picture(&asked::seen(values[2]), |ray| colour(&scene, ray))
     },
     numbers: |values| {
-        let (scene, ray) = (scene(values), asked::ray(values));
-        let spheres = scene.objects.iter().map(|object| &object.sphere);
-        let mut numbers = asked::from_pixel(values, spheres);
-        let hit = nearest(&scene.objects, &ray);
-        numbers.extend(asked::met(hit.map(|hit| named(&scene.objects, hit)), &ray));
-        if let Some(point) = seen(&scene.objects, &ray) {
-            numbers.extend(shading(&scene, &point));
-        }
-        let sum = colour(&scene, &ray);
-        numbers.push(("sum".into(), vector(&sum.to_array())));
-        numbers.push(asked::bytes(&ray, |ray| colour(&scene, ray)));
-        numbers
+        let scene = scene(values);
+        let shading = |ray: &Ray| match seen(&scene.objects, ray) {
+            Some(point) => shading(&scene, &point),
+            None => vec![],
+        };
+        chain::chain(values, &scene.objects, shading, |ray| colour(&scene, ray))
     },
+    beside: None,
 };
 
 const fn lamp(words: [&'static str; 3], value: f64, range: [f64; 2]) -> Knob {
@@ -68,7 +62,7 @@ fn place_of<const FIRST: usize>(values: &[f64]) -> DVec2 {
 
 /// Brings that lamp to a place in the picture; it stays as deep as it is.
 fn drag<const FIRST: usize>(values: &mut [f64], to: DVec2) {
-    let inside = to.clamp(DVec2::ZERO, asked::SIZE);
+    let inside = to.clamp(DVec2::splat(24.0), asked::SIZE - 24.0);
     let position = asked::point(inside, -values[FIRST + 2]);
     position.write_to_slice(&mut values[FIRST..]);
 }

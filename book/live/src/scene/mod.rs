@@ -49,6 +49,7 @@ pub const OWN_SCENE: Live = Live {
         let address = address(&KNOBS, values);
         vec![("rust".into(), rust), ("address".into(), address)]
     },
+    beside: None,
 };
 
 /// The camera, whose picture has the columns that the values say.
