@@ -189,7 +189,7 @@ fn a_file_that_comes_a_chapter_too_late_is_found() {
 fn a_solution_that_does_not_compile_is_found() {
     let book = BOOK.with(SOLUTIONS, "samples: u32)", "samples: f64)");
     let fault = fault(&book, Some((SOLUTIONS, "")));
-    let words = ["At the end of", SOLUTIONS, "examples/graticule.rs"];
+    let words = ["At the end of", SOLUTIONS, "examples/rings.rs"];
     assert_found(&Vec::from_iter(fault), &words);
 }
 
@@ -205,7 +205,7 @@ fn a_line_that_is_not_printed_is_found() {
 #[test]
 fn a_group_that_needs_a_later_one_is_found() {
     let (page, group) = ("step01_rays.html", "mod ray;\npub use ray::Ray;\n");
-    let early = format!("{group}pub use camera::Camera;\n");
+    let early = format!("{group}pub use camera::Camera as Early;\n");
     let book = BOOK.with(page, group, &early);
     let words = ["Cargo says", "examples/state_step01_rays_", "camera"];
     let fault = fault_on_the_way(&book, &STEPS[..1]);
