@@ -21,7 +21,7 @@ mod pictures;
 pub use pictures::OBJECTS;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 14] = [
+pub const LIVE: [&Live; 15] = [
     &figures::RAY,
     &figures::ROW,
     &figures::FRUSTUM,
@@ -30,6 +30,7 @@ pub const LIVE: [&Live; 14] = [
     &figures::EGGS,
     &figures::LAMBERT,
     &figures::ATTENUATION,
+    &figures::PHONG_VECTORS,
     &figures::LOBES,
     &pictures::STEP01,
     &pictures::STEP02,

@@ -21,6 +21,7 @@ pub use frustum::FRUSTUM;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;
+pub use phong_vectors::PHONG_VECTORS;
 pub use ray::RAY;
 pub use row::ROW;
 pub use three_cases::THREE_CASES;
