@@ -2,6 +2,7 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod ball;
 mod eggs;
 mod from_above;
 mod frustum;
@@ -10,6 +11,7 @@ mod lambert;
 mod lobes;
 mod phong_vectors;
 mod pinhole;
+mod pyramid;
 mod ray;
 mod row;
 mod three_cases;
