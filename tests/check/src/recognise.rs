@@ -156,8 +156,8 @@ fn found(causes: Vec<(Cause, Rest)>) -> Option<Found> {
 /// The causes, of one mistake at most, that explain all but a few pixels, or all but
 /// the rounding; two mistakes that do not explain every pixel would be a guess.
 fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
-    let rated =
-        |rated| Some((rate(yours, rated, 3000, rounding, usize::MAX)?, rated));
+    // Few of all pixels are no more than three or four of these.
+    let rated = |rated| Some((rate(yours, rated, 3000, rounding, 24)?, rated));
     let all = likely.iter().filter(|(_, cause)| cause.mistakes.len() <= 1);
     let mut causes: Vec<_> = all.filter_map(rated).collect();
     causes.sort_by_key(|(misses, (_, cause))| (*misses, cause.mistakes.len()));

@@ -1,4 +1,4 @@
-use super::{Context, Tree, Value, Values, edits};
+use super::{Context, SOME, Tree, Values, edits};
 use crate::Step;
 use image::{Rgb, RgbImage};
 
@@ -16,11 +16,15 @@ pub fn by_formulas(
     if let Some(edit) = edit {
         tree = tree.with(&edits(&tree).get(edit)?.changes);
     }
-    let context = Context { tree: &tree, changes: &[], free: Value::from(0.0) };
-    let row = |j: u32| {
-        let places: Vec<_> = (0..width).map(|i| (i, j)).collect();
-        Values::at(&context, &places, samples).pixels(&context)
-    };
-    let rows: Vec<_> = (0..height).map(row).collect();
-    Some(RgbImage::from_fn(width, height, |i, j| Rgb(rows[j as usize][i as usize])))
+    let context = Context::plain(&tree);
+    let mut picture = RgbImage::new(width, height);
+    let all = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
+    for places in all.collect::<Vec<_>>().chunks(SOME) {
+        let values = Values::at(&tree, places, samples);
+        for ((i, j), pixel) in places.iter().zip(values.changed(&context).pixels())
+        {
+            picture.put_pixel(*i, *j, Rgb(pixel));
+        }
+    }
+    Some(picture)
 }

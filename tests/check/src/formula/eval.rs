@@ -1,290 +1,268 @@
-use super::{Node, Of, Op, Tree, Value};
+use super::{Change, Context, Node, Of, Op, Tree, Value};
 use glam::DVec3;
-use std::rc::Rc;
+use std::borrow::Cow;
+use std::cell::OnceCell;
 
-/// The value of every line, for some rays at once: for each object, or light, or one.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Values {
-    pub all: Vec<Rc<[Value]>>,
-    /// How many rays there are, and how many of them a pixel has.
-    pub rays: usize,
-    pub side: usize,
-}
+/// How many pixels are best evaluated at once, where there are many.
+pub(crate) const SOME: usize = 512;
 
-/// What takes the place of a line, or of a number that is given.
+/// The values of the lines at some pixels; each is computed when it is asked for.
 #[derive(Clone, Debug)]
-pub(crate) enum Change {
-    /// A line is another formula.
-    Line(usize, Node),
-    /// The number of an object or a light is another one.
-    Given(usize, usize, Value),
-    /// A line takes the numbers of one light for all.
-    Lamp(usize, usize),
-    /// Objects that are not there: those before the first, and from the second on.
-    Objects(usize, usize),
-    /// The object is left out.
-    Without(usize),
+pub(crate) struct Values {
+    /// Those of the first ray of each pixel, of the second, and so on.
+    known: Vec<Option<Value>>,
+    rays: usize,
+    pixels: usize,
 }
 
-/// What is evaluated: the lines, with changes and with a value for the unknown.
-pub(crate) struct Context<'a> {
-    pub tree: &'a Tree,
-    pub changes: &'a [Change],
-    pub free: Value,
-}
-
-impl Context<'_> {
-    /// The changes of this time, and those of the tree.
-    fn others(&self) -> impl Iterator<Item = &Change> {
-        self.changes.iter().chain(&self.tree.always)
-    }
-}
-
-impl Values {
-    /// The values at some pixels, each of `samples` × `samples` rays.
-    pub fn at(context: &Context, places: &[(u32, u32)], samples: u32) -> Self {
-        let side = samples as usize * samples as usize;
-        let mut values = Self { all: vec![], rays: places.len() * side, side };
-        // What is given to each ray, from its pixel and its place in that.
-        let list = |f: &dyn Fn(usize, usize) -> f64| {
-            let rays =
-                (0..places.len()).flat_map(|p| (0..side).map(move |k| (p, k)));
-            Value::Scalars(rays.map(|(p, k)| f(p, k)).collect())
-        };
-        let given = |name: &str| match name {
-            "column" => Some(list(&|p, _| places[p].0.into())),
-            "row" => Some(list(&|p, _| places[p].1.into())),
-            "k_u" if 1 < side => Some(list(&|_, k| (k % samples as usize) as f64)),
-            "k_v" if 1 < side => Some(list(&|_, k| (k / samples as usize) as f64)),
-            _ => None,
-        };
-        for line in &context.tree.lines {
-            let own = given(&line.name).map(|value| Rc::from([value]));
-            values.all.push(own.unwrap_or_else(|| line.given.clone().into()));
-        }
-        values.fill(context, u128::MAX);
-        values
-    }
-
-    /// The same with other changes: only what they reach is evaluated anew.
-    pub fn changed(&self, context: &Context) -> Self {
-        let mut values = self.clone();
-        let mut stale = 0;
-        for change in context.changes {
-            match change {
-                Change::Line(k, _) | Change::Lamp(k, _) | Change::Given(k, ..) => {
-                    stale |= 1 << k;
-                }
-                Change::Objects(..) | Change::Without(_) => {
-                    stale |= 1 << context.tree.nearest;
-                }
-            }
-        }
-        values.fill(context, stale);
-        values
-    }
-
-    /// Evaluates all lines that are stale, a bit for each, or that need one which is.
-    fn fill(&mut self, context: &Context, mut stale: u128) {
-        let tree = context.tree;
-        for change in context.changes {
-            if let Change::Given(name, which, value) = change {
-                let mut all = self.all[*name].to_vec();
-                all[*which] = value.clone();
-                self.all[*name] = all.into();
-            }
-        }
-        for (k, line) in tree.lines.iter().enumerate() {
-            let mut its = context.changes.iter();
-            let other = its.find_map(|change| match change {
-                Change::Line(name, node) if *name == k => Some(node),
-                _ => None,
-            });
-            let uses = other.map_or(line.uses, |node| tree.uses(node));
-            let Some(node) = other.or(line.node.as_ref()) else { continue };
-            if uses & stale != 0 {
-                stale |= 1 << k;
-            }
-            if stale >> k & 1 == 0 || !line.is_needed || line.is_function {
-                continue;
-            }
-            let count = match line.of {
-                Of::Object | Of::Light => tree.count(line.of),
-                _ => 1,
-            };
-            let lamp = context.others().find_map(|change| match change {
-                Change::Lamp(name, lamp) if *name == k => Some(*lamp),
-                _ => None,
-            });
-            let value = |which: usize| {
-                let here = Here { values: self, context, which, lamp };
-                here.value(node, &Value::from(0.0))
-            };
-            self.all[k] = (0..count).map(value).collect();
-        }
-    }
-
-    /// The bytes of the pixels.
-    pub fn pixels(&self, context: &Context) -> Vec<[u8; 3]> {
-        let value = &self.all[context.tree.lines.len() - 1][0];
-        let byte = |v: DVec3| v.to_array().map(|channel| channel as u8);
-        (0..self.rays / self.side).map(|k| byte(value.vector(k))).collect()
-    }
-}
-
-/// Where an expression is evaluated: for which object or light.
-struct Here<'a> {
-    values: &'a Values,
+/// The same with changes: what they do not reach is known already.
+pub(crate) struct Changed<'a> {
     context: &'a Context<'a>,
+    base: &'a Values,
+    own: Vec<OnceCell<Value>>,
+}
+
+/// Where an expression is evaluated: for which ray, and which object or light.
+#[derive(Clone, Copy)]
+struct Here<'a> {
+    ray: usize,
     which: usize,
     lamp: Option<usize>,
+    argument: &'a Value,
 }
 
-impl Here<'_> {
-    fn name(&self, name: usize) -> &Value {
-        let all = &self.values.all[name];
-        let line = &self.context.tree.lines[name];
-        let is_lamp = line.of == Of::Light && line.node.is_none();
-        let which = self.lamp.filter(|_| is_lamp).unwrap_or(self.which);
-        all.get(which).unwrap_or(&all[0])
+const ZERO: Value = Value::Scalar(0.0);
+
+impl Values {
+    /// Those of pixels of `samples` × `samples` rays.
+    pub fn at(tree: &Tree, places: &[(u32, u32)], samples: u32) -> Self {
+        let rays = samples as usize * samples as usize;
+        let size = tree.given.len();
+        let mut known = Vec::with_capacity(rays * size);
+        let list = |of: &dyn Fn((u32, u32)) -> u32| match places {
+            [place] => Value::from(f64::from(of(*place))),
+            all => Value::Scalars(all.iter().map(|p| of(*p).into()).collect()),
+        };
+        let (i, j) = (list(&|place| place.0), list(&|place| place.1));
+        for ray in 0..rays as u32 {
+            let start = known.len();
+            known.extend_from_slice(&tree.given);
+            let [k_u, k_v] =
+                [ray % samples, ray / samples].map(|k| f64::from(k).into());
+            let own = [i.clone(), j.clone(), k_u, k_v];
+            for (slot, value) in tree.of_ray.iter().zip(own) {
+                known[start + slot] = Some(value);
+            }
+        }
+        Self { known, rays, pixels: places.len() }
     }
 
-    fn value(&self, node: &Node, argument: &Value) -> Value {
+    /// With all values known that the pixels need.
+    pub fn filled(self, context: &Context) -> Self {
+        let all = self.changed(context);
+        all.pixels();
+        let both = all.own.into_iter().zip(&self.known);
+        let known = both.map(|(own, known)| known.clone().or(own.into_inner()));
+        Self { known: known.collect(), ..self }
+    }
+
+    pub fn changed<'a>(&'a self, context: &'a Context) -> Changed<'a> {
+        let mut own = vec![];
+        own.resize_with(self.known.len(), OnceCell::new);
+        let size = context.tree.given.len();
+        for change in context.changes {
+            let Change::Given(line, which, value) = change else { continue };
+            let line = &context.tree.lines[*line];
+            for start in (line.start..own.len()).step_by(size) {
+                for (k, ours) in line.given.iter().enumerate() {
+                    own[start + k].get_or_init(|| ours.clone());
+                }
+                own[start + which] = value.clone().into();
+            }
+        }
+        Changed { context, base: self, own }
+    }
+}
+
+impl Changed<'_> {
+    /// The bytes of the pixels.
+    pub fn pixels(&self) -> Vec<[u8; 3]> {
+        let value = self.name(self.context.tree.lines.len() - 1, 0, 0);
+        let byte = |v: DVec3| v.to_array().map(|channel| channel as u8);
+        (0..self.base.pixels).map(|k| byte(value.vector(k))).collect()
+    }
+
+    /// The values of a line for the first ray, and for an object or a light.
+    pub fn line(&self, line: usize, which: usize) -> &Value {
+        self.name(line, 0, which)
+    }
+
+    /// The values of a line for a ray; what there is one of has no other.
+    fn name(&self, name: usize, ray: usize, which: usize) -> &Value {
+        let context = self.context;
+        let line = &context.tree.lines[name];
+        let which = if which < line.count { which } else { 0 };
+        let ray = if line.of == Of::Pixel { 0 } else { ray };
+        let slot = ray * context.tree.given.len() + line.start + which;
+        let is_stale = context.stale >> name & 1 != 0;
+        let base = self.base.known[slot].as_ref().filter(|_| !is_stale);
+        base.unwrap_or_else(|| {
+            self.own[slot].get_or_init(|| {
+                let lamp = context.lamp(name);
+                let here = Here { ray, which, lamp, argument: &ZERO };
+                let node = context.other(name).or(line.node.as_ref());
+                node.map_or(ZERO, |node| self.value(node, here).into_owned())
+            })
+        })
+    }
+
+    fn value<'s>(&'s self, node: &Node, here: Here<'s>) -> Cow<'s, Value> {
+        let context = self.context;
         let Node::Of(op, nodes) = node else {
             return match node {
-                Node::Number(number) => (*number).into(),
-                Node::Name(name) => self.name(*name).clone(),
-                Node::Free(_) => self.context.free.clone(),
-                _ => argument.clone(),
+                Node::Number(number) => Cow::Owned((*number).into()),
+                Node::Name(name) => {
+                    let line = &context.tree.lines[*name];
+                    let is_lamp = line.of == Of::Light && line.node.is_none();
+                    let lamp = here.lamp.filter(|_| is_lamp);
+                    let which = lamp.unwrap_or(here.which);
+                    Cow::Borrowed(self.name(*name, here.ray, which))
+                }
+                Node::Free(_) => Cow::Borrowed(&context.free),
+                _ => Cow::Borrowed(here.argument),
             };
         };
-        match (op, &nodes[..]) {
-            (Op::Nearest, [Node::Name(order)]) => return self.nearest(*order),
-            (Op::Chosen, [Node::Name(name)]) => return self.chosen(*name),
+        Cow::Owned(match (op, &nodes[..]) {
+            (Op::Nearest, [Node::Name(order)]) => self.nearest(*order, here.ray),
+            (Op::Chosen, [Node::Name(name)]) => self.chosen(*name, here.ray),
             (Op::Sum | Op::Product | Op::Alone(_), [Node::Name(name)]) => {
-                return self.total(*op, *name);
+                self.total(*op, *name, here.ray)
             }
-            _ => {}
-        }
-        let mut all = nodes.iter().map(|node| self.value(node, argument));
-        let first = all.next().unwrap_or(Value::from(0.0));
-        let Some(second) = all.next() else { return self.one(*op, &first) };
-        match all.next() {
-            None => two(*op, &first, &second),
-            Some(third) if *op == Op::If => Value::select(&first, &second, &third),
-            Some(third) => vector(&first, &second, &third),
-        }
-    }
-
-    fn one(&self, op: Op, v: &Value) -> Value {
-        match op {
-            Op::Neg => v.map(|x| -x),
-            Op::Sqrt => v.map(f64::sqrt),
-            Op::Abs => v.map(f64::abs),
-            Op::Length => v.scalars(DVec3::length),
-            Op::Unit => v.vectors(DVec3::normalize),
-            Op::Tan => v.map(f64::tan),
-            Op::Sin => v.map(f64::sin),
-            Op::Cos => v.map(f64::cos),
-            Op::Acos => v.map(|x| x.clamp(-1.0, 1.0).acos()),
-            Op::Floor => v.map(f64::floor),
-            Op::Ceil => v.map(f64::ceil),
-            Op::Part(axis) => v.scalars(|v| v[axis]),
-            Op::Mean => self.mean(v),
-            Op::Last => self.last(v),
-            Op::Call(line) => {
-                let other = self.context.changes.iter().find_map(|c| match c {
-                    Change::Line(name, node) if *name == line => Some(node),
-                    _ => None,
-                });
-                let own = self.context.tree.lines[line].node.as_ref();
-                other.or(own).map_or(v.clone(), |node| self.value(node, v))
+            (Op::Mean, [node]) if 1 < self.base.rays => self.mean(node, here),
+            (Op::Last, [node]) => {
+                let (rays, ray) = (self.base.rays as f64, self.base.rays - 1);
+                self.value(node, Here { ray, ..here }).map(|x| x / rays)
             }
-            _ => v.clone(),
-        }
+            (Op::Call(line), [node]) => {
+                let argument = self.value(node, here);
+                let node = context.other(*line);
+                let node = node.or(context.tree.lines[*line].node.as_ref());
+                let here = Here { argument: &argument, ..here };
+                node.map_or(ZERO, |node| self.value(node, here).into_owned())
+            }
+            (Op::If, [truth, yes, no]) => {
+                let truth = self.value(truth, here);
+                match truth.uniform() {
+                    Some(truth) => {
+                        let which = if truth == 0.0 { no } else { yes };
+                        return self.value(which, here);
+                    }
+                    None => {
+                        let yes = self.value(yes, here);
+                        Value::select(&truth, &yes, &self.value(no, here))
+                    }
+                }
+            }
+            (op, [a]) => one(*op, &self.value(a, here)),
+            (op, [a, b]) => two(*op, &self.value(a, here), &self.value(b, here)),
+            (_, [x, y, z]) => {
+                let [x, y, z] = [x, y, z].map(|node| self.value(node, here));
+                vector(&x, &y, &z)
+            }
+            _ => ZERO,
+        })
     }
 
     /// Which object has the least number, of those that are met.
-    fn nearest(&self, order: usize) -> Value {
+    fn nearest(&self, order: usize, ray: usize) -> Value {
         let tree = self.context.tree;
-        let (orders, ts) = (&self.values.all[order], &self.values.all[tree.hit]);
-        let is_there = |k: usize| {
-            self.context.others().all(|change| match change {
-                Change::Objects(start, end) => (*start..*end).contains(&k),
-                Change::Without(object) => k != *object,
-                _ => true,
-            })
-        };
-        let there: Vec<_> = (0..ts.len()).filter(|k| is_there(*k)).collect();
-        let one = |ray: usize| {
+        let there = (0..tree.count(Of::Object)).filter(|k| self.context.has(*k));
+        let there = there.map(|k| (k as f64, self.name(tree.hit, ray, k), k));
+        let is_met = |t: &Value| t.uniform() != Some(f64::INFINITY);
+        let met: Vec<_> = there
+            .filter(|(_, t, _)| is_met(t))
+            .map(|(number, t, k)| (number, t, self.name(order, ray, k)))
+            .collect();
+        let one = |pixel: usize| {
             let mut best = (-1.0, f64::INFINITY);
-            for &k in &there {
-                let key = orders[k.min(orders.len() - 1)].scalar(ray);
-                if ts[k].scalar(ray) != f64::INFINITY
+            for (number, t, keys) in &met {
+                let key = keys.scalar(pixel);
+                if t.scalar(pixel) != f64::INFINITY
                     && (best.0 < 0.0 || key < best.1)
                 {
-                    best = (k as f64, key);
+                    best = (*number, key);
                 }
             }
             best.0
         };
-        Value::Scalars((0..self.values.rays).map(one).collect())
+        match self.base.pixels {
+            1 => one(0).into(),
+            all => Value::Scalars((0..all).map(one).collect()),
+        }
     }
 
     /// A number of the nearest object; that of the first where none is met.
-    fn chosen(&self, name: usize) -> Value {
-        let nearest = self.context.tree.nearest;
-        let (which, all) = (&self.values.all[nearest][0], &self.values.all[name]);
-        let object = |ray: usize| {
-            all.get(which.scalar(ray).max(0.0) as usize).unwrap_or(&all[0])
+    fn chosen(&self, name: usize, ray: usize) -> Value {
+        let nearest = self.name(self.context.tree.nearest, ray, 0);
+        let object = |pixel: usize| {
+            let object = nearest.scalar(pixel).max(0.0) as usize;
+            self.name(name, ray, object)
         };
-        let rays = 0..self.values.rays;
-        match all[0].is_vector() {
-            false => {
-                Value::Scalars(rays.map(|ray| object(ray).scalar(ray)).collect())
-            }
-            true => {
-                Value::Vectors(rays.map(|ray| object(ray).vector(ray)).collect())
-            }
+        let all = 0..self.base.pixels;
+        match (all.len(), object(0).is_vector()) {
+            (1, _) => object(0).clone(),
+            (_, false) => Value::Scalars(
+                all.map(|pixel| object(pixel).scalar(pixel)).collect(),
+            ),
+            (_, true) => Value::Vectors(
+                all.map(|pixel| object(pixel).vector(pixel)).collect(),
+            ),
         }
     }
 
-    /// That of all lights together.
-    fn total(&self, op: Op, name: usize) -> Value {
-        let all = &self.values.all[name];
+    /// That of all lights together, or of one alone.
+    fn total(&self, op: Op, name: usize, ray: usize) -> Value {
+        let count = self.context.tree.lines[name].count;
+        let mut all = (0..count).map(|which| self.name(name, ray, which).clone());
         match op {
-            Op::Alone(which) => all[which.min(all.len() - 1)].clone(),
-            Op::Product => all
-                .iter()
-                .skip(1)
-                .fold(all[0].clone(), |a, b| a.zip(b, |a, b| a * b)),
-            _ => all
-                .iter()
-                .skip(1)
-                .fold(all[0].clone(), |a, b| a.zip(b, |a, b| a + b)),
+            Op::Alone(which) => all.nth(which.min(count - 1)),
+            Op::Product => all.reduce(|a, b| a.zip(&b, |a, b| a * b)),
+            _ => all.reduce(|a, b| a.zip(&b, |a, b| a + b)),
         }
-    }
-
-    /// That of the last ray of a pixel, as if it were all of them.
-    fn last(&self, value: &Value) -> Value {
-        let side = self.values.side;
-        let last =
-            |pixel: usize| value.vector(pixel * side + side - 1) / side as f64;
-        Value::Vectors((0..self.values.rays / side).map(last).collect())
+        .unwrap_or(ZERO)
     }
 
     /// That of all rays of a pixel.
-    fn mean(&self, value: &Value) -> Value {
-        let side = self.values.side;
-        if side == 1 || value.len() == 1 {
-            return value.clone();
-        }
-        let weight = 1.0 / side as f64;
+    fn mean(&self, node: &Node, here: Here) -> Value {
+        let rays = self.base.rays;
+        let all: Vec<_> =
+            (0..rays).map(|ray| self.value(node, Here { ray, ..here })).collect();
         let mean = |pixel: usize| {
-            let rays = pixel * side..(pixel + 1) * side;
-            rays.map(|ray| value.vector(ray)).sum::<DVec3>() * weight
+            let sum = all.iter().map(|value| value.vector(pixel)).sum::<DVec3>();
+            sum * (1.0 / rays as f64)
         };
-        Value::Vectors((0..self.values.rays / side).map(mean).collect())
+        match self.base.pixels {
+            1 => mean(0).into(),
+            all => Value::Vectors((0..all).map(mean).collect()),
+        }
+    }
+}
+
+fn one(op: Op, v: &Value) -> Value {
+    match op {
+        Op::Neg => v.map(|x| -x),
+        Op::Sqrt => v.map(f64::sqrt),
+        Op::Abs => v.map(f64::abs),
+        Op::Length => v.scalars(DVec3::length),
+        Op::Unit => v.vectors(DVec3::normalize),
+        Op::Tan => v.map(f64::tan),
+        Op::Sin => v.map(f64::sin),
+        Op::Cos => v.map(f64::cos),
+        Op::Acos => v.map(|x| x.clamp(-1.0, 1.0).acos()),
+        Op::Floor => v.map(f64::floor),
+        Op::Ceil => v.map(f64::ceil),
+        Op::Part(axis) => v.scalars(|v| v[axis]),
+        _ => v.clone(),
     }
 }
 

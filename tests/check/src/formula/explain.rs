@@ -1,6 +1,6 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value,
-    Values, Where, edits, misses, solved, unknowns,
+    Change, Context, Edit, Evidence, Kind, Known, Node, Of, Op, Pixel, Place, SOME,
+    Tree, Value, Values, Where, edits, misses, solved, unknowns,
 };
 use crate::Step;
 use crate::measure::{number, vector};
@@ -35,10 +35,13 @@ pub(crate) struct Riddle<'a> {
 }
 
 impl Riddle<'_> {
-    /// The pixels that a tree does not explain, as far as there are at most so many.
-    fn wrong(&self, tree: &Tree, most: usize) -> Vec<Pixel> {
-        let context = Context { tree, changes: &[], free: Value::from(0.0) };
-        misses(&context, self.yours, self.samples, self.places, most)
+    /// Many of the pixels that a tree does not explain.
+    fn wrong(&self, tree: &Tree) -> Vec<Pixel> {
+        // An odd number, as the rows are even: not the same columns again and again.
+        let step = (self.places.len() / 30_000) | 1;
+        let some = self.places.iter().step_by(step);
+        let some: Vec<_> = some.copied().collect();
+        misses(tree, self.yours, self.samples, &some, usize::MAX)
     }
 
     /// The pixels in which the picture is not ours.
@@ -127,8 +130,7 @@ impl Riddle<'_> {
         all.retain(|cause| told.insert(cause.of.clone()));
         let missed = |cause: &Cause, places: &[Pixel], most: usize| {
             let tree = tree.with(&cause.changes);
-            let context = Context { tree: &tree, changes: &[], free: 0.0.into() };
-            misses(&context, self.yours, self.samples, places, most)
+            misses(&tree, self.yours, self.samples, places, most)
         };
         // The first has to explain all pixels, the others very many.
         let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
@@ -172,7 +174,7 @@ impl Riddle<'_> {
         let halves = halves(&evidence).into_iter().chain(of_objects);
         for first in halves {
             let changed = tree.with(&first.changes);
-            let rest = self.wrong(&changed, usize::MAX);
+            let rest = self.wrong(&changed);
             let second = self.single(&changed, &rest, false);
             if second.first().is_some_and(|second| second.of != first.of) {
                 return Some([vec![first], second]);
@@ -187,18 +189,18 @@ impl Riddle<'_> {
     fn of_objects(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
         let few: Vec<_> =
             wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
-        let context = Context { tree, changes: &[], free: Value::from(0.0) };
-        let values = Values::at(&context, &few, self.samples);
-        let side = self.samples.pow(2) as usize;
-        let Some(nearest) = values.all[tree.nearest].first() else { return vec![] };
-        let of = |object: f64| -> Vec<Pixel> {
-            let its = few.iter().enumerate();
-            its.filter(|(k, _)| nearest.scalar(k * side) == object)
-                .map(|(_, p)| *p)
-                .collect()
-        };
-        let mut all: Vec<_> =
-            (0..tree.count(Of::Object)).map(|k| of(k as f64)).collect();
+        let context = Context::plain(tree);
+        let mut all = vec![vec![]; tree.count(Of::Object)];
+        for places in few.chunks(SOME) {
+            let values = Values::at(tree, places, self.samples);
+            let values = values.changed(&context);
+            for (k, place) in places.iter().enumerate() {
+                let object = values.line(tree.nearest, 0).scalar(k);
+                if 0.0 <= object {
+                    all[object as usize].push(*place);
+                }
+            }
+        }
         all.sort_by_key(|its| usize::MAX - its.len());
         let all = all.iter().take(1).filter(|its| 8 < its.len());
         all.filter_map(|its| {
@@ -211,26 +213,26 @@ impl Riddle<'_> {
 /// Single things that explain some of the pixels that are wrong, and spoil none.
 fn halves(evidence: &Evidence) -> Vec<Cause> {
     let tree = evidence.tree;
-    let (places, values) = &evidence.parts[1];
-    let pixels = |changes: &[Change]| {
-        let context = Context { tree, changes, free: Value::from(0.0) };
-        values.changed(&context).pixels(&context)
-    };
-    let before = pixels(&[]);
-    let is_right = |k: usize, pixel: [u8; 3]| evidence.pixel(places[k]) == pixel;
+    let [few, more, _] = &evidence.parts;
     let mut seen = HashSet::new();
     let mut rated = vec![];
     for edit in edits(tree).into_iter().filter(|edit| edit.rank < 2) {
-        let after = pixels(&edit.changes);
-        let (mut mended, mut spoilt) = (0_usize, 0_usize);
-        for k in 0..places.len() {
-            match (is_right(k, before[k]), is_right(k, after[k])) {
-                (false, true) => mended += 1,
-                (true, false) => spoilt += 1,
-                _ => {}
-            }
+        let context = Context::new(tree, &edit.changes, 0.0.into());
+        if !few
+            .right
+            .iter()
+            .chain(&more.right)
+            .all(|known| evidence.is_right(known, &context))
+        {
+            continue;
         }
-        if 2 < mended && spoilt == 0 && seen.insert(after) {
+        let pixels = |(_, values): &Known| values.changed(&context).pixels();
+        let after: Vec<_> = more.wrong.iter().flat_map(pixels).collect();
+        let yours = more.wrong.iter().flat_map(|(places, _)| places);
+        let both = yours.zip(&after);
+        let mended =
+            both.filter(|(place, p)| evidence.pixel(**place) == **p).count();
+        if 2 < mended && seen.insert(after) {
             rated.push((mended, edit));
         }
     }

@@ -1,5 +1,6 @@
 //! The lecture's formulas as data, and what becomes of a picture where one is changed.
 
+mod context;
 mod drawn;
 mod edits;
 mod eval;
@@ -12,14 +13,15 @@ mod search;
 mod tree;
 mod value;
 
+pub(crate) use context::{Change, Context};
 pub use drawn::by_formulas;
 pub(crate) use edits::{Edit, edits};
-pub(crate) use eval::{Change, Context, Values};
+pub(crate) use eval::{Changed, SOME, Values};
 pub(crate) use explain::{Cause, Riddle};
 pub(crate) use node::{Kind, Node, Op};
 pub(crate) use numbers::{Where, solved, unknowns};
 use parse::parse;
 pub(crate) use print::shown;
-pub(crate) use search::{Evidence, Pixel, misses};
+pub(crate) use search::{Evidence, Known, Part, Pixel, misses};
 pub(crate) use tree::{Line, Of, Place, Tree};
 pub(crate) use value::Value;

@@ -1,4 +1,6 @@
-use super::{Change, Context, Evidence, Kind, Node, Of, Op, Tree, Value};
+use super::{
+    Change, Context, Evidence, Kind, Known, Node, Of, Op, Part, Tree, Value, Values,
+};
 use glam::DVec3;
 
 /// A number that may be another one, and the values to begin with.
@@ -153,21 +155,57 @@ fn put_in(
     }
 }
 
-/// How far off some pixels are, for each channel.
-fn cost(evidence: &Evidence, part: usize, unknown: &Unknown, x: DVec3) -> DVec3 {
+/// How far off some pixels are, for each channel; or something that is no less than
+/// `most`.
+fn cost(
+    evidence: &Evidence,
+    part: &Part,
+    unknown: &Unknown,
+    x: DVec3,
+    most: DVec3,
+) -> DVec3 {
     let (change, free) = unknown.change(evidence.tree, x);
     let changes = [change];
-    let context = Context { tree: evidence.tree, changes: &changes, free };
-    let (places, values) = &evidence.parts[part];
-    let pixels = values.changed(&context).pixels(&context);
+    let context = Context::new(evidence.tree, &changes, free);
     let mut cost = DVec3::ZERO;
-    for (place, pixel) in places.iter().zip(pixels) {
-        let yours = evidence.pixel(*place);
-        for k in 0..3 {
-            cost[k] += f64::from(yours[k].abs_diff(pixel[k]).min(24));
+    for (places, values) in part.all() {
+        for (place, pixel) in places.iter().zip(values.changed(&context).pixels()) {
+            let yours = evidence.pixel(*place);
+            let apart = |k: usize| f64::from(yours[k].abs_diff(pixel[k]).min(24));
+            let apart = DVec3::from_array([0, 1, 2].map(apart));
+            cost += match unknown.is_colour {
+                true => apart,
+                false => DVec3::splat(apart.element_sum()),
+            };
+        }
+        if cost.cmpge(most).all() {
+            break;
         }
     }
-    if unknown.is_colour { cost } else { DVec3::splat(cost.element_sum()) }
+    cost
+}
+
+/// Whether each of some pixels becomes another one with some of these values.
+fn reaches(
+    evidence: &Evidence,
+    values: &Values,
+    unknown: &Unknown,
+    some: &[DVec3],
+) -> bool {
+    let pixels = |changes: &[Change], free: Value| {
+        let context = Context::new(evidence.tree, changes, free);
+        values.changed(&context).pixels()
+    };
+    let ours = pixels(&[], 0.0.into());
+    let mut is_left = vec![true; ours.len()];
+    some.iter().any(|x| {
+        let (change, free) = unknown.change(evidence.tree, *x);
+        let both = pixels(&[change], free).into_iter().zip(&ours);
+        for (left, (pixel, ours)) in is_left.iter_mut().zip(both) {
+            *left &= pixel == *ours;
+        }
+        !is_left.contains(&true)
+    })
 }
 
 /// A value for each of the channels, and what it costs.
@@ -189,41 +227,44 @@ impl Best {
 /// one; it is as round as it may be.
 pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let ours = unknown.ours;
-    let before = cost(evidence, 0, unknown, ours);
-    let first = [-1.0, 0.0, 0.5, 2.0]
-        .map(|k| k * ours)
-        .into_iter()
-        .chain([0.3, -1.0, 6.0].map(|k| ours + k));
-    let is_blind =
-        first.into_iter().all(|x| cost(evidence, 0, unknown, x) == before);
-    if is_blind {
+    let name = &*evidence.tree.lines[unknown.line].name;
+    let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
+    let some = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours);
+    let more = [0.3, -1.0, 6.0].map(|k| ours + k);
+    let some: Vec<_> = some.into_iter().chain(more).collect();
+    let [few, more, most] = evidence.parts.each_ref();
+    let reaches = |(_, values): &Known| reaches(evidence, values, unknown, &some);
+    // A small sphere may be anywhere; another number changes whatever is wrong.
+    let is_hopeful = match is_shape {
+        true => few.all().any(reaches),
+        false => few.wrong.iter().chain(&more.wrong).all(reaches),
+    };
+    if !is_hopeful {
         return None;
     }
-    let start = cost(evidence, 1, unknown, ours);
+    let start = cost(evidence, more, unknown, ours, DVec3::INFINITY);
     let mut best = Best { cost: start, x: ours };
     let factors = [
         -1.0, 0.0, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.5, 2.0, 3.0, 5.0,
         10.0, 100.0,
     ];
     let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
-    let all = factors.map(|k| k * ours).into_iter();
-    let name = &*evidence.tree.lines[unknown.line].name;
-    let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
+    let others = factors.map(|k| k * ours).into_iter();
     let near = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
     let terms = terms.into_iter().chain(near).flat_map(|k| [k, -k]);
-    for x in all.chain(terms.map(|k| ours + k)) {
-        best.take(cost(evidence, 1, unknown, x), x);
+    for x in others.chain(terms.map(|k| ours + k)) {
+        best.take(cost(evidence, more, unknown, x, best.cost), x);
     }
     if (0.85 * start).cmplt(best.cost).all() {
         return None;
     }
-    refine(evidence, 1, unknown, &mut best, 0.35);
-    let few = evidence.parts[1].0.len() as f64;
+    refine(evidence, more, unknown, &mut best, 0.35);
+    let few = more.all().map(|known| known.0.len()).sum::<usize>() as f64;
     if 3.0 * few < best.cost.max_element() {
         return None;
     }
-    best.cost = cost(evidence, 2, unknown, best.x);
-    refine(evidence, 2, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
+    best.cost = cost(evidence, most, unknown, best.x, DVec3::INFINITY);
+    refine(evidence, most, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
     if best.cost != DVec3::ZERO {
         return None;
     }
@@ -233,7 +274,7 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
 /// Looks around the best value, in smaller and smaller steps.
 fn refine(
     evidence: &Evidence,
-    part: usize,
+    part: &Part,
     unknown: &Unknown,
     best: &mut Best,
     share: f64,
@@ -245,7 +286,7 @@ fn refine(
         }
         let x = best.x;
         for x in [x - step, x + step] {
-            best.take(cost(evidence, part, unknown, x), x);
+            best.take(cost(evidence, part, unknown, x, best.cost), x);
         }
         step *= 0.6;
     }
@@ -254,7 +295,9 @@ fn refine(
 /// The value of the fewest digits that explains all pixels of the evidence.
 fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
     let is_it = |x: DVec3| {
-        (0..3).all(|part| cost(evidence, part, unknown, x) == DVec3::ZERO)
+        evidence.parts.iter().all(|part| {
+            cost(evidence, part, unknown, x, DVec3::splat(1.0)) == DVec3::ZERO
+        })
     };
     let digits = |digits: i32| {
         x.map(|x| {

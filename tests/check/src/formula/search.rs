@@ -1,15 +1,30 @@
-use super::{Change, Context, Edit, Tree, Value, Values};
+use super::{Change, Context, Edit, SOME, Tree, Value, Values};
 use image::RgbImage;
 
 /// Column and row of a pixel.
 pub(crate) type Pixel = (u32, u32);
 
+/// Some pixels, and the values of all lines there.
+pub(crate) type Known = (Vec<Pixel>, Values);
+
 /// Some pixels of a picture, and what a tree makes of them.
 pub(crate) struct Evidence<'a> {
     pub tree: &'a Tree,
     yours: &'a RgbImage,
-    /// Few pixels, then more: each with the values of all lines there.
-    pub parts: Vec<(Vec<Pixel>, Values)>,
+    /// Few pixels, then more.
+    pub parts: [Part; 3],
+}
+
+/// Some pixels, those that differ apart from the others.
+pub(crate) struct Part {
+    pub wrong: Vec<Known>,
+    pub right: Vec<Known>,
+}
+
+impl Part {
+    pub fn all(&self) -> impl Iterator<Item = &Known> {
+        self.wrong.iter().chain(&self.right)
+    }
 }
 
 impl<'a> Evidence<'a> {
@@ -21,24 +36,38 @@ impl<'a> Evidence<'a> {
         wrong: &[Pixel],
         right: &[Pixel],
     ) -> Self {
-        let context = Context { tree, changes: &[], free: Value::from(0.0) };
+        let context = Context::plain(tree);
         let many = 1 + samples as usize * samples as usize / 4;
-        let parts = [(4, 2), (24, 16), (360, 240)].map(|(some, others)| {
-            let mut places = spread(wrong, some / many + 2, some);
-            places.extend(spread(right, others / many + 2, others));
-            let values = Values::at(&context, &places, samples);
-            (places, values)
+        let known = |all: &[Pixel], count: usize, size: usize| {
+            let some = spread(all, count / many + 2, count);
+            let known = |places: &[Pixel]| {
+                let values = Values::at(tree, places, samples);
+                (places.to_vec(), values.filled(&context))
+            };
+            some.chunks(size).map(known).collect()
+        };
+        // One by one first: a value of one ray needs no list.
+        let parts = [(4, 2, 1), (24, 16, SOME), (360, 240, SOME)];
+        let parts = parts.map(|(some, others, size)| Part {
+            wrong: known(wrong, some, size),
+            right: known(right, others, size),
         });
-        Self { tree, yours, parts: parts.into() }
+        Self { tree, yours, parts }
     }
 
     /// Whether the tree with these changes gives each of the pixels.
-    pub fn fits(&self, changes: &[Change], free: &Value) -> bool {
-        let context = Context { tree: self.tree, changes, free: free.clone() };
-        self.parts.iter().all(|(places, values)| {
-            let pixels = values.changed(&context).pixels(&context);
-            places.iter().zip(pixels).all(|(p, pixel)| self.pixel(*p) == pixel)
-        })
+    pub fn fits(&self, changes: &[Change], free: Value) -> bool {
+        let context = Context::new(self.tree, changes, free);
+        self.parts
+            .iter()
+            .flat_map(Part::all)
+            .all(|known| self.is_right(known, &context))
+    }
+
+    /// Whether some pixels are those of the picture.
+    pub fn is_right(&self, (places, values): &Known, context: &Context) -> bool {
+        let yours = places.iter().map(|place| self.pixel(*place));
+        values.changed(context).pixels().into_iter().eq(yours)
     }
 
     pub fn pixel(&self, (i, j): Pixel) -> [u8; 3] {
@@ -47,8 +76,8 @@ impl<'a> Evidence<'a> {
 
     /// Those of some edits that give each of the pixels.
     pub fn survivors(&self, edits: Vec<Edit>) -> Vec<Edit> {
-        let free = Value::from(0.0);
-        edits.into_iter().filter(|edit| self.fits(&edit.changes, &free)).collect()
+        let fits = |edit: &Edit| self.fits(&edit.changes, 0.0.into());
+        edits.into_iter().filter(fits).collect()
     }
 }
 
@@ -58,26 +87,22 @@ fn spread(all: &[Pixel], count: usize, start: usize) -> Vec<Pixel> {
     all.iter().skip(start % step).step_by(step).copied().collect()
 }
 
-/// The pixels among `places` that differ from what the tree with some changes makes.
+/// The pixels among `places` that differ from what a tree makes, as far as there are at
+/// most so many.
 pub(crate) fn misses(
-    context: &Context,
+    tree: &Tree,
     yours: &RgbImage,
     samples: u32,
     places: &[Pixel],
     most: usize,
 ) -> Vec<Pixel> {
-    let mut wrong = vec![];
-    for some in places.chunks(512 / samples.pow(2).min(64) as usize) {
-        let values = Values::at(context, some, samples);
-        let pixels = values.pixels(context);
-        let its = some.iter().zip(pixels);
-        wrong.extend(
-            its.filter(|((i, j), p)| yours.get_pixel(*i, *j).0 != *p)
-                .map(|(p, _)| *p),
-        );
-        if most < wrong.len() {
-            break;
-        }
-    }
-    wrong
+    let context = Context::plain(tree);
+    let some = SOME / samples.pow(2).min(64) as usize;
+    let wrong = places.chunks(some).flat_map(|places| {
+        let values = Values::at(tree, places, samples);
+        let pixels = values.changed(&context).pixels();
+        let both = places.iter().copied().zip(pixels);
+        both.filter(|((i, j), pixel)| yours.get_pixel(*i, *j).0 != *pixel)
+    });
+    wrong.map(|(place, _)| place).take(most.saturating_add(1)).collect()
 }

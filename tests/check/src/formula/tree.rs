@@ -12,6 +12,10 @@ const LECTURE: &str = include_str!("lecture.txt");
 pub(crate) struct Tree {
     pub step: Step,
     pub lines: Vec<Line>,
+    /// The values that are given, in the places that the values of a ray have.
+    pub given: Vec<Option<Value>>,
+    /// The places of column and row of a ray, and of its own in the pixel.
+    pub of_ray: [usize; 4],
     /// The places of an object's hit, and of the nearest object.
     pub hit: usize,
     pub nearest: usize,
@@ -36,6 +40,9 @@ pub(crate) struct Line {
     pub is_needed: bool,
     /// The lines that it needs, a bit for each.
     pub uses: u128,
+    /// Where its values are among those of a ray, and how many it has.
+    pub start: usize,
+    pub count: usize,
     /// Whether it has an argument.
     pub is_function: bool,
 }
@@ -100,6 +107,8 @@ impl Tree {
         let mut tree = Self {
             step,
             lines: vec![],
+            given: vec![],
+            of_ray: [0; 4],
             hit: 0,
             nearest: 0,
             always: vec![],
@@ -145,12 +154,23 @@ impl Tree {
         tree
     }
 
-    /// Notes which lines each line needs.
+    /// Notes which lines each line needs, and where its values are.
     fn join(&mut self) {
+        self.given.clear();
         for k in 0..self.lines.len() {
             let uses = self.lines[k].node.as_ref().map_or(0, |n| self.uses(n));
-            self.lines[k].uses = uses;
+            let count = match (&self.lines[k].node, self.lines[k].of) {
+                (None, _) => self.lines[k].given.len(),
+                (_, of @ (Of::Object | Of::Light)) => self.count(of),
+                _ => 1,
+            };
+            let line = &mut self.lines[k];
+            (line.uses, line.start, line.count) = (uses, self.given.len(), count);
+            self.given.extend(line.given.iter().cloned().map(Some));
+            self.given.resize(line.start + count, None);
         }
+        self.of_ray = ["column", "row", "k_u", "k_v"]
+            .map(|name| self.find(name).map_or(0, |k| self.lines[k].start));
     }
 
     /// How many objects there are, or lights.
@@ -203,6 +223,8 @@ impl Tree {
             place,
             is_needed: false,
             uses: 0,
+            start: 0,
+            count: 0,
             is_function,
         });
     }
@@ -312,6 +334,8 @@ impl Tree {
             place,
             is_needed: false,
             uses: 0,
+            start: 0,
+            count: 0,
             is_function: false,
         });
     }

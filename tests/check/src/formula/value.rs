@@ -156,6 +156,13 @@ impl Value {
         }
     }
 
+    /// The number, where all rays have the same.
+    pub fn uniform(&self) -> Option<f64> {
+        let List::Scalars(all) = self.list() else { return None };
+        let first = *all.first()?;
+        all.iter().all(|x| *x == first).then_some(first)
+    }
+
     /// This where a number is true (not 0), else the other.
     pub fn select(truth: &Self, yes: &Self, no: &Self) -> Self {
         if truth.len() == 1 {

@@ -1,7 +1,7 @@
 use super::words::vector;
 use crate::Step;
 use crate::apart;
-use crate::formula::{Context, Tree, Value, Values};
+use crate::formula::{Context, Tree, Values};
 use crate::fov::FOV;
 use glam::DVec3;
 use image::RgbImage;
@@ -14,11 +14,14 @@ pub fn pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
     let Some(((i, j, a), b)) = worst else { return String::new() };
     let (width, height) = yours.dimensions();
     let tree = Tree::new(step, (width.max(2), height), FOV, 1);
-    let context = Context { tree: &tree, changes: &[], free: Value::from(0.0) };
-    let values = Values::at(&context, &[(i, j)], 1);
+    let context = Context::plain(&tree);
+    let values = Values::at(&tree, &[(i, j)], 1);
+    let values = values.changed(&context);
     let vectors = |name: &str| -> Vec<DVec3> {
-        let all = tree.find(name).map(|line| values.all[line].iter());
-        all.into_iter().flatten().map(|value| value.vector(0)).collect()
+        let line = tree.find(name).filter(|k| tree.lines[*k].is_needed);
+        let all = line.map_or(0, |line| tree.lines[line].count);
+        let line = line.unwrap_or(0);
+        (0..all).map(|k| values.line(line, k).vector(0)).collect()
     };
     let direction = vectors("V").first().copied().unwrap_or_default();
     let mut text = format!(

@@ -5,7 +5,7 @@ use super::words::percent;
 use super::{Stage, Verdict, camera};
 use crate::Step;
 use crate::apart;
-use crate::formula::{Context, Tree, Value, Values};
+use crate::formula::{Changed, Context, Pixel, SOME, Tree, Values};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
 
@@ -122,36 +122,42 @@ fn is_clamped(pixel: &Rgb<u8>) -> bool {
 
 /// What is seen at some pixels.
 fn seen(tree: &Tree, yours: &RgbImage, places: &[(u32, u32)]) -> Vec<Seen> {
-    let context = Context { tree, changes: &[], free: Value::from(0.0) };
-    let mut all = vec![];
-    for some in places.chunks(512) {
-        let values = Values::at(&context, some, 1);
-        let pixels = values.pixels(&context);
-        for (k, &place) in some.iter().enumerate() {
-            let of = |name: &str, which: usize| {
-                let line = tree.find(name).map(|line| &values.all[line]);
-                line.and_then(|all| all.get(which)).map(|value| value.vector(k))
-            };
-            let zero = |name: &str, which| of(name, which).unwrap_or(DVec3::ZERO);
-            let two = |name: &str| [zero(name, 0), zero(name, 1)];
-            let (l, n) = (two("l"), zero("n", 0));
-            let object = of("nearest", 0).map_or(-1.0, |v| v.x);
-            let sky = (255.0 * zero("sky", 0) + 0.5).to_array().map(|c| c as u8);
-            all.push(Seen {
-                place,
-                yours: *yours.get_pixel(place.0, place.1),
-                ours: Rgb(pixels[k]),
-                sky: Rgb(sky),
-                object: (0.0 <= object).then_some(object as usize),
-                ambient: zero("I_a", 0),
-                diffuse: two("I_d"),
-                specular: two("G"),
-                distances: two("d").map(|d| d.x),
-                cosines: l.map(|l| l.dot(n)),
-            });
+    let context = Context::plain(tree);
+    let needed = |name: &str| tree.find(name).filter(|k| tree.lines[*k].is_needed);
+    let [nearest, sky, ambient, diffuse, specular, distance, light, normal] =
+        ["nearest", "sky", "I_a", "I_d", "G", "d", "l", "n"].map(needed);
+    let seen = |values: &Changed, k: usize, place: Pixel, ours: [u8; 3]| {
+        let of = |line: Option<usize>, which: usize| {
+            let value = line.map(|line| values.line(line, which));
+            value.map_or(DVec3::ZERO, |value| value.vector(k))
+        };
+        let object = if nearest.is_some() { of(nearest, 0).x } else { -1.0 };
+        let sky = (255.0 * of(sky, 0) + 0.5).to_array().map(|c| c as u8);
+        let n = of(normal, 0);
+        let two = |line| [0, 1].map(|which| of(line, which));
+        Seen {
+            place,
+            yours: *yours.get_pixel(place.0, place.1),
+            ours: Rgb(ours),
+            sky: Rgb(sky),
+            object: (0.0 <= object).then_some(object as usize),
+            diffuse: two(diffuse),
+            specular: two(specular),
+            distances: two(distance).map(|d| d.x),
+            cosines: two(light).map(|l| l.dot(n)),
+            ambient: of(ambient, 0),
         }
-    }
-    all
+    };
+    let some = |places: &[Pixel]| {
+        let values = Values::at(tree, places, 1);
+        let values = values.changed(&context);
+        let ours: Vec<_> =
+            places.iter().copied().zip(values.pixels()).enumerate().collect();
+        let its = ours.into_iter();
+        its.map(|(k, (place, ours))| seen(&values, k, place, ours))
+            .collect::<Vec<_>>()
+    };
+    places.chunks(SOME).flat_map(some).collect()
 }
 
 /// Tells the outlines; false where they are not right.
