@@ -7,7 +7,7 @@ use crate::{assert_found, assert_none};
 use book::{Page, Site};
 
 /// How such a thing looks in code, and what the note about it says.
-const NEW: [(&str, &str); 33] = [
+const NEW: [(&str, &str); 37] = [
     ("|i, j|", "closure"),
     ("#[derive(", "derive"),
     ("pub(crate)", "pub(crate)"),
@@ -41,6 +41,10 @@ const NEW: [(&str, &str); 33] = [
     (" drop(", "drop"),
     ("= *point", "*point"),
     ("< *k", "*k"),
+    (".collect()", "collect"),
+    (".fetch_add(", "fetch_add"),
+    ("move ||", "move"),
+    ("::splat(", "splat"),
 ];
 
 /// Each of them that has no note where it first appears, or no place in the book.

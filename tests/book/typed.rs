@@ -183,7 +183,7 @@ fn a_file_that_comes_a_chapter_too_late_is_found() {
 fn a_solution_that_does_not_compile_is_found() {
     let book = BOOK.with(SOLUTIONS, "samples: u32)", "samples: f64)");
     let fault = fault(&book, Some((SOLUTIONS, "")));
-    let words = ["At the end of", SOLUTIONS, "examples/graticule.rs"];
+    let words = ["At the end of", SOLUTIONS, "examples/rings.rs"];
     assert_found(&Vec::from_iter(fault), &words);
 }
 

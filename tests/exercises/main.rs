@@ -23,6 +23,7 @@ type Picture = fn(&Camera, u32) -> RgbImage;
 const PICTURES: &[(&str, Picture)] = &[
     ("gradient", |_, _| step01::gradient::picture()),
     ("step01_rays", step01::step01_starter::picture),
+    ("rings", step01::rings::picture),
     ("graticule", step01::graticule::picture),
     ("look_at", step01::look_at::picture),
     ("panorama", step01::panorama::picture),

@@ -6,6 +6,8 @@ pub mod graticule;
 pub mod look_at;
 #[path = "../../steps/step01_rays/examples/panorama.rs"]
 pub mod panorama;
+#[path = "../../steps/step01_rays/examples/rings.rs"]
+pub mod rings;
 #[path = "../../steps/step01_rays/examples/step01_starter.rs"]
 pub mod step01_starter;
 
@@ -28,6 +30,24 @@ fn the_equator_and_the_meridians_are_where_they_should_be() {
         assert!(240 < pixel[0], "{degrees} degrees: {pixel:?}");
     }
     assert!((0..640).all(|i| picture.get_pixel(i, 179) == &Rgb([255; 3])));
+}
+
+#[test]
+fn the_rings_are_round_about_the_middle() {
+    // Four pixels at one distance from the middle see rays of one length.
+    let picture = rings::picture(&Camera::new(361, 361, 1.0), 1);
+    let is_bright = |i: u32, j: u32| 128 < picture.get_pixel(i, j)[2];
+    for away in 0..=180 {
+        let [near, far] = [180 - away, 180 + away];
+        let four = [(near, 180), (far, 180), (180, near), (180, far)];
+        assert!(
+            four.iter().all(|(i, j)| is_bright(*i, *j) == is_bright(near, 180)),
+            "{away}"
+        );
+    }
+    // |V| is 1 in the middle, and 1.015 where its other part is 0.1738.
+    let column = |x: f64| (180.0 + x * 180.0 / 0.5_f64.tan()).round() as u32;
+    assert!(is_bright(180, 180) && !is_bright(column(0.1738), 180));
 }
 
 #[test]

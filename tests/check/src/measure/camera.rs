@@ -15,13 +15,16 @@ pub(super) fn read(
 ) -> Option<Vec<String>> {
     let (width, height) = yours.dimensions();
     let sky = Sky::of(yours)?;
-    let is_sky = |s: &&Seen| sky.is_on(yours, s.place.0, s.place.1);
-    let share =
-        seen.iter().filter(is_sky).count() as f64 / seen.len().max(1) as f64;
+    let off = || seen.iter().filter_map(|s| sky.off(yours, s.place));
+    let on = off().filter(|off| *off < 1.5).count();
+    // What bends away from a plane, as after a power, is no sky of other rays.
+    let beside = off().filter(|off| (1.5..8.0).contains(off)).count();
+    let share = on as f64 / seen.len().max(1) as f64;
     let least = if step == Step::Rays { 0.97 } else { 0.2 };
+    let is_sky = least < share && 8 * beside < on;
     let ours = camera(width, height).matrix;
     let numbers = differences(&sky, &ours);
-    (least < share && !numbers.is_empty()).then_some(numbers)
+    (is_sky && !numbers.is_empty()).then_some(numbers)
 }
 
 /// How the columns of a matrix differ from those of ours, as far as can be told.

@@ -89,10 +89,22 @@ fn factor(seen: &Seen, light: usize) -> Option<f64> {
     (0.0 < ours).then(|| yours / ours)
 }
 
+/// Whether all three channels have this factor, but for the rounding.
+fn is_same(seen: &Seen, light: usize, factor: f64) -> bool {
+    let ours = 255.0 * (seen.ambient + factor * seen.diffuse[light]);
+    let is_near = |k: usize| (ours[k] - f64::from(seen.yours[k])).abs() < 1.5;
+    (0..3).all(|k| matches!(seen.yours[k], 0 | 255) || is_near(k))
+}
+
 /// Tells by how much one light is wrong, by its distance or by its angle.
 fn faded(all: &[&Seen], light: usize, name: &str, stages: &mut [Stage]) {
     let factors = all.iter().filter_map(|s| Some((s, factor(s, light)?)));
     let factors: Vec<_> = factors.collect();
+    // Another distance or angle gives less or more of the same colour.
+    let same = factors.iter().filter(|(s, factor)| is_same(s, light, *factor));
+    if same.count() * 20 < factors.len() * 19 {
+        return;
+    }
     let distances = factors.iter().map(|(s, f)| (s.distances[light], *f)).collect();
     let cosines = factors.iter().map(|(s, f)| (s.cosines[light], *f)).collect();
     let which = ["warm", "cool"][light];

@@ -56,12 +56,11 @@ impl Sky {
         Some(Self { matrix, errors })
     }
 
-    /// Whether a pixel is of the sky that these rays give.
-    pub fn is_on(&self, yours: &RgbImage, i: u32, j: u32) -> bool {
-        let on = |(place, v): &Sight| {
-            (self.matrix * *place - *v).abs().truncate().max_element() < 1.5 * NEAR
-        };
-        point(yours, i, j).as_ref().is_some_and(on)
+    /// How far a pixel is from the sky that these rays give, in parts of V that one byte
+    /// may be off; None where it tells nothing.
+    pub fn off(&self, yours: &RgbImage, (i, j): (u32, u32)) -> Option<f64> {
+        let (place, v) = point(yours, i, j)?;
+        Some((self.matrix * place - v).abs().truncate().max_element() / NEAR)
     }
 }
 
