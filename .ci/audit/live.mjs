@@ -108,6 +108,17 @@ async function tryOut(tab, figure, where, source) {
     }
   }
   if (has) await keep(tab, figure, fault);
+  // A lamp outside the picture gets its handle when its numbers bring it in.
+  const outside = figure.locator('.handle[hidden]');
+  if (!has && await outside.count()) {
+    const name = await outside.first().getAttribute('aria-label');
+    const ranges = figure.locator('.knobs label', { hasText: name }).locator('input');
+    for (const [k, value] of [-1, 1, -5].entries()) await ranges.nth(k).fill(String(value));
+    await frames(tab);
+    if (await outside.count()) fault(`${name} has no handle in the picture`);
+    await moved(`bringing ${name} in`);
+    if (!await outside.count()) fault(`${name} keeps its handle outside the picture`);
+  }
   const asking = await median(figure.locator('.handle.cross'));
   const moving = await median(figure.locator('.handle:not(.cross):visible, .knobs input:visible'));
   if (!await reset.isDisabled()) await reset.click();

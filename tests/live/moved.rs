@@ -116,6 +116,19 @@ fn every_root_is_marked_from_above() {
 }
 
 #[test]
+fn the_reflected_light_keeps_its_angle() {
+    let live = named("phong-vectors");
+    let at = |values: &[f64]| (live.handles[0].at)(values) - dvec2(240.0, 240.0);
+    for turn in [-30.0, 0.0, 25.0, 70.0] {
+        let angle = at(&[turn]).x.atan2(at(&[turn]).y).to_degrees().abs();
+        let told = numbers(live, &[turn], "angle")[0].abs();
+        assert!((180.0 - angle - told).abs() < 0.1, "{angle}, {told}");
+        let cosine = numbers(live, &[turn], "nl")[0];
+        assert!((cosine - told.to_radians().cos()).abs() < 0.002);
+    }
+}
+
+#[test]
 fn an_egg_is_as_long_as_the_chapter_derives() {
     let live = named("eggs");
     let alpha = 8_f64.to_radians();

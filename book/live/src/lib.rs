@@ -24,7 +24,7 @@ mod address;
 mod scene;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 15] = [
+pub const LIVE: [&Live; 16] = [
     &figures::RAY,
     &figures::ROW,
     &figures::FRUSTUM,
@@ -33,6 +33,7 @@ pub const LIVE: [&Live; 15] = [
     &figures::EGGS,
     &figures::LAMBERT,
     &figures::ATTENUATION,
+    &figures::PHONG_VECTORS,
     &figures::LOBES,
     &pictures::STEP01,
     &pictures::STEP02,

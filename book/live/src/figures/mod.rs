@@ -2,6 +2,7 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod ball;
 mod eggs;
 mod from_above;
 mod frustum;
@@ -10,6 +11,7 @@ mod lambert;
 mod lobes;
 mod phong_vectors;
 mod pinhole;
+mod pyramid;
 mod ray;
 mod row;
 mod three_cases;
@@ -21,6 +23,7 @@ pub use frustum::FRUSTUM;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;
+pub use phong_vectors::PHONG_VECTORS;
 pub use ray::RAY;
 pub use row::ROW;
 pub use three_cases::THREE_CASES;
