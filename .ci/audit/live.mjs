@@ -1,6 +1,7 @@
 // Moves everything live in the built book, by pointer and by keys: it has to change, and reset
-// has to bring back what is printed, to the pixel. Asks each form whether pictures are right. Prints the median time of a frame, from the
-// gesture to the pixels; nothing fails on time.
+// has to bring back what is printed, to the pixel. Asks each form whether pictures are right.
+// Prints the median time of a frame, from the
+// gesture to the pixels, and of an answer that draws nothing anew; nothing fails on time.
 //
 //     node live.mjs FOLDER          (CHROMIUM names the browser)
 import { chromium } from 'playwright-core';
@@ -28,9 +29,10 @@ async function tryOut(tab, figure, where, source) {
   const state = () => figure.evaluate(figure => {
     const canvas = figure.querySelector('canvas');
     const picture = canvas ? canvas.toDataURL() : figure.querySelector('svg').innerHTML;
-    const handles = [...figure.querySelectorAll('.handle')].map(one => one.style.cssText + one.ariaValueText);
-    const chosen = [...figure.querySelectorAll('select')].map(one => one.value);
-    return JSON.stringify([picture, handles, chosen, figure.querySelector('figcaption')?.textContent]);
+    const handles = [...figure.querySelectorAll('.handle')].map(one => one.hidden + one.style.cssText + one.ariaValueText);
+    const beside = document.querySelector(`[data-beside="${figure.dataset.live}"] g`)?.innerHTML;
+    const listed = [...figure.querySelectorAll('.list select')].map(one => one.value);
+    return JSON.stringify([picture, handles, listed, figure.querySelector('figcaption')?.textContent, beside]);
   });
   const printed = await state();
   if (source) {
@@ -56,7 +58,7 @@ async function tryOut(tab, figure, where, source) {
     await frames(tab);
     if (await state() !== printed) fault(`reset does not undo ${how}`);
   };
-  const grips = figure.locator('.handle');
+  const grips = figure.locator('.handle:visible');
   for (let k = 0; k < await grips.count(); k += 1) {
     const grip = grips.nth(k);
     const name = await grip.getAttribute('aria-label');
@@ -74,53 +76,130 @@ async function tryOut(tab, figure, where, source) {
       await moved(`${key} on ${name}`);
     }
   }
-  const knobs = figure.locator('.knobs input');
-  for (let k = 0; k < await knobs.count(); k += 1) {
-    const knob = knobs.nth(k);
-    await knob.scrollIntoViewIfNeeded();
-    const box = await knob.boundingBox();
-    await tab.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
-    await moved(`pressing knob ${k}`);
-    await knob.focus();
-    await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
-    await moved(`a key on knob ${k}`);
+  // A press on no handle brings the cross, and what stands beside the picture follows.
+  const canvas = figure.locator('.asked-by-press');
+  if (await canvas.count()) {
+    const beside = tab.locator(`[data-beside="${await figure.getAttribute('data-live')}"] g`);
+    const drawing = async () => await beside.count() ? await beside.innerHTML() : 'none';
+    const before = await drawing();
+    const cross = await grips.first().getAttribute('style');
+    const box = await canvas.boundingBox();
+    await canvas.click({ position: { x: box.width * 0.2, y: box.height * 0.75 } });
+    await frames(tab);
+    if (await grips.first().getAttribute('style') === cross) fault('a press does not bring the cross');
+    if (before !== 'none' && await drawing() === before) fault('what stands beside it does not move');
+    await moved('a press on the picture');
   }
-  for (const select of await figure.locator('.knobs select').all()) {
-    await select.selectOption({ index: 43 });
-    await moved('choosing');
-    await select.focus();
-    await tab.keyboard.press('ArrowDown');
-    await moved('a key on the choice');
-  }
-  // Frames: from a gesture until what it drew can be read. None waits for the screen.
-  const median = await figure.evaluate(async figure => {
-    const grip = figure.querySelector('.handle') ?? figure.querySelector('input[type=range]');
-    const [canvas, svg] = [figure.querySelector('canvas'), figure.querySelector('svg')];
-    const gesture = k => {
-      if (grip.matches('.handle')) {
-        const key = k % 2 ? 'ArrowLeft' : 'ArrowRight';
-        return grip.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
-      }
-      grip.value = Number(grip.value) + (k % 2 ? 1 : -1);
-      return grip.dispatchEvent(new Event('input', { bubbles: true }));
-    };
-    const { requestAnimationFrame } = window;
-    const times = [];
-    for (let k = 0; k < 60; k += 1) {
-      window.requestAnimationFrame = draw => draw();
-      const start = performance.now();
-      gesture(k);
-      if (canvas) canvas.getContext('2d').getImageData(0, 0, 1, 1);
-      else svg.getBoundingClientRect();
-      times.push(performance.now() - start);
-      window.requestAnimationFrame = requestAnimationFrame;
-      await new Promise(done => requestAnimationFrame(done));
+  // Where the knobs of one thing are shown at a time, one of each kind is chosen.
+  const choice = figure.locator('.choice select');
+  const has = await choice.count() > 0;
+  for (const thing of has ? ['red sphere', 'tenth sphere', 'warm light', 'ambient light', 'camera'] : ['it']) {
+    if (has) await choice.selectOption(thing);
+    const knobs = figure.locator('.knobs input:visible');
+    for (let k = 0; k < await knobs.count(); k += 1) {
+      const knob = knobs.nth(k);
+      // What is left out of a scene is not seen to change.
+      if (thing === 'tenth sphere' && k > 0) break;
+      await knob.scrollIntoViewIfNeeded();
+      const box = await knob.boundingBox();
+      await tab.mouse.click(box.x + box.width * 0.8, box.y + box.height / 2);
+      await moved(`pressing knob ${k} of ${thing}`);
+      await knob.focus();
+      await tab.keyboard.press(await knob.getAttribute('type') === 'range' ? 'ArrowLeft' : 'Space');
+      await moved(`a key on knob ${k} of ${thing}`);
     }
-    return times.sort((a, b) => a - b)[30];
-  });
+  }
+  for (const list of await figure.locator('.list select').all()) {
+    await list.selectOption({ index: 43 });
+    await moved('choosing from the list');
+    await list.focus();
+    await tab.keyboard.press('ArrowDown');
+    await moved('a key on the list');
+  }
+  if (has) await keep(tab, figure, fault);
+  // A lamp outside the picture gets its handle when its numbers bring it in.
+  const outside = figure.locator('.handle[hidden]');
+  if (!has && await outside.count()) {
+    const name = await outside.first().getAttribute('aria-label');
+    const ranges = figure.locator('.knobs label', { hasText: name }).locator('input');
+    for (const [k, value] of [-1, 1, -5].entries()) await ranges.nth(k).fill(String(value));
+    await frames(tab);
+    if (await outside.count()) fault(`${name} has no handle in the picture`);
+    await moved(`bringing ${name} in`);
+    if (!await outside.count()) fault(`${name} keeps its handle outside the picture`);
+  }
+  const asking = await median(figure.locator('.handle.cross'));
+  const moving = await median(figure.locator('.handle:not(.cross):visible, .knobs input:visible'));
   if (!await reset.isDisabled()) await reset.click();
-  console.log(`${where}: ${median.toFixed(1)} ms a frame`);
+  const times = [moving && `${moving} ms a frame`, asking && `${asking} ms to ask`].filter(Boolean);
+  console.log(`${where}: ${times.join(', ')}`);
 }
+
+// What was made in a page is in its address: another tab shows the same there, and nonsense gets a sentence.
+async function keep(tab, figure, fault) {
+  const seen = tab => tab.evaluate(() => JSON.stringify([
+    document.querySelector('figure[data-ready] canvas').toDataURL(), document.querySelector('[data-code] code').textContent]));
+  const printed = await seen(tab);
+  for (const name of ['red sphere', 'cool light']) {
+    await figure.locator(`.handle[aria-label="${name}"]`).focus();
+    await tab.keyboard.press('Shift+ArrowLeft');
+  }
+  await figure.locator('.choice select').selectOption('ground');
+  await figure.locator('.knobs label:not([hidden]) > input[type=range]').last().press('Home');
+  await tab.waitForTimeout(400);
+  const made = await seen(tab);
+  const other = await tab.context().newPage();
+  await other.goto(tab.url());
+  await other.locator('figure[data-ready]').waitFor();
+  await frames(other);
+  if (made === printed) fault('nothing was made');
+  if (await seen(other) !== made) fault(`shows another scene at ${tab.url()}`);
+  await other.evaluate(() => { navigator.clipboard.writeText = async text => { window.copied = text; }; });
+  await other.locator('[data-code] .copy').click();
+  if (await other.evaluate(() => window.copied) !== JSON.parse(made)[1]) fault('copies other Rust than it shows');
+  for (const nonsense of ['red-sphere-radius:0', 'red-sphere-radius:large', 'moon-radius:1', '%', 'camera-field-of-view:180']) {
+    await other.evaluate(hash => { location.hash = hash; }, `scene=${nonsense}`);
+    await other.locator('.refused:has-text("Nothing has changed.")').waitFor({ timeout: 2000 })
+      .catch(() => fault(`says nothing of ${nonsense}`));
+    if (await seen(other) !== made) fault(`changes by ${nonsense}`);
+    await other.evaluate(hash => { location.hash = hash; }, tab.url().split('#')[1]);
+    await other.locator('.refused:empty').waitFor({ state: 'attached', timeout: 2000 }).catch(() => fault('goes on about nonsense'));
+  }
+  await other.close();
+  await figure.locator('.reset').click();
+  await tab.waitForTimeout(400);
+  if (tab.url().includes('#') || await seen(tab) !== printed) fault('reset leaves something');
+}
+// The median time, in milliseconds, from a gesture on the first of these until what it drew
+// can be read. None waits for the screen.
+const median = async parts => await parts.count() && parts.first().evaluate(async part => {
+  const figure = part.closest('figure');
+  const [canvas, svg] = [figure.querySelector('canvas'), figure.querySelector('svg')];
+  const gesture = k => {
+    if (part.matches('.handle')) {
+      const key = k % 2 ? 'ArrowLeft' : 'ArrowRight';
+      return part.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+    }
+    if (part.type === 'checkbox') return part.click();
+    part.value = Number(part.value) + Number(part.step) * (k % 2 ? 1 : -1);
+    return part.dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  const { requestAnimationFrame } = window;
+  const times = [];
+  for (let k = 0; k < 60; k += 1) {
+    const waiting = [];
+    window.requestAnimationFrame = draw => waiting.push(draw);
+    const start = performance.now();
+    gesture(k);
+    waiting.forEach(draw => draw());
+    if (canvas) canvas.getContext('2d').getImageData(0, 0, 1, 1);
+    else svg.getBoundingClientRect();
+    times.push(performance.now() - start);
+    window.requestAnimationFrame = requestAnimationFrame;
+    await new Promise(done => requestAnimationFrame(done));
+  }
+  return times.sort((a, b) => a - b)[30].toFixed(1);
+});
 
 // Asks the form whether a right picture is right, by a file that is chosen and by keys; then a
 // wrong one, dropped, in the first form of a page; and what is no picture.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 /// What is said of a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `2-4` is for the pictures of these steps.
-const TEXT: &str = include_str!("chain.md");
+pub const TEXT: &str = include_str!("chain.md");
 
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];

@@ -150,30 +150,34 @@ impl Draft<'_> {
 
     /// A paragraph: a figure, a form, the name of a test, the edge of a box, pictures,
     /// or text.
-    fn paragraph(&self, events: &Events, range: &Range<usize>) -> Part {
+    fn paragraph(&mut self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
             directive(self.text[range.clone()].trim()).unwrap_or_default();
-        let (pictures, is_live) = self.pictures(events, range);
+        let (pictures, live) = self.pictures(events, range);
         Part::Block(match (kind, &pictures[..]) {
             ("figure", _) => figure::html(words.trim()),
             ("check", _) => check::html(words.trim(), self.workspace),
+            ("listing", _) => excerpt::moving(words.trim(), &mut self.shown),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),
             (kind, []) => match boxes::html(kind, words) {
                 Some(html) => html,
                 None => return Part::Plain,
             },
-            (_, pictures) => picture::figure(pictures, is_live, self.workspace),
+            (_, pictures) => {
+                picture::figure(pictures, live.as_deref(), self.workspace)
+            }
         })
     }
 
     /// The pictures of a paragraph of nothing but pictures, and whether it says
-    /// behind them, by `{{#live}}`, that they answer.
+    /// behind them, by `{{#live}}`, that they answer, or by `{{#live own_scene}}`,
+    /// what does.
     fn pictures(
         &self,
         events: &Events,
         range: &Range<usize>,
-    ) -> (Vec<picture::Picture>, bool) {
+    ) -> (Vec<picture::Picture>, Option<String>) {
         let mut pictures = vec![];
         let mut rest = self.text[range.clone()].to_string();
         for (event, inner) in events {
@@ -185,9 +189,10 @@ impl Draft<'_> {
                 rest = rest.replacen(markdown, "", 1);
             }
         }
-        let is_live = rest.trim() == "{{#live}}";
-        let is_whole = is_live || rest.trim().is_empty();
-        (if is_whole { pictures } else { vec![] }, is_live)
+        let live = directive(rest.trim()).filter(|(kind, _)| *kind == "live");
+        let is_whole = live.is_some() || rest.trim().is_empty();
+        let live = live.map(|(_, name)| name.to_string());
+        (if is_whole { pictures } else { vec![] }, live)
     }
 
     /// Finds dollar signs that are no formula.

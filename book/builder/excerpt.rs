@@ -1,4 +1,5 @@
 use crate::files::{CHAPTERS, joined};
+use crate::number;
 use live::escape;
 use std::fs;
 use std::ops::Range;
@@ -35,22 +36,47 @@ pub fn html(
         (first, last) if first == last => part(format!("line {first}")),
         _ => part(format!("lines {first}–{last}")),
     };
-    let shown = path.strip_prefix("steps/").unwrap_or(&path);
+    let attributes = format!("data-lines=\"{first}-{last}\"");
+    let code = lines[range].join("\n");
+    Ok(figure(&path, &attributes, &part, language, &code, ids))
+}
+
+/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
+/// a file whose text is a number that moves.
+pub fn moving(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
+    let (which, path) = words
+        .split_once(' ')
+        .ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
+    let code = number::printed(which)?;
+    let lines = code.lines().count();
+    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{which}\"");
+    Ok(figure(path, &attributes, "", "rust", code, ids))
+}
+
+/// Code from the file `path` under its caption; `part` says which of it.
+fn figure(
+    path: &str,
+    attributes: &str,
+    part: &str,
+    language: &str,
+    code: &str,
+    ids: &mut Vec<String>,
+) -> String {
+    let shown = path.strip_prefix("steps/").unwrap_or(path);
     let at = shown.rfind('/').map_or(0, |at| at + 1);
     let (folder, file) = (escape(&shown[..at]), escape(&shown[at..]));
     let new = Some(format!("listing-{}", shown.replace('/', "-")));
     let new = new.filter(|id| !ids.contains(id));
     ids.extend(new.clone());
     let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
-    let code = lines[range].join("\n");
     let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(3.max(ticks + 1));
-    Ok(format!(
-        "<figure class=\"listing\"{id} data-path=\"{}\" data-lines=\"{first}-{last}\">\
+    format!(
+        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes}>\
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
          {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
-        escape(&path),
-    ))
+        escape(path),
+    )
 }
 
 /// The lines of a part such as `use..impl Ray`, which begins and ends before what

@@ -1,10 +1,15 @@
 use crate::markdown::inline;
+use live::Live;
 
 /// The HTML of the figure called `name`.
 pub fn html(name: &str) -> Result<String, String> {
     let figure = live::figure(name).ok_or(format!("there is no figure {name}"))?;
-    let live = live::find(name)
-        .map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
+    let beside = |live: &&&Live| live.beside.is_some_and(|(with, _)| with == name);
+    let live = match (live::find(name), live::LIVE.iter().find(beside)) {
+        (Some(live), _) => format!(" data-live=\"{}\"", live.name),
+        (_, Some(live)) => format!(" data-beside=\"{}\"", live.name),
+        _ => String::new(),
+    };
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}<figcaption>{}</figcaption></figure>\n",
         figure.drawing.html(figure.title),

@@ -32,9 +32,14 @@ pub fn in_formula(
 }
 
 fn html(tag: &str, which: &str) -> Result<String, String> {
-    let printed =
-        PRINTED.get(which).ok_or(format!("there is no number {which}"))?;
+    let printed = printed(which)?;
     Ok(format!("<{tag} data-number=\"{which}\">{printed}</{tag}>"))
+}
+
+/// A number as it is printed.
+pub fn printed(which: &str) -> Result<&'static str, String> {
+    let printed = PRINTED.get(which).map(String::as_str);
+    printed.ok_or(format!("there is no number {which}"))
 }
 
 /// Replaces each part between `begin` and `end`.

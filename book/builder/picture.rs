@@ -33,10 +33,12 @@ impl Picture {
         Self { alt: alt.join(" "), source, caption }
     }
 
-    /// What answers where this picture is, of the name of its file.
-    fn live(&self) -> Result<&'static Live, String> {
-        let name =
+    /// What answers where this picture is: what is called `name`, or has the name of
+    /// its file.
+    fn live(&self, name: &str) -> Result<&'static Live, String> {
+        let file =
             Path::new(&self.source).file_stem().and_then(|name| name.to_str());
+        let name = if name.is_empty() { file } else { Some(name) };
         name.and_then(live::find)
             .ok_or(format!("nothing answers for the picture {}", self.source))
     }
@@ -62,19 +64,20 @@ impl Picture {
 }
 
 /// A figure of the pictures of a paragraph, side by side if there are several. Where
-/// they answer, what is said of a pixel stands below each.
+/// they are `live`, by a name or by that of their files, what is said of a pixel stands
+/// below each.
 pub fn figure(
     pictures: &[Picture],
-    is_live: bool,
+    live: Option<&str>,
     workspace: &Path,
 ) -> Result<String, String> {
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
-        let (mut live, mut below) = Default::default();
-        if is_live {
-            let answers = picture.live()?;
-            live = format!(" data-live=\"{}\"", answers.name);
+        let (mut data, mut below) = Default::default();
+        if let Some(name) = live {
+            let answers = picture.live(name)?;
+            data = format!(" data-live=\"{}\"", answers.name);
             if answers.is_asked() {
                 below = chain::html(answers, workspace)?;
             }
@@ -86,7 +89,7 @@ pub fn figure(
             }
         };
         figures += &format!(
-            "<figure class=\"picture\"{live}>{image}{caption}</figure>\n{below}"
+            "<figure class=\"picture\"{data}>{image}{caption}</figure>\n{below}"
         );
     }
     Ok(match pictures {

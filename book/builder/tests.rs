@@ -124,6 +124,31 @@ fn a_wrong_picture_is_a_mistake() {
 const SKY: &str = "../../tests/snapshots/step01_rays.snap.png";
 
 #[test]
+fn a_picture_answers_by_the_name_of_its_file_or_by_another() {
+    let picture = format!("![A sky.]({SKY})");
+    let html = right(&format!("{picture} {{{{#live own_scene}}}}\n"));
+    assert!(html.contains(r#"data-live="own_scene""#), "{html}");
+    wrong(&format!("{picture} {{{{#live}}}}\n"), 1, "nothing answers");
+    wrong(&format!("{picture} {{{{#live nothing}}}}\n"), 1, "nothing answers");
+}
+
+#[test]
+fn a_listing_may_move() {
+    let path = "steps/step05_phong/examples/my_scene.rs";
+    let html = right(&format!("{{{{#listing own_scene:rust {path}}}}}\n"));
+    let end = format!(r#"-my_scene.rs" data-path="{path}" data-lines="1-"#);
+    assert!(html.contains(&end), "{html}");
+    assert!(html.contains(r#" data-code="own_scene:rust">"#), "{html}");
+    assert!(html.contains("    run(env!(\"CARGO_CRATE_NAME\"), picture);\n}\n```"));
+    wrong("{{#listing own_scene:rust}}\n", 1, "NAME:NUMBER path");
+    wrong(
+        &format!("{{{{#listing own_scene:c {path}}}}}\n"),
+        1,
+        "no number own_scene:c",
+    );
+}
+
+#[test]
 fn a_caption_may_hold_a_link() {
     let html = right(&format!(r#"![A sky.]({SKY} "[Step 1](SUMMARY.md).")"#));
     assert!(html.contains(r#"alt="A sky.""#), "{html}");
@@ -146,9 +171,12 @@ fn unused(chapters: &str) -> Vec<String> {
 fn every_figure_and_every_value_is_used() {
     let folder = ::gallery::workspace().join(CHAPTERS);
     let files = Files::read(&folder).expect("the chapters can be read");
-    let chapters: String = files.texts(".md").map(|(_, text)| text).collect();
+    let texts = files.texts(".md").map(|(_, text)| text);
+    let chapters: String = texts.chain([crate::chain::TEXT]).collect();
     assert_eq!(unused(&chapters), [""; 0]);
-    for one in ["{{#figure row}}", "{{#value slips-angle-2}}"] {
+    for one in
+        ["{{#figure row}}", "{{#figure from-above}}", "{{#value slips-angle-2}}"]
+    {
         assert_eq!(unused(&chapters.replace(one, "")), [one]);
     }
 }

@@ -115,7 +115,6 @@ if (location.protocol === "file:") {
     else whenNear(codes, colour);
 }
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
-    const text = code.textContent;
     const caption = code.closest(".listing")?.querySelector("figcaption");
     if (!caption) continue;
     const button = caption.appendChild(document.createElement("button"));
@@ -125,7 +124,7 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     button.setAttribute("aria-label", `Copy ${caption.querySelector(".path").textContent}`);
     button.addEventListener("click", async () => {
         try {
-            await navigator.clipboard.writeText(text);
+            await navigator.clipboard.writeText(code.textContent);
             button.textContent = "Copied";
         } catch {
             button.textContent = "Not copied";

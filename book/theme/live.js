@@ -42,7 +42,7 @@ const make = (tag, attributes, ...children) => {
 };
 
 // A choice among many, in their groups.
-function choice(list) {
+function listed(list) {
     const select = make("select", {});
     const groups = Map.groupBy(list.map(([group, name], value) => ({ group, name, value })), one => one.group);
     for (const [label, all] of groups) {
@@ -70,9 +70,7 @@ function liven(figure, module) {
         sight = make("canvas", { role: "img", "aria-label": still.alt, width: size[0], height: size[1] });
         stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
     } else {
-        drawn = document.createElementNS("http://www.w3.org/2000/svg", "g");
-        drawn.append(...[...still.childNodes].filter(node => node.nodeName !== "title"));
-        still.append(drawn);
+        drawn = still.querySelector("g");
     }
     stage.append(sight);
 
@@ -90,13 +88,27 @@ function liven(figure, module) {
     };
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
-    // Ranges and switches, for what no handle turns.
-    const turned = new Set(about.handles.flatMap(handle => handle.knobs));
+    // Ranges and switches, for what no handle turns that is in the printed figure.
+    const printed = ask(module, request("show"));
+    const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
+    const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
     const controls = make("div", { class: "knobs" });
+    // Where knobs are of several things, those of one are to be seen: of what was touched last.
+    const things = [...new Set(about.knobs.map(knob => knob.group))].filter(group => group);
+    const choice = make("select", {}, ...things.map(thing => make("option", {}, thing)));
+    const head = things.length === 0 ? controls : make("div", { class: "choice" }, make("label", {}, "Change ", choice));
+    const choose = thing => {
+        if (!thing) return;
+        choice.value = thing;
+        knobs.forEach((knob, k) => { if (knob) knob.label.hidden = about.knobs[k].group !== thing; });
+        handles.forEach(grip => grip.classList.toggle("chosen", grip.thing === thing));
+    };
+    choice.addEventListener("change", () => choose(choice.value));
+    if (head !== controls) controls.append(head);
     const knobs = about.knobs.map((knob, k) => {
-        if (turned.has(k) || knob.isFixed) return null;
+        if (turned.has(k) && !knob.group) return null;
         const isList = knob.list.length !== 0;
-        const input = isList ? choice(knob.list) : make("input", knob.isSwitch
+        const input = isList ? listed(knob.list) : make("input", knob.isSwitch
             ? { type: "checkbox" }
             : { type: "range", min: knob.min, max: knob.max, step: knob.step });
         const output = make("output", {});
@@ -107,8 +119,8 @@ function liven(figure, module) {
             values = values.with(k, Number(knob.isSwitch ? input.checked : input.value));
             later("show", () => request("show"));
         });
-        controls.append(label);
-        return { input, output, isSwitch: knob.isSwitch, isList };
+        (knob.isSwitch ? head : controls).append(label);
+        return { label, input, output, isSwitch: knob.isSwitch, isList };
     });
 
     // Handles: pointer, finger and arrow keys.
@@ -119,14 +131,17 @@ function liven(figure, module) {
     const handles = about.handles.map((handle, k) => {
         const [across, up] = handle.knobs;
         const grip = make("span", {
-            class: across === up ? "handle" : "handle free", role: "slider", tabindex: 0, "aria-label": handle.words,
+            class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
             "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
         });
+        grip.thing = about.knobs[across].group;
+        grip.addEventListener("focus", () => choose(grip.thing));
         let offset = null;
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
-            reveal();
+            if (handle.isAsking) reveal();
+            choose(grip.thing);
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
             grip.classList.add("held");
@@ -147,7 +162,7 @@ function liven(figure, module) {
             const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
             if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
-            reveal();
+            if (handle.isAsking) reveal();
             const far = event.shiftKey ? 10 : 1;
             // Keys follow each other faster than frames: none is lost.
             show(ask(module, request("step", k, far * step[0], far * step[1])));
@@ -155,24 +170,27 @@ function liven(figure, module) {
         stage.append(grip);
         return grip;
     });
-    // A press beside the only handle of a picture brings it there.
-    if (handles.length === 1 && sight.tagName === "CANVAS") {
+    // A press on no handle of a picture brings the one there that asks.
+    const asking = about.handles.findIndex(handle => handle.isAsking);
+    if (asking >= 0) {
         sight.classList.add("asked-by-press");
         sight.addEventListener("click", event => {
             reveal();
-            later(0, () => request("drag", 0, ...place(event)));
-            handles[0].focus({ preventScroll: true });
+            later(asking, () => request("drag", asking, ...place(event)));
+            handles[asking].focus({ preventScroll: true });
         });
-        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or use the arrow keys, to ask another pixel."));
+        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or move the cross by the arrow keys, to ask a pixel."));
     }
 
     const reset = make("button", { type: "button", class: "reset" }, "Reset");
     reset.addEventListener("click", () => { values = about.values; show(ask(module, request("show"))); });
-    controls.append(reset);
+    head.append(reset);
     stage.after(controls);
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+    const code = document.querySelector(`[data-code="${name}:rust"] code`);
+    const beside = document.querySelector(`[data-beside="${name}"] g`);
     const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
 
     function show(answer) {
@@ -185,8 +203,10 @@ function liven(figure, module) {
         } else if (answer.drawing !== undefined) {
             drawn.innerHTML = answer.drawing;
         }
+        if (beside) beside.innerHTML = answer.beside;
         knobs.forEach((knob, k) => {
             if (!knob) return;
+            knob.label.hidden = !answer.shown[k] || about.knobs[k].group !== choice.value;
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
             if (knob.isList) return;
@@ -196,6 +216,9 @@ function liven(figure, module) {
         handles.forEach((grip, k) => {
             const turns = [...new Set(about.handles[k].knobs)];
             grip.at = answer.places[k];
+            const isLost = !isInside(grip.at) && grip === document.activeElement;
+            grip.hidden = !isInside(grip.at);
+            if (isLost) knobs[turns[0]]?.input.focus();
             grip.style.left = `${grip.at[0] / size[0] * 100}%`;
             grip.style.top = `${grip.at[1] / size[1] * 100}%`;
             grip.setAttribute("aria-valuenow", values[turns[0]]);
@@ -204,6 +227,11 @@ function liven(figure, module) {
         // A number that there is not here is left empty, and what speaks of it is hidden.
         const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
         for (const number of numbers) number.textContent = told(number.dataset.number);
+        if (code && code.textContent !== answer.numbers.rust) {
+            code.textContent = answer.numbers.rust;
+            window.hljs?.highlightBlock(code);
+        }
+        keep(answer.numbers.address);
         for (const part of spoken) part.hidden = told(part.dataset.when) === "";
         reset.disabled = values.every((value, k) => value === about.values[k]);
     }
@@ -213,9 +241,35 @@ function liven(figure, module) {
         follow.forEach(part => { part.hidden = false; });
         dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }
-    show(ask(module, request("show")));
-    // On paper, everything is as printed.
-    addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
+    // What is made here may be kept: it is in the address, once a gesture has come to rest.
+    let kept = printed.numbers.address;
+    let rest;
+    const refused = make("output", { class: "refused" });
+    function keep(address) {
+        refused.textContent = "";
+        if (address === kept) return;
+        kept = address;
+        clearTimeout(rest);
+        rest = setTimeout(() => history.replaceState(null, "", kept ? `#scene=${kept}` : location.pathname + location.search), 200);
+    }
+    const open = () => {
+        if (!location.hash.startsWith("#scene=")) return;
+        const answer = ask(module, `open ${name} ${location.hash.slice("#scene=".length)}`);
+        if (!answer.error) kept = answer.numbers.address;
+        show(answer);
+        refused.textContent = answer.error ? `${answer.error} Nothing has changed.` : "";
+    };
+
+    choose(handles[0]?.thing);
+    show(printed);
+    if (kept === undefined) {
+        // On paper, everything is as printed.
+        addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
+    } else {
+        controls.append(refused);
+        addEventListener("hashchange", open);
+        open();
+    }
     figure.dataset.ready = "";
     dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
 }
@@ -246,7 +300,7 @@ function looking(form) {
         return [said, make("span", { class: "panels" }, ...panels)];
     };
     const show = (code, ...children) => {
-        form.dataset.code = code;
+        form.dataset.told = code;
         output.replaceChildren(...children);
         reset.disabled = children.length === 0;
     };
@@ -282,6 +336,7 @@ document.querySelectorAll("form[data-live=check]").forEach(looking);
 
 // What is live is made so when it comes into view; only then is the module loaded.
 {
+    document.documentElement.classList.add("answers"); // what asks to move something is to be read
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;

@@ -8,6 +8,7 @@ mod book;
 mod listing;
 mod source;
 
+mod own_scene;
 mod reading;
 mod typed;
 mod typist;

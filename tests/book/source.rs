@@ -2,13 +2,15 @@
 
 use crate::book::{BOOK, files};
 use crate::listing::Listing;
+use crate::own_scene;
 use crate::{assert_found, assert_none};
 use book::{Files, Page, Site};
 use gallery::workspace;
 use std::fs;
 use std::sync::LazyLock;
 
-/// The files of the five crates, and those beside the folder of the crates.
+/// The files of the five crates, those beside the folder of the crates, and the one that
+/// a page writes.
 pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     let mut source = Files::default();
     for (path, bytes) in files("steps").0 {
@@ -18,6 +20,7 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
         let bytes = fs::read(workspace().join(path));
         source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
     }
+    source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
 });
 

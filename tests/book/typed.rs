@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use tests::target;
 
-/// Held by the test that types: all type into one folder, so that little is compiled
+/// Held by a test that types: all type into one folder, so that little is compiled
 /// twice.
-static TYPING: Mutex<()> = Mutex::new(());
+pub static TYPING: Mutex<()> = Mutex::new(());
 
 type Files<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
 
@@ -125,9 +125,8 @@ fn the_book_suffices() {
     assert_eq!(fault(&BOOK, None), None);
 }
 
-/// What Cargo says of the states of these crates, once the whole book is typed.
-fn fault_on_the_way(book: &Site, steps: &[&str]) -> Option<String> {
-    let _typing = TYPING.lock();
+/// A reader's workspace, once the whole book is typed.
+pub fn whole() -> Typist {
     let typist = Typist { folder: target().join("typed") };
     let mut files = Files::new();
     typist.put_aside().expect("the files can be moved");
@@ -135,6 +134,13 @@ fn fault_on_the_way(book: &Site, steps: &[&str]) -> Option<String> {
         files.entry(listing.path).or_default().push(listing);
     }
     typist.write(&files).expect("the files can be written");
+    typist
+}
+
+/// What Cargo says of the states of these crates, once the whole book is typed.
+fn fault_on_the_way(book: &Site, steps: &[&str]) -> Option<String> {
+    let _typing = TYPING.lock();
+    let typist = whole();
     Some(typist.check_states(&states(book, steps)).err()?.to_string())
 }
 
@@ -199,7 +205,7 @@ fn a_line_that_is_not_printed_is_found() {
 #[test]
 fn a_group_that_needs_a_later_one_is_found() {
     let (page, group) = ("step01_rays.html", "mod ray;\npub use ray::Ray;\n");
-    let early = format!("{group}pub use camera::Camera;\n");
+    let early = format!("{group}pub use camera::Camera as Early;\n");
     let book = BOOK.with(page, group, &early);
     let words = ["Cargo says", "examples/state_step01_rays_", "camera"];
     let fault = fault_on_the_way(&book, &STEPS[..1]);

@@ -3,7 +3,9 @@ use crate::reading::Asked;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
 use gallery::workspace;
+use image::RgbImage;
 use std::collections::{BTreeMap, BTreeSet};
+use std::env::consts::EXE_SUFFIX;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -51,16 +53,22 @@ impl Typist {
         for (path, parts) in files {
             let text = text(parts);
             let aside = self.folder.join("later").join(path);
-            let path = self.folder.join(path);
             if aside.is_file() {
-                rename(&aside, &path)?;
+                rename(&aside, &self.folder.join(path))?;
             }
-            if fs::read_to_string(&path).ok().as_ref() != Some(&text) {
-                fs::create_dir_all(path.with_file_name(""))?;
-                fs::write(path, text)?;
-            }
+            self.save(path, &text)?;
         }
         fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
+        Ok(())
+    }
+
+    /// Writes a file, unless it is there as it should be.
+    pub fn save(&self, path: &str, text: &str) -> Result<()> {
+        let path = self.folder.join(path);
+        if fs::read_to_string(&path).ok().as_deref() != Some(text) {
+            fs::create_dir_all(path.with_file_name(""))?;
+            fs::write(path, text)?;
+        }
         Ok(())
     }
 
@@ -129,6 +137,33 @@ impl Typist {
             }
         }
         build(self.cargo(&["check", "--example", "state_*", "--test", "by_hand"]))
+    }
+
+    /// Builds examples of a crate, or tells the errors and warnings.
+    pub fn build_examples(&self, step: &str, examples: &[&str]) -> Result<()> {
+        let mut words = vec!["build", "-p", step];
+        words.extend(examples.iter().flat_map(|name| ["--example", name]));
+        let output = self.cargo(&words).output()?;
+        let text = String::from_utf8_lossy(&output.stderr);
+        ensure!(output.status.success() && text.is_empty(), "{text}");
+        Ok(())
+    }
+
+    /// The picture that an example draws with these options, once it is built; `scene`
+    /// tells it which, if it has several.
+    pub fn draw(
+        &self,
+        example: &str,
+        options: &str,
+        scene: usize,
+    ) -> Result<RgbImage> {
+        let file = format!("target/debug/examples/{example}{EXE_SUFFIX}");
+        let mut program = Command::new(self.folder.join(file));
+        program.args(options.split_whitespace()).env("SCENE", scene.to_string());
+        let output = program.current_dir(&self.folder).output()?;
+        let told = String::from_utf8_lossy(&output.stderr);
+        ensure!(output.status.success(), "{told}");
+        Ok(image::open(self.folder.join(format!("{example}.png")))?.to_rgb8())
     }
 
     /// The pictures that are in the reader's folder.

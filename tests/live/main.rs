@@ -3,8 +3,9 @@
 
 mod check;
 mod module;
+mod moved;
 
-use live::{Knob, LIVE, Live};
+use live::{Knob, LIVE, Live, Sight};
 use module::{Module, checked_in};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
@@ -62,6 +63,29 @@ fn the_module_says_what_we_say_as_printed() {
     }
 }
 
+/// The red, green and blue of every pixel of what there is to see as printed.
+fn drawn(live: &Live) -> Vec<u8> {
+    let Sight::Picture { pixels, .. } = (live.sight)(&live.values()) else {
+        return vec![];
+    };
+    pixels.chunks_exact(4).flat_map(|four| four[..3].to_vec()).collect()
+}
+
+#[test]
+fn a_picture_as_printed_is_that_of_its_step() {
+    let camera = live::camera();
+    for (name, picture) in [
+        ("step01_rays", step01_rays::picture(&camera, 1)),
+        ("step02_sphere", step02_sphere::picture(&camera, 1)),
+        ("step03_nearest", step03_nearest::picture(&camera, 1)),
+        ("step04_diffuse", step04_diffuse::picture(&camera, 1)),
+        ("step05_phong", step05_phong::picture(&camera, 1)),
+    ] {
+        let live = live::find(name).expect("the picture answers");
+        assert!(drawn(live) == *picture, "{name} as printed is another picture");
+    }
+}
+
 /// Values anywhere in and around what is allowed; a picture is small.
 fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
     let ranges = live.knobs.iter().map(|knob| {
@@ -81,7 +105,8 @@ fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     (values(live), place).prop_map(|(values, (x, y, dx, dy))| {
         let (name, values) = (live.name, words(&values));
         let mut requests = vec![format!("show {name}{values}")];
-        for handle in 0..live.handles.len() {
+        // Many handles are alike.
+        for handle in (0..live.handles.len()).step_by(1 + live.handles.len() / 5) {
             requests.push(format!("drag {name} {handle} {x} {y}{values}"));
             requests.push(format!("step {name} {handle} {dx} {dy}{values}"));
         }
@@ -125,6 +150,7 @@ fn nonsense_gets_a_sentence() {
         "show ray 0 0 0 0 1",
         "turn row 0 0 0 7 60",
         "é",
+        "open nowhere",
     ] {
         let answer = live::answer(request);
         assert!(
@@ -132,6 +158,50 @@ fn nonsense_gets_a_sentence() {
             "{request}: {answer:?}"
         );
         assert_same(&mut module, request);
+    }
+}
+
+#[test]
+fn a_wrong_address_gets_a_sentence() {
+    let mut module = ours();
+    for (address, what) in [
+        (
+            "red-sphere-radius:0",
+            "says 0 for red-sphere-radius; allowed are 0.05 to 3",
+        ),
+        ("camera-field-of-view:NaN", "allowed are 1 to 179"),
+        (
+            "red-sphere-radius:2,ground-radius:",
+            "“” for ground-radius, which is no number",
+        ),
+        ("moon-radius:1", "speaks of “moon-radius”"),
+        ("columns:7", "speaks of “columns”"),
+        (&"%".repeat(99), "%…”, and nothing here is called so"),
+    ] {
+        let request = format!("open own_scene {address}");
+        let answer = live::answer(&request);
+        assert!(answer.text.contains(what), "{address}: {}", answer.text);
+        assert_eq!(answer.pixels, []);
+        assert_same(&mut module, &request);
+    }
+}
+
+#[test]
+fn an_address_leads_back_to_its_values() {
+    let address = "red-sphere-radius:2,cool-light-on:0,camera-field-of-view:20";
+    let all =
+        [address, "", "twelfth-sphere-in-the-scene:1,ambient-light-blue:0.07"];
+    for address in all {
+        let answer = live::answer(&format!("open own_scene {address}"));
+        let mut parts: Vec<_> = address.split(',').collect();
+        parts.sort();
+        let told =
+            answer.text.split_once("\"address\":\"").map_or("", |(_, told)| told);
+        let told = told.split('"').next().unwrap_or_default();
+        let mut told: Vec<_> = told.split(',').collect();
+        told.sort();
+        assert_eq!(told, parts);
+        assert!(!answer.pixels.is_empty());
     }
 }
 

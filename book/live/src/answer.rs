@@ -1,3 +1,4 @@
+use crate::address::opened;
 use crate::json::{self, Json};
 use crate::{Knob, Live, Sight, find};
 use glam::dvec2;
@@ -17,18 +18,28 @@ pub struct Answer {
 /// - `show NAME VALUES`: what it shows at these values.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
+/// - `open NAME ADDRESS`: what it shows at the values of an address.
 ///
 /// A handle that asks leaves what is seen as it is, and nothing is drawn.
 pub fn answer(request: &str) -> Answer {
-    answered(request).unwrap_or_else(|| {
-        let what = format!("There is no answer to {request:?}.");
-        Answer { text: json::object([("error", what.into())]), pixels: vec![] }
-    })
+    answered(request)
+        .unwrap_or_else(|| refused(format!("There is no answer to {request:?}.")))
+}
+
+/// A sentence that says what was wrong.
+fn refused(what: String) -> Answer {
+    Answer { text: json::object([("error", what.into())]), pixels: vec![] }
 }
 
 fn answered(request: &str) -> Option<Answer> {
     let mut words = request.split_whitespace();
     let (verb, live) = (words.next()?, find(words.next()?)?);
+    if verb == "open" {
+        let values = opened(live, words.next().unwrap_or_default());
+        return Some(
+            values.map_or_else(refused, |values| show(live, &values, true)),
+        );
+    }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     let numbers = numbers?;
     if verb == "about" {
@@ -67,18 +78,19 @@ fn about(live: &Live) -> String {
             ("min", min.into()),
             ("max", max.into()),
             ("step", (1.0 / knob.steps).into()),
-            ("isFixed", Json::from(f64::from(u8::from(knob.is_fixed)))),
-            (
-                "isSwitch",
-                Json::from(f64::from(u8::from(knob.choices == ["off", "on"]))),
-            ),
+            ("group", knob.group.into()),
+            ("isSwitch", (knob.choices == ["off", "on"]).into()),
             ("list", list(knob)),
         ];
         Json::raw(json::object(fields))
     });
     let handles = live.handles.iter().map(|handle| {
         let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
-        let fields = [("words", handle.words.into()), ("knobs", Json::list(knobs))];
+        let fields = [
+            ("words", handle.words.into()),
+            ("knobs", Json::list(knobs)),
+            ("isAsking", handle.is_asking.into()),
+        ];
         Json::raw(json::object(fields))
     });
     json::object([
@@ -101,6 +113,7 @@ fn list(knob: &Knob) -> Json {
 fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let texts = live.knobs.iter().zip(values);
     let texts = texts.map(|(knob, value)| knob.text(*value).into());
+    let shown = live.knobs.iter().map(|knob| (knob.is_shown)(values).into());
     let places = live.handles.iter().map(|handle| {
         let at = (handle.at)(values);
         Json::list(at.to_array().map(|x| Json::from((100.0 * x).round() / 100.0)))
@@ -110,9 +123,13 @@ fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let mut fields = vec![
         ("values", Json::list(values.iter().map(|value| Json::from(*value)))),
         ("texts", Json::list(texts)),
+        ("shown", Json::list(shown)),
         ("places", Json::list(places)),
         ("numbers", Json::raw(json::object(numbers))),
     ];
+    if let Some((_, draw)) = live.beside {
+        fields.push(("beside", draw(values).body().into()));
+    }
     let mut pixels = vec![];
     match is_seen.then(|| (live.sight)(values)) {
         None => {}

@@ -25,6 +25,12 @@ impl From<f64> for Json {
     }
 }
 
+impl From<bool> for Json {
+    fn from(is_so: bool) -> Self {
+        Self(is_so.to_string())
+    }
+}
+
 impl From<&str> for Json {
     fn from(text: &str) -> Self {
         let mut quoted = String::from("\"");

@@ -20,14 +20,20 @@ pub use figures::{Figure, figure, names};
 mod pictures;
 pub use pictures::{OBJECTS, rgba};
 
+mod address;
+mod scene;
+
 /// Everything that answers.
-pub const LIVE: [&Live; 13] = [
+pub const LIVE: [&Live; 17] = [
     &figures::RAY,
     &figures::ROW,
+    &figures::FRUSTUM,
     &figures::THREE_CASES,
     &figures::HITS,
+    &figures::EGGS,
     &figures::LAMBERT,
     &figures::ATTENUATION,
+    &figures::PHONG_VECTORS,
     &figures::LOBES,
     &pictures::STEP01,
     &pictures::STEP02,
@@ -35,6 +41,7 @@ pub const LIVE: [&Live; 13] = [
     &pictures::STEP04,
     &pictures::STEP05,
     &pictures::MISTAKES,
+    &scene::OWN_SCENE,
 ];
 
 /// What answers to this name.

@@ -16,7 +16,12 @@ pub struct Live {
     pub sight: fn(&[f64]) -> Sight,
     /// The numbers that move with it, by name.
     pub numbers: fn(&[f64]) -> Numbers,
+    /// A figure that moves with it.
+    pub beside: Option<Beside>,
 }
+
+/// The name of a figure, and what draws it at the values of another.
+pub type Beside = (&'static str, fn(&[f64]) -> Drawing);
 
 /// Numbers by their names, as the page writes them.
 pub type Numbers = Vec<(String, String)>;
@@ -40,8 +45,10 @@ pub struct Knob {
     pub choices: &'static [&'static str],
     /// The group and the name of each of its values 0, 1, 2, …, where they are many.
     pub list: Option<fn(usize) -> [&'static str; 2]>,
-    /// Whether the page leaves it at its printed value.
-    pub is_fixed: bool,
+    /// Whether, at these values, the page has a range or a switch for it.
+    pub is_shown: fn(&[f64]) -> bool,
+    /// What it belongs to, where a page shows the knobs of one thing at a time.
+    pub group: &'static str,
 }
 
 /// A place that the reader drags, by pointer or by arrow keys.
@@ -51,7 +58,8 @@ pub struct Handle {
     pub words: &'static str,
     /// The knobs that it turns: sideways, and up and down.
     pub knobs: [usize; 2],
-    /// Where it is, in the coordinates of the drawing or in pixels.
+    /// Where it is, in the coordinates of the drawing or in pixels; outside of them,
+    /// there is nothing to take.
     pub at: fn(&[f64]) -> DVec2,
     /// Sets the values so that it comes to a place, or near it.
     pub drag: fn(&mut [f64], DVec2),
@@ -92,7 +100,8 @@ impl Knob {
             steps,
             choices: &[],
             list: None,
-            is_fixed: false,
+            is_shown: |_| true,
+            group: "",
         }
     }
 
@@ -112,7 +121,8 @@ impl Knob {
             steps: 1.0,
             choices,
             list: None,
-            is_fixed: false,
+            is_shown: |_| true,
+            group: "",
         }
     }
 
@@ -130,7 +140,12 @@ impl Knob {
 
     /// The same number, which the page leaves as it is.
     pub const fn fixed(self) -> Self {
-        Self { is_fixed: true, ..self }
+        Self { is_shown: |_| false, ..self }
+    }
+
+    /// The same number, of a thing of this name.
+    pub const fn of(self, group: &'static str) -> Self {
+        Self { group, ..self }
     }
 
     /// The allowed value that is nearest to `value`.
@@ -189,6 +204,9 @@ impl Live {
         for (knob, by) in handle.knobs.into_iter().zip([by.x, up]) {
             new[knob] += by / self.knobs[knob].steps;
         }
+        // It ends where the handle comes to be.
+        let to = (handle.at)(&new);
+        (handle.drag)(&mut new, to);
         self.allowed(new).unwrap_or_else(|| values.to_vec())
     }
 

@@ -79,6 +79,19 @@ impl Drawing {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
+    /// A pixel as a disc in its own colour.
+    pub fn pixel(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        [red, green, blue]: [u8; 3],
+    ) {
+        let (x, y) = (centre.x, centre.y);
+        self.body += &format!(
+            r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
+        );
+    }
+
     /// An arc about `centre` from one angle to another, in radians from the x axis,
     /// upwards.
     pub fn arc(
@@ -134,7 +147,7 @@ impl Drawing {
     pub fn html(&self, title: &str) -> String {
         let (width, height) = (self.size.x, self.size.y);
         format!(
-            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title>{}</svg>"#,
+            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title><g>{}</g></svg>"#,
             escape(title),
             self.body
         )

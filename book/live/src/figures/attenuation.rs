@@ -26,6 +26,7 @@ pub const ATTENUATION: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(&chosen(values))),
     numbers: |values| vec![("share".into(), number(share(&chosen(values), 6.0)))],
+    beside: None,
 };
 
 fn chosen(values: &[f64]) -> Attenuation {
@@ -90,7 +91,8 @@ pub fn figure() -> Figure {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
                   alone it never fades. $b$ takes most of it near the light, $c$ takes little there and \
-                  most of it far away. The warm light of this step has some of each; at $d = 6$ it has {{#number attenuation:share}} left.",
+                  most of it far away. The last curve has some of each, and is the warm light's<span class='move'>, until you change it</span>; \
+                  at $d = 6$ it leaves {{#number attenuation:share}}.",
         drawing: draw(&WARM.attenuation),
     }
 }

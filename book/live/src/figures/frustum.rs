@@ -1,68 +1,114 @@
 use super::Figure;
+use super::pyramid::{draw_picture, draw_pyramid, draw_steps};
+use crate::live::{Handle, Knob, Live, Sight, number, vector};
+use crate::pictures::step01::{ASPECT_RATIO, camera, seen};
 use crate::svg::Drawing;
-use glam::{DVec2, DVec3, dvec2};
-use std::f64::consts::FRAC_PI_3;
-use step01_rays::Camera;
+use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
+use step01_rays::Ray;
 
-/// The frustum of a small camera, with D_u, D_v and V_0, seen from the right and a
-/// little above.
-pub fn figure() -> Figure {
-    let camera = Camera::new(8, 5, FRAC_PI_3);
-    let (d_u, d_v, v_0) =
-        (camera.matrix.x_axis, camera.matrix.y_axis, camera.matrix.z_axis);
-    let at = |i: f64, j: f64| project(camera.ray(i, j).at(1.0));
-    let far = |i: f64, j: f64| project(camera.ray(i, j).at(1.26));
-    let c = project(camera.centre);
-    let (right, bottom) = (7.0, 4.0);
-    let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
-    let mut drawing = Drawing::new(480.0, 310.0);
-    drawing.area("plane", &corners.map(|(i, j)| at(i, j)));
-    for i in (0..8).map(f64::from) {
-        drawing.line("grid", at(i, 0.0), at(i, bottom));
-    }
-    for j in (0..5).map(f64::from) {
-        drawing.line("grid", at(0.0, j), at(right, j));
-    }
-    for (i, j) in corners {
-        drawing.line("ray faint", c, at(i, j));
-        drawing.line("guide", at(i, j), far(i, j));
-    }
-    drawing.line("guide", c, project(DVec3::NEG_Z));
-    drawing.arrow("vector", c, project(v_0));
-    let label = (c + project(v_0)) / 2.0 + dvec2(-6.0, -12.0);
-    drawing.label_to("strong", label, "$V_0$");
-    drawing.arrow("accent", project(v_0), project(v_0 + d_u));
-    drawing.arrow("second", project(v_0), project(v_0 + d_v));
-    drawing.label("accent", project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0), "$D_u$");
-    let label = project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0);
-    drawing.label_from("second", label, "$D_v$");
-    drawing.dot("eye", c);
-    drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");
-    let tip = project(camera.ray(5.0, 3.0).at(1.42));
-    drawing.arrow("ray", c, tip);
-    drawing.dot("ray", at(5.0, 3.0));
-    drawing.label_from("quiet", tip + dvec2(10.0, 5.0), "$i$ = 5, $j$ = 3");
-    let corner = dvec2(44.0, 286.0) - c;
-    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-        let tip = project(0.16 * axis);
-        drawing.arrow("axis", c + corner, tip + corner);
-        let label = tip + 0.32 * (tip - c) + corner + dvec2(0.0, 5.0);
-        drawing.label("quiet", label, name);
-    }
-    Figure {
-        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
-        caption: "The pyramid of rays of a camera with 8 columns and 5 rows. $V_0$ leads from $C$ to the top left \
-                  point, $D_u$ one column to the right, $D_v$ one row down. The point $i = 5$, $j = 3$ \
-                  is five steps of the one and three of the other away.",
-        drawing,
-    }
+/// The frustum of a small camera, its picture on the image plane, and the ray of one
+/// of the pixels.
+pub const FRUSTUM: Live = Live {
+    name: "frustum",
+    knobs: &[
+        Knob::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+        ASPECT_RATIO,
+        Knob::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+        Knob::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
+        Knob::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
+    ],
+    handles: &[Handle {
+        is_down: true,
+        ..Handle::new(
+            "the pixel of the ray",
+            [3, 4],
+            |values| project(values, chosen(values).at(1.0)),
+            |values, to| {
+                let pixel = pixel_at(values, to);
+                values[3..].copy_from_slice(&pixel.to_array());
+                let inside = pixel_of(values);
+                values[3..].copy_from_slice(&inside.to_array());
+            },
+        )
+    }],
+    is_allowed: |values| camera(&values[..3]).is_ok(),
+    sight: |values| Sight::Drawing(draw(values)),
+    numbers: |values| {
+        let (camera, pixel) = (seen(&values[..3]), pixel_of(values));
+        vec![
+            ("columns".into(), camera.h_res.to_string()),
+            ("rows".into(), camera.v_res.to_string()),
+            ("i".into(), number(pixel.x)),
+            ("j".into(), number(pixel.y)),
+            ("V".into(), vector(&chosen(values).direction.to_array())),
+        ]
+    },
+    beside: None,
+};
+
+/// The pixel that is chosen, or the nearest to it that there is.
+fn pixel_of(values: &[f64]) -> DVec2 {
+    let camera = seen(&values[..3]);
+    let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
+    dvec2(values[3], values[4]).clamp(DVec2::ZERO, last)
+}
+
+/// Its ray.
+fn chosen(values: &[f64]) -> Ray {
+    let pixel = pixel_of(values);
+    seen(&values[..3]).ray(pixel.x, pixel.y)
 }
 
 /// Where a point of the world is in the drawing: turned about y, tilted, without
-/// perspective.
-fn project(point: DVec3) -> DVec2 {
-    let turned = glam::DQuat::from_rotation_x(0.3)
-        * glam::DQuat::from_rotation_y(-0.72)
-        * point;
-    dvec2(82.0 + 250.0 * turned.x, 216.0 - 250.0 * turned.y)
+/// perspective. A wide view is drawn smaller.
+fn project(values: &[f64], point: DVec3) -> DVec2 {
+    let side = -seen(&values[..3]).matrix.z_axis.x;
+    let scale = 250.0 * (0.5774 / side).min(1.0);
+    let turned =
+        DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
+    dvec2(82.0, 216.0) + scale * dvec2(turned.x, -turned.y)
+}
+
+/// The column and the row, with fractions, at a place on the image plane.
+fn pixel_at(values: &[f64], place: DVec2) -> DVec2 {
+    let camera = seen(&values[..3]);
+    let at = |i: f64, j: f64| project(values, camera.ray(i, j).at(1.0));
+    let first = at(0.0, 0.0);
+    let steps = DMat2::from_cols(at(1.0, 0.0) - first, at(0.0, 1.0) - first);
+    steps.inverse() * (place - first)
+}
+
+fn draw(values: &[f64]) -> Drawing {
+    let camera = seen(&values[..3]);
+    let project = |point: DVec3| project(values, point);
+    let c = project(camera.centre);
+    let mut drawing = Drawing::new(480.0, 310.0);
+    draw_pyramid(&mut drawing, &camera, project);
+    draw_picture(&mut drawing, &camera, project);
+    draw_steps(&mut drawing, &camera, pixel_of(values), project);
+    drawing.dot("eye", c);
+    drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");
+    let tip = project(chosen(values).at(1.42));
+    drawing.arrow("ray", c, tip);
+    let DVec2 { x: i, y: j } = pixel_of(values);
+    let label = format!("$i$ = {i}, $j$ = {j}");
+    drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+    let corner = dvec2(44.0, 286.0);
+    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
+        let along = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
+        drawing.arrow("axis", corner, corner + along);
+        drawing.label("quiet", corner + 1.32 * along + dvec2(0.0, 5.0), name);
+    }
+    drawing
+}
+
+/// The frustum as it is printed.
+pub fn figure() -> Figure {
+    Figure {
+        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
+        caption: "The pyramid of rays of a camera with {{#number frustum:columns}} columns and {{#number frustum:rows}} rows, each point in the colour \
+                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
+                  down. From there, {{#number frustum:i}} steps of the one and {{#number frustum:j}} of the other lead to $V =$ {{#number frustum:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+        drawing: draw(&FRUSTUM.values()),
+    }
 }

@@ -39,6 +39,7 @@ pub const HITS: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 const fn side(words: &'static str, value: f64, range: [f64; 2]) -> Knob {
@@ -115,9 +116,9 @@ fn draw(values: &[f64]) -> Drawing {
 pub fn figure() -> Figure {
     Figure {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
-        caption: "Six values of $t$ on one line. Those below 0 belong to the sphere behind the start. Of the \
-                  others, the smallest is the hit you see. $k$ is the sphere's place in the list; it \
-                  has no say in this.",
+        caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
+                  you see. $k$ is the sphere's place in the list; it has no say in this. \
+                  <span class='move'>Drag another sphere in front.</span>",
         drawing: draw(&HITS.values()),
     }
 }

@@ -8,7 +8,12 @@ use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
 /// A beam of light that falls straight down, and one whose angle its reader sets.
 pub const LAMBERT: Live = Live {
     name: "lambert",
-    knobs: &[Knob::new(["α", "angle of the light", "°"], 60.0, [0.0, 130.0], 1.0)],
+    knobs: &[Knob::new(
+        ["α", "angle of the light", "°"],
+        60.0,
+        [0.0, LARGEST],
+        1.0,
+    )],
     handles: &[Handle::new(
         "the light on the right",
         [0, 0],
@@ -20,7 +25,7 @@ pub const LAMBERT: Live = Live {
             let l = (to - GROUND) * dvec2(-1.0, -1.0);
             // To the right of n, the angle is 0, or as large as it can be.
             values[0] = match l.x.atan2(l.y).to_degrees() {
-                ..-90.0 => 130.0,
+                ..-90.0 => LARGEST,
                 angle => angle.max(0.0),
             };
         },
@@ -28,7 +33,12 @@ pub const LAMBERT: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values[0])),
     numbers: |_| vec![],
+    beside: None,
 };
+
+/// As far below the ground as the light on the right is still in the drawing, in
+/// degrees.
+const LARGEST: f64 = 115.0;
 
 /// Where the light on the right falls.
 const GROUND: DVec2 = dvec2(352.0, 210.0);
@@ -101,7 +111,8 @@ fn draw(degrees: f64) -> Drawing {
 fn words(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
     let short = |value: f64| number((value * 1e3).round() / 1e3);
     let strip = if 0.0005 <= share {
-        format!("strip × {}", short(1.0 / share))
+        let times = number((1e2 / share).round() / 1e2);
+        format!("strip × {times}")
     } else {
         format!("max($n$·$l$, 0) = {}: no light", short(share))
     };
@@ -114,7 +125,8 @@ pub fn figure() -> Figure {
     Figure {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
-                  spread over twice the ground, so each point of it gets half: the cosine of the angle.",
+                  spread over twice the ground, so each point of it gets half: the cosine of the angle. \
+                  <span class='move'>Lower the light to the ground, and below it.</span>",
         drawing: draw(60.0),
     }
 }

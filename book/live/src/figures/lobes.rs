@@ -27,6 +27,7 @@ pub const LOBES: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
@@ -80,7 +81,8 @@ pub fn figure() -> Figure {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
                   highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
-                  Where a lobe crosses the dotted circle, the highlight is down to one half.",
+                  Where a lobe crosses the dotted circle, the highlight is down to one half. \
+                  <span class='move'>Turn the light, and let $n$ grow.</span>",
         drawing: draw(&LOBES.values()),
     }
 }

@@ -2,20 +2,28 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod ball;
+mod eggs;
+mod from_above;
 mod frustum;
 mod hits;
 mod lambert;
 mod lobes;
 mod phong_vectors;
 mod pinhole;
+mod pyramid;
 mod ray;
 mod row;
 mod three_cases;
 
 pub use attenuation::ATTENUATION;
+pub use eggs::EGGS;
+pub use from_above::draw as from_above;
+pub use frustum::FRUSTUM;
 pub use hits::HITS;
 pub use lambert::LAMBERT;
 pub use lobes::LOBES;
+pub use phong_vectors::PHONG_VECTORS;
 pub use ray::RAY;
 pub use row::ROW;
 pub use three_cases::THREE_CASES;
@@ -36,7 +44,7 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 11] = [
+const FIGURES: [Named; 13] = [
     ("ray", ray::figure),
     ("pinhole", pinhole::figure),
     ("row", row::figure),
@@ -44,6 +52,8 @@ const FIGURES: [Named; 11] = [
     ("aspect-ratios", aspect_ratios::figure),
     ("three-cases", three_cases::figure),
     ("hits-along-a-ray", hits::figure),
+    ("from-above", from_above::figure),
+    ("eggs", eggs::figure),
     ("lambert", lambert::figure),
     ("attenuation", attenuation::figure),
     ("phong-vectors", phong_vectors::figure),

@@ -1,48 +1,112 @@
 use super::Figure;
 use crate::camera;
+use crate::live::{Handle, Knob, Live, Sight, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{WARM, objects, reflect, seen};
 
-/// n, l, r and v at a hit of the scene, seen at a right angle to the plane of n and
-/// l.
-pub fn figure() -> Figure {
-    let ray = camera().ray(262.0, 132.0);
-    let mut drawing = Drawing::new(480.0, 320.0);
-    if let Some(point) = seen(&objects(), &ray) {
-        let (l, _) = WARM.seen_from(point.p);
-        draw(&mut drawing, point.n, l, -ray.direction.normalize());
+/// n, l, r and v at a hit of the scene, where the light is turned from its place.
+pub const PHONG_VECTORS: Live = Live {
+    name: "phong-vectors",
+    knobs: &[Knob::new(["", "turn of the light", "°"], 0.0, [-30.0, 80.0], 1.0)],
+    handles: &[Handle::new(
+        "the light l",
+        [0, 0],
+        |values| {
+            let all = Vectors::new(values);
+            VIEW.at(all.flat(all.l))
+        },
+        |values, to| {
+            let l = (to - VIEW.origin) * dvec2(-1.0, -1.0);
+            let angle = l.x.atan2(l.y).to_degrees();
+            values[0] = angle - Vectors::new(&[0.0]).angle();
+        },
+    )],
+    is_allowed: |_| true,
+    sight: |values| Sight::Drawing(draw(&Vectors::new(values))),
+    numbers: |values| {
+        let all = Vectors::new(values);
+        let angle = (10.0 * all.angle()).round() / 10.0;
+        let cosines = [("nl", all.n.dot(all.l)), ("rv", all.r().dot(all.v))];
+        let cosines = cosines.map(|(name, cosine)| (name.into(), number(cosine)));
+        [("angle".into(), number(angle))].into_iter().chain(cosines).collect()
+    },
+    beside: None,
+};
+
+/// Where in the drawing the hit is, and how long 1 is.
+const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
+
+/// The unit vectors at the hit.
+struct Vectors {
+    n: DVec3,
+    l: DVec3,
+    v: DVec3,
+    /// At a right angle to n, on the side of the light.
+    left: DVec3,
+}
+
+impl Vectors {
+    /// Those of a light that is turned so many degrees away from n.
+    fn new(values: &[f64]) -> Self {
+        let ray = camera().ray(262.0, 132.0);
+        let objects = objects();
+        let point = seen(&objects, &ray);
+        let (p, n) = point.map_or((ray.start, DVec3::Y), |hit| (hit.p, hit.n));
+        let (l, _) = WARM.seen_from(p);
+        let left = (l - l.dot(n) * n).normalize_or_zero();
+        let turn = DVec2::from_angle(values[0].to_radians());
+        let turned = turn.rotate(dvec2(l.dot(n), l.dot(left)));
+        let l = turned.x * n + turned.y * left;
+        Self { n, l, v: -ray.direction.normalize(), left }
     }
-    Figure {
-        title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
-        caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
-                  make the same angle with $n$. All four are one unit long; $v$ is drawn shorter because it \
-                  leans out of the plane of the other three.",
-        drawing,
+
+    fn r(&self) -> DVec3 {
+        reflect(self.l, self.n)
+    }
+
+    /// The angle between n and l, in degrees.
+    fn angle(&self) -> f64 {
+        self.l.dot(self.left).atan2(self.l.dot(self.n)).to_degrees()
+    }
+
+    /// A vector in the plane of n and l, with n upwards and l to the left of it.
+    fn flat(&self, vector: DVec3) -> DVec2 {
+        dvec2(-vector.dot(self.left), vector.dot(self.n))
     }
 }
 
-/// Draws the four vectors, with n upwards and l to the left of it.
-fn draw(drawing: &mut Drawing, n: DVec3, l: DVec3, v: DVec3) {
-    let view = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
-    let left = (l - l.dot(n) * n).normalize_or_zero();
-    let flat = |vector: DVec3| dvec2(-vector.dot(left), vector.dot(n));
-    let p = view.origin;
+/// The four, seen at a right angle to the plane of n and l.
+fn draw(all: &Vectors) -> Drawing {
+    let mut drawing = Drawing::new(480.0, 320.0);
+    let p = VIEW.origin;
     let radius = 300.0;
     drawing.circle("object", p + dvec2(0.0, radius), radius);
-    let angle = |vector: DVec3| flat(vector).to_angle();
-    drawing.arc("angle", p, 62.0, angle(n), angle(l));
-    drawing.arc("angle", p, 62.0, angle(reflect(l, n)), angle(n));
+    let [n, l, r, v] = [all.n, all.l, all.r(), all.v].map(|one| all.flat(one));
+    drawing.arc("angle", p, 62.0, n.to_angle(), n.to_angle() + n.angle_to(l));
+    drawing.arc("angle", p, 62.0, n.to_angle() + n.angle_to(r), n.to_angle());
     let vectors = [
-        ("light", l, "$l$", dvec2(-10.0, -2.0)),
+        ("light", l, "$l$", dvec2(-18.0, -6.0)),
         ("normal", n, "$n$", dvec2(0.0, -10.0)),
-        ("vector", reflect(l, n), "$r$", dvec2(10.0, -2.0)),
+        ("vector", r, "$r$", dvec2(10.0, -2.0)),
         ("accent", v, "$v$", dvec2(2.0, -12.0)),
     ];
     for (class, vector, name, shift) in vectors {
-        let tip = view.at(flat(vector));
+        let tip = VIEW.at(vector);
         drawing.arrow(class, p, tip);
         drawing.label("strong", tip + shift, name);
     }
     drawing.dot("hit", p);
+    drawing
+}
+
+/// The four as they are printed.
+pub fn figure() -> Figure {
+    Figure {
+        title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
+        caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
+                  make the same angle with $n$, {{#number phong-vectors:angle}}°. All four are one unit long; $v$ is drawn shorter because it \
+                  leans out of the plane of the other three. <span class='move'>Turn the light until it is behind the surface.</span>",
+        drawing: draw(&Vectors::new(&[0.0])),
+    }
 }

@@ -53,6 +53,7 @@ pub const RAY: Live = Live {
             ("point".into(), vector(&point.to_array())),
         ]
     },
+    beside: None,
 };
 
 const SIZE: DVec2 = dvec2(480.0, 240.0);
@@ -103,7 +104,8 @@ pub fn figure() -> Figure {
         title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
         caption: "A ray. Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is below 0, \
                   the point lies behind the start, on the same line but not on the ray. \
-                  At $t = {{#number ray:t}}$ it is {{#number ray:point}}.",
+                  At $t = {{#number ray:t}}$ it is {{#number ray:point}}. \
+                  <span class='move'>Pull $V$ to twice its length, and see which $t$ a point has now.</span>",
         drawing: draw(&RAY.values()),
     }
 }

@@ -31,6 +31,7 @@ pub const ROW: Live = Live {
             ("first".into(), number(row.matrix.y_axis.x)),
         ]
     },
+    beside: None,
 };
 
 /// Where in the drawing C is.
@@ -107,7 +108,7 @@ pub fn figure() -> Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
         caption: "The row of rays for $\\mathit{hRes} = {{#number row:hRes}}$ and $\\theta = {{#number row:angle}}°$. Follow $V_0$ to the left end \
                   of the image plane; from there, every step $D$ leads to the next ray. The dotted \
-                  lines on the right are the sides of the triangle that gives half of its length.",
+                  lines on the right are the sides of the triangle that gives half of its length. <span class='move'>Drag the tip of $V_0$.</span>",
         drawing: draw(&ROW.values()),
     }
 }

@@ -39,6 +39,7 @@ pub const THREE_CASES: Live = Live {
     is_allowed: |_| true,
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |_| vec![],
+    beside: None,
 };
 
 /// A coordinate in sixteenths: sums and products of these are exact, so a ray that
@@ -140,7 +141,8 @@ pub fn figure() -> Figure {
     Figure {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
         caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \
-                  each root is its point. The discriminant says which case it is before any root is known.",
+                  each root is its point. The discriminant says which case it is before any root is known. \
+                  <span class='move'>Drag a ray until it touches; start one inside the circle, and one behind it.</span>",
         drawing: draw(&THREE_CASES.values()),
     }
 }

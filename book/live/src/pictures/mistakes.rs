@@ -26,6 +26,7 @@ pub const MISTAKES: Live = Live {
             (mistake.picture_in(step, &camera, 1), step.picture(&camera, 1));
         shown(&panels([("wrong", &wrong), ("right", &right)]))
     },
+    beside: None,
     numbers: |values| {
         let Mistake { when, says, .. } = mistake(values);
         let texts = [("when", when), ("says", says)];

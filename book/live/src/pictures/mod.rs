@@ -1,17 +1,20 @@
 //! The pictures that answer, each drawn by its step.
 
-mod asked;
+pub(crate) mod asked;
+mod chain;
 mod mistakes;
-mod step01;
+mod polish;
+pub mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
 
+pub use chain::OBJECTS;
 pub use mistakes::MISTAKES;
 pub use step01::STEP01;
 pub use step02::STEP02;
-pub use step03::{OBJECTS, STEP03};
+pub use step03::STEP03;
 pub use step04::STEP04;
 pub use step05::STEP05;
 
@@ -21,7 +24,10 @@ use image::RgbImage;
 use step01_rays::{Camera, Ray, render};
 
 /// What `camera` sees, one ray a pixel.
-fn picture(camera: &Camera, colour: impl Fn(&Ray) -> DVec3 + Sync) -> Sight {
+pub(crate) fn picture(
+    camera: &Camera,
+    colour: impl Fn(&Ray) -> DVec3 + Sync,
+) -> Sight {
     shown(&render(camera, 1, colour))
 }
 

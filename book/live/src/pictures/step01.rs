@@ -7,7 +7,7 @@ pub const STEP01: Live = Live {
     name: "step01_rays",
     knobs: &[
         Knob::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
-        Knob::choice("aspect ratio", 1.0, &["4:3", "16:9", "2.35:1", "2.59:1"]),
+        ASPECT_RATIO,
         Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
     ],
     handles: &[],
@@ -20,7 +20,12 @@ pub const STEP01: Live = Live {
             ("step".into(), number(camera.matrix.x_axis.x)),
         ]
     },
+    beside: None,
 };
+
+/// The lecture's four; 16:9 is printed.
+pub const ASPECT_RATIO: Knob =
+    Knob::choice("aspect ratio", 1.0, &["4:3", "16:9", "2.35:1", "2.59:1"]);
 
 const SHAPES: [[f64; 2]; 4] = [[4.0, 3.0], [16.0, 9.0], [2.35, 1.0], [2.59, 1.0]];
 

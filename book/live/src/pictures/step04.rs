@@ -1,37 +1,71 @@
-use super::step03::named;
-use super::{asked, picture};
-use crate::live::{Live, Numbers, number, vector};
-use glam::DVec3;
+use super::{asked, chain, picture};
+use crate::live::{Handle, Knob, Live, Numbers, number, vector};
+use glam::{DVec2, DVec3};
 use step04_diffuse::{
-    Point, PointLight, Scene, Surface, ambient, colour, diffuse, nearest, scene,
+    COOL, Point, PointLight, Ray, Scene, Surface, WARM, ambient, colour, diffuse,
     seen,
 };
 
-/// The picture of step 4, with a pixel to ask.
+/// The picture of step 4: its lamps to move, and a pixel to ask.
 pub const STEP04: Live = Live {
     name: "step04_diffuse",
-    knobs: &[asked::COLUMN, asked::ROW, asked::COLUMNS],
-    handles: &[asked::PIXEL],
+    knobs: &[
+        asked::COLUMN,
+        asked::ROW,
+        asked::COLUMNS,
+        lamp(["x", "of the warm light", ""], WARM.position.x, [-8.0, 8.0]),
+        lamp(["y", "of the warm light", ""], WARM.position.y, [-1.0, 8.0]),
+        lamp(["z", "of the warm light", ""], WARM.position.z, [-12.0, 2.0]),
+        // Wherever these bring it, the cool light is in the picture.
+        lamp(["x", "of the cool light", ""], COOL.position.x, [-6.0, 6.0]),
+        lamp(["y", "of the cool light", ""], COOL.position.y, [-3.4, 3.4]),
+        lamp(["z", "of the cool light", ""], COOL.position.z, [-16.0, -11.0]),
+    ],
+    handles: &[
+        asked::PIXEL,
+        Handle::new("the warm light", [3, 4], place_of::<3>, drag::<3>),
+        Handle::new("the cool light", [6, 7], place_of::<6>, drag::<6>),
+    ],
     is_allowed: |values| asked::camera(values[2]).is_ok(),
     sight: |values| {
-        let scene = scene();
+        let scene = scene(values);
         picture(&asked::seen(values[2]), |ray| colour(&scene, ray))
     },
     numbers: |values| {
-        let (scene, ray) = (scene(), asked::ray(values));
-        let spheres = scene.objects.iter().map(|object| &object.sphere);
-        let mut numbers = asked::from_pixel(values, spheres);
-        let hit = nearest(&scene.objects, &ray);
-        numbers.extend(asked::met(hit.map(|hit| named(&scene.objects, hit)), &ray));
-        if let Some(point) = seen(&scene.objects, &ray) {
-            numbers.extend(shading(&scene, &point));
-        }
-        let sum = colour(&scene, &ray);
-        numbers.push(("sum".into(), vector(&sum.to_array())));
-        numbers.push(asked::bytes(&ray, |ray| colour(&scene, ray)));
-        numbers
+        let scene = scene(values);
+        let shading = |ray: &Ray| match seen(&scene.objects, ray) {
+            Some(point) => shading(&scene, &point),
+            None => vec![],
+        };
+        chain::chain(values, &scene.objects, shading, |ray| colour(&scene, ray))
     },
+    beside: None,
 };
+
+const fn lamp(words: [&'static str; 3], value: f64, range: [f64; 2]) -> Knob {
+    Knob::new(words, value, range, 10.0)
+}
+
+/// The scene with its lamps where these values have them.
+fn scene(values: &[f64]) -> Scene<Surface, PointLight> {
+    let mut scene = step04_diffuse::scene();
+    for (light, first) in scene.lights.iter_mut().zip([3, 6]) {
+        light.position = DVec3::from_slice(&values[first..]);
+    }
+    scene
+}
+
+/// Where in the picture the lamp is whose x is the value `FIRST`.
+fn place_of<const FIRST: usize>(values: &[f64]) -> DVec2 {
+    asked::place(DVec3::from_slice(&values[FIRST..]))
+}
+
+/// Brings that lamp to a place in the picture; it stays as deep as it is.
+fn drag<const FIRST: usize>(values: &mut [f64], to: DVec2) {
+    let inside = to.clamp(DVec2::splat(24.0), asked::SIZE - 24.0);
+    let position = asked::point(inside, -values[FIRST + 2]);
+    position.write_to_slice(&mut values[FIRST..]);
+}
 
 /// What the lights of the scene are called, in their order.
 pub const LAMPS: [&str; 2] = ["warm", "cool"];

@@ -1,33 +1,47 @@
-use super::step03::named;
+use super::polish::{SHININESS, SPECULAR, scene};
 use super::step04::{LAMPS, lit, place};
-use super::{asked, picture};
+use super::{asked, chain, picture};
 use crate::live::{Knob, Live, Numbers, number, vector};
 use glam::DVec3;
 use step05_phong::{
-    Light, Material, Phong, Point, Ray, Scene, direction_colour, nearest, reflect,
-    scene, seen, specular, terms,
+    Light, Material, Phong, Point, Ray, Scene, direction_colour, reflect, seen,
+    specular, terms,
 };
 
 const SWITCH: &[&str] = &["off", "on"];
 
-/// The picture of step 5, with each term to switch off, and a pixel to ask.
+/// The picture of step 5: each term to switch off, a pixel to ask, and the material
+/// of what it shows to set.
 pub const STEP05: Live = Live {
     name: "step05_phong",
-    knobs: &[
-        asked::COLUMN,
-        asked::ROW,
-        Knob::choice("ambient", 1.0, SWITCH),
-        Knob::choice("diffuse", 1.0, SWITCH),
-        Knob::choice("specular", 1.0, SWITCH),
-        asked::COLUMNS,
-    ],
+    knobs: &KNOBS,
     handles: &[asked::PIXEL],
     is_allowed: |values| asked::camera(values[5]).is_ok(),
     sight: |values| {
-        let scene = scene();
+        let scene = scene(&values[6..]);
         picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
     },
-    numbers: |values| chain(&scene(), values),
+    numbers: |values| {
+        let scene = scene(&values[6..]);
+        let between = |ray: &Ray| between(&scene, values, ray).unwrap_or_default();
+        let colour = |ray: &Ray| shown(&scene, values, ray);
+        chain::chain(values, &scene.objects, between, colour)
+    },
+    beside: None,
+};
+
+const KNOBS: [Knob; 24] = {
+    let mut knobs = [asked::COLUMNS; 24];
+    (knobs[0], knobs[1]) = (asked::COLUMN, asked::ROW);
+    knobs[2] = Knob::choice("ambient", 1.0, SWITCH);
+    knobs[3] = Knob::choice("diffuse", 1.0, SWITCH);
+    knobs[4] = Knob::choice("specular", 1.0, SWITCH);
+    let mut k = 0;
+    while k < 9 {
+        (knobs[6 + k], knobs[15 + k]) = (SHININESS[k], SPECULAR[k]);
+        k += 1;
+    }
+    knobs
 };
 
 /// The terms that are switched on; the others are 0.
@@ -47,29 +61,22 @@ fn shown(scene: &Scene<Material, Light>, values: &[f64], ray: &Ray) -> DVec3 {
     }
 }
 
-/// Everything on the way from a pixel to its three bytes.
-fn chain(scene: &Scene<Material, Light>, values: &[f64]) -> Numbers {
-    let ray = asked::ray(values);
-    let spheres = scene.objects.iter().map(|object| &object.sphere);
-    let mut chain = asked::from_pixel(values, spheres);
-    let hit = nearest(&scene.objects, &ray);
-    chain.extend(asked::met(hit.map(|hit| named(&scene.objects, hit)), &ray));
-    if let Some(point) = seen(&scene.objects, &ray) {
-        chain.extend(shading(scene, &ray, &point));
-    }
-    if let Some(terms) = terms(scene, &ray) {
-        let terms = switched(&terms, values);
-        let terms = [
-            ("ambient", terms.ambient),
-            ("diffuse", terms.diffuse),
-            ("specular", terms.specular),
-            ("sum", terms.sum()),
-        ];
-        let texts = terms.map(|(name, term)| (name, vector(&term.to_array())));
-        chain.extend(texts.map(|(name, text)| (name.into(), text)));
-    }
-    chain.push(asked::bytes(&ray, |ray| shown(scene, values, ray)));
-    chain
+/// Everything between the nearest hit and the sum.
+fn between(
+    scene: &Scene<Material, Light>,
+    values: &[f64],
+    ray: &Ray,
+) -> Option<Numbers> {
+    let mut numbers = shading(scene, ray, &seen(&scene.objects, ray)?);
+    let terms = switched(&terms(scene, ray)?, values);
+    let terms = [
+        ("ambient", terms.ambient),
+        ("diffuse", terms.diffuse),
+        ("specular", terms.specular),
+    ];
+    let texts = terms.map(|(name, term)| (name, vector(&term.to_array())));
+    numbers.extend(texts.map(|(name, text)| (name.into(), text)));
+    Some(numbers)
 }
 
 /// From the point that a ray sees to what each lamp adds.
