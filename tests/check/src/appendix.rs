@@ -64,8 +64,9 @@ then the right picture, and where they differ: orange where the first is too bri
 it is too dark. \
 {{#number mistakes:says}}\") {{#live}}
 
-Turn $\\theta$ down to 5°: the tangent of so small an angle is nearly the angle itself, and \
-few pixels differ. Turn it up to 120°, and the two views have little in common.
+<span class=\"move\">Turn $\\theta$ down to 5°: the tangent of so small an angle is nearly \
+the angle itself, and few pixels differ. Turn it up to 120°, and the two views have little in \
+common.</span>
 ";
 
 /// The appendix of the book that shows the whole gallery, as Markdown.
