@@ -334,9 +334,10 @@ function looking(form) {
 }
 document.querySelectorAll("form[data-live=check]").forEach(looking);
 
-// What is live is made so when it comes into view; only then is the module loaded.
-{
-    document.documentElement.classList.add("answers"); // what asks to move something is to be read
+// What is live is made so when it comes into view; only then is the module loaded, and after
+// what there is to read.
+document.documentElement.classList.add("answers"); // what asks to move something is to be read
+function watch() {
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;
@@ -346,3 +347,5 @@ document.querySelectorAll("form[data-live=check]").forEach(looking);
     }, { rootMargin: "200px" });
     document.querySelectorAll("figure[data-live]").forEach(figure => seen.observe(figure));
 }
+if (document.readyState === "complete") watch();
+else addEventListener("load", watch);

@@ -63,6 +63,15 @@ fn changed_colours_are_told() {
     assert_told(&changed(&|[_, g, _]| [g; 3]), "green alone of the picture");
 }
 
+#[test]
+fn grey_is_no_fault_where_ours_is_grey() {
+    let mut picture = right("depth");
+    picture.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|c| c / 2));
+    let Answer { code, text, .. } = look(&picture, Some("depth"), locked());
+    assert_eq!(code, 1, "{text}");
+    assert!(text.starts_with("Not right yet: ") && !text.contains("grey"), "{text}");
+}
+
 /// What JPEG makes of a picture: the squares' cosine sums, rounded to multiples of `q`.
 fn squared(picture: &RgbImage, q: f64) -> RgbImage {
     let wave = |u: usize, x: usize| {

@@ -108,7 +108,7 @@ pub fn figure() -> Figure {
         title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
         caption: "The pyramid of rays of a camera with {{#number frustum:columns}} columns and {{#number frustum:rows}} rows, each point in the colour \
                   of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
-                  down. From there, {{#number frustum:i}} steps of the one and {{#number frustum:j}} of the other lead to $V =$ {{#number frustum:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+                  down. From there, {{#number frustum:i}} times $D_u$ and {{#number frustum:j}} times $D_v$ lead to $V =$ {{#number frustum:V}}. <span class='move'>Drag the ray to another pixel.</span>",
         drawing: draw(&FRUSTUM.values()),
     }
 }

@@ -9,7 +9,7 @@ use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
 pub const LOBES: Live = Live {
     name: "lobes",
     knobs: &[
-        Knob::new(["n", "of the narrowest lobe", ""], 150.0, [1.0, 300.0], 1.0),
+        Knob::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
         Knob::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
     ],
     handles: &[Handle::new(

@@ -105,7 +105,7 @@ pub fn figure() -> Figure {
         caption: "A ray. Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is below 0, \
                   the point lies behind the start, on the same line but not on the ray. \
                   At $t = {{#number ray:t}}$ it is {{#number ray:point}}. \
-                  <span class='move'>Pull $V$ to twice its length, and see which $t$ a point has now.</span>",
+                  <span class='move'>Make $V$ longer, and see which $t$ a point has now.</span>",
         drawing: draw(&RAY.values()),
     }
 }

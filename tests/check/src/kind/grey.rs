@@ -11,9 +11,9 @@ const GREYS: [(&str, [f64; 3]); 6] = [
     ("blue alone", [0.0, 0.0, 1.0]),
 ];
 
-/// Says whether the picture is grey, and how it became so.
+/// Says whether the picture is grey where ours is not, and how it became so.
 pub(super) fn told(yours: &RgbImage, ours: &Locked) -> Option<String> {
-    if yours.pixels().any(|pixel| pixel.0 != [pixel[0]; 3]) {
+    if !is_grey(yours) || is_grey(&ours.picture) {
         return None;
     }
     let how = GREYS.iter().find(|(_, weights)| is_made(yours, ours, weights));
@@ -29,6 +29,10 @@ pub(super) fn told(yours: &RgbImage, ours: &Locked) -> Option<String> {
     Some(format!(
         "Not right yet: it is grey. Red, green and blue are equal in every pixel; {how}"
     ))
+}
+
+fn is_grey(picture: &RgbImage) -> bool {
+    picture.pixels().all(|pixel| pixel.0 == [pixel[0]; 3])
 }
 
 /// Whether nearly every pixel is made from ours with these weights.
