@@ -69,7 +69,10 @@ fn grey_is_no_fault_where_ours_is_grey() {
     picture.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|c| c / 2));
     let Answer { code, text, .. } = look(&picture, Some("depth"), locked());
     assert_eq!(code, 1, "{text}");
-    assert!(text.starts_with("Not right yet: ") && !text.contains("grey"), "{text}");
+    assert!(
+        text.starts_with("Not right yet: ") && !text.contains("grey"),
+        "{text}"
+    );
 }
 
 /// What JPEG makes of a picture: the squares' cosine sums, rounded to multiples of `q`.
