@@ -250,7 +250,8 @@ async function ask(tab, form, where, isFirst) {
 
 for (const page of pages) {
   const html = readFileSync(join(folder, page), 'utf8');
-  for (const width of [1280, 390]) {
+  // The two views do not wait for each other.
+  await Promise.all([1280, 390].map(async width => {
     const context = await browser.newContext({ viewport: { width, height: 900 } });
     const tab = await context.newPage();
     tab.on('pageerror', error => faults.push(`${page} (${width} px): ${error}`));
@@ -273,7 +274,7 @@ for (const page of pages) {
       await ask(tab, form, where, k === 0).catch(error => faults.push(`${where}: ${error}`));
     }
     await context.close();
-  }
+  }));
 }
 await browser.close();
 faults.forEach(what => console.log(what));
