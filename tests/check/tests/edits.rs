@@ -3,11 +3,19 @@
 #[allow(dead_code)] // what only the program needs
 #[path = "../examples/edits/edit.rs"]
 mod edit;
+#[allow(dead_code)]
+#[path = "../examples/edits/project.rs"]
+mod project;
+#[allow(dead_code)]
+#[path = "../examples/edits/view.rs"]
+mod view;
 
 use edit::edits;
 use gallery::workspace;
+use project::Project;
 use std::collections::HashSet;
 use std::fs;
+use std::process::Command;
 
 #[test]
 fn every_edit_stands_once_in_its_file() {
@@ -25,4 +33,15 @@ fn every_edit_stands_once_in_its_file() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert!(400 < edits.len(), "{}", edits.len());
+}
+
+#[test]
+fn cargo_reads_the_copy_of_the_steps_that_is_edited() {
+    Project::new(false).expect("a copy");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["metadata", "--offline", "--format-version", "1"]);
+    cargo.current_dir(workspace().join("target/edits"));
+    let output = cargo.output().expect("Cargo runs");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{told}");
 }

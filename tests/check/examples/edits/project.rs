@@ -1,4 +1,4 @@
-use crate::{edit::Edit, view::View};
+use super::{edit::Edit, view::View};
 use gallery::{Step, workspace};
 use std::path::{Path, PathBuf};
 use std::{error::Error, fs, process::Command};
@@ -7,6 +7,9 @@ use std::{error::Error, fs, process::Command};
 pub struct Project {
     folder: PathBuf,
 }
+
+/// The package that `[patch]` names.
+const CLOCK: &str = "book/live/web-time";
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -21,17 +24,13 @@ impl Project {
         fs::create_dir_all(project.folder.join("pictures"))?;
         for name in ["Cargo.lock", "Cargo.toml"] {
             let text = fs::read_to_string(workspace().join(name))?;
-            let is_kept = |line: &&str| {
-                !["\"book\"", "\"tests\"", "\"tests/check\"", "\"tests/gallery\""]
-                    .iter()
-                    .any(|member| line.trim().trim_end_matches(',') == *member)
-            };
-            let lines: Vec<_> = text.lines().filter(is_kept).collect();
+            let lines: Vec<_> = text.lines().filter(|line| is_of_steps(line)).collect();
             changed(&project.folder.join(name), &lines.join("\n"))?;
         }
-        for step in Step::ALL {
-            let from = workspace().join("steps").join(step.name());
-            project.copy(&from, &Path::new("steps").join(step.name()))?;
+        let steps = Step::ALL.map(|step| Path::new("steps").join(step.name()));
+        // The clock of the progress bar stands in the place of one of a registry.
+        for folder in steps.iter().map(PathBuf::as_path).chain([Path::new(CLOCK)]) {
+            project.copy(&workspace().join(folder), folder)?;
         }
         Ok(project)
     }
@@ -143,6 +142,12 @@ impl Project {
         }
         Ok(shows)
     }
+}
+
+/// Whether a line of the workspace's manifest names no member, or a step.
+fn is_of_steps(line: &str) -> bool {
+    let member = line.trim().strip_prefix('"').and_then(|it| it.strip_suffix("\","));
+    member.is_none_or(|member| member.starts_with("steps/"))
 }
 
 /// Writes a file only where it changes, so that nothing is compiled twice.

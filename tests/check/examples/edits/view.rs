@@ -1,4 +1,4 @@
-use crate::edit::Edit;
+use super::edit::Edit;
 use gallery::Step;
 use image::RgbImage;
 use step01_rays::{AspectRatio, Camera};
