@@ -14,7 +14,8 @@ pub(super) fn read(
     seen: &[Seen],
 ) -> Option<Vec<String>> {
     let (width, height) = yours.dimensions();
-    let sky = Sky::of(yours)?;
+    // What is the same everywhere is one colour, and no sky.
+    let sky = Sky::of(yours).filter(|sky| !sky.is_even())?;
     let off = || seen.iter().filter_map(|s| sky.off(yours, s.place));
     let on = off().filter(|off| *off < 1.5).count();
     // What bends away from a plane, as after a power, is no sky of other rays.

@@ -56,6 +56,14 @@ impl Sky {
         Some(Self { matrix, errors })
     }
 
+    /// Whether no pixel is told from another one.
+    pub fn is_even(&self) -> bool {
+        let [i, j, _] = self.errors;
+        let is_still =
+            |step: DVec3, error: f64| step.abs().max_element() < 5.0 * error;
+        is_still(self.matrix.x_axis, i) && is_still(self.matrix.y_axis, j)
+    }
+
     /// How far a pixel is from the sky that these rays give, in parts of V that one byte
     /// may be off; None where it tells nothing.
     pub fn off(&self, yours: &RgbImage, (i, j): (u32, u32)) -> Option<f64> {
