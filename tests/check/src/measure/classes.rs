@@ -76,17 +76,19 @@ pub(super) fn tell(all: &[Seen], stages: &mut [Stage]) {
     }
 }
 
-/// How many times as much as ours a light gives to a pixel that no other one reaches.
-fn factor(seen: &Seen, light: usize) -> Option<f64> {
-    let (mut yours, mut ours) = (0.0, 0.0);
+/// How many times as much as ours a light gives to a pixel that no other one reaches,
+/// and how far off that may be by the rounding of its bytes.
+fn factor(seen: &Seen, light: usize) -> Option<(f64, f64)> {
+    let (mut yours, mut ours, mut off) = (0.0, 0.0, 0.0);
     for k in 0..3 {
         let byte = seen.yours[k];
         if !matches!(byte, 0 | 255) && 0.03 < seen.diffuse[light][k] {
             yours += f64::from(byte) / 255.0 - seen.ambient[k];
             ours += seen.diffuse[light][k];
+            off += 0.5 / 255.0;
         }
     }
-    (0.0 < ours).then(|| yours / ours)
+    (0.0 < ours).then(|| (yours / ours, off / ours))
 }
 
 /// Whether all three channels have this factor, but for the rounding.
@@ -101,14 +103,17 @@ fn faded(all: &[&Seen], light: usize, name: &str, stages: &mut [Stage]) {
     let factors = all.iter().filter_map(|s| Some((s, factor(s, light)?)));
     let factors: Vec<_> = factors.collect();
     // Another distance or angle gives less or more of the same colour.
-    let same = factors.iter().filter(|(s, factor)| is_same(s, light, *factor));
+    let same = factors.iter().filter(|(s, (factor, _))| is_same(s, light, *factor));
     if same.count() * 20 < factors.len() * 19 {
         return;
     }
-    let distances = factors.iter().map(|(s, f)| (s.distances[light], *f)).collect();
-    let cosines = factors.iter().map(|(s, f)| (s.cosines[light], *f)).collect();
+    let by = |x: fn(&Seen, usize) -> f64| {
+        let points = factors.iter().map(|(s, (y, off))| [x(s, light), *y, *off]);
+        Curve::of(points.collect())
+    };
     let which = ["warm", "cool"][light];
-    let [distance, cosine] = [Curve::of(distances), Curve::of(cosines)];
+    let distance = by(|seen, light| seen.distances[light]);
+    let cosine = by(|seen, light| seen.cosines[light]);
     let is_better = |a: &Curve, b: &Option<Curve>| {
         b.as_ref().is_none_or(|b| a.rest < b.rest / 3.0)
     };
@@ -155,22 +160,27 @@ struct Curve {
 }
 
 impl Curve {
-    /// The curve through pairs of a thing and a factor, if they lie on one.
-    fn of(mut pairs: Vec<(f64, f64)>) -> Option<Self> {
-        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let size = (pairs.len() / 16).max(4);
-        let (mut points, mut rests) = (vec![], vec![]);
-        for bin in pairs.chunks(size).filter(|bin| bin.len() == size) {
-            let count = size as f64;
-            let x = bin.iter().map(|p| p.0).sum::<f64>() / count;
-            let y = bin.iter().map(|p| p.1).sum::<f64>() / count;
+    /// The curve through a thing, a factor and how far off that may be, each; if they lie
+    /// on one. What depends on something else as well does not.
+    fn of(mut all: Vec<[f64; 3]>) -> Option<Self> {
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let size = (all.len() / 16).max(4);
+        let (mut points, mut rests, mut on) = (vec![], vec![], 0);
+        for bin in all.chunks(size).filter(|bin| bin.len() == size) {
+            let [x, y, slope] = line(bin);
             points.push((x, y));
-            let off = bin.iter().map(|p| (p.1 - y).abs()).sum::<f64>() / count;
-            rests.push(off / y.abs().max(0.05));
+            let off = |p: &[f64; 3]| (p[1] - y - slope * (p[0] - x)).abs();
+            rests.push(
+                bin.iter().map(off).sum::<f64>() / size as f64 / y.abs().max(0.05),
+            );
+            let is_on =
+                |p: &&[f64; 3]| off(p) < 1.5 * p[2] + 0.02 * p[1].abs().max(0.05);
+            on += bin.iter().filter(is_on).count();
         }
         rests.sort_by(f64::total_cmp);
         let rest = *rests.get(rests.len() / 2)?;
-        (4 <= points.len() && rest < 0.08).then_some(Self { points, rest })
+        (4 <= points.len() && rest < 0.03 && 10 * on > 9 * size * points.len())
+            .then_some(Self { points, rest })
     }
 
     /// Three of its points in words.
@@ -179,4 +189,15 @@ impl Curve {
         let three = [0, last / 2, last].map(|k| self.points[k]);
         three.map(|(x, y)| words(x, y)).join(", ")
     }
+}
+
+/// The middle of some points, and the slope of the line that lies best on them.
+fn line(points: &[[f64; 3]]) -> [f64; 3] {
+    let count = points.len() as f64;
+    let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / count;
+    let (x, y) = (mean(0), mean(1));
+    let sum = |f: &dyn Fn(&[f64; 3]) -> f64| points.iter().map(f).sum::<f64>();
+    let across = sum(&|p| (p[0] - x).powi(2));
+    let along = sum(&|p| (p[0] - x) * (p[1] - y));
+    [x, y, along / across.max(1e-12)]
 }
