@@ -163,8 +163,8 @@ impl Riddle<'_> {
         if single.is_empty() { None } else { Some(vec![single]) }
     }
 
-    /// Two things that explain every pixel together.
-    pub fn pair(&self, tree: &Tree) -> Option<[Vec<Cause>; 2]> {
+    /// Two things that explain every pixel together; or one, where it needs no other.
+    pub fn pair(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
         let wrong = self.differing();
         let evidence = self.evidence(tree, &wrong);
         // Where hardly anything is right, no object can be told by itself.
@@ -175,9 +175,18 @@ impl Riddle<'_> {
         for first in halves {
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed);
+            if rest.is_empty() {
+                // Nothing is left that a second thing could be read from.
+                let left =
+                    misses(&changed, self.yours, self.samples, self.places, 0);
+                if left.is_empty() {
+                    return Some(vec![vec![first]]);
+                }
+                continue;
+            }
             let second = self.single(&changed, &rest, false);
             if second.first().is_some_and(|second| second.of != first.of) {
-                return Some([vec![first], second]);
+                return Some(vec![vec![first], second]);
             }
         }
         None

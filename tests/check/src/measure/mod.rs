@@ -8,6 +8,7 @@ mod least;
 mod sky;
 mod words;
 
+mod black;
 mod camera;
 mod classes;
 mod pixel;
@@ -16,6 +17,7 @@ mod shown;
 mod table;
 mod view;
 
+use black::Black;
 use least::Least;
 pub use pixel::pixel;
 use sky::Sky;
@@ -53,7 +55,7 @@ pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
     if yours.width() < 2 {
         return vec![];
     }
-    let black = view::black(yours);
+    let black = Black::of(yours);
     let places = view::places(yours, black.as_ref());
     let mut stages = match explained(yours, step, &places) {
         Some((view, tree, groups)) => {
@@ -84,7 +86,7 @@ fn explained(
         Some((*view, tree, groups))
     };
     let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
-    let two = |view| riddle(view, &|riddle, tree| Some(riddle.pair(tree)?.into()));
+    let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
     let differing = |view: &&view::View| {
         let ours = view.picture(step, yours.dimensions());
         let differs =

@@ -1,6 +1,6 @@
-use super::view::{Black, View};
-use super::{Stage, Verdict, number, shown};
-use crate::formula::{Cause, Tree};
+use super::view::View;
+use super::{Black, Stage, Verdict, number, shown};
+use crate::formula::{Cause, Change, Tree};
 use crate::fov::FOV;
 use crate::{Mistake, Section, Step, section};
 use image::RgbImage;
@@ -172,6 +172,7 @@ pub(super) fn explained(
         blank(tree.step, |row| shown::verdict(&tree, row, view, yours));
     for group in groups {
         tell(&mut stages, group);
+        tell_point(&mut stages, group, &tree);
     }
     if view.fov != FOV && stages[0].verdict == Verdict::Right {
         let why = format!(
@@ -216,6 +217,38 @@ fn tell(stages: &mut [Stage], group: &[Cause]) {
                 );
                 stage.verdict = Verdict::Unknown(why);
             }
+        }
+    }
+}
+
+/// Tells that p may be wrong, too, where t is: p = S + t V.
+fn tell_point(stages: &mut [Stage], group: &[Cause], tree: &Tree) {
+    let is_t = |change: &Change| match change {
+        Change::Line(line, _) => {
+            ["t", "t'", "t_1", "t_2"].contains(&&*tree.lines[*line].name)
+        }
+        _ => false,
+    };
+    let is_wrong = |cause: &Cause| cause.changes.iter().any(is_t);
+    if !group.first().is_some_and(is_wrong) || tree.step <= Step::Nearest {
+        return;
+    }
+    unknown_point(stages);
+    let is_told = group.iter().any(|cause| cause.place.stage == "point");
+    for stage in stages.iter_mut().filter(|s| s.name == "nearest" && !is_told) {
+        stage.numbers.push(POINT.to_owned());
+    }
+}
+
+/// What else may be wrong where t seems to be.
+const POINT: &str = "or else t is right and the point p = S + t V or its n is not";
+
+/// A right point is one that can't be told, for a wrong t gives the same picture.
+fn unknown_point(stages: &mut [Stage]) {
+    for point in stages.iter_mut().filter(|s| s.name == "point and normal") {
+        if point.verdict == Verdict::Right {
+            let why = "a wrong t gives the same picture as a wrong p";
+            point.verdict = Verdict::Unknown(why.to_owned());
         }
     }
 }
@@ -293,18 +326,13 @@ pub(crate) fn of_mistakes(
                 "as the warm light's".to_owned()
             });
             if stage == "nearest" && Step::Nearest < step {
-                let told =
-                    "or else t is right and the point p = S + t V or its n is not";
-                its.numbers.push(told.to_owned());
+                its.numbers.push(POINT.to_owned());
             }
         }
     }
     let is_t = |s: &Stage| s.name == "nearest" && s.verdict == Verdict::Wrong;
     if stages.iter().any(is_t) {
-        for point in stages.iter_mut().filter(|s| s.name == "point and normal") {
-            let why = "a wrong t gives the same picture as a wrong p";
-            point.verdict = Verdict::Unknown(why.to_owned());
-        }
+        unknown_point(&mut stages);
     }
     stages
 }

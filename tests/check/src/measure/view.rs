@@ -1,3 +1,4 @@
+use super::Black;
 use crate::Step;
 use crate::fov::{FOV, fields_of_view};
 use image::RgbImage;
@@ -66,32 +67,6 @@ fn is_smooth(yours: &RgbImage) -> bool {
     edges < 3 * mixed && 3 < mixed
 }
 
-/// The last column or row, where nothing is drawn.
-pub(super) struct Black {
-    /// What is told of it.
-    pub told: String,
-    column: Option<u32>,
-    row: Option<u32>,
-}
-
-/// The last column or row, where it is black though the one before is not.
-pub(super) fn black(yours: &RgbImage) -> Option<Black> {
-    let (width, height) = yours.dimensions();
-    let is_black = |i: u32, j: u32| yours.get_pixel(i, j).0 == [0; 3];
-    let column = |i: u32| (0..height).all(|j| is_black(i, j));
-    let row = |j: u32| (0..width).all(|i| is_black(i, j));
-    let told = |what: &str, k: u32| {
-        format!("the last {what}, {what} {k}, is black: nothing is drawn there")
-    };
-    if 2 < width && column(width - 1) && !column(width - 2) {
-        let told = told("column", width - 1);
-        return Some(Black { told, column: Some(width - 1), row: None });
-    }
-    let is_row = 2 < height && row(height - 1) && !row(height - 2);
-    let told = told("row", height.saturating_sub(1));
-    is_row.then_some(Black { told, column: None, row: Some(height - 1) })
-}
-
 /// All pixels, or some 200,000 of them where there are many more; none of a black line.
 pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)> {
     let (width, height) = yours.dimensions();
@@ -99,8 +74,7 @@ pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)>
     let stride = (all / 260_000).isqrt() as usize + 1;
     let columns = move |j| (0..width).step_by(stride).map(move |i| (i, j));
     let all = (0..height).step_by(stride).flat_map(columns);
-    let is_drawn = |(i, j): &(u32, u32)| {
-        black.is_none_or(|b| b.column != Some(*i) && b.row != Some(*j))
-    };
+    let is_drawn =
+        |place: &(u32, u32)| black.is_none_or(|black| !black.has(*place));
     all.filter(is_drawn).collect()
 }
