@@ -133,7 +133,10 @@ impl Changed<'_> {
             };
         };
         Cow::Owned(match (op, &nodes[..]) {
-            (Op::Nearest, [Node::Name(order)]) => self.nearest(*order, here.ray),
+            (Op::Nearest, [Node::Name(order), margin]) => {
+                let margin = self.value(margin, here).scalar(0);
+                self.nearest(*order, margin, here.ray)
+            }
             (Op::Chosen, [Node::Name(name)]) => self.chosen(*name, here.ray),
             (Op::Sum | Op::Product | Op::Alone(_), [Node::Name(name)]) => {
                 self.total(*op, *name, here.ray)
@@ -173,8 +176,9 @@ impl Changed<'_> {
         })
     }
 
-    /// Which object has the least number, of those that are met.
-    fn nearest(&self, order: usize, ray: usize) -> Value {
+    /// Which object has the least number, of those that are met: each has to be less
+    /// than the one before it and the margin.
+    fn nearest(&self, order: usize, margin: f64, ray: usize) -> Value {
         let tree = self.context.tree;
         let there = (0..tree.count(Of::Object)).filter(|k| self.context.has(*k));
         let there = there.map(|k| (k as f64, self.name(tree.hit, ray, k), k));
@@ -188,7 +192,7 @@ impl Changed<'_> {
             for (number, t, keys) in &met {
                 let key = keys.scalar(pixel);
                 if t.scalar(pixel) != f64::INFINITY
-                    && (best.0 < 0.0 || key < best.1)
+                    && (best.0 < 0.0 || key < best.1 + margin)
                 {
                     best = (*number, key);
                 }
@@ -256,6 +260,7 @@ fn one(op: Op, v: &Value) -> Value {
         Op::Length => v.scalars(DVec3::length),
         Op::Unit => v.vectors(DVec3::normalize),
         Op::Tan => v.map(f64::tan),
+        Op::Atan => v.map(f64::atan),
         Op::Sin => v.map(f64::sin),
         Op::Cos => v.map(f64::cos),
         Op::Acos => v.map(|x| x.clamp(-1.0, 1.0).acos()),
@@ -277,6 +282,7 @@ fn two(op: Op, a: &Value, b: &Value) -> Value {
         Op::Less => a.zip(b, |a, b| f64::from(a < b)),
         Op::LessOrEqual => a.zip(b, |a, b| f64::from(a <= b)),
         Op::Pow => a.zip(b, power),
+        Op::Cross => a.cross(b),
         _ => a.dot(b),
     }
 }

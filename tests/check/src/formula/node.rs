@@ -30,12 +30,14 @@ pub(crate) enum Op {
     Max,
     Min,
     Dot,
+    Cross,
     Neg,
     Sqrt,
     Abs,
     Length,
     Unit,
     Tan,
+    Atan,
     Sin,
     Cos,
     Acos,
@@ -49,7 +51,8 @@ pub(crate) enum Op {
     Part(usize),
     /// A line of one argument, of this.
     Call(usize),
-    /// Which object is the nearest: that of the least number; −1 if none is met.
+    /// Which object is the nearest: that of a number less than the least one so far and
+    /// a margin; −1 if none is met.
     Nearest,
     /// A number of the nearest object.
     Chosen,
@@ -112,6 +115,7 @@ impl Node {
                 Some(if *a == Scalar { *b } else { *a })
             }
             (Op::Dot, [Vector, Vector]) => Some(Scalar),
+            (Op::Cross, [Vector, Vector]) => Some(Vector),
             (Op::Length, [Vector]) => Some(Scalar),
             (Op::Unit, [Vector]) => Some(Vector),
             (Op::Less | Op::LessOrEqual, [Scalar, Scalar]) => Some(Truth),
@@ -125,10 +129,11 @@ impl Node {
             {
                 Some(*a)
             }
-            (Op::Tan | Op::Sin | Op::Cos | Op::Acos | Op::Call(_), [Scalar]) => {
-                Some(Scalar)
-            }
-            (Op::Nearest, [Scalar]) => Some(Scalar),
+            (
+                Op::Tan | Op::Atan | Op::Sin | Op::Cos | Op::Acos | Op::Call(_),
+                [Scalar],
+            ) => Some(Scalar),
+            (Op::Nearest, [Scalar, Scalar]) => Some(Scalar),
             (
                 Op::Chosen
                 | Op::Sum

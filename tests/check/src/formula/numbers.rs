@@ -2,6 +2,7 @@ use super::{
     Change, Context, Evidence, Kind, Known, Node, Of, Op, Part, Tree, Value, Values,
 };
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// A number that may be another one, and the values to begin with.
 #[derive(Clone, Debug)]
@@ -128,7 +129,7 @@ fn letters(tree: &Tree, node: &Node, push: &mut dyn FnMut(Node)) {
     }
 }
 
-/// A factor, a power or a term for the whole line.
+/// A factor, a power, a term or a bound for the whole line.
 fn put_in(
     tree: &Tree,
     line: usize,
@@ -148,6 +149,7 @@ fn put_in(
     push(with(Op::Mul, Kind::Scalar), false, 1.0);
     if is_light {
         push(with(Op::Mul, Kind::Vector), true, 1.0);
+        push(with(Op::Min, Kind::Scalar), false, 1.0);
         push(with(Op::Pow, Kind::Scalar), false, 1.0);
     }
     if is_light || kind == Kind::Scalar {
@@ -185,27 +187,30 @@ fn cost(
     cost
 }
 
-/// Whether each of some pixels becomes another one with some of these values.
-fn reaches(
+/// How many of some pixels become another one with none of these values.
+fn unreached(
     evidence: &Evidence,
     values: &Values,
     unknown: &Unknown,
     some: &[DVec3],
-) -> bool {
+) -> usize {
     let pixels = |changes: &[Change], free: Value| {
         let context = Context::new(evidence.tree, changes, free);
         values.changed(&context).pixels()
     };
     let ours = pixels(&[], 0.0.into());
     let mut is_left = vec![true; ours.len()];
-    some.iter().any(|x| {
+    for x in some {
         let (change, free) = unknown.change(evidence.tree, *x);
         let both = pixels(&[change], free).into_iter().zip(&ours);
         for (left, (pixel, ours)) in is_left.iter_mut().zip(both) {
             *left &= pixel == *ours;
         }
-        !is_left.contains(&true)
-    })
+        if !is_left.contains(&true) {
+            return 0;
+        }
+    }
+    is_left.into_iter().filter(|is_left| *is_left).count()
 }
 
 /// A value for each of the channels, and what it costs.
@@ -230,14 +235,19 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let name = &*evidence.tree.lines[unknown.line].name;
     let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
     let some = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours);
-    let more = [0.3, -1.0, 6.0].map(|k| ours + k);
+    let more = [0.3, -1.0, 6.0, -6.0].map(|k| ours + k);
     let some: Vec<_> = some.into_iter().chain(more).collect();
     let [few, more, most] = evidence.parts.each_ref();
-    let reaches = |(_, values): &Known| reaches(evidence, values, unknown, &some);
-    // A small sphere may be anywhere; another number changes whatever is wrong.
+    let unreached = |known: &Known| unreached(evidence, &known.1, unknown, &some);
+    // A small sphere may be anywhere; another number changes whatever is wrong, but for
+    // what is wrong by a rounding.
+    let mut left = 0;
     let is_hopeful = match is_shape {
-        true => few.all().any(reaches),
-        false => few.wrong.iter().chain(&more.wrong).all(reaches),
+        true => few.all().any(|known| unreached(known) == 0),
+        false => few.wrong.iter().chain(&more.wrong).all(|known| {
+            left += unreached(known);
+            left <= 1 + known.0.len() / 8
+        }),
     };
     if !is_hopeful {
         return None;
@@ -251,7 +261,10 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
     let others = factors.map(|k| k * ours).into_iter();
     let near = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
-    let terms = terms.into_iter().chain(near).flat_map(|k| [k, -k]);
+    // What is nothing with us has no factors.
+    let few = [0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0].into_iter();
+    let few = few.filter(|_| ours == DVec3::ZERO && !is_shape);
+    let terms = terms.into_iter().chain(near).chain(few).flat_map(|k| [k, -k]);
     for x in others.chain(terms.map(|k| ours + k)) {
         best.take(cost(evidence, more, unknown, x, best.cost), x);
     }
@@ -306,7 +319,9 @@ fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
         })
     };
     // Each channel by itself: one may need more digits than another.
-    let mut rounds = (0..6).map(digits).collect::<Vec<_>>();
+    let mut rounds = (0..3).map(digits).collect::<Vec<_>>();
+    rounds.push(x.map(constant));
+    rounds.extend((3..6).map(digits));
     rounds.push(x);
     if !unknown.is_colour {
         return rounds.into_iter().find(|x| is_it(*x));
@@ -322,4 +337,14 @@ fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
         best = round.unwrap_or(best);
     }
     is_it(best).then_some(best)
+}
+
+/// The simple fraction, perhaps of π, that is very near; or else the number itself.
+fn constant(x: f64) -> f64 {
+    let simple = [1.0, 2.0, 4.0, 180.0];
+    let of_pi = simple.into_iter().flat_map(|k| [k * PI, PI / k, k / PI]);
+    let thirds = (1..12).flat_map(|k| [3.0, 7.0, 9.0].map(|by| f64::from(k) / by));
+    let near = |one: &f64| (x.abs() - one).abs() < 1e-3 * one;
+    let found = of_pi.chain(thirds).find(near);
+    found.map_or(x, |one| one.copysign(x))
 }

@@ -32,7 +32,11 @@ impl Print<'_> {
                 Node::Number(x) if x.is_infinite() => "no hit".to_owned(),
                 Node::Number(x) if *x == std::f64::consts::PI => "π".to_owned(),
                 Node::Number(x) => negative(number(*x), level),
-                Node::Name(name) => shown(&self.tree.lines[*name].name),
+                Node::Name(name) => match &*self.tree.lines[*name].name {
+                    "order" => "t".to_owned(),
+                    "halfway" => "normalised(l + v)".to_owned(),
+                    name => shown(name),
+                },
                 Node::Free(_) => match self.free {
                     Some(v) if v.is_vector() => vector(v.vector(0)),
                     Some(v) => negative(number(v.scalar(0)), level),
@@ -59,6 +63,7 @@ impl Print<'_> {
             Op::Mul => (self.product(&nodes[0], &nodes[1]), 4),
             Op::Div => (format!("{} / {}", at(0, 4), at(1, 5)), 4),
             Op::Dot => (format!("{}·{}", at(0, 5), at(1, 5)), 5),
+            Op::Cross => (format!("{} × {}", at(0, 5), at(1, 5)), 4),
             Op::Pow if nodes[1] == Node::Number(2.0) => {
                 (format!("{}²", at(0, 6)), 5)
             }
@@ -79,6 +84,7 @@ impl Print<'_> {
             Op::Min => call("min"),
             Op::Unit => call("normalised"),
             Op::Tan => call("tan"),
+            Op::Atan => call("atan"),
             Op::Sin => call("sin"),
             Op::Cos => call("cos"),
             Op::Acos => call("acos"),
@@ -94,7 +100,14 @@ impl Print<'_> {
             }
             Op::Alone(0) => (format!("{} of the first alone", at(0, 9)), 2),
             Op::Alone(_) => (format!("{} of the last alone", at(0, 9)), 2),
-            Op::Nearest => (format!("that of the least {}", at(0, 9)), 2),
+            Op::Nearest if nodes[1] == Node::Number(0.0) => {
+                (format!("that of the least {}", at(0, 9)), 2)
+            }
+            Op::Nearest => {
+                let t = at(0, 9);
+                let far = format!("{t} < {t} so far + {}", at(1, 3));
+                (format!("that of the last with {far}"), 2)
+            }
             Op::Chosen => (format!("{} of the nearest", at(0, 9)), 2),
             Op::Last => (format!("the last {} by the number of all", at(0, 9)), 2),
             Op::Mean => (format!("the mean of {}", at(0, 9)), 2),

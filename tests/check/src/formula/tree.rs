@@ -235,9 +235,11 @@ impl Tree {
         self.lines[last].is_needed = true;
         // Letters that may be taken for others, although nothing needs them yet.
         let others: &[&str] = match self.step {
-            Step::Rays | Step::Sphere => &[],
-            Step::Nearest => &["t'"],
-            Step::Diffuse | Step::Phong => &["t'", "v"],
+            Step::Rays => &[],
+            Step::Sphere => &["t'"],
+            Step::Nearest => &["t'", "centre'", "radius'"],
+            Step::Diffuse => &["t'", "v"],
+            Step::Phong => &["t'", "v", "halfway"],
         };
         for line in self.lines.iter_mut().filter(|l| others.contains(&&*l.name)) {
             line.is_needed = true;

@@ -156,6 +156,14 @@ impl Value {
         }
     }
 
+    /// l × n of each two.
+    pub fn cross(&self, other: &Self) -> Self {
+        match (self.list(), other.list()) {
+            (List::Vectors(a), List::Vectors(b)) => zip(a, b, DVec3::cross).into(),
+            _ => self.clone(),
+        }
+    }
+
     /// The number, where all rays have the same.
     pub fn uniform(&self) -> Option<f64> {
         let List::Scalars(all) = self.list() else { return None };

@@ -64,6 +64,10 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
             "bytes above 255 wrap, they begin again at 0: modulo 256, not clamped"
                 .to_owned();
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
+        let most = Node::of(Op::Min, [node.clone(), Node::Number(127.0)]);
+        let says = "bytes end at 127, as those with a sign do".to_owned();
+        let changes = vec![Change::Line(byte, most)];
+        all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
     }
 }
 
@@ -71,7 +75,7 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
 pub(super) fn exchanges(tree: &Tree, all: &mut Vec<Edit>) {
     let lines = || {
         let all = tree.lines.iter().enumerate();
-        all.filter(|(_, l)| l.is_needed && !l.is_function)
+        all.filter(|(_, l)| l.is_needed && !l.is_function && &*l.name != "halfway")
     };
     for (k, one) in lines() {
         for (l, two) in lines().filter(|(l, _)| k < *l && *l < k + 6) {

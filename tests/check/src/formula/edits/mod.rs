@@ -2,6 +2,8 @@ mod lines;
 mod names;
 mod places;
 mod scene;
+mod terms;
+mod vectors;
 
 use super::{Change, Kind, Line, Node, Of, Op, Tree};
 use lines::{exchanges, rays};

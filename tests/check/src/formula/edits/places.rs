@@ -1,3 +1,5 @@
+use super::terms::terms;
+use super::vectors::parts;
 use super::{Ranked, Scope};
 use crate::formula::{Kind, Node, Of, Op};
 use std::f64::consts::PI;
@@ -37,6 +39,9 @@ impl Scope<'_> {
                 with(Op::Sub, 1.0),
             ];
             all.extend(likely.map(|other| (1, other)));
+            let rest = Node::of(Op::Div, [node.clone(), with(Op::Add, 1.0)]);
+            let unlikely = [with(Op::Max, 1.0), with(Op::Min, 0.0), rest];
+            all.extend(unlikely.map(|other| (2, other)));
             for by in [3.0, 4.0] {
                 all.extend([Op::Mul, Op::Div].map(|op| (2, with(op, by))));
             }
@@ -66,7 +71,7 @@ impl Scope<'_> {
             let square = from(Op::Sub, 1.0)
                 .map(&|n| (n == node).then(|| with(Op::Pow, 2.0)));
             all.push((2, Node::of(Op::Sqrt, [square])));
-            all.push((2, one(Op::Acos)));
+            all.extend([Op::Acos, Op::Cos, Op::Sin].map(|op| (2, one(op))));
         }
         if kind == Some(Kind::Vector) {
             all.push((0, one(Op::Unit)));
@@ -82,8 +87,14 @@ impl Scope<'_> {
                 all.push((2, Node::of(Op::Vector, axes.map(part))));
             }
         }
+        if kind == Some(Kind::Vector) {
+            all.extend(self.reduced(node));
+        }
         if let Node::Name(name) = node {
             all.extend(self.counted(&self.tree.lines[*name].name, node));
+        }
+        if matches!(node, Node::Name(_) | Node::Of(Op::Call(_), _)) {
+            all.extend(self.measured(node));
         }
         all
     }
@@ -108,6 +119,7 @@ impl Scope<'_> {
         let of = |rank: u8, op: Op| (rank, Node::of(op, nodes));
         let mut all = vec![];
         match (op, nodes) {
+            (Op::Nearest, _) => {}
             (Op::If, [truth, a, b]) => {
                 all.push((0, a.clone()));
                 all.push((0, b.clone()));
@@ -137,9 +149,13 @@ impl Scope<'_> {
                     Op::Mul | Op::Div => &[Op::Mul, Op::Div, Op::Add, Op::Sub],
                     Op::Pow => &[Op::Mul, Op::Div],
                     Op::Max => &[Op::Min],
+                    Op::Dot => &[Op::Mul],
                     _ => &[],
                 };
                 all.extend(others.iter().map(|other| of(0, *other)));
+                let turned = others.iter().filter(|other| **other != op);
+                let turned = turned.map(|op| Node::of(*op, [b.clone(), a.clone()]));
+                all.extend(turned.map(|other| (1, other)));
                 if let (Op::Add, Node::Of(Op::Add, two)) = (op, a) {
                     let last = [two[1].clone(), b.clone()];
                     for other in [Op::Mul, Op::Div] {
@@ -150,17 +166,27 @@ impl Scope<'_> {
                 if op == Op::Max {
                     all.push((0, Node::of(Op::Abs, [a.clone()])));
                 }
+                if op == Op::Dot && self.line.of == Of::Light {
+                    all.extend(self.dots());
+                }
                 all.extend(regrouped(op, a, b));
+                all.extend(terms(op, a, b));
             }
             (_, [a]) => {
                 all.push((0, a.clone()));
                 match op {
                     Op::Tan => {
-                        all.extend([Op::Sin, Op::Cos].map(|other| of(0, other)));
+                        let others = [Op::Sin, Op::Cos, Op::Atan];
+                        all.extend(others.map(|other| of(0, other)));
                     }
                     Op::Floor => all.push(of(0, Op::Ceil)),
                     Op::Length => {
                         all.push((0, Node::of(Op::Dot, [a.clone(), a.clone()])));
+                        all.extend(parts(a).map(|x| (1, Node::of(Op::Abs, [x]))));
+                    }
+                    Op::Unit => {
+                        let square = Node::of(Op::Dot, [a.clone(), a.clone()]);
+                        all.push((1, Node::of(Op::Div, [a.clone(), square])));
                     }
                     Op::Sum => {
                         all.push(of(0, Op::Alone(0)));

@@ -53,7 +53,7 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
             let name = tree.object(k);
             push(
                 "nearest",
-                if k == 0 || k == count - 1 { 0 } else { 1 },
+                0,
                 vec![Change::Without(k)],
                 format!("{name} is left out, the one at place {k} of the list"),
             );
@@ -73,6 +73,7 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
         materials(tree, &mut push);
     }
     lamps(tree, &mut push);
+    turned(tree, &mut push);
     if let (Some(line), Some(ambient), Some(one)) =
         (tree.find("I"), tree.find("I_a"), tree.find("I_d"))
         && tree.lines[one].is_needed
@@ -120,6 +121,36 @@ fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) 
                 _ => names[0],
             };
             push(line, 1, changes, says);
+        }
+    }
+}
+
+/// Two numbers of one object or of one light that have changed places.
+fn turned(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
+    let pairs = [("x_0", "y_0"), ("y_0", "z_0"), ("x_0", "z_0")];
+    let fades = [("a'", "b'"), ("b'", "c'"), ("a'", "c'")];
+    for (one, two) in pairs.into_iter().chain(fades) {
+        let (Some(k), Some(l)) = (tree.find(one), tree.find(two)) else { continue };
+        let (of, its) = match one {
+            "x_0" | "y_0" => (Of::Object, "its centre"),
+            _ => (Of::Light, "a + bd + cd²"),
+        };
+        for which in 0..tree.count(of) {
+            let name = match of {
+                Of::Object => tree.object(which),
+                _ => ["the warm light", "the cool light"][which],
+            };
+            let given = |line: usize| tree.lines[line].given[which].clone();
+            let changes = vec![
+                Change::Given(k, which, given(l)),
+                Change::Given(l, which, given(k)),
+            ];
+            let letters = [one, two].map(|n| n.trim_end_matches(['\'', '0', '_']));
+            let says = format!(
+                "{} and {} in {its} have changed places, those of {name}",
+                letters[0], letters[1]
+            );
+            push(one, 1, changes, says);
         }
     }
 }

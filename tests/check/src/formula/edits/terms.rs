@@ -1,0 +1,57 @@
+use super::Ranked;
+use crate::formula::{Node, Op};
+
+/// A sum or a product of which one sign is another, or a number is in another term.
+pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
+    let mut all = vec![];
+    let of = |op: Op, a: &Node, b: &Node| Node::of(op, [a.clone(), b.clone()]);
+    match (op, a, b) {
+        (Op::Mul, Node::Of(Op::Mul, two), _) => {
+            let last = of(Op::Mul, &two[1], b);
+            all.extend([Op::Add, Op::Sub].map(|op| of(op, &two[0], &last)));
+            let sums = [Op::Add, Op::Sub].map(|op| of(op, &two[1], b));
+            all.extend(sums.map(|sum| of(Op::Mul, &two[0], &sum)));
+        }
+        (Op::Add, Node::Of(Op::Add, two), _) => {
+            all.push(of(Op::Mul, &two[0], &of(Op::Add, &two[1], b)));
+        }
+        (Op::Dot, ..) => {
+            let cross = of(Op::Cross, a, b);
+            all.push(Node::of(Op::Length, [cross]));
+        }
+        _ => {}
+    }
+    if matches!(op, Op::Add | Op::Sub) {
+        if let Some((number, rest)) = factor(a) {
+            all.push(of(op, &rest, &of(Op::Mul, &number, b)));
+        }
+        if let (Some(a), Some(b)) = (root(a), root(b)) {
+            let two = Node::Number(2.0);
+            all.push(of(Op::Pow, &of(op, &a, &b), &two));
+        }
+    }
+    all.into_iter().map(|node| (1, node)).collect()
+}
+
+/// The number with which a product begins, and what is left.
+fn factor(node: &Node) -> Option<(Node, Node)> {
+    let Node::Of(Op::Mul, two) = node else { return None };
+    match &two[0] {
+        number @ Node::Number(_) => Some((number.clone(), two[1].clone())),
+        first => {
+            let (number, rest) = factor(first)?;
+            Some((number, Node::of(Op::Mul, [rest, two[1].clone()])))
+        }
+    }
+}
+
+/// What a square is the square of.
+fn root(node: &Node) -> Option<Node> {
+    match node {
+        Node::Of(Op::Dot, two) if two[0] == two[1] => {
+            Some(Node::of(Op::Length, [two[0].clone()]))
+        }
+        Node::Of(Op::Mul, two) if two[0] == two[1] => Some(two[0].clone()),
+        _ => None,
+    }
+}
