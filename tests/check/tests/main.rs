@@ -9,6 +9,7 @@ mod kinds;
 mod measure;
 mod mistakes;
 mod program;
+mod slips;
 
 use ::check::Locked;
 use gallery::{Mistake, Parts, Step, camera};

@@ -128,6 +128,70 @@ fn two_stages_are_told_separately() {
 }
 
 #[test]
+fn a_wrong_t_leaves_the_point_open() {
+    let stages = of(Step::Diffuse, |parts| parts.point = |ray, t| ray.at(t - 0.1));
+    let point = "or else t is right and the point p = S + t V";
+    assert_wrong(&stages, "nearest", point, &[]);
+    assert_ne!(named(&stages, "point and normal").verdict, Verdict::Right);
+}
+
+#[test]
+fn what_one_number_explains_needs_no_second_one() {
+    let stages = of(Step::Diffuse, |parts| {
+        parts.scene.lights[1].point.position.y = 22.0;
+    });
+    assert_wrong(&stages, "diffuse, cool", "(5.5, 22, −11.5)", &[]);
+}
+
+#[test]
+fn what_depends_on_more_than_the_distance_is_no_attenuation() {
+    let stages = of(Step::Diffuse, |parts| {
+        parts.normal = |sphere, p| (p - sphere.centre) / (p.length() + 0.7);
+    });
+    assert_ne!(
+        named(&stages, "attenuation").verdict,
+        Verdict::Wrong,
+        "{stages:#?}"
+    );
+}
+
+#[test]
+fn one_colour_is_no_camera() {
+    for odd in [0, 3] {
+        let mut picture = Step::Phong.picture(&camera(320, 180), 1);
+        for byte in picture.iter_mut() {
+            *byte = (*byte).min(127) ^ if *byte < 127 { odd } else { 0 };
+        }
+        let stages = stages(&picture, Step::Phong);
+        assert_ne!(named(&stages, "rays").verdict, Verdict::Wrong, "{stages:#?}");
+        if odd == 0 {
+            assert_wrong(&stages, "sum, bytes, order", "bytes end at 127", &[]);
+        }
+    }
+}
+
+#[test]
+fn columns_and_rows_that_are_not_drawn_are_told_and_a_black_sky_is_not() {
+    let right = Step::Phong.picture(&camera(320, 180), 1);
+    let without = |is_drawn: fn(u32, u32) -> bool| {
+        let picture = RgbImage::from_fn(320, 180, |i, j| {
+            if is_drawn(i, j) { *right.get_pixel(i, j) } else { Rgb([0; 3]) }
+        });
+        stages(&picture, Step::Phong)
+    };
+    let sum = "sum, bytes, order";
+    let first = "the first column, column 0, is black";
+    assert_wrong(&without(|i, _| 0 < i), sum, first, &[]);
+    let last = "the last 20 rows, 160 to 179, are black";
+    assert_wrong(&without(|_, j| j < 160), sum, last, &[]);
+    let second = "only one column of 2 is drawn, from column 0 on";
+    assert_wrong(&without(|i, _| i % 2 == 0), sum, second, &[]);
+    let black = of(Step::Nearest, |parts| parts.miss = |_| glam::DVec3::ZERO);
+    let told = black.iter().flat_map(|stage| &stage.numbers);
+    assert!(!told.into_iter().any(|told| told.contains("drawn")), "{black:#?}");
+}
+
+#[test]
 fn no_picture_is_too_small_or_too_odd() {
     for (width, height) in [(1, 1), (1, 9), (2, 1), (3, 2), (17, 200)] {
         for step in [Step::Rays, Step::Nearest, Step::Phong] {

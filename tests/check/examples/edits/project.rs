@@ -24,7 +24,8 @@ impl Project {
         fs::create_dir_all(project.folder.join("pictures"))?;
         for name in ["Cargo.lock", "Cargo.toml"] {
             let text = fs::read_to_string(workspace().join(name))?;
-            let lines: Vec<_> = text.lines().filter(|line| is_of_steps(line)).collect();
+            let lines: Vec<_> =
+                text.lines().filter(|line| is_of_steps(line)).collect();
             changed(&project.folder.join(name), &lines.join("\n"))?;
         }
         let steps = Step::ALL.map(|step| Path::new("steps").join(step.name()));
@@ -146,7 +147,8 @@ impl Project {
 
 /// Whether a line of the workspace's manifest names no member, or a step.
 fn is_of_steps(line: &str) -> bool {
-    let member = line.trim().strip_prefix('"').and_then(|it| it.strip_suffix("\","));
+    let member =
+        line.trim().strip_prefix('"').and_then(|it| it.strip_suffix("\","));
     member.is_none_or(|member| member.starts_with("steps/"))
 }
 

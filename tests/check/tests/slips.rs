@@ -1,0 +1,156 @@
+//! Slips of the hand that no list has, one of each kind: told as the formula that they
+//! are.
+
+use ::check::{Verdict, stages};
+use gallery::{Parts, Step, camera};
+use glam::DVec3;
+use step04_diffuse::diffuse;
+use step05_phong::specular;
+
+/// Asserts that one slip is told as this formula, in its own stage and in no other.
+fn assert_told(step: Step, change: fn(&mut Parts), stage: &str, formula: &str) {
+    let mut parts = Parts::right(&camera(160, 90));
+    change(&mut parts);
+    let stages = stages(&parts.picture(step, 1), step);
+    let wrong = stages.iter().filter(|one| one.verdict == Verdict::Wrong);
+    let wrong: Vec<_> = wrong.collect();
+    let is_it = wrong.iter().all(|one| one.name.starts_with(stage));
+    assert!(is_it && !wrong.is_empty(), "{stage}: {stages:#?}");
+    let told = wrong[0].numbers.join("; ");
+    assert!(told.contains(formula), "{formula} is not in {told}");
+}
+
+#[test]
+fn a_name_for_another_kind_of_thing() {
+    let normal = "point and normal";
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.normal = |sphere, p| (p - sphere.centre) / p.length(),
+        normal,
+        "n = (p − centre) / |p|",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.normal = |sphere, p| (p - sphere.radius) / sphere.radius,
+        normal,
+        "n = (p − radius) / radius",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            parts.diffuse = |n, l, d, surface, light| {
+                let mut light = *light;
+                light.diffuse = DVec3::splat(light.diffuse.x);
+                diffuse(n, l, d, surface, &light)
+            };
+        },
+        "diffuse",
+        "max(l·n, 0) L_d_x",
+    );
+}
+
+#[test]
+fn a_part_that_is_forgotten() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            parts.diffuse = |n, l, d, surface, light| {
+                diffuse(n, l.with_z(0.0), d, surface, light)
+            };
+        },
+        "diffuse",
+        "(l_x, l_y, 0)·n",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| {
+            parts.seen_from = |light, p| {
+                let w = light.position - p;
+                (w.normalize(), w.z.abs())
+            };
+        },
+        "attenuation",
+        "d = |w_z|",
+    );
+}
+
+#[test]
+fn a_sign_a_factor_or_a_square_in_another_place() {
+    assert_told(
+        Step::Phong,
+        |parts| parts.reflect = |l, n| 2.0 + n.dot(l) * n - l,
+        "specular",
+        "r = 2 + n·l n − l",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| parts.reflect = |l, n| n.dot(l) * n - 2.0 * l,
+        "specular",
+        "r = n·l n − 2 l",
+    );
+    assert_told(
+        Step::Nearest,
+        |parts| {
+            parts.coefficients = |sphere, ray| {
+                let (a, b, _) = sphere.coefficients(ray);
+                let s = ray.start - sphere.centre;
+                (a, b, (s.length() - sphere.radius).powi(2))
+            };
+        },
+        "outlines",
+        "c = (|s| − radius)²",
+    );
+}
+
+#[test]
+fn another_number_or_bound() {
+    assert_told(
+        Step::Phong,
+        |parts| {
+            parts.specular = |r, v, d, material, light| match r.dot(v) {
+                ..=0.9 => DVec3::ZERO,
+                _ => specular(r, v, d, material, light),
+            };
+        },
+        "specular",
+        "0 if cosine ≤ 0.9",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            for object in &mut parts.scene.objects {
+                object.material.material.surface.diffuse /= std::f64::consts::PI;
+            }
+        },
+        "diffuse",
+        "R_d = colour · 0.3183",
+    );
+    assert_told(
+        Step::Rays,
+        |parts| parts.byte = |x| (255.0 * (x / (1.0 + x)) + 0.5) as u8,
+        "s",
+        "B = floor(255 (M / (M + 1)) + 0.5)",
+    );
+}
+
+#[test]
+fn two_numbers_of_a_light_and_a_margin_of_the_nearest() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            let fade = &mut parts.scene.lights[0].point.attenuation;
+            (fade.a, fade.b) = (fade.b, fade.a);
+        },
+        "attenuation",
+        "a and b in a + bd + cd² have changed places, those of the warm light",
+    );
+    assert_told(
+        Step::Nearest,
+        |parts| {
+            parts.nearest =
+                |all| all.reduce(|a, b| if b.t < a.t + 1.0 { b } else { a });
+        },
+        "nearest",
+        "that of the last with t < t so far + 1",
+    );
+}
