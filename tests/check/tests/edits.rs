@@ -38,6 +38,11 @@ fn every_edit_stands_once_in_its_file() {
 #[test]
 fn cargo_reads_the_copy_of_the_steps_that_is_edited() {
     Project::new(false).expect("a copy");
+    let [ours, copy] = ["Cargo.toml", "target/edits/Cargo.toml"].map(|file| {
+        fs::read_to_string(workspace().join(file)).expect("a manifest")
+    });
+    let rest = |text: &str| text.split_once("]\n\n").map(|(_, rest)| rest.len());
+    assert_eq!(rest(ours.trim_end()), rest(&copy), "all but the members");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["metadata", "--offline", "--format-version", "1"]);
     cargo.current_dir(workspace().join("target/edits"));

@@ -113,7 +113,7 @@ fn another_number_or_bound() {
             };
         },
         "specular",
-        "0 if cosine ≤ 0.9",
+        "0 if r·v ≤ 0.9",
     );
     assert_told(
         Step::Diffuse,

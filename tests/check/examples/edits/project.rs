@@ -145,11 +145,10 @@ impl Project {
     }
 }
 
-/// Whether a line of the workspace's manifest names no member, or a step.
+/// Whether a line of the workspace's manifest names no folder but those of the steps.
 fn is_of_steps(line: &str) -> bool {
-    let member =
-        line.trim().strip_prefix('"').and_then(|it| it.strip_suffix("\","));
-    member.is_none_or(|member| member.starts_with("steps/"))
+    let member = line.trim().trim_matches(['"', ',']);
+    member.is_empty() || !workspace().join(member).is_dir()
 }
 
 /// Writes a file only where it changes, so that nothing is compiled twice.

@@ -35,6 +35,9 @@ impl Print<'_> {
                 Node::Name(name) => match &*self.tree.lines[*name].name {
                     "order" => "t".to_owned(),
                     "halfway" => "normalised(l + v)".to_owned(),
+                    // In a power it needs parentheses.
+                    "cosine" if 5 < level => "(r·v)".to_owned(),
+                    "cosine" => "r·v".to_owned(),
                     name => shown(name),
                 },
                 Node::Free(_) => match self.free {
