@@ -6,11 +6,10 @@
 import { launch } from 'chrome-launcher';
 import lighthouse from 'lighthouse';
 import { spawnSync } from 'node:child_process';
-import { readFileSync, readdirSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname, join, resolve } from 'node:path';
-import { gzipSync } from 'node:zlib';
+import { readdirSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import vnu from 'vnu-jar';
+import { serve } from './server.mjs';
 
 const folder = resolve(process.argv[2]);
 const faults = new Set();
@@ -27,32 +26,13 @@ else {
   }
 }
 
-const types = {
-  '.css': 'text/css', '.html': 'text/html; charset=utf-8', '.js': 'text/javascript',
-  '.png': 'image/png', '.svg': 'image/svg+xml', '.woff2': 'font/woff2',
-};
-const server = createServer((request, response) => {
-  const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
-  try {
-    const bytes = readFileSync(join(folder, path));
-    const isText = ['.css', '.html', '.js', '.svg'].includes(extname(path));
-    response.writeHead(200, {
-      'content-type': types[extname(path)] ?? 'application/octet-stream',
-      'cache-control': 'max-age=31536000',
-      ...(isText && { 'content-encoding': 'gzip' }),
-    });
-    response.end(isText ? gzipSync(bytes) : bytes);
-  } catch {
-    response.writeHead(404).end();
-  }
-});
-await new Promise(done => server.listen(0, done));
+const server = await serve(folder);
 const browser = await launch({
   chromePath: process.env.CHROMIUM,
   chromeFlags: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking'],
 });
 for (const page of ['index', 'step01_rays', 'mistakes']) {
-  const url = `http://localhost:${server.address().port}/${page}.html`;
+  const url = `${server.home}${page}.html`;
   const { lhr } = await lighthouse(url, { port: browser.port, logLevel: 'error' });
   const scores = Object.values(lhr.categories).map(({ id, score }) => [id, Math.round(100 * score)]);
   const shift = lhr.audits['cumulative-layout-shift'].numericValue;

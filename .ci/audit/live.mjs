@@ -10,9 +10,12 @@ import { chromium } from 'playwright-core';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { serve } from './server.mjs';
 
 const folder = resolve(process.argv[2]);
-const home = pathToFileURL(folder).href + '/';
+// A wide screen gets the pages from a server, a narrow one from the folder.
+const server = await serve(folder);
+const homes = { 1280: server.home, 390: pathToFileURL(folder).href + '/' };
 const pages = readdirSync(folder).filter(name => name.endsWith('.html') && name !== 'print.html'
   && /<(figure|form)[^>]* data-live=/.test(readFileSync(join(folder, name), 'utf8')));
 const browser = await chromium.launch({
@@ -252,7 +255,7 @@ async function ask(tab, form, where, isThorough) {
 }
 
 async function tryPage(page, width) {
-  const isWide = width === 1280;
+  const [isWide, home] = [width === 1280, homes[width]];
   const html = readFileSync(join(folder, page), 'utf8');
   const context = await browser.newContext({ viewport: { width, height: 900 } });
   const tab = await context.newPage();
@@ -285,6 +288,7 @@ const work = async () => {
 };
 await Promise.all([work(), work()]);
 await browser.close();
+server.close();
 faults.forEach(what => console.log(what));
 console.log(`${pages.length} pages, ${faults.length} faults`);
 process.exit(faults.length ? 1 : 0);

@@ -1,7 +1,7 @@
 use crate::draft::{self, Chapter};
 use crate::fault::{self, Fault};
 use crate::files::CHAPTERS;
-use crate::picture;
+use crate::pictures;
 use anyhow::{Context, Result};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
@@ -24,7 +24,7 @@ impl Preprocessor for Course {
         let root = absolute(&context.root)?;
         let workspace =
             root.parent().context("the book is a folder of a workspace")?;
-        picture::copy_snapshots(workspace)?;
+        pictures::write(workspace)?;
         let url = context.config.get::<String>("output.html.git-repository-url")?;
         let ours = our_folder(workspace, url.as_deref());
         let chapters: Vec<_> = book.chapters().collect();

@@ -256,8 +256,6 @@ impl Draft<'_> {
             }
         }
         markdown += &self.text[from..];
-        // The first picture is in view from the start.
-        markdown = markdown.replacen(picture::LAZY, "", 1);
         self.faults.sort();
         let line = |at: usize| 1 + self.text[..at].matches('\n').count();
         let faults = self.faults.into_iter().map(|(at, what)| (line(at), what));

@@ -1,5 +1,5 @@
 //! What is finished in a page that mdBook has written, so that it is shown quickly: its
-//! styles are in it, and its first picture does not wait.
+//! styles are in it, and neither its first picture nor its faces wait.
 
 use crate::Files;
 use crate::files::joined;
@@ -7,7 +7,7 @@ use crate::picture::LAZY;
 
 /// A page with all that it needs to be shown; `files` are those of the book.
 pub fn finished(html: &str, files: &Files) -> String {
-    let html = listed(&styled(html, files));
+    let html = listed(&faced(&styled(html, files)));
     let Some(at) = html.find("<main") else { return html };
     let (head, text) = html.split_at(at);
     head.to_owned() + &text.replacen(LAZY, " fetchpriority=\"high\"", 1)
@@ -42,6 +42,14 @@ fn moved(css: &str, path: &str) -> String {
     })
 }
 
+/// The page, which begins with all faces if it has formulas: then it has code, too.
+fn faced(html: &str) -> String {
+    const FIRST: &str = "\"literata\", \"source-sans\"";
+    const ALL: &str = "\"literata\", \"literata-italic\", \"source-sans\", \
+                       \"course-math\", \"jetbrains-mono\"";
+    if html.contains("<math") { html.replace(FIRST, ALL) } else { html.to_owned() }
+}
+
 /// mdBook puts the title of a part into an item of its own, and HTML has no such item.
 fn listed(html: &str) -> String {
     let title = "<li class=\"part-title\">";
@@ -56,20 +64,23 @@ fn styles_and_the_first_picture_come_at_once() {
     let files = files.map(|(path, text)| (path.to_owned(), text.into()));
     let link = |path| format!("<link rel=\"stylesheet\" href=\"{path}\">\n");
     let html = format!(
-        "<head>\n<title>A</title>\n{}{}</head>\n\
+        "<head>\n<title>A</title>\n{}{}\
+         <script>\nconst faces = [\"literata\", \"source-sans\"];\n</script>\n</head>\n\
          <li class=\"chapter-item expanded \"><li class=\"part-title\">B</li></li>\n\
-         <main><img src=\"c.png\"{LAZY}><img src=\"d.png\"{LAZY}></main>",
+         <main><img src=\"c.png\"{LAZY}><img src=\"d.png\"{LAZY}>\
+         <math></math></main>",
         link("fonts/fonts.css"),
         link("a.css"),
     );
     let page = finished(&html, &Files(files.into()));
     let style = "<style>\n@font-face { src: url(\"fonts/literata.woff2\"); }\n\
-                 p { color: red; }\n</style>\n</head>";
+                 p { color: red; }\n</style>\n<script>";
     let pictures = format!(
         "<main><img src=\"c.png\" fetchpriority=\"high\"><img src=\"d.png\"{LAZY}>"
     );
     let title = "\n<li class=\"part-title\">B</li>\n";
-    for part in [style, &pictures, title] {
+    let faces = "\"course-math\", \"jetbrains-mono\"];";
+    for part in [style, &pictures, title, faces] {
         assert!(page.contains(part), "no {part} in {page}");
     }
 }

@@ -16,8 +16,10 @@ mod check;
 mod excerpt;
 mod figure;
 mod gallery;
+mod knobs;
 mod module;
 mod picture;
+mod pictures;
 mod values;
 
 mod draft;

@@ -1,17 +1,16 @@
-use crate::files::{CHAPTERS, Files};
+use crate::files::CHAPTERS;
 use crate::markdown::inline;
-use crate::module;
-use crate::{chain, gallery};
-use anyhow::{Context, Result};
-use image::{ColorType, ImageFormat, write_buffer_with_format};
-use live::{Live, Sight, escape};
-use std::collections::BTreeMap;
+use crate::pictures::HALF;
+use crate::{chain, knobs};
+use live::{Live, escape};
 use std::fs;
-use std::io::Cursor;
 use std::path::Path;
 
 /// What makes a picture load when it comes into view.
 pub const LAZY: &str = r#" loading="lazy""#;
+
+/// How wide a picture is in the page.
+const SIZES: &str = "(max-width: 950px) 88vw, 882px";
 
 /// A picture as a chapter asks for it: `![what it shows](pictures/name.png
 /// "Caption")`.
@@ -55,8 +54,16 @@ impl Picture {
             .map_err(|_| format!("there is no picture {source}"))?;
         let (width, height) = size(&bytes)
             .ok_or_else(|| format!("the picture {source} is not a PNG file"))?;
+        let half = source.replace(".png", HALF);
+        let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
+            true => format!(
+                r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#,
+                width / 2
+            ),
+            false => String::new(),
+        };
         Ok(format!(
-            r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
+            r#"<img src="{}"{smaller} alt="{}" width="{width}" height="{height}"{LAZY}>"#,
             escape(source),
             escape(alt)
         ))
@@ -74,10 +81,11 @@ pub fn figure(
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
-        let (mut data, mut below) = Default::default();
+        let (mut data, mut knobs, mut below) = Default::default();
         if let Some(name) = live {
             let answers = picture.live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
+            knobs = knobs::html(answers);
             if answers.is_asked() {
                 below = chain::html(answers, workspace)?;
             }
@@ -89,7 +97,7 @@ pub fn figure(
             }
         };
         figures += &format!(
-            "<figure class=\"picture\"{data}>{image}{caption}</figure>\n{below}"
+            "<figure class=\"picture\"{data}>{image}{knobs}{caption}</figure>\n{below}"
         );
     }
     Ok(match pictures {
@@ -99,57 +107,9 @@ pub fn figure(
 }
 
 /// Width and height, which stand at a fixed place in a PNG file.
-fn size(png: &[u8]) -> Option<(u32, u32)> {
+pub fn size(png: &[u8]) -> Option<(u32, u32)> {
     let number =
         |at: usize| Some(u32::from_be_bytes(png.get(at..at + 4)?.try_into().ok()?));
     png.starts_with(b"\x89PNG").then_some(())?;
     Some((number(16)?, number(20)?))
-}
-
-/// Copies the locked snapshots beside the chapters, draws the gallery of mistakes
-/// and what answers with a picture of its own there, adds the modules for the pages, and removes what is neither.
-///
-/// A file that is right already is left alone, so that a watching program is not
-/// woken.
-pub fn copy_snapshots(workspace: &Path) -> Result<()> {
-    let folder = workspace.join(CHAPTERS).join("pictures");
-    fs::create_dir_all(&folder)
-        .with_context(|| format!("{} can't be made", folder.display()))?;
-    let mut names = gallery::draw(&folder)?;
-    let old = Files::read(&folder)?.0;
-    let mut pictures = BTreeMap::new();
-    for live in live::LIVE {
-        if let Sight::Picture { size, pixels } = (live.sight)(&live.values()) {
-            pictures.insert(format!("{}.png", live.name), encoded(size, &pixels)?);
-        }
-    }
-    for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
-        let Some(name) = name.strip_suffix(".snap.png") else { continue };
-        pictures.insert(format!("{name}.png"), bytes);
-    }
-    for (name, bytes) in pictures {
-        if old.get(&name) != Some(&bytes) {
-            fs::write(folder.join(&name), bytes).with_context(|| name.clone())?;
-        }
-        names.push(name);
-    }
-    names.extend(module::write(workspace, &folder)?);
-    for stale in old.keys().filter(|name| !names.contains(name)) {
-        fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
-    }
-    Ok(())
-}
-
-/// A PNG file of these pixels, of four bytes each.
-fn encoded([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
-    let mut png = Cursor::new(vec![]);
-    write_buffer_with_format(
-        &mut png,
-        pixels,
-        width,
-        height,
-        ColorType::Rgba8,
-        ImageFormat::Png,
-    )?;
-    Ok(png.into_inner())
 }

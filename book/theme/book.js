@@ -97,7 +97,10 @@ function whenNear(elements, near) {
             link.append(...heading.cloneNode(true).querySelector("a.header").childNodes);
         }
         if (list.children.length) here.closest("li").append(list);
-        if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
+        // Once the page is laid out, as it will be anyway.
+        requestAnimationFrame(() => {
+            if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
+        });
     }
 }
 
@@ -135,15 +138,20 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
 
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
+    // All are measured before any is changed: the page is laid out once.
     const mend = () => {
-        for (const box of document.querySelectorAll("pre, .formula, .table-wrapper, .stage")) {
-            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+        const boxes = [...document.querySelectorAll("pre, .formula, .table-wrapper, .stage")];
+        const wide = boxes.map(box => box.scrollWidth > box.clientWidth);
+        boxes.forEach((box, k) => {
+            if (wide[k]) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
-        }
+        });
     };
-    mend();
-    addEventListener("resize", mend);
-    document.fonts?.ready.then(mend);
+    let due;
+    const later = () => { cancelAnimationFrame(due); due = requestAnimationFrame(mend); };
+    addEventListener("load", later);
+    addEventListener("resize", later);
+    document.fonts?.addEventListener("loadingdone", later);
 }
 
 // The arrow keys turn to the chapters before and after.

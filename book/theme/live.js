@@ -12,7 +12,12 @@ const liveModule = (() => {
         const script = make("script", { src: `${path_to_root}pictures/${name}-module.js` });
         script.onerror = reject;
         document.head.append(script);
-    }).then(base64 => WebAssembly.compile(Uint8Array.from(atob(base64), letter => letter.charCodeAt(0))));
+    }).then(base64 => {
+        const letters = atob(base64);
+        const bytes = new Uint8Array(letters.length);
+        for (let k = 0; k < bytes.length; k += 1) bytes[k] = letters.charCodeAt(k);
+        return WebAssembly.compile(bytes);
+    });
     return {
         come: (name, base64) => come[name](base64),
         get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports),
@@ -41,14 +46,11 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
-// A choice among many, in their groups.
-function listed(list) {
-    const select = make("select", {});
-    const groups = Map.groupBy(list.map(([group, name], value) => ({ group, name, value })), one => one.group);
-    for (const [label, all] of groups) {
-        select.append(make("optgroup", { label }, ...all.map(({ name, value }) => make("option", { value }, name))));
-    }
-    return select;
+// Copies the printed picture, which is what is seen at first. It is drawn where it has not come
+// yet, and in a folder, where a page may not read what it has copied.
+function copy(picture, canvas, draw) {
+    if (location.protocol === "file:" || !picture.complete) draw();
+    else canvas.getContext("2d").drawImage(picture, 0, 0);
 }
 
 // Makes one figure answer.
@@ -88,40 +90,30 @@ function liven(figure, module) {
     };
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
-    // Ranges and switches, for what no handle turns that is in the printed figure.
-    const printed = ask(module, request("show"));
+    // Ranges, switches and lists are printed; they are those of what no handle turns there.
+    const printed = ask(module, request("tell"));
     const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
-    const turned = new Set(about.handles.flatMap((handle, k) => isInside(printed.places[k]) ? handle.knobs : []));
-    const controls = make("div", { class: "knobs" });
+    const controls = figure.querySelector(".knobs");
+    const knobs = about.values.map((_, k) => {
+        const label = controls.querySelector(`[data-knob="${k}"]`);
+        if (!label) return null;
+        const [input, output] = [label.querySelector("input, select"), label.querySelector("output")];
+        const isSwitch = input.type === "checkbox";
+        input.addEventListener("input", () => {
+            values = values.with(k, Number(isSwitch ? input.checked : input.value));
+            later("show", () => request("show"));
+        });
+        return { label, input, output, isSwitch, isList: input.tagName === "SELECT", group: label.dataset.group };
+    });
     // Where knobs are of several things, those of one are to be seen: of what was touched last.
-    const things = [...new Set(about.knobs.map(knob => knob.group))].filter(group => group);
-    const choice = make("select", {}, ...things.map(thing => make("option", {}, thing)));
-    const head = things.length === 0 ? controls : make("div", { class: "choice" }, make("label", {}, "Change ", choice));
+    const choice = controls.querySelector(".choice select");
     const choose = thing => {
         if (!thing) return;
         choice.value = thing;
-        knobs.forEach((knob, k) => { if (knob) knob.label.hidden = about.knobs[k].group !== thing; });
+        knobs.forEach(knob => { if (knob) knob.label.hidden = knob.group !== thing; });
         handles.forEach(grip => grip.classList.toggle("chosen", grip.thing === thing));
     };
-    choice.addEventListener("change", () => choose(choice.value));
-    if (head !== controls) controls.append(head);
-    const knobs = about.knobs.map((knob, k) => {
-        if (turned.has(k) && !knob.group) return null;
-        const isList = knob.list.length !== 0;
-        const input = isList ? listed(knob.list) : make("input", knob.isSwitch
-            ? { type: "checkbox" }
-            : { type: "range", min: knob.min, max: knob.max, step: knob.step });
-        const output = make("output", {});
-        const symbol = make("span", { class: "symbol", "aria-hidden": "true" }, knob.symbol);
-        const label = make("label", { class: isList ? "list" : knob.isSwitch ? "switch" : "range" },
-            make("span", {}, symbol, knob.symbol ? " " : "", knob.words), input, output);
-        input.addEventListener("input", () => {
-            values = values.with(k, Number(knob.isSwitch ? input.checked : input.value));
-            later("show", () => request("show"));
-        });
-        (knob.isSwitch ? head : controls).append(label);
-        return { label, input, output, isSwitch: knob.isSwitch, isList };
-    });
+    choice?.addEventListener("change", () => choose(choice.value));
 
     // Handles: pointer, finger and arrow keys.
     const place = event => {
@@ -129,12 +121,11 @@ function liven(figure, module) {
         return [(event.clientX - box.left) / box.width * size[0], (event.clientY - box.top) / box.height * size[1]];
     };
     const handles = about.handles.map((handle, k) => {
-        const [across, up] = handle.knobs;
         const grip = make("span", {
             class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
-            "aria-valuemin": about.knobs[across].min, "aria-valuemax": about.knobs[across].max,
+            "aria-valuemin": handle.min, "aria-valuemax": handle.max,
         });
-        grip.thing = about.knobs[across].group;
+        grip.thing = handle.group;
         grip.addEventListener("focus", () => choose(grip.thing));
         let offset = null;
         grip.addEventListener("pointerdown", event => {
@@ -179,13 +170,10 @@ function liven(figure, module) {
             later(asking, () => request("drag", asking, ...place(event)));
             handles[asking].focus({ preventScroll: true });
         });
-        controls.prepend(make("span", { class: "hint" }, "Press on the picture, or move the cross by the arrow keys, to ask a pixel."));
     }
 
-    const reset = make("button", { type: "button", class: "reset" }, "Reset");
+    const reset = controls.querySelector(".reset");
     reset.addEventListener("click", () => { values = about.values; show(ask(module, request("show"))); });
-    head.append(reset);
-    stage.after(controls);
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
@@ -206,7 +194,7 @@ function liven(figure, module) {
         if (beside) beside.innerHTML = answer.beside;
         knobs.forEach((knob, k) => {
             if (!knob) return;
-            knob.label.hidden = !answer.shown[k] || about.knobs[k].group !== choice.value;
+            knob.label.hidden = !answer.shown[k] || knob.group !== choice?.value;
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
             if (knob.isList) return;
@@ -262,6 +250,7 @@ function liven(figure, module) {
 
     choose(handles[0]?.thing);
     show(printed);
+    if (sight !== still) copy(still, sight, () => show(ask(module, request("show"))));
     if (kept === undefined) {
         // On paper, everything is as printed.
         addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
@@ -270,6 +259,7 @@ function liven(figure, module) {
         addEventListener("hashchange", open);
         open();
     }
+    Object.assign(controls, { hidden: false, inert: false });
     figure.dataset.ready = "";
     dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
 }
@@ -336,16 +326,19 @@ document.querySelectorAll("form[data-live=check]").forEach(looking);
 
 // What is live is made so when it comes into view; only then is the module loaded, and after
 // what there is to read.
-document.documentElement.classList.add("answers"); // what asks to move something is to be read
 function watch() {
     const seen = new IntersectionObserver(async entries => {
         for (const { isIntersecting, target } of entries) {
             if (!isIntersecting) continue;
             seen.unobserve(target);
-            liven(target, await liveModule.get("live"));
+            const module = await liveModule.get("live").catch(() => null);
+            if (module) liven(target, module);
+            else target.querySelector(".knobs").remove();
         }
     }, { rootMargin: "200px" });
     document.querySelectorAll("figure[data-live]").forEach(figure => seen.observe(figure));
 }
-if (document.readyState === "complete") watch();
-else addEventListener("load", watch);
+// First the page is painted.
+const painted = () => (window.requestIdleCallback ?? setTimeout)(watch);
+if (document.readyState === "complete") painted();
+else addEventListener("load", painted);

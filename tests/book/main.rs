@@ -15,6 +15,7 @@ mod typist;
 
 mod link;
 
+mod face;
 mod locked;
 mod markup;
 

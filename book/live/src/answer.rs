@@ -14,8 +14,9 @@ pub struct Answer {
 
 /// Answers a line such as `show row 7 60`.
 ///
-/// - `about NAME`: its knobs and handles, and their values in the printed book.
+/// - `about NAME`: its handles, and the values of its knobs in the printed book.
 /// - `show NAME VALUES`: what it shows at these values.
+/// - `tell NAME VALUES`: the same without what there is to see.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
 /// - `open NAME ADDRESS`: what it shows at the values of an address.
@@ -45,14 +46,14 @@ fn answered(request: &str) -> Option<Answer> {
     if verb == "about" {
         return Some(Answer { text: about(live), pixels: vec![] });
     }
-    let (gesture, values) = if verb == "show" {
+    let (gesture, values) = if ["show", "tell"].contains(&verb) {
         (&[][..], &numbers[..])
     } else {
         numbers.split_at_checked(3)?
     };
     let values = live.allowed(values.to_vec())?;
     let (values, is_seen) = match (verb, gesture) {
-        ("show", _) => (values, true),
+        ("show" | "tell", _) => (values, verb == "show"),
         (_, &[handle, x, y]) if x.is_finite() && y.is_finite() => {
             let handle = live.handles.get(handle as usize)?;
             let values = match verb {
@@ -67,46 +68,25 @@ fn answered(request: &str) -> Option<Answer> {
     Some(show(live, &values, is_seen))
 }
 
-/// What the page has to know before it can ask.
+/// What the page has to know before it can ask; what it can turn is printed in it.
 fn about(live: &Live) -> String {
-    let knobs = live.knobs.iter().map(|knob| {
-        let [min, max] = knob.range;
-        let symbol: String = knob.symbol.chars().map(crate::svg::italic).collect();
-        let fields = [
-            ("symbol", symbol.into()),
-            ("words", knob.words.into()),
-            ("min", min.into()),
-            ("max", max.into()),
-            ("step", (1.0 / knob.steps).into()),
-            ("group", knob.group.into()),
-            ("isSwitch", (knob.choices == ["off", "on"]).into()),
-            ("list", list(knob)),
-        ];
-        Json::raw(json::object(fields))
-    });
     let handles = live.handles.iter().map(|handle| {
         let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
+        let Knob { range: [min, max], group, .. } = live.knobs[handle.knobs[0]];
         let fields = [
             ("words", handle.words.into()),
             ("knobs", Json::list(knobs)),
             ("isAsking", handle.is_asking.into()),
+            ("min", min.into()),
+            ("max", max.into()),
+            ("group", group.into()),
         ];
         Json::raw(json::object(fields))
     });
     json::object([
-        ("knobs", Json::list(knobs)),
         ("handles", Json::list(handles)),
         ("values", Json::list(live.values().into_iter().map(Json::from))),
     ])
-}
-
-/// The group and the name of each value of a knob that is chosen from a list.
-fn list(knob: &Knob) -> Json {
-    let all = knob.list.into_iter().flat_map(|list| {
-        let row = move |k| Json::list(list(k).map(Json::from));
-        (0..=knob.range[1] as usize).map(row)
-    });
-    Json::list(all)
 }
 
 /// The values and what belongs to them, with what there `is_seen` at them.

@@ -6,7 +6,7 @@
 //! of the book.
 
 mod svg;
-pub use svg::{Drawing, View, escape};
+pub use svg::{Drawing, View, escape, italic};
 
 mod common;
 pub use common::{camera, discriminant, roots};

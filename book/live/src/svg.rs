@@ -137,6 +137,11 @@ impl Drawing {
         );
     }
 
+    /// Its width and height.
+    pub fn size(&self) -> [f64; 2] {
+        self.size.to_array()
+    }
+
     /// Everything that was drawn, as the children of an element of SVG.
     pub fn body(&self) -> &str {
         &self.body
@@ -186,7 +191,7 @@ fn symbol(text: &str) -> String {
 
 /// The italic letter of mathematics for a Latin or small Greek letter; others stay
 /// as they are.
-pub(crate) fn italic(c: char) -> char {
+pub fn italic(c: char) -> char {
     let shifted =
         |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {
