@@ -22,6 +22,13 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
         _ => {}
     }
     if matches!(op, Op::Add | Op::Sub) {
+        // Parentheses that end behind the first of three factors.
+        if let Node::Of(Op::Mul, three) = b
+            && let Node::Of(Op::Mul, two) = &three[0]
+        {
+            let first = of(Op::Mul, &of(op, a, &two[0]), &two[1]);
+            all.push(of(Op::Mul, &first, &three[1]));
+        }
         if let Some((number, rest)) = factor(a) {
             all.push(of(op, &rest, &of(Op::Mul, &number, b)));
         }
