@@ -20,8 +20,8 @@ const liveModule = (() => {
     });
     return {
         come: (name, base64) => come[name](base64),
+        load,
         get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports),
-        forget: name => { delete instances[name]; },
     };
 })();
 
@@ -37,6 +37,34 @@ function ask(module, request, file) {
     const answer = JSON.parse(text);
     if (answer.size) answer.pixels = bytes(module.live_pixels(), module.live_pixels_length());
     return answer;
+}
+
+// Asks a module beside the page, in a worker: the page can be read and moved meanwhile.
+const work = `${ask}
+    let asked;
+    onmessage = async ({ data: [module, request, file, port] }) => {
+        asked ??= WebAssembly.instantiate(module);
+        const answer = ask((await asked).exports, request, file);
+        port.postMessage({ ...answer, pixels: answer.pixels?.slice() });
+    };
+    onunhandledrejection = ({ reason }) => { throw reason; };`;
+let worker;
+async function askBeside(name, request, file) {
+    const module = await liveModule.load(name);
+    worker ??= new Worker(URL.createObjectURL(new Blob([work], { type: "text/javascript" })));
+    const { port1, port2 } = new MessageChannel();
+    try {
+        return await new Promise((resolve, reject) => {
+            port1.onmessage = ({ data }) => resolve(data);
+            worker.addEventListener("error", reject);
+            worker.postMessage([module, request, file, port2], [port2]);
+        });
+    } catch (error) {
+        // Nothing is left of what went wrong.
+        worker?.terminate();
+        worker = null;
+        throw error;
+    }
 }
 
 const make = (tag, attributes, ...children) => {
@@ -299,14 +327,10 @@ function looking(form) {
         const mine = last += 1;
         show("", "Looking …");
         try {
-            const [module, bytes] = await Promise.all([liveModule.get("check"), file.arrayBuffer()]);
-            // The screen says so before the work begins.
-            await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
-            if (mine !== last) return;
-            const answer = ask(module, `check ${form.dataset.name} ${file.name}`, new Uint8Array(bytes));
-            show(answer.code, ...told(answer));
+            const bytes = new Uint8Array(await file.arrayBuffer());
+            const answer = await askBeside("check", `check ${form.dataset.name} ${file.name}`, bytes);
+            if (mine === last) show(answer.code, ...told(answer));
         } catch {
-            liveModule.forget("check");
             if (mine === last) show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
         }
     };

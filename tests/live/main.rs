@@ -56,6 +56,8 @@ fn the_module_says_what_we_say_as_printed() {
     let mut module = ours();
     for live in LIVE {
         assert_same(&mut module, &format!("about {}", live.name));
+        let tell = format!("tell {}{}", live.name, words(&live.values()));
+        assert_same(&mut module, &tell);
         assert_same(
             &mut module,
             &format!("show {}{}", live.name, words(&printed(live))),
@@ -130,6 +132,12 @@ fn the_module_says_what_we_say_at_random() {
             }
         }
     }
+}
+
+#[test]
+fn a_scene_of_ones_own_begins_as_that_of_step_5() {
+    let live = live::find("own_scene").expect("the scene of one's own");
+    assert_eq!(live::own_scene(&live.values()), step05_phong::scene());
 }
 
 #[test]
@@ -208,9 +216,9 @@ fn an_address_leads_back_to_its_values() {
 #[test]
 fn a_module_that_is_not_ours_is_found() {
     let mut bytes = checked_in("live");
-    let words = b"field of view";
+    let words = b"the tip of V";
     let at = bytes.windows(words.len()).position(|part| part == words);
     bytes[at.expect("a text of ours")] ^= 1;
-    let told = fault(&mut Module::new(&bytes), "about row").expect("a fault");
+    let told = fault(&mut Module::new(&bytes), "about ray").expect("a fault");
     assert!(told.contains("cargo run -p live --bin module"), "{told}");
 }

@@ -22,6 +22,7 @@ pub use pictures::{OBJECTS, rgba};
 
 mod address;
 mod scene;
+pub use scene::own_scene;
 
 /// Everything that answers.
 pub const LIVE: [&Live; 17] = [

@@ -15,7 +15,8 @@ use step05_phong::{
     Attenuation, Camera, Light, Material, Object, PointLight, Scene, Sphere,
     Surface, colour,
 };
-use things::{BALLS, LAMPS};
+pub(crate) use things::BALLS;
+use things::LAMPS;
 
 /// The picture of step 5, with everything in it to set, and its Rust.
 pub const OWN_SCENE: Live = Live {
@@ -40,12 +41,12 @@ pub const OWN_SCENE: Live = Live {
     ],
     is_allowed: |values| camera(values).is_ok(),
     sight: |values| {
-        let scene = scene(values);
+        let scene = own_scene(values);
         let camera = camera(values).unwrap_or_else(|_| crate::camera());
         picture(&camera, |ray| colour(&scene, ray))
     },
     numbers: |values| {
-        let rust = rust::text(&scene(values), values[FIELD_OF_VIEW]);
+        let rust = rust::text(&own_scene(values), values[FIELD_OF_VIEW]);
         let address = address(&KNOBS, values);
         vec![("rust".into(), rust), ("address".into(), address)]
     },
@@ -57,8 +58,8 @@ fn camera(values: &[f64]) -> Result<Camera, String> {
     step01::camera(&[values[FIELD_OF_VIEW], 1.0, values[0]])
 }
 
-/// What is in the scene, and the light to see it in.
-fn scene(values: &[f64]) -> Scene<Material, Light> {
+/// What is in the reader's own scene, and the light to see it in.
+pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
     let objects = values[SPHERES..LIGHTS].chunks(SPHERE);
     let lights = values[LIGHTS..].chunks(LIGHT);
     Scene {
