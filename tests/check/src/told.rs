@@ -1,6 +1,7 @@
 use crate::case::Case;
 use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages};
 use crate::{Cause, Step};
+use gallery::Parts;
 use image::RgbImage;
 use std::fmt::Write;
 
@@ -28,6 +29,7 @@ impl Told {
                     &found.causes,
                     yours.contains(&true),
                     yours == ours,
+                    |stage, light| is_shown(case, &cause, stage, light),
                 )
             }
             None => stages(&case.yours.kept, step),
@@ -47,6 +49,24 @@ pub(crate) fn objects(case: &Case, cause: &Cause) -> Vec<bool> {
         |(i, j): (u32, u32)| (parts.ray)(parts.camera.ray(i.into(), j.into()));
     let rays = case.yours.scattered(2000).into_iter().map(ray);
     rays.map(|ray| parts.seen(cause.step, &ray).is_some()).collect()
+}
+
+/// Whether a picture with these mistakes were another if less of a light were reflected
+/// in this way.
+fn is_shown(case: &Case, cause: &Cause, stage: &str, light: usize) -> bool {
+    let parts = cause.parts(case.yours.size);
+    let mut other = parts.clone();
+    let scene = &mut other.scene;
+    match (stage, scene.lights.get_mut(light)) {
+        ("ambient", _) => scene.ambient_light *= 0.8,
+        ("diffuse", Some(light)) => light.point.diffuse *= 0.7,
+        ("specular", Some(light)) => light.specular *= 0.7,
+        _ => return true,
+    }
+    let pixel =
+        |parts: &Parts, (i, j)| parts.pixel(cause.step, cause.samples, i, j);
+    let mut places = case.yours.scattered(2000).into_iter();
+    places.any(|at| pixel(&parts, at) != pixel(&other, at))
 }
 
 /// One line for each stage, and its numbers below it.

@@ -72,6 +72,17 @@ fn every_mistake_is_named() {
 }
 
 #[test]
+fn what_a_mistake_hides_is_not_called_right() {
+    // No highlight is left, whatever the specular term.
+    let picture = made(Step::Phong, &["normal-from-origin"], SIZE, 1);
+    let text = told(&picture, Some("step05_phong"), &["attenuation  "]);
+    let stages = text.lines().filter(|line| line.contains("specular, "));
+    let hidden =
+        stages.filter(|line| line.ends_with("nothing in this picture shows it"));
+    assert!(0 < hidden.count(), "{text}");
+}
+
+#[test]
 fn mistakes_of_the_camera_and_of_bytes_are_named_in_the_last_step() {
     // Every third, for in the last step there are most causes to compare with; all are
     // named in their own step.

@@ -290,12 +290,14 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
 /// stages. The others are right where the picture shows them.
 ///
 /// The first list is told; each of the others explains as much. Whether it has an object
-/// at all, and whether the right pixels see one, is known.
+/// at all, whether the right pixels see one, and whether a light's part of the light is
+/// seen, is known.
 pub(crate) fn of_mistakes(
     step: Step,
     causes: &[Vec<&Mistake>],
     has_objects: bool,
     has_outlines: bool,
+    is_shown: impl Fn(&str, usize) -> bool,
 ) -> Vec<Stage> {
     let mut stages = blank(step, |row| match row.stage {
         "rays" | "sky" | "outlines" | "sum" => Verdict::Right,
@@ -333,6 +335,14 @@ pub(crate) fn of_mistakes(
     let is_t = |s: &Stage| s.name == "nearest" && s.verdict == Verdict::Wrong;
     if stages.iter().any(is_t) {
         unknown_point(&mut stages);
+    }
+    let is_hidden = |its: &&mut Stage| {
+        let Row { stage, light, .. } = row(its);
+        its.verdict == Verdict::Right && !is_shown(stage, light.unwrap_or(0))
+    };
+    for its in stages.iter_mut().filter(is_hidden) {
+        its.verdict =
+            Verdict::Unknown("nothing in this picture shows it".to_owned());
     }
     stages
 }
