@@ -89,17 +89,19 @@ fn label(live: &Live, k: usize, knob: &Knob) -> String {
     };
     format!(
         "<label class=\"{class}\" data-knob=\"{k}\"{group}{hidden}>\
-         <span>{symbol}{}</span>{input}<output>{}</output></label>",
-        escape(knob.words),
-        escape(&knob.text(knob.value))
+         <span>{symbol}{}</span>{input}</label>",
+        escape(knob.words)
     )
 }
 
-fn range(Knob { range: [min, max], steps, value, .. }: &Knob) -> String {
+/// A range, and its value in words: a screen reader has it from the script.
+fn range(knob: &Knob) -> String {
+    let Knob { range: [min, max], steps, value, .. } = knob;
     let step = 1.0 / steps;
     format!(
         "<input type=\"range\" min=\"{min}\" max=\"{max}\" step=\"{step}\" \
-         value=\"{value}\">"
+         value=\"{value}\"><b aria-hidden=\"true\">{}</b>",
+        escape(&knob.text(*value))
     )
 }
 

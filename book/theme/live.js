@@ -125,7 +125,7 @@ function liven(figure, module) {
     const knobs = about.values.map((_, k) => {
         const label = controls.querySelector(`[data-knob="${k}"]`);
         if (!label) return null;
-        const [input, output] = [label.querySelector("input, select"), label.querySelector("output")];
+        const [input, output] = [label.querySelector("input, select"), label.querySelector("b")];
         const isSwitch = input.type === "checkbox";
         input.addEventListener("input", () => {
             values = values.with(k, Number(isSwitch ? input.checked : input.value));
