@@ -9,7 +9,8 @@ use std::path::Path;
 /// What makes a picture load when it comes into view.
 pub const LAZY: &str = r#" loading="lazy""#;
 
-/// How wide a picture is in the page.
+/// About how wide a picture is in the page: a little less on a phone, so that the half is
+/// enough for one of 640 pixels.
 const SIZES: &str = "(max-width: 950px) 88vw, 882px";
 
 /// A picture as a chapter asks for it: `![what it shows](pictures/name.png

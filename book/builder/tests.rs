@@ -128,6 +128,10 @@ fn a_picture_answers_by_the_name_of_its_file_or_by_another() {
     let picture = format!("![A sky.]({SKY})");
     let html = right(&format!("{picture} {{{{#live own_scene}}}}\n"));
     assert!(html.contains(r#"data-live="own_scene""#), "{html}");
+    // All of its knobs are printed, in the order of the page's values.
+    let last = live::find("own_scene").map_or(0, |live| live.knobs.len()) - 1;
+    assert!(html.contains(&format!(r#"data-knob="{last}""#)), "{html}");
+    assert!(html.contains("<option>red sphere</option>"), "{html}");
     wrong(&format!("{picture} {{{{#live}}}}\n"), 1, "nothing answers");
     wrong(&format!("{picture} {{{{#live nothing}}}}\n"), 1, "nothing answers");
 }

@@ -74,10 +74,11 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
-// Copies the printed picture, which is what is seen at first. It is drawn where it has not come
-// yet, and in a folder, where a page may not read what it has copied.
+// Copies the printed picture, which is what is seen at first. It is drawn where it has not come,
+// and in a folder, where a page may not read what it has copied.
 function copy(picture, canvas, draw) {
-    if (location.protocol === "file:" || !picture.complete) draw();
+    const hasCome = picture.complete && 0 < picture.naturalWidth;
+    if (location.protocol === "file:" || !hasCome) draw();
     else canvas.getContext("2d").drawImage(picture, 0, 0);
 }
 

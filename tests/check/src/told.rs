@@ -51,14 +51,17 @@ pub(crate) fn objects(case: &Case, cause: &Cause) -> Vec<bool> {
     rays.map(|ray| parts.seen(cause.step, &ray).is_some()).collect()
 }
 
-/// Whether a picture with these mistakes were another if less of a light were reflected
-/// in this way.
+/// Whether a picture with these mistakes would be another if its lights gave less, or
+/// faded more, in this stage.
 fn is_shown(case: &Case, cause: &Cause, stage: &str, light: usize) -> bool {
     let parts = cause.parts(case.yours.size);
     let mut other = parts.clone();
     let scene = &mut other.scene;
     match (stage, scene.lights.get_mut(light)) {
         ("ambient", _) => scene.ambient_light *= 0.8,
+        ("attenuation", _) => {
+            scene.lights.iter_mut().for_each(|one| one.point.attenuation.a *= 1.3);
+        }
         ("diffuse", Some(light)) => light.point.diffuse *= 0.7,
         ("specular", Some(light)) => light.specular *= 0.7,
         _ => return true,

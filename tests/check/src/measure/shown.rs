@@ -24,9 +24,14 @@ pub(super) fn verdict(
         ours != other
     });
     match is_shown {
-        false => Verdict::Unknown("nothing in this picture shows it".to_owned()),
+        false => hidden(),
         true => Verdict::Right,
     }
+}
+
+/// The picture would be the same if the stage were wrong.
+pub(super) fn hidden() -> Verdict {
+    Verdict::Unknown("nothing in this picture shows it".to_owned())
 }
 
 /// A stage with another formula or number.

@@ -341,8 +341,7 @@ pub(crate) fn of_mistakes(
         its.verdict == Verdict::Right && !is_shown(stage, light.unwrap_or(0))
     };
     for its in stages.iter_mut().filter(is_hidden) {
-        its.verdict =
-            Verdict::Unknown("nothing in this picture shows it".to_owned());
+        its.verdict = shown::hidden();
     }
     stages
 }
