@@ -29,7 +29,7 @@ fn half_width(yours: &View) -> Option<f64> {
     let places = yours.scattered(4000).into_iter();
     let upper = places.filter(|(_, j)| 3 * j < yours.size.1);
     let mut all: Vec<f64> = upper.filter_map(tan).collect();
-    all.sort_by(f64::total_cmp);
+    all.sort_unstable_by(f64::total_cmp);
     // Where most of them are close together, and the middle of these.
     let close = |start: usize| {
         let end = all.partition_point(|tan| *tan < 1.01 * all[start]);

@@ -122,9 +122,10 @@ impl Riddle<'_> {
         tree: &Tree,
         all: &mut Vec<Cause>,
     ) -> Result<(), Vec<Pixel>> {
-        all.sort_by_key(|cause| {
+        all.sort_by_cached_key(|cause| {
             // A number of the scene is the likeliest.
-            (cause.rank, cause.is_formula, cause.told.chars().count())
+            let rank = 2 * usize::from(cause.rank) + usize::from(cause.is_formula);
+            (rank, cause.told.chars().count())
         });
         let mut told = HashSet::new();
         all.retain(|cause| told.insert(cause.of.clone()));
@@ -210,7 +211,7 @@ impl Riddle<'_> {
                 }
             }
         }
-        all.sort_by_key(|its| usize::MAX - its.len());
+        all.sort_by_cached_key(|its| (usize::MAX - its.len(), 0));
         let all = all.iter().take(1).filter(|its| 8 < its.len());
         all.filter_map(|its| {
             numbers(&self.evidence(tree, its), false).into_iter().next()
@@ -245,7 +246,9 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
             rated.push((mended, edit));
         }
     }
-    rated.sort_by_key(|(mended, edit)| (usize::MAX - mended, edit.rank));
+    rated.sort_by_cached_key(|(mended, edit)| {
+        (usize::MAX - mended, usize::from(edit.rank))
+    });
     rated.iter().take(2).map(|(_, edit)| cause(tree, edit)).collect()
 }
 

@@ -177,7 +177,7 @@ impl Curve {
                 |p: &&[f64; 3]| off(p) < 1.5 * p[2] + 0.02 * p[1].abs().max(0.05);
             on += bin.iter().filter(is_on).count();
         }
-        rests.sort_by(f64::total_cmp);
+        rests.sort_unstable_by(f64::total_cmp);
         let rest = *rests.get(rests.len() / 2)?;
         (4 <= points.len() && rest < 0.03 && 10 * on > 9 * size * points.len())
             .then_some(Self { points, rest })

@@ -43,7 +43,7 @@ pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
             || ["I", "I'"].contains(&name) && edit.rank == 1;
         edit.rank += u8::from(is_alias && edit.says.is_none());
     }
-    all.sort_by_key(|edit| edit.rank);
+    all.sort_by_cached_key(|edit| (usize::from(edit.rank), 0));
     all
 }
 
