@@ -7,7 +7,7 @@ pub fn by_file<'a>(
     file: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<&'a str> {
-    let lower = file.to_lowercase();
+    let lower = file.to_ascii_lowercase();
     let file = lower.rsplit(['/', '\\']).next()?;
     let names = || names.clone();
     let told = names().filter(|name| has_word(file, name));

@@ -106,7 +106,7 @@ impl Reading<'_> {
         let end = self.rest.find(is_end).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
         self.rest = rest.trim_start();
-        if let Ok(number) = word.parse() {
+        if let Some(number) = decimal(word) {
             return Ok(Node::Number(number));
         }
         let function = FUNCTIONS.iter().find(|(name, _)| *name == word);
@@ -127,4 +127,15 @@ impl Reading<'_> {
             _ => Err(word.to_owned()),
         }
     }
+}
+
+/// A number such as `0.25`: an integer over a power of ten, both exact in an f64, so
+/// that their quotient is rounded once, as the compiler rounds a literal. (The standard
+/// library's tables for longer ones are 12 KB of the page's module.)
+fn decimal(word: &str) -> Option<f64> {
+    let (whole, part) = word.split_once('.').unwrap_or((word, ""));
+    let digits: u32 = format!("{whole}{part}").parse().ok()?;
+    let number = f64::from(digits) / 10_f64.powi(part.len() as i32);
+    debug_assert_eq!(word.parse(), Ok(number));
+    Some(number)
 }
