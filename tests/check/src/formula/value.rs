@@ -30,10 +30,12 @@ enum List<'a> {
 }
 
 /// One of many values: the k-th, or the only one.
+#[inline(always)]
 fn at<T: Copy>(all: &[T], k: usize) -> T {
     if all.len() == 1 { all[0] } else { all[k] }
 }
 
+#[inline(always)]
 fn zip<A: Copy, B: Copy, C>(
     a: &[A],
     b: &[B],
@@ -47,6 +49,7 @@ fn zip<A: Copy, B: Copy, C>(
     })
 }
 
+#[inline(always)]
 fn each<A: Copy, C>(a: &[A], f: impl Fn(A) -> C) -> Result<C, Rc<[C]>> {
     match a {
         [a] => Ok(f(*a)),
@@ -67,6 +70,7 @@ impl From<Result<DVec3, Rc<[DVec3]>>> for Value {
 }
 
 impl Value {
+    #[inline(always)]
     fn list(&self) -> List<'_> {
         match self {
             Self::Scalar(one) => List::Scalars(from_ref(one)),
@@ -77,6 +81,7 @@ impl Value {
     }
 
     /// How many values there are: 1 where all rays have the same.
+    #[inline(always)]
     pub fn len(&self) -> usize {
         match self.list() {
             List::Scalars(all) => all.len(),
@@ -85,11 +90,13 @@ impl Value {
     }
 
     /// Whether each is a vector.
+    #[inline(always)]
     pub fn is_vector(&self) -> bool {
         matches!(self.list(), List::Vectors(_))
     }
 
     /// That of the k-th ray, where it is a scalar; else its x.
+    #[inline(always)]
     pub fn scalar(&self, k: usize) -> f64 {
         match self.list() {
             List::Scalars(all) => at(all, k),
@@ -98,6 +105,7 @@ impl Value {
     }
 
     /// That of the k-th ray, as a vector.
+    #[inline(always)]
     pub fn vector(&self, k: usize) -> DVec3 {
         match self.list() {
             List::Scalars(all) => DVec3::splat(at(all, k)),
