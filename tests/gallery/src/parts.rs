@@ -96,9 +96,13 @@ impl Parts {
 
     /// The picture that these parts draw in `step`.
     pub fn picture(&self, step: Step, samples: u32) -> RgbImage {
-        RgbImage::from_par_fn(self.camera.h_res, self.camera.v_res, |i, j| {
-            self.pixel(step, samples, i, j)
-        })
+        let pixel = |i, j| self.pixel(step, samples, i, j);
+        let Camera { h_res, v_res, .. } = self.camera;
+        match cfg!(target_arch = "wasm32") {
+            // A page has one thread here, and need not load what shares work among many.
+            true => RgbImage::from_fn(h_res, v_res, pixel),
+            false => RgbImage::from_par_fn(h_res, v_res, pixel),
+        }
     }
 
     /// One pixel of that picture: the mean of the rays through it, as `render` takes it.

@@ -1,5 +1,5 @@
 use crate::apart;
-use crate::{Locked, Step, camera};
+use crate::{Locked, Parts, Step, camera};
 use image::RgbImage;
 use image::imageops::{FilterType, resize, thumbnail};
 
@@ -22,8 +22,8 @@ pub(super) fn told(yours: &RgbImage, ours: &Locked) -> Option<String> {
     if (width, height) == (w, h) || width < 32 || height < 18 || 2_000_000 < all {
         return None;
     }
-    let drawn =
-        [1, 2, 4].map(|samples| step.picture(&camera(width, height), samples));
+    let parts = Parts::right(&camera(width, height));
+    let drawn = [1, 2, 4].map(|samples| parts.picture(step, samples));
     let scaled = |filter| resize(&ours.picture, width, height, filter);
     let mut scaled = (FILTERS.into_iter().map(scaled)).chain([thumbnail(
         &ours.picture,

@@ -1,6 +1,6 @@
 use super::Black;
-use crate::Step;
 use crate::fov::{FOV, fields_of_view};
+use crate::{Parts, Step};
 use image::RgbImage;
 use step01_rays::{Camera, direction_colour};
 
@@ -17,7 +17,7 @@ impl View {
     /// Our picture with these options.
     pub fn picture(&self, step: Step, (width, height): (u32, u32)) -> RgbImage {
         let camera = Camera::new(width, height, self.fov.to_radians());
-        step.picture(&camera, self.samples)
+        Parts::right(&camera).picture(step, self.samples)
     }
 }
 
