@@ -1,6 +1,7 @@
-//! Compiles the package `module` for the browser, once for what answers in the pages and
-//! once for `check`, and writes `book/live/live.wasm` and `check.wasm`. They are checked
-//! in: who builds the book needs no second target.
+//! Compiles the package `module` for the browser, once for what answers in the pages,
+//! once for `check` and once for the pictures that it compares with, and writes
+//! `book/live/live.wasm`, `check.wasm` and `pictures.wasm`. They are checked in: who
+//! builds the book needs no second target.
 
 use std::error::Error;
 use std::path::Path;
@@ -9,8 +10,16 @@ use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The modules: each is a feature of the package.
-const MODULES: [&str; 2] = ["live", "check"];
+/// The modules: each is a feature of the package, with flags of its own for the
+/// compiler. The largest is to have few copies of small functions.
+const MODULES: [(&str, &str); 3] = [
+    ("live", ""),
+    ("pictures", ""),
+    (
+        "check",
+        "-C llvm-args=-inline-threshold=25 -C llvm-args=-inlinehint-threshold=10",
+    ),
+];
 
 fn main() -> ExitCode {
     let Err(error) = run() else { return ExitCode::SUCCESS };
@@ -30,7 +39,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 }
 
 /// Compiles the package `module` with one of its features.
-fn compile(feature: &str) -> Result<(), Box<dyn Error>> {
+fn compile((feature, flags): (&str, &str)) -> Result<(), Box<dyn Error>> {
     let folder = env::current_dir()?.join("target/module");
     let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let status = Command::new(cargo)
@@ -38,7 +47,14 @@ fn compile(feature: &str) -> Result<(), Box<dyn Error>> {
         .args(["--no-default-features", "--features", feature])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
         .arg(&folder)
-        .args(["--", "-C", "strip=symbols"])
+        .args([
+            "--",
+            "-C",
+            "strip=symbols",
+            "-C",
+            "link-arg=--compress-relocations",
+        ])
+        .env("RUSTFLAGS", flags)
         .status()?;
     if !status.success() {
         return Err(format!("the module {feature} does not compile").into());
