@@ -2,8 +2,9 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
 
-/// The modules: what answers in the pages, and what looks at a reader's picture.
-const MODULES: [&str; 2] = ["live", "check"];
+/// The modules: what answers in the pages, what looks at a reader's picture, and what
+/// draws those that it compares with.
+const MODULES: [&str; 3] = ["live", "check", "pictures"];
 
 /// Writes the modules of the pages into `folder`, each as a script: a page that was opened
 /// from the file system may load scripts, and nothing else. Returns the scripts' names.

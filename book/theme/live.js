@@ -4,7 +4,7 @@
 // five crates; its answers are put in place. Nothing about rays is computed here.
 
 // The modules, each once the script that holds it has come: "live" is what answers here, "check"
-// looks at the reader's picture.
+// looks at the reader's picture, and "pictures" draws those that it compares with.
 const liveModule = (() => {
     const come = {}, modules = {}, instances = {};
     const load = name => modules[name] ??= new Promise((resolve, reject) => {
@@ -39,25 +39,29 @@ function ask(module, request, file) {
     return answer;
 }
 
-// Asks a module beside the page, in a worker: the page can be read and moved meanwhile.
+// Asks what looks at a file, beside the page, in a worker: the page can be read and moved meanwhile.
 const work = `${ask}
     let asked;
-    onmessage = async ({ data: [module, request, file, port] }) => {
-        asked ??= WebAssembly.instantiate(module);
-        const answer = ask((await asked).exports, request, file);
+    onmessage = async ({ data: [modules, request, file, port] }) => {
+        asked ??= Promise.all(modules.map(module => WebAssembly.instantiate(module)));
+        const [check, pictures] = (await asked).map(instance => instance.exports);
+        let answer;
+        while ((answer = ask(check, request, file)).draw) {
+            for (const name of answer.draw) ask(check, "drawn " + name, ask(pictures, "draw " + name).pixels);
+        }
         port.postMessage({ ...answer, pixels: answer.pixels?.slice() });
     };
     onunhandledrejection = ({ reason }) => { throw reason; };`;
 let worker;
-async function askBeside(name, request, file) {
-    const module = await liveModule.load(name);
+async function askBeside(request, file) {
+    const modules = await Promise.all(["check", "pictures"].map(liveModule.load));
     worker ??= new Worker(URL.createObjectURL(new Blob([work], { type: "text/javascript" })));
     const { port1, port2 } = new MessageChannel();
     try {
         return await new Promise((resolve, reject) => {
             port1.onmessage = ({ data }) => resolve(data);
             worker.addEventListener("error", reject);
-            worker.postMessage([module, request, file, port2], [port2]);
+            worker.postMessage([modules, request, file, port2], [port2]);
         });
     } catch (error) {
         // Nothing is left of what went wrong.
@@ -329,7 +333,7 @@ function looking(form) {
         show("", "Looking …");
         try {
             const bytes = new Uint8Array(await file.arrayBuffer());
-            const answer = await askBeside("check", `check ${form.dataset.name} ${file.name}`, bytes);
+            const answer = await askBeside(`check ${form.dataset.name} ${file.name}`, bytes);
             if (mine === last) show(answer.code, ...told(answer));
         } catch {
             if (mine === last) show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);

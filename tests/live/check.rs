@@ -2,9 +2,11 @@
 
 use crate::MEND;
 use crate::module::{Module, checked_in};
-use check::{Locked, locked};
+use ::check::{Locked, locked};
+use ::module::{NAMES, answer, draw};
 use gallery::{Step, camera, mistakes};
 use image::{ImageFormat, RgbImage};
+use live::Answer;
 use std::io::Cursor;
 
 /// The bytes of a PNG file.
@@ -20,11 +22,40 @@ fn wrong(name: &str, step: Step) -> RgbImage {
     known.expect("it is in the gallery").picture_in(step, &camera(16, 9), 1)
 }
 
+/// What there is to say of a file once the pictures are drawn that it takes, as
+/// book/theme/live.js asks for them; none where a module fails.
+fn told(
+    mut check: impl FnMut(&str, &[u8]) -> Option<Answer>,
+    mut draw: impl FnMut(&str) -> Option<Answer>,
+    request: &str,
+    file: &[u8],
+) -> Option<Answer> {
+    loop {
+        let answer = check(request, file)?;
+        let names = answer.text.strip_prefix("{\"draw\":[\"");
+        let Some(names) = names.and_then(|names| names.strip_suffix("\"]}")) else {
+            return Some(answer);
+        };
+        for name in names.split("\",\"") {
+            let Answer { pixels, .. } = draw(&format!("draw {name}"))?;
+            check(&format!("drawn {name}"), &pixels)?;
+        }
+    }
+}
+
+/// What our own code says.
+fn ours(request: &str, file: &[u8]) -> Answer {
+    let check = |request: &str, file: &[u8]| Some(answer(request, file));
+    told(check, |request| Some(answer(request, b"")), request, file)
+        .expect("it never fails")
+}
+
 #[test]
 fn the_module_says_what_check_says() {
     let right = png(&locked("gradient").expect("it can be read"));
     let mistake = png(&wrong("bgr", Step::Rays));
     let cut = &right[..1000];
+    let mut pictures = Module::new(&checked_in("pictures"));
     for (request, file, says) in [
         ("check gradient a.png", &right[..], "Right: this is the picture"),
         ("check * step01_rays.png", &mistake, "Not right yet"),
@@ -33,20 +64,30 @@ fn the_module_says_what_check_says() {
         ("check step01_rays a.png", cut, "a damaged PNG file"),
         ("check step01_rays a.jpg", b"\xFF\xD8\xFF\xE0", "a JPEG"),
     ] {
-        let ours = module::answer(request, file);
+        let ours = ours(request, file);
         assert!(ours.text.contains(says), "{request}: {}", ours.text);
         // Each time anew, as after a module that failed.
-        let theirs = Module::new(&checked_in("check")).answer(request, file);
+        let mut check = Module::new(&checked_in("check"));
+        let check = |request: &str, file: &[u8]| check.answer(request, file);
+        let draw = |request: &str| pictures.answer(request, b"");
+        let theirs = told(check, draw, request, file);
         assert!(theirs.as_ref() == Some(&ours), "{request}: {theirs:?}\n{MEND}");
     }
 }
 
 #[test]
+fn a_picture_of_another_name_is_told() {
+    let many = png(&locked("many").expect("it can be read"));
+    let told = ours("check step03_nearest a.png", &many).text;
+    let says = "this is the picture of many, not of step03_nearest";
+    assert!(told.contains(says), "{told}");
+}
+
+#[test]
 fn what_it_compares_with_is_locked() {
     let locked = Locked::all().expect("the pictures can be read");
-    let ours: Vec<_> = module::locked().iter().map(|one| &one.name).collect();
-    assert_eq!(ours, locked.iter().map(|one| &one.name).collect::<Vec<_>>());
-    for (ours, locked) in module::locked().iter().zip(locked) {
-        assert!(*ours == locked, "{}", locked.name);
+    assert_eq!(NAMES, locked.iter().map(|one| &one.name).collect::<Vec<_>>());
+    for Locked { name, picture } in locked {
+        assert!(draw(&name).pixels == *picture, "{name}");
     }
 }

@@ -1,28 +1,68 @@
-use crate::pictures::{drawn, locked, names};
+use crate::pictures::{NAMES, SIZE};
 use ::check::Locked;
 use image::RgbImage;
 use live::Answer;
 use live::json::{self, Json};
+use std::cell::RefCell;
 use std::io::Cursor;
+use std::slice;
+
+thread_local! {
+    /// The pictures that were drawn for us, in the order of their names.
+    static OURS: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
+}
 
 /// What `check` says of a PNG file, to the words `NAME FILE`: the name of the picture
 /// that it should be, or `*` where the file's name tells it, and the file's name. The
 /// pixels are those of the difference.
+///
+/// Or else the names of pictures of ours to [`keep`] before it can be said. Each takes a
+/// while to be drawn: they are asked for only where they matter.
 pub fn check(words: &str, file: &[u8]) -> Answer {
     let (name, called) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
-        "*" => check::by_file(called, names()),
+        "*" => check::by_file(called, NAMES.iter().copied()),
         name => Some(name),
     };
-    let answer = |locked: &[Locked]| {
-        said(check::check(Cursor::new(file), called, name, locked))
-    };
-    // Each of ours takes a while to be drawn: only where it matters.
-    let Ok(yours) = check::picture(Cursor::new(file)) else { return answer(&[]) };
-    match name.and_then(drawn) {
-        Some(ours) if !may_be_another(yours.as_ref(), &ours) => answer(&[ours]),
-        _ => answer(locked()),
+    OURS.with_borrow(|ours| {
+        let kept = |name: &str| ours.iter().find(|one| one.name == name);
+        let is_missing = |name: &&str| kept(name).is_none();
+        let said = |locked: &[Locked]| {
+            said(check::check(Cursor::new(file), called, name, locked))
+        };
+        let its = NAMES.iter().copied().find(|known| Some(*known) == name);
+        if let Some(its) = its.filter(is_missing) {
+            return missing([its]);
+        }
+        let Ok(yours) = check::picture(Cursor::new(file)) else { return said(&[]) };
+        match its.and_then(kept) {
+            Some(ours) if !may_be_another(yours.as_ref(), ours) => {
+                said(slice::from_ref(ours))
+            }
+            _ if ours.len() == NAMES.len() => said(ours),
+            _ => missing(NAMES.iter().copied().filter(is_missing)),
+        }
+    })
+}
+
+/// Keeps a picture of ours: red, green and blue of each pixel.
+pub fn keep(name: &str, pixels: &[u8]) -> Answer {
+    let [columns, rows] = SIZE;
+    let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
+    let place = |name: &str| NAMES.iter().position(|known| *known == name);
+    if let (Some(k), Some(picture)) = (place(name), picture) {
+        OURS.with_borrow_mut(|ours| {
+            let at = ours.partition_point(|one| place(&one.name) < Some(k));
+            ours.insert(at, Locked { name: name.to_owned(), picture });
+        });
     }
+    Answer { text: "{}".to_owned(), pixels: vec![] }
+}
+
+/// Asks for pictures of ours.
+fn missing<'a>(names: impl IntoIterator<Item = &'a str>) -> Answer {
+    let names = Json::list(names.into_iter().map(Json::from));
+    Answer { text: json::object([("draw", names)]), pixels: vec![] }
 }
 
 /// Whether a picture may be another of ours, all of which have one size.

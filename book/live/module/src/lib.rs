@@ -1,15 +1,18 @@
-//! What the pages of the book call, compiled for the browser: what answers there, and
-//! `check`. Each is a module of its own, as few readers of a page drop a picture into it.
+//! What the pages of the book call, compiled for the browser: what answers there, `check`,
+//! and the pictures that it compares with. Each is a module of its own, as few readers of
+//! a page drop a picture into it.
 
-#[cfg(feature = "check")]
+#[cfg(any(feature = "check", feature = "pictures"))]
 mod pictures;
-#[cfg(feature = "check")]
-pub use pictures::{locked, names};
+#[cfg(any(feature = "check", feature = "pictures"))]
+pub use pictures::NAMES;
+#[cfg(feature = "pictures")]
+pub use pictures::draw;
 
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
-pub use check::check;
+pub use check::{check, keep};
 
 mod answer;
 pub use answer::answer;
