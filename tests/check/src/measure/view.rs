@@ -1,8 +1,8 @@
 use super::Black;
 use crate::Step;
-use crate::fov::{FOV, fields_of_view};
+use crate::fov::{FOV, fields_of_view, has_sky};
 use image::RgbImage;
-use step01_rays::{Camera, direction_colour};
+use step01_rays::Camera;
 
 /// The options that a picture may have been drawn with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,25 +26,11 @@ pub(super) fn views(yours: &RgbImage) -> Vec<View> {
     let whole = crate::view::View::whole(yours.clone());
     let others = fields_of_view(&whole).into_iter();
     let fovs =
-        [FOV].into_iter().chain(others.filter(|fov| has_sky(yours, *fov)).take(1));
+        [FOV].into_iter().chain(others.filter(|fov| has_sky(&whole, *fov)).take(1));
     let samples: &[u32] = if is_smooth(yours) { &[2, 3, 4, 1] } else { &[1] };
     let all = fovs
         .flat_map(|fov| samples.iter().map(move |&samples| View { fov, samples }));
     all.collect()
-}
-
-/// Whether much of a picture is the sky of a field of view.
-fn has_sky(yours: &RgbImage, fov: f64) -> bool {
-    let (width, height) = yours.dimensions();
-    let camera = Camera::new(width, height, fov.to_radians());
-    let is_sky = |&(i, j): &(u32, u32)| {
-        let colour = direction_colour(&camera.ray(i.into(), j.into()));
-        let bytes = (255.0 * colour + 0.5).to_array().map(|c| c as u8);
-        yours.get_pixel(i, j).0 == bytes
-    };
-    let places = crate::view::scattered(yours, 600);
-    let sky = places.iter().filter(|place| is_sky(place)).count();
-    10 * sky > places.len()
 }
 
 /// Whether the pixels along sharp edges are mixed of two colours, as with more rays a
