@@ -222,9 +222,8 @@ fn samples(yours: &View, causes: &[Rated]) -> Option<u32> {
     let explains = |samples: &u32| {
         let cause = Cause { samples: *samples, ..cause.clone() };
         let all = [(&few, few.len() * 2 / 3), (&edges, edges.len() / 3)];
-        all.iter().all(|(edges, most)| {
-            misses(yours, &cause, edges, 0, *most).is_some()
-        })
+        all.iter()
+            .all(|(edges, most)| misses(yours, &cause, edges, 0, *most).is_some())
     };
     (2..=16).find(explains).filter(|_| !edges.is_empty())
 }

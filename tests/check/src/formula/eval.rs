@@ -74,6 +74,9 @@ impl Values {
             let Change::Given(line, which, value) = change else { continue };
             let line = &context.tree.lines[*line];
             for start in (line.start..own.len()).step_by(size) {
+                for (k, ours) in line.given.iter().enumerate() {
+                    own[start + k].get_or_init(|| ours.clone());
+                }
                 own[start + which] = value.clone().into();
             }
         }
