@@ -1,6 +1,7 @@
 use super::Black;
-use crate::Step;
 use crate::fov::{FOV, fields_of_view, has_sky};
+use crate::view::scattered;
+use crate::{Cause, Step};
 use image::RgbImage;
 use step01_rays::Camera;
 
@@ -18,6 +19,17 @@ impl View {
     pub fn picture(&self, step: Step, (width, height): (u32, u32)) -> RgbImage {
         let camera = Camera::new(width, height, self.fov.to_radians());
         step.picture(&camera, self.samples)
+    }
+
+    /// In how many of some pixels a picture differs from ours with these options.
+    pub fn misses(&self, step: Step, yours: &RgbImage) -> usize {
+        let &Self { fov, samples } = self;
+        let cause = Cause { step, samples, fov, mistakes: vec![] };
+        let parts = cause.parts(yours.dimensions());
+        let differs = |&(i, j): &(u32, u32)| {
+            *yours.get_pixel(i, j) != parts.pixel(step, samples, i, j)
+        };
+        scattered(yours, 3000).into_iter().filter(differs).count()
     }
 }
 
