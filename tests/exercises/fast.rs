@@ -39,8 +39,7 @@ fn difference(camera: &Camera, samples: u32, scene: &Lit) -> Option<String> {
 
 /// A camera anywhere, that looks anywhere.
 fn cameras() -> impl Strategy<Value = Camera> {
-    let parts =
-        (2..70_u32, 1..12_u32, 10.0..170_f64, point(), unit(), 0.0..6.0_f64);
+    let parts = (2..40_u32, 1..7_u32, 10.0..170_f64, point(), unit(), 0.0..6.0_f64);
     parts.prop_map(|(h_res, v_res, field, centre, axis, angle)| {
         let camera = Camera::new(h_res, v_res, field.to_radians());
         let turned = DMat3::from_axis_angle(axis, angle) * camera.matrix;
