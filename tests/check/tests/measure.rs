@@ -171,6 +171,19 @@ fn one_colour_is_no_camera() {
 }
 
 #[test]
+fn a_darker_sky_is_no_camera() {
+    // As where the mean is that of the last of four rays.
+    let mut parts = Parts::right(&camera(320, 180));
+    let [d_u, d_v, v_0] = [0, 1, 2].map(|k| parts.camera.matrix.col(k));
+    parts.camera.matrix.z_axis = v_0 + 0.25 * d_u + 0.25 * d_v;
+    let mut picture = parts.picture(Step::Phong, 1);
+    picture.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|byte| byte / 4));
+    for stage in stages(&picture, Step::Phong) {
+        assert!(matches!(stage.verdict, Verdict::Unknown(_)), "{stage:#?}");
+    }
+}
+
+#[test]
 fn columns_and_rows_that_are_not_drawn_are_told_and_a_black_sky_is_not() {
     let right = Step::Phong.picture(&camera(320, 180), 1);
     let without = |is_drawn: fn(u32, u32) -> bool| {

@@ -38,6 +38,7 @@ impl Difference {
 }
 
 /// How far apart two colours are in the channel that differs most.
+#[inline]
 pub fn apart(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }

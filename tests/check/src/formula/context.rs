@@ -21,7 +21,12 @@ pub(crate) struct Context<'a> {
     pub changes: &'a [Change],
     pub free: Value,
     /// The lines that the changes reach, a bit for each.
-    pub stale: u128,
+    stale: u128,
+    /// Those of them that the change of one object's or light's number reaches for
+    /// others, too.
+    others: u128,
+    /// That object or light.
+    which: usize,
 }
 
 impl<'a> Context<'a> {
@@ -31,7 +36,13 @@ impl<'a> Context<'a> {
     }
 
     pub fn new(tree: &'a Tree, changes: &'a [Change], free: Value) -> Self {
-        let mut context = Self { tree, changes, free, stale: 0 };
+        let mut context =
+            Self { tree, changes, free, stale: 0, others: 0, which: 0 };
+        let one = match changes {
+            [Change::Given(line, which, _)] => Some((tree.lines[*line].of, *which)),
+            _ => None,
+        };
+        context.which = one.map_or(0, |(_, which)| which);
         for change in changes {
             context.stale |= 1
                 << match change {
@@ -41,11 +52,21 @@ impl<'a> Context<'a> {
                     Change::Objects(..) | Change::Without(_) => tree.nearest,
                 };
         }
+        context.others = if one.is_some() { 0 } else { context.stale };
         for (k, line) in tree.lines.iter().enumerate() {
             let uses = context.other(k).map_or(line.uses, |node| tree.uses(node));
+            let is_apart = one.is_some_and(|(of, _)| of == line.of);
+            let others = if is_apart { context.others } else { context.stale };
             context.stale |= u128::from(uses & context.stale != 0) << k;
+            context.others |= u128::from(uses & others != 0) << k;
         }
         context
+    }
+
+    /// Whether the changes reach a line, for an object or a light.
+    pub fn is_stale(&self, line: usize, which: usize) -> bool {
+        let stale = if which == self.which { self.stale } else { self.others };
+        stale >> line & 1 != 0
     }
 
     /// What takes the place of a line's formula.

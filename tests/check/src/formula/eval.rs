@@ -104,7 +104,7 @@ impl Changed<'_> {
         let which = if which < line.count { which } else { 0 };
         let ray = if line.of == Of::Pixel { 0 } else { ray };
         let slot = ray * context.tree.given.len() + line.start + which;
-        let is_stale = context.stale >> name & 1 != 0;
+        let is_stale = context.is_stale(name, which);
         let base = self.base.known[slot].as_ref().filter(|_| !is_stale);
         base.unwrap_or_else(|| {
             self.own[slot].get_or_init(|| {

@@ -75,7 +75,8 @@ impl Riddle<'_> {
     /// Each single thing that explains every pixel, the likeliest first; `wrong` are
     /// those that the tree itself does not explain.
     ///
-    /// What is not `thorough` gives up where a number seems to explain all and does not.
+    /// What is not `thorough` leaves out what is far-fetched, and gives up where a number
+    /// seems to explain all and does not.
     fn single(
         &self,
         tree: &Tree,
@@ -83,7 +84,9 @@ impl Riddle<'_> {
         is_thorough: bool,
     ) -> Vec<Cause> {
         let evidence = self.evidence(tree, wrong);
-        let found = evidence.survivors(edits(tree)).into_iter();
+        let mut edits = edits(tree);
+        edits.retain(|edit| is_thorough || edit.rank < 2);
+        let found = evidence.survivors(edits).into_iter();
         let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
         let is_likely = |cause: &&Cause| cause.rank < 2;
         let is_unlikely = all.iter().find(is_likely).is_none();

@@ -24,8 +24,24 @@ pub(super) fn read(
     let least = if step == Step::Rays { 0.97 } else { 0.2 };
     let is_sky = least < share && 8 * beside < on;
     let ours = camera(width, height).matrix;
+    if is_dimmed(&sky, &ours) {
+        return None;
+    }
     let numbers = differences(&sky, &ours);
     (is_sky && !numbers.is_empty()).then_some(numbers)
+}
+
+/// Whether the colours of a sky are those of our rays, but so many times as bright: then
+/// they tell of no other rays.
+fn is_dimmed(sky: &Sky, ours: &DMat3) -> bool {
+    let brightness = sky.matrix.x_axis.x / ours.x_axis.x;
+    // 0.7 + 0.3 V so many times is 0.7 + 0.3 V' of this V'.
+    let other = |v: f64| brightness * v + (brightness - 1.0) * 7.0 / 3.0;
+    let is_it = |yours: f64, ours: f64| (yours - ours).abs() < 0.02;
+    is_it(sky.matrix.y_axis.y / ours.y_axis.y / brightness, 1.0)
+        && is_it(sky.matrix.z_axis.x, other(ours.z_axis.x))
+        && is_it(sky.matrix.z_axis.y, other(ours.z_axis.y))
+        && !is_it(brightness, 1.0)
 }
 
 /// How the columns of a matrix differ from those of ours, as far as can be told.

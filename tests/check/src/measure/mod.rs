@@ -76,7 +76,11 @@ fn explained(
     step: Step,
     places: &[(u32, u32)],
 ) -> Option<(view::View, Tree, Groups)> {
-    let views = view::views(yours);
+    let mut views = view::views(yours);
+    if 1 < views.len() {
+        views.sort_by_cached_key(|view| view.misses(step, yours));
+        views.truncate(2);
+    }
     let riddle = |view: &view::View,
                   ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let ours = view.picture(step, yours.dimensions());
@@ -87,16 +91,7 @@ fn explained(
     };
     let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    let differing = |view: &&view::View| {
-        let ours = view.picture(step, yours.dimensions());
-        let differs =
-            |&&(i, j): &&(u32, u32)| yours.get_pixel(i, j) != ours.get_pixel(i, j);
-        places.iter().filter(differs).count()
-    };
-    views
-        .iter()
-        .find_map(one)
-        .or_else(|| two(views.iter().take(2).min_by_key(differing)?))
+    views.iter().find_map(one).or_else(|| two(views.first()?))
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.

@@ -1,8 +1,9 @@
 use super::Black;
-use crate::Step;
-use crate::fov::{FOV, fields_of_view};
+use crate::fov::{FOV, fields_of_view, has_sky};
+use crate::view::scattered;
+use crate::{Cause, Step};
 use image::RgbImage;
-use step01_rays::{Camera, direction_colour};
+use step01_rays::Camera;
 
 /// The options that a picture may have been drawn with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +20,17 @@ impl View {
         let camera = Camera::new(width, height, self.fov.to_radians());
         step.picture(&camera, self.samples)
     }
+
+    /// In how many of some pixels a picture differs from ours with these options.
+    pub fn misses(&self, step: Step, yours: &RgbImage) -> usize {
+        let &Self { fov, samples } = self;
+        let cause = Cause { step, samples, fov, mistakes: vec![] };
+        let parts = cause.parts(yours.dimensions());
+        let differs = |&(i, j): &(u32, u32)| {
+            *yours.get_pixel(i, j) != parts.pixel(step, samples, i, j)
+        };
+        scattered(yours, 3000).into_iter().filter(differs).count()
+    }
 }
 
 /// The likeliest first: the defaults.
@@ -26,25 +38,11 @@ pub(super) fn views(yours: &RgbImage) -> Vec<View> {
     let whole = crate::view::View::whole(yours.clone());
     let others = fields_of_view(&whole).into_iter();
     let fovs =
-        [FOV].into_iter().chain(others.filter(|fov| has_sky(yours, *fov)).take(1));
+        [FOV].into_iter().chain(others.filter(|fov| has_sky(&whole, *fov)).take(1));
     let samples: &[u32] = if is_smooth(yours) { &[2, 3, 4, 1] } else { &[1] };
     let all = fovs
         .flat_map(|fov| samples.iter().map(move |&samples| View { fov, samples }));
     all.collect()
-}
-
-/// Whether much of a picture is the sky of a field of view.
-fn has_sky(yours: &RgbImage, fov: f64) -> bool {
-    let (width, height) = yours.dimensions();
-    let camera = Camera::new(width, height, fov.to_radians());
-    let is_sky = |&(i, j): &(u32, u32)| {
-        let colour = direction_colour(&camera.ray(i.into(), j.into()));
-        let bytes = (255.0 * colour + 0.5).to_array().map(|c| c as u8);
-        yours.get_pixel(i, j).0 == bytes
-    };
-    let places = crate::view::scattered(yours, 600);
-    let sky = places.iter().filter(|place| is_sky(place)).count();
-    10 * sky > places.len()
 }
 
 /// Whether the pixels along sharp edges are mixed of two colours, as with more rays a
