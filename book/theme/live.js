@@ -78,6 +78,9 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
+// A text that is as it was stays, and nothing is laid out anew for it.
+const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
 // Copies the printed picture, which is what is seen at first. It is drawn where it has not come,
 // and in a folder, where a page may not read what it has copied.
 function copy(picture, canvas, draw) {
@@ -232,7 +235,7 @@ function liven(figure, module) {
             knob.input.value = values[k];
             if (knob.isList) return;
             knob.input.setAttribute("aria-valuetext", answer.texts[k]);
-            knob.output.textContent = answer.texts[k];
+            write(knob.output, answer.texts[k]);
         });
         handles.forEach((grip, k) => {
             const turns = [...new Set(about.handles[k].knobs)];
@@ -247,7 +250,7 @@ function liven(figure, module) {
         });
         // A number that there is not here is left empty, and what speaks of it is hidden.
         const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
-        for (const number of numbers) number.textContent = told(number.dataset.number);
+        for (const number of numbers) write(number, told(number.dataset.number));
         if (code && code.textContent !== answer.numbers.rust) {
             code.textContent = answer.numbers.rust;
             window.hljs?.highlightBlock(code);

@@ -18,10 +18,15 @@ pub use step03::STEP03;
 pub use step04::STEP04;
 pub use step05::STEP05;
 
+#[cfg(target_arch = "wasm32")]
+#[path = "../../../../steps/step05_phong/examples/fast.rs"]
+#[allow(dead_code, reason = "the main of an example runs as a program only")]
+mod fast;
+
 use crate::Sight;
 use glam::DVec3;
 use image::RgbImage;
-use step01_rays::{Camera, Ray, render};
+use step05_phong::{Camera, Light, Material, Ray, Scene, render};
 
 /// What `camera` sees, one ray a pixel.
 pub(crate) fn picture(
@@ -29,6 +34,15 @@ pub(crate) fn picture(
     colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> Sight {
     shown(&render(camera, 1, colour))
+}
+
+/// What `camera` sees of a scene of step 5. In a page, the example `fast` draws it, as
+/// a dragged picture has to follow; the tests compare what it draws with `colour`.
+pub(crate) fn lit(camera: &Camera, scene: &Scene<Material, Light>) -> Sight {
+    #[cfg(target_arch = "wasm32")]
+    return shown(&fast::draw(fearless_simd::Level::new(), camera, 1, scene));
+    #[cfg(not(target_arch = "wasm32"))]
+    picture(camera, |ray| step05_phong::colour(scene, ray))
 }
 
 /// An image, to be seen in a page.

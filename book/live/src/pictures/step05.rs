@@ -1,11 +1,10 @@
 use super::polish::{SHININESS, SPECULAR, scene};
-use super::step04::{LAMPS, lit, place};
-use super::{asked, chain, picture};
+use super::step04::{self, LAMPS, place};
+use super::{asked, chain, lit};
 use crate::live::{Knob, Live, Numbers, number, vector};
 use glam::DVec3;
 use step05_phong::{
-    Light, Material, Phong, Point, Ray, Scene, direction_colour, reflect, seen,
-    specular, terms,
+    Light, Material, Point, Ray, Scene, colour, reflect, seen, specular, terms,
 };
 
 const SWITCH: &[&str] = &["off", "on"];
@@ -17,15 +16,11 @@ pub const STEP05: Live = Live {
     knobs: &KNOBS,
     handles: &[asked::PIXEL],
     is_allowed: |values| asked::camera(values[5]).is_ok(),
-    sight: |values| {
-        let scene = scene(&values[6..]);
-        picture(&asked::seen(values[5]), |ray| shown(&scene, values, ray))
-    },
+    sight: |values| lit(&asked::seen(values[5]), &switched(values)),
     numbers: |values| {
-        let scene = scene(&values[6..]);
-        let between = |ray: &Ray| between(&scene, values, ray).unwrap_or_default();
-        let colour = |ray: &Ray| shown(&scene, values, ray);
-        chain::chain(values, &scene.objects, between, colour)
+        let scene = switched(values);
+        let between = |ray: &Ray| between(&scene, ray).unwrap_or_default();
+        chain::chain(values, &scene.objects, between, |ray| colour(&scene, ray))
     },
     beside: None,
 };
@@ -44,31 +39,21 @@ const KNOBS: [Knob; 24] = {
     knobs
 };
 
-/// The terms that are switched on; the others are 0.
-fn switched(terms: &Phong, values: &[f64]) -> Phong {
-    Phong {
-        ambient: values[2] * terms.ambient,
-        diffuse: values[3] * terms.diffuse,
-        specular: values[4] * terms.specular,
+/// The scene in the light of the terms that are switched on; that of the others is 0.
+fn switched(values: &[f64]) -> Scene<Material, Light> {
+    let mut scene = scene(&values[6..]);
+    scene.ambient_light *= values[2];
+    for light in &mut scene.lights {
+        light.point.diffuse *= values[3];
+        light.specular *= values[4];
     }
-}
-
-/// The colour that `ray` sees in the light of these terms.
-fn shown(scene: &Scene<Material, Light>, values: &[f64], ray: &Ray) -> DVec3 {
-    match terms(scene, ray) {
-        Some(terms) => switched(&terms, values).sum(),
-        None => direction_colour(ray),
-    }
+    scene
 }
 
 /// Everything between the nearest hit and the sum.
-fn between(
-    scene: &Scene<Material, Light>,
-    values: &[f64],
-    ray: &Ray,
-) -> Option<Numbers> {
+fn between(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
     let mut numbers = shading(scene, ray, &seen(&scene.objects, ray)?);
-    let terms = switched(&terms(scene, ray)?, values);
+    let terms = terms(scene, ray)?;
     let terms = [
         ("ambient", terms.ambient),
         ("diffuse", terms.diffuse),
@@ -91,7 +76,7 @@ fn shading(
     all.push(("v".into(), vector(&v.to_array())));
     all.push(("shininess".into(), material.shininess.to_string()));
     for (light, lamp) in scene.lights.iter().zip(LAMPS) {
-        all.extend(lit(point, &material.surface, &light.point, lamp));
+        all.extend(step04::lit(point, &material.surface, &light.point, lamp));
         let (l, d) = light.point.seen_from(p);
         let r = reflect(l, n);
         let i_s = specular(r, v, d, material, light);

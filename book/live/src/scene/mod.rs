@@ -8,12 +8,12 @@ mod things;
 use crate::address::address;
 use crate::live::{Handle, Live};
 use crate::pictures::asked::{SIZE, place_by};
-use crate::pictures::{picture, step01};
+use crate::pictures::{lit, step01};
 use glam::{DVec2, DVec3};
 use knobs::{AMBIENT, FIELD_OF_VIEW, KNOBS, LIGHT, LIGHTS, SPHERE, SPHERES};
 use step05_phong::{
     Attenuation, Camera, Light, Material, Object, PointLight, Scene, Sphere,
-    Surface, colour,
+    Surface,
 };
 pub(crate) use things::BALLS;
 use things::LAMPS;
@@ -41,9 +41,8 @@ pub const OWN_SCENE: Live = Live {
     ],
     is_allowed: |values| camera(values).is_ok(),
     sight: |values| {
-        let scene = own_scene(values);
         let camera = camera(values).unwrap_or_else(|_| crate::camera());
-        picture(&camera, |ray| colour(&scene, ray))
+        lit(&camera, &own_scene(values))
     },
     numbers: |values| {
         let rust = rust::text(&own_scene(values), values[FIELD_OF_VIEW]);
