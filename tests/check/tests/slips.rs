@@ -4,6 +4,8 @@
 use ::check::{Verdict, stages};
 use gallery::{Parts, Step, camera};
 use glam::DVec3;
+use step01_rays::Ray;
+use step02_sphere::Roots;
 use step04_diffuse::diffuse;
 use step05_phong::specular;
 
@@ -153,4 +155,72 @@ fn two_numbers_of_a_light_and_a_margin_of_the_nearest() {
         "nearest",
         "that of the last with t < t so far + 1",
     );
+}
+
+#[test]
+fn another_operation_between_two_terms() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            let light = parts.scene.ambient_light;
+            for material in parts.materials() {
+                let r_a = &mut material.surface.ambient;
+                *r_a = (*r_a + light) / 2.0 / light;
+            }
+        },
+        "ambient",
+        "I_a = (R_a + L_a) / 2",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.attenuation = |k, d| k.a - (k.b * d + k.c * d * d),
+        "attenuation",
+        "divisor = a − (b d + c d²)",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| parts.reflect = |l, n| n + l,
+        "specular",
+        "r = n + l",
+    );
+    assert_told(
+        Step::Nearest,
+        |parts| {
+            parts.coefficients = |sphere, ray| {
+                let (a, b, _) = sphere.coefficients(ray);
+                (a, b, (ray.start - sphere.centre).length() - sphere.radius)
+            };
+        },
+        "outlines",
+        "c = |s| − radius",
+    );
+}
+
+#[test]
+fn the_last_of_four_samples_alone() {
+    assert_told(
+        Step::Nearest,
+        |parts| {
+            parts.ray = |ray| {
+                let matrix = camera(160, 90).matrix;
+                let offset = (matrix.x_axis + matrix.y_axis) / 4.0;
+                Ray { direction: ray.direction + offset, ..ray }
+            };
+            parts.byte = |x| (255.0 * x / 4.0 + 0.5) as u8;
+        },
+        "",
+        "of 2 × 2 samples in a pixel the last one alone is kept",
+    );
+}
+
+#[test]
+fn no_light_is_divided_by_a_thousand_where_it_is_absent() {
+    let mut parts = Parts::right(&camera(160, 90));
+    parts.quadratic = |a, b, c| match b * b - 4.0 * a * c {
+        ..0.0 => Roots::None,
+        d => Roots::Two(-b - d.sqrt() / 2.0 * a, -b + d.sqrt() / 2.0 * a),
+    };
+    let stages = stages(&parts.picture(Step::Diffuse, 1), Step::Diffuse);
+    let fades = stages.iter().find(|stage| stage.name == "attenuation");
+    assert!(fades.is_some_and(|one| one.verdict != Verdict::Wrong), "{stages:#?}");
 }

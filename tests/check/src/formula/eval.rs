@@ -138,9 +138,10 @@ impl Changed<'_> {
                 self.nearest(*order, margin, here.ray)
             }
             (Op::Chosen, [Node::Name(name)]) => self.chosen(*name, here.ray),
-            (Op::Sum | Op::Product | Op::Alone(_), [Node::Name(name)]) => {
-                self.total(*op, *name, here.ray)
-            }
+            (
+                Op::Sum | Op::Product | Op::Most | Op::Alone(_),
+                [Node::Name(name)],
+            ) => self.total(*op, *name, here.ray),
             (Op::Mean, [node]) if 1 < self.base.rays => self.mean(node, here),
             (Op::Last, [node]) => {
                 let (rays, ray) = (self.base.rays as f64, self.base.rays - 1);
@@ -231,6 +232,7 @@ impl Changed<'_> {
         match op {
             Op::Alone(which) => all.nth(which.min(count - 1)),
             Op::Product => all.reduce(|a, b| a.zip(&b, |a, b| a * b)),
+            Op::Most => all.reduce(|a, b| a.zip(&b, f64::max)),
             _ => all.reduce(|a, b| a.zip(&b, |a, b| a + b)),
         }
         .unwrap_or(ZERO)

@@ -56,9 +56,10 @@ pub(crate) enum Op {
     Nearest,
     /// A number of the nearest object.
     Chosen,
-    /// The sum over all lights, their product, or one of them alone.
+    /// The sum over all lights, their product, the most of them, or one of them alone.
     Sum,
     Product,
+    Most,
     Alone(usize),
     /// The mean over all rays of a pixel, or the last of them alone.
     Mean,
@@ -138,6 +139,7 @@ impl Node {
                 Op::Chosen
                 | Op::Sum
                 | Op::Product
+                | Op::Most
                 | Op::Alone(_)
                 | Op::Mean
                 | Op::Last,

@@ -101,6 +101,7 @@ impl Print<'_> {
             Op::Product => {
                 (format!("the product of {} over all lights", at(0, 9)), 2)
             }
+            Op::Most => (format!("the largest {} of all lights", at(0, 9)), 2),
             Op::Alone(0) => (format!("{} of the first alone", at(0, 9)), 2),
             Op::Alone(_) => (format!("{} of the last alone", at(0, 9)), 2),
             Op::Nearest if nodes[1] == Node::Number(0.0) => {

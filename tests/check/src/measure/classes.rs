@@ -117,8 +117,11 @@ fn faded(all: &[&Seen], light: usize, name: &str, stages: &mut [Stage]) {
     let is_better = |a: &Curve, b: &Option<Curve>| {
         b.as_ref().is_none_or(|b| a.rest < b.rest / 3.0)
     };
-    if let Some(curve) = distance.as_ref().filter(|curve| is_better(curve, &cosine))
-    {
+    // No one divides by a hundred times too much: then it gives no light at all.
+    let is_divisor =
+        |curve: &&Curve| curve.points.iter().all(|(_, factor)| 0.01 < factor.abs());
+    let is_it = |curve: &&Curve| is_better(curve, &cosine) && is_divisor(curve);
+    if let Some(curve) = distance.as_ref().filter(is_it) {
         let told = curve.told(|d, factor| {
             let ours = ours(light).at(d);
             format!(

@@ -52,6 +52,7 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let changes = vec![Change::Line(v, Node::of(Op::Vector, rows))];
         all.push(Edit { changes, rank: 0, says: Some(says), line: v });
     }
+    last_samples(tree, all);
     if let Some(node) = &tree.lines[byte].node {
         let turns = Node::of(
             Op::Floor,
@@ -68,6 +69,34 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let says = "bytes end at 127, as those with a sign do".to_owned();
         let changes = vec![Change::Line(byte, most)];
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
+    }
+}
+
+/// The last sub-pixel alone, by the number of all: in a picture that seems to have one.
+fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
+    let (Some(i), Some(j), Some(mean)) =
+        (tree.find("i'"), tree.find("j'"), tree.find("M"))
+    else {
+        return;
+    };
+    for side in [2.0, 3.0, 4.0] {
+        let offset = Node::Number(0.5 - 0.5 / side);
+        let other = |line: usize, op: Op, by: Node| {
+            let node = tree.lines[line].node.clone();
+            Some(Change::Line(line, Node::of(op, [node?, by])))
+        };
+        let weight = Node::Number(1.0 / (side * side));
+        let changes = [
+            other(i, Op::Add, offset.clone()),
+            other(j, Op::Add, offset),
+            other(mean, Op::Mul, weight),
+        ];
+        let says = format!(
+            "of {side} × {side} samples in a pixel the last one alone is kept, by the \
+             number of all"
+        );
+        let changes = changes.into_iter().flatten().collect();
+        all.push(Edit { changes, rank: 1, says: Some(says), line: mean });
     }
 }
 

@@ -192,6 +192,7 @@ impl Scope<'_> {
                         all.push(of(0, Op::Alone(0)));
                         all.push(of(0, Op::Alone(1)));
                         all.push(of(1, Op::Product));
+                        all.push(of(1, Op::Most));
                     }
                     Op::Chosen => {
                         all.push(of(1, Op::Alone(0)));

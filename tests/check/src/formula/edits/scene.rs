@@ -83,6 +83,10 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
         let says =
             "I_a and the I_d of the lights are multiplied, not added".to_owned();
         push("E_d", 0, vec![Change::Line(line, product)], says);
+        let most = Node::of(Op::Max, [Node::Name(ambient), of(Op::Most)]);
+        let says =
+            "I is the larger of I_a and the I_d of the lights, not their sum";
+        push("E_d", 0, vec![Change::Line(line, most)], says.to_owned());
         let last = vec![Change::Line(line, of(Op::Alone(1)))];
         let says = "I is the I_d of the last light alone: the ambient part and the first \
                     light are missing";

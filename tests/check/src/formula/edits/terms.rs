@@ -1,10 +1,14 @@
 use super::Ranked;
 use crate::formula::{Node, Op};
 
-/// A sum or a product of which one sign is another, or a number is in another term.
+/// A sum or a product of which one sign is another, or a number is in another term, or
+/// a mean for a product.
 pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
     let mut all = vec![];
     let of = |op: Op, a: &Node, b: &Node| Node::of(op, [a.clone(), b.clone()]);
+    if op == Op::Mul {
+        all.push(of(Op::Div, &of(Op::Add, a, b), &Node::Number(2.0)));
+    }
     match (op, a, b) {
         (Op::Mul, Node::Of(Op::Mul, two), _) => {
             let last = of(Op::Mul, &two[1], b);
@@ -14,6 +18,10 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
         }
         (Op::Add, Node::Of(Op::Add, two), _) => {
             all.push(of(Op::Mul, &two[0], &of(Op::Add, &two[1], b)));
+            all.push(of(Op::Sub, &two[0], &of(Op::Add, &two[1], b)));
+            // The product of two terms, without the third.
+            let pairs = [(&two[0], &two[1]), (&two[0], b), (&two[1], b)];
+            all.extend(pairs.map(|(x, y)| of(Op::Mul, x, y)));
         }
         (Op::Dot, ..) => {
             let cross = of(Op::Cross, a, b);
@@ -33,8 +41,9 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
             all.push(of(op, &rest, &of(Op::Mul, &number, b)));
         }
         if let (Some(a), Some(b)) = (root(a), root(b)) {
-            let two = Node::Number(2.0);
-            all.push(of(Op::Pow, &of(op, &a, &b), &two));
+            let both = of(op, &a, &b);
+            all.push(of(Op::Pow, &both, &Node::Number(2.0)));
+            all.push(both);
         }
     }
     all.into_iter().map(|node| (1, node)).collect()

@@ -21,7 +21,29 @@ impl Scope<'_> {
             self.names(Kind::Scalar).filter(|_| matches!(node, Node::Name(_)));
         let all = parts(node).into_iter().chain([0, 1, 2].map(flat)).chain(numbers);
         let all = all.map(|other| (2, other));
-        all.chain(self.crossed(node)).collect()
+        all.chain(self.crossed(node)).chain(self.sums(node)).collect()
+    }
+
+    /// A sum of two directions, or of p and one, for a vector of a light, by its name
+    /// or its whole formula.
+    fn sums(&self, node: &Node) -> Vec<Ranked> {
+        let is_whole = self.line.node.as_ref() == Some(node);
+        let is_vector = is_whole || matches!(node, Node::Name(_));
+        if self.line.of != Of::Light || !is_vector {
+            return vec![];
+        }
+        let is_one = |node: &Node| match node {
+            Node::Name(k) => {
+                ["p", "n", "v", "l", "r"].contains(&&*self.tree.lines[*k].name)
+            }
+            _ => false,
+        };
+        let all: Vec<_> = self.names(Kind::Vector).filter(is_one).collect();
+        let sum = |a: &Node, b: &Node| Node::of(Op::Add, [a.clone(), b.clone()]);
+        let pairs = all.iter().enumerate();
+        let pairs =
+            pairs.flat_map(|(k, a)| all[..k].iter().map(move |b| sum(b, a)));
+        pairs.map(|sum| (2, sum)).collect()
     }
 
     /// A product of two vectors that is another product.
