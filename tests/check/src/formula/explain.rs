@@ -130,8 +130,6 @@ impl Riddle<'_> {
             let rank = 2 * usize::from(cause.rank) + usize::from(cause.is_formula);
             (rank, cause.told.chars().count())
         });
-        let mut told = HashSet::new();
-        all.retain(|cause| told.insert(cause.of.clone()));
         let missed = |cause: &Cause, places: &[Pixel], most: usize| {
             let tree = tree.with(&cause.changes);
             misses(&tree, self.yours, self.samples, places, most)
@@ -140,18 +138,24 @@ impl Riddle<'_> {
         let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
         let few: Vec<_> = few.copied().collect();
         let mut wrong = vec![];
-        let first = all.iter().take(6).position(|cause| {
-            let missed = missed(cause, self.places, 2000);
-            wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+        // Where much is black or white, many seem to explain it.
+        let first = all.iter().take(60).enumerate().position(|(k, cause)| {
+            let missed = missed(cause, self.places, if k < 6 { 2000 } else { 0 });
+            if k < 6 {
+                wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+            }
             missed.is_empty()
         });
         let Some(first) = first else { return Err(wrong) };
         all.drain(..first);
-        all.truncate(12);
-        let mut k = 0;
+        let (mut told, mut tried) = (HashSet::new(), 0);
         all.retain(|cause| {
-            k += 1;
-            k == 1 || missed(cause, &few, 0).is_empty()
+            if 12 <= tried || told.contains(&cause.of) {
+                return false;
+            }
+            tried += 1;
+            let fits = tried == 1 || missed(cause, &few, 0).is_empty();
+            fits && told.insert(cause.of.clone())
         });
         Ok(())
     }
