@@ -1,7 +1,7 @@
 //! The module that looks at a reader's picture says what `check` says.
 
 use crate::MEND;
-use crate::module::{Module, checked_in};
+use crate::module::{Code, checked_in};
 use ::check::{Locked, locked};
 use ::module::{NAMES, answer, draw};
 use gallery::{Step, camera, mistakes};
@@ -55,7 +55,8 @@ fn the_module_says_what_check_says() {
     let right = png(&locked("gradient").expect("it can be read"));
     let mistake = png(&wrong("bgr", Step::Rays));
     let cut = &right[..1000];
-    let mut pictures = Module::new(&checked_in("pictures"));
+    let code = Code::new(&checked_in("check"));
+    let mut pictures = Code::new(&checked_in("pictures")).start();
     for (request, file, says) in [
         ("check gradient a.png", &right[..], "Right: this is the picture"),
         ("check * step01_rays.png", &mistake, "Not right yet"),
@@ -67,7 +68,7 @@ fn the_module_says_what_check_says() {
         let ours = ours(request, file);
         assert!(ours.text.contains(says), "{request}: {}", ours.text);
         // Each time anew, as after a module that failed.
-        let mut check = Module::new(&checked_in("check"));
+        let mut check = code.start();
         let check = |request: &str, file: &[u8]| check.answer(request, file);
         let draw = |request: &str| pictures.answer(request, b"");
         let theirs = told(check, draw, request, file);

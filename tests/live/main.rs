@@ -6,7 +6,7 @@ mod module;
 mod moved;
 
 use live::{Knob, LIVE, Live, Sight};
-use module::{Module, checked_in};
+use module::{Code, Module, checked_in};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -16,7 +16,7 @@ const MEND: &str = "book/live/*.wasm are not what book/live says: `cargo run -p 
                     --bin module` compiles them anew";
 
 fn ours() -> Module {
-    Module::new(&checked_in("live"))
+    Code::new(&checked_in("live")).start()
 }
 
 /// How the module answers a request otherwise than we do.
@@ -219,6 +219,6 @@ fn a_module_that_is_not_ours_is_found() {
     let words = b"the tip of V";
     let at = bytes.windows(words.len()).position(|part| part == words);
     bytes[at.expect("a text of ours")] ^= 1;
-    let told = fault(&mut Module::new(&bytes), "about ray").expect("a fault");
+    let told = fault(&mut Code::new(&bytes).start(), "about ray").expect("a fault");
     assert!(told.contains("cargo run -p live --bin module"), "{told}");
 }

@@ -14,6 +14,9 @@ pub fn checked_in(name: &str) -> Vec<u8> {
     fs::read(path).expect("the module can be read")
 }
 
+/// A module that is read, and can be started again and again.
+pub struct Code(wasmi::Module);
+
 /// A module, running as in a page.
 pub struct Module {
     store: Store<()>,
@@ -21,22 +24,27 @@ pub struct Module {
     memory: Memory,
 }
 
-impl Module {
-    /// Loads a module, which asks nothing of its page.
+impl Code {
     pub fn new(bytes: &[u8]) -> Self {
         let mut config = Config::default();
         // Most functions are called by few tests.
         config.compilation_mode(CompilationMode::Lazy);
         let engine = Engine::new(&config);
-        let module = wasmi::Module::new(&engine, bytes).expect("a module");
-        let mut store = Store::new(&engine, ());
-        let linker = Linker::new(&engine);
-        let instance =
-            linker.instantiate_and_start(&mut store, &module).expect("it starts");
-        let memory = instance.get_memory(&store, "memory").expect("it has memory");
-        Self { store, instance, memory }
+        Self(wasmi::Module::new(&engine, bytes).expect("a module"))
     }
 
+    /// Starts the module, which asks nothing of its page.
+    pub fn start(&self) -> Module {
+        let mut store = Store::new(self.0.engine(), ());
+        let linker = Linker::new(self.0.engine());
+        let instance =
+            linker.instantiate_and_start(&mut store, &self.0).expect("it starts");
+        let memory = instance.get_memory(&store, "memory").expect("it has memory");
+        Module { store, instance, memory }
+    }
+}
+
+impl Module {
     /// Its answer to a request about a file, as book/theme/live.js gets it; none where
     /// it fails.
     pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Answer> {
