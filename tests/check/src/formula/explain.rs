@@ -150,7 +150,7 @@ impl Riddle<'_> {
         all.drain(..first);
         let (mut told, mut tried) = (HashSet::new(), 0);
         all.retain(|cause| {
-            if 12 <= tried || told.contains(&cause.of) {
+            if 24 <= tried || told.contains(&cause.of) {
                 return false;
             }
             tried += 1;

@@ -74,9 +74,8 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
 
 /// The last sub-pixel alone, by the number of all: in a picture that seems to have one.
 fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
-    let (Some(i), Some(j), Some(mean)) =
-        (tree.find("i'"), tree.find("j'"), tree.find("M"))
-    else {
+    let [i, j, mean] = ["i", "j", "M"].map(|name| tree.find(name));
+    let (Some(i), Some(j), Some(mean)) = (i, j, mean) else {
         return;
     };
     for side in [2.0, 3.0, 4.0] {
@@ -96,7 +95,7 @@ fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
              number of all"
         );
         let changes = changes.into_iter().flatten().collect();
-        all.push(Edit { changes, rank: 1, says: Some(says), line: mean });
+        all.push(Edit { changes, rank: 1, says: Some(says), line: i });
     }
 }
 

@@ -34,7 +34,7 @@ impl Scope<'_> {
         }
         let is_one = |node: &Node| match node {
             Node::Name(k) => {
-                ["p", "n", "v", "l", "r"].contains(&&*self.tree.lines[*k].name)
+                ["p", "n", "v", "l"].contains(&&*self.tree.lines[*k].name)
             }
             _ => false,
         };
