@@ -102,7 +102,14 @@ impl Scope<'_> {
                 "fade", "order", "nearest", "k_u", "k_v", "samples", "I'", "fov",
                 "θ",
             ];
+            // A column or a row is of no use where light falls on a point.
+            let counted = [
+                "hRes", "vRes", "columns", "rows", "column", "row", "u", "v'", "i",
+                "j", "i'", "j'",
+            ];
+            let is_lit = matches!(self.line.of, Of::Hit | Of::Light);
             odd.contains(&&*line.name) && self.line.place.stage != "rays"
+                || is_lit && counted.contains(&&*line.name)
         };
         let is_it = move |line: &&Line| {
             line.is_needed
