@@ -2,7 +2,6 @@ use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
 use crate::{Cause, Mistake, Rest, Step};
-use std::collections::HashSet;
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -137,17 +136,20 @@ fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
 /// several steps may know it.
 fn found(causes: Vec<(Cause, Rest)>) -> Option<Found> {
     let (Cause { step, samples, fov, .. }, rest) = causes.first()?.clone();
-    let mut told = HashSet::new();
     let names = |mistakes: &[&Mistake]| -> Vec<_> {
         mistakes.iter().map(|mistake| mistake.name).collect()
     };
-    let causes = causes.into_iter().map(|(cause, _)| cause.mistakes);
-    let causes = causes.filter(|mistakes| told.insert(names(mistakes))).collect();
+    let mut told: Vec<Vec<&Mistake>> = vec![];
+    for (Cause { mistakes, .. }, _) in causes {
+        if told.iter().all(|known| names(known) != names(&mistakes)) {
+            told.push(mistakes);
+        }
+    }
     Some(Found {
         name: step.name().to_owned(),
         samples,
         fov,
-        causes,
+        causes: told,
         same_fov: None,
         rest,
     })

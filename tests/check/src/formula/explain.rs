@@ -6,7 +6,6 @@ use crate::Step;
 use crate::measure::{number, vector};
 use glam::DVec3;
 use image::RgbImage;
-use std::collections::HashSet;
 
 /// Something that is done otherwise than in the lecture, and explains a picture.
 #[derive(Clone, Debug)]
@@ -53,7 +52,10 @@ impl Riddle<'_> {
     }
 
     fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
-        let is_wrong: HashSet<_> = wrong.iter().collect();
+        let (width, height) = self.yours.dimensions();
+        let index = |&(i, j): &Pixel| (j * width + i) as usize;
+        let mut is_wrong = vec![false; (width * height) as usize];
+        wrong.iter().for_each(|place| is_wrong[index(place)] = true);
         let few = self.places.iter().step_by(self.places.len() / 400 + 1);
         // Some of them are close to the wrong ones: outlines end there.
         let near =
@@ -62,13 +64,12 @@ impl Riddle<'_> {
                 [(7, 0), (-7, 0), (0, 7), (0, -7)]
                     .map(|(u, v)| (by(i, u), by(j, v)))
             });
-        let (width, height) = self.yours.dimensions();
         let near: Vec<_> = near.filter(|&(i, j)| i < width && j < height).collect();
         let right = near.iter().filter(|&&(i, j)| {
             self.yours.get_pixel(i, j) == self.ours.get_pixel(i, j)
         });
         let right: Vec<_> =
-            few.chain(right).filter(|p| !is_wrong.contains(p)).copied().collect();
+            few.chain(right).filter(|p| !is_wrong[index(p)]).copied().collect();
         Evidence::new(tree, self.yours, self.samples, wrong, &right)
     }
 
@@ -148,14 +149,17 @@ impl Riddle<'_> {
         });
         let Some(first) = first else { return Err(wrong) };
         all.drain(..first);
-        let (mut told, mut tried) = (HashSet::new(), 0);
+        let (mut told, mut tried) = (vec![], 0);
         all.retain(|cause| {
             if 24 <= tried || told.contains(&cause.of) {
                 return false;
             }
             tried += 1;
             let fits = tried == 1 || missed(cause, &few, 0).is_empty();
-            fits && told.insert(cause.of.clone())
+            if fits {
+                told.push(cause.of.clone());
+            }
+            fits
         });
         Ok(())
     }
@@ -231,7 +235,7 @@ impl Riddle<'_> {
 fn halves(evidence: &Evidence) -> Vec<Cause> {
     let tree = evidence.tree;
     let [few, more, _] = &evidence.parts;
-    let mut seen = HashSet::new();
+    let mut seen = vec![];
     let mut rated = vec![];
     for edit in edits(tree).into_iter().filter(|edit| edit.rank < 2) {
         let context = Context::new(tree, &edit.changes, 0.0.into());
@@ -249,7 +253,8 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
         let both = yours.zip(&after);
         let mended =
             both.filter(|(place, p)| evidence.pixel(**place) == **p).count();
-        if 2 < mended && seen.insert(after) {
+        if 2 < mended && !seen.contains(&after) {
+            seen.push(after);
             rated.push((mended, edit));
         }
     }

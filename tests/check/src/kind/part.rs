@@ -1,6 +1,5 @@
 use crate::Locked;
 use image::RgbImage;
-use std::collections::HashSet;
 
 /// How many pixels of a row are looked for first.
 const RUN: usize = 8;
@@ -56,7 +55,13 @@ fn row(picture: &RgbImage, j: u32) -> &[u8] {
 fn striking(picture: &RgbImage) -> Option<(usize, u32)> {
     let colours = |&(u, v): &(usize, u32)| {
         let run = &row(picture, v)[3 * u..3 * (u + RUN)];
-        run.chunks(3).collect::<HashSet<_>>().len()
+        let mut all = vec![];
+        for colour in run.chunks(3) {
+            if !all.contains(&colour) {
+                all.push(colour);
+            }
+        }
+        all.len()
     };
     let columns = 0..=picture.width() as usize - RUN;
     let places = (0..picture.height())
