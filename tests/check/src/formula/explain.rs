@@ -139,13 +139,16 @@ impl Riddle<'_> {
         let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
         let few: Vec<_> = few.copied().collect();
         let mut wrong = vec![];
-        // Where much is black or white, many seem to explain it.
+        // Where much is black or white, many seem to explain it: what the first of them
+        // do not explain tells the others.
         let first = all.iter().take(60).enumerate().position(|(k, cause)| {
-            let missed = missed(cause, self.places, if k < 6 { 2000 } else { 0 });
             if k < 6 {
+                let missed = missed(cause, self.places, 2000);
                 wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+                return missed.is_empty();
             }
-            missed.is_empty()
+            missed(cause, &wrong, 0).is_empty()
+                && missed(cause, self.places, 0).is_empty()
         });
         let Some(first) = first else { return Err(wrong) };
         all.drain(..first);
