@@ -184,6 +184,18 @@ fn a_darker_sky_is_no_camera() {
 }
 
 #[test]
+fn a_sky_like_that_of_another_angle_is_not_right() {
+    let camera = camera(640, 360);
+    let picture = RgbImage::from_fn(640, 360, |i, j| {
+        let v = camera.ray(i.into(), j.into()).direction;
+        let sky = [v.x, v.y, -v.z].map(|v| 255.0 * (0.7 + 0.35 * v) + 0.5);
+        Rgb(sky.map(|byte| byte as u8))
+    });
+    let stages = stages(&picture, Step::Rays);
+    assert_ne!(named(&stages, "sky").verdict, Verdict::Right, "{stages:#?}");
+}
+
+#[test]
 fn columns_and_rows_that_are_not_drawn_are_told_and_a_black_sky_is_not() {
     let right = Step::Phong.picture(&camera(320, 180), 1);
     let without = |is_drawn: fn(u32, u32) -> bool| {

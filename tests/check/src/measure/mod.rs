@@ -76,11 +76,7 @@ fn explained(
     step: Step,
     places: &[(u32, u32)],
 ) -> Option<(view::View, Tree, Groups)> {
-    let mut views = view::views(yours);
-    if 1 < views.len() {
-        views.sort_by_cached_key(|view| (view.misses(step, yours), 0));
-        views.truncate(2);
-    }
+    let views = view::likely(yours, step);
     let riddle = |view: &view::View,
                   ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let ours = view.picture(step, yours.dimensions());
@@ -91,7 +87,8 @@ fn explained(
     };
     let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    views.iter().find_map(one).or_else(|| two(views.first()?))
+    let nearest = || views.iter().min_by_key(|view| view.misses(step, yours));
+    views.iter().find_map(one).or_else(|| two(nearest()?))
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.

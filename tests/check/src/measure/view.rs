@@ -45,6 +45,20 @@ pub(super) fn views(yours: &RgbImage) -> Vec<View> {
     all.collect()
 }
 
+/// Of each field of view the two numbers of samples with which ours is nearest; the
+/// course's own angle first, as another one explains too much.
+pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<View> {
+    let all = views(yours);
+    let of_fov = all.chunk_by(|a, b| a.fov == b.fov).flat_map(|some| {
+        let mut some = some.to_vec();
+        if 1 < some.len() {
+            some.sort_by_cached_key(|view| (view.misses(step, yours), 0));
+        }
+        some.into_iter().take(2)
+    });
+    of_fov.collect()
+}
+
 /// Whether the pixels along sharp edges are mixed of two colours, as with more rays a
 /// pixel.
 fn is_smooth(yours: &RgbImage) -> bool {
