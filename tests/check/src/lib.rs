@@ -9,6 +9,7 @@ mod fov;
 mod recognise;
 mod rest;
 mod sight;
+mod sort;
 
 mod formula;
 mod kind;
@@ -36,6 +37,7 @@ pub use measure::{Stage, Verdict, pixel, stages};
 pub use png::picture;
 pub(crate) use recognise::{Found, recognise};
 pub(crate) use rest::Rest;
+pub(crate) use sort::sort;
 pub use table::table;
 pub use whose::by_file;
 

@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
-use crate::{Cause, Mistake, Rest, Step};
+use crate::{Cause, Mistake, Rest, Step, sort};
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
     if let Some(found) = optional(steps, 0).or_else(|| optional(&later, 1)) {
         return Some(found);
     }
-    likely.sort_by_cached_key(|(misses, cause)| (*misses, cause.mistakes.len()));
+    sort(&mut likely, |(misses, cause)| [*misses, cause.mistakes.len()]);
     let more = with_more_rays(yours, &likely);
     likely.extend(more.iter().cloned());
     let found = exact(yours, &more).or_else(|| near(yours, &likely, 0));
@@ -87,7 +87,7 @@ fn levels(
     for count in 0..=most {
         let all = steps.iter().flat_map(|&step| Cause::all(step, count, fov));
         let mut level = sieved(yours, all.collect());
-        level.sort_by_cached_key(|(misses, _)| (*misses, 0));
+        sort(&mut level, |(misses, _)| [*misses, 0]);
         let more = || exact(yours, &with_more_rays(yours, &level));
         if let Some(found) = exact(yours, &level).or_else(more) {
             return Some(found);
@@ -124,9 +124,9 @@ fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
         let rest = |(_, cause): &Rated| (cause.clone(), compare(yours, cause));
         let mut all: Vec<_> =
             few.map(rest).filter(|(_, rest)| rest.beyond(0) == 0).collect();
-        all.sort_by_cached_key(|(cause, _)| {
+        sort(&mut all, |(cause, _)| {
             let is_its = cause.mistakes.iter().any(|m| m.step == cause.step);
-            (usize::from(!is_its), 0)
+            [usize::from(!is_its), 0]
         });
         found(all)
     })
@@ -162,8 +162,7 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let rated = |rated| Some((rate(yours, rated, 3000, rounding, 24)?, rated));
     let all = likely.iter().filter(|(_, cause)| cause.mistakes.len() <= 1);
     let mut causes: Vec<_> = all.filter_map(rated).collect();
-    causes
-        .sort_by_cached_key(|(misses, (_, cause))| (*misses, cause.mistakes.len()));
+    sort(&mut causes, |(misses, (_, cause))| [*misses, cause.mistakes.len()]);
     let best = causes.into_iter().take(4);
     let mut best: Vec<_> = best
         .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause)))
@@ -171,7 +170,7 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let cost = |(cause, rest): &(Cause, Rest)| {
         (rest.beyond(rounding) + 1) << (2 * cause.mistakes.len())
     };
-    best.sort_by_cached_key(|one| (cost(one), 0));
+    sort(&mut best, |one| [cost(one), 0]);
     let least = cost(best.first()?);
     best.retain(|one| cost(one) == least);
     let (cause, rest) = best.first()?;
@@ -216,7 +215,7 @@ fn samples(yours: &View, causes: &[Rated]) -> Option<u32> {
         (apart(yours.pixel(i, j), &ours), (i, j))
     };
     let mut edges: Vec<_> = yours.scattered(20_000).iter().map(miss).collect();
-    edges.sort_by_cached_key(|&(apart, _)| (usize::from(u8::MAX - apart), 0));
+    sort(&mut edges, |&(apart, _)| [usize::from(u8::MAX - apart), 0]);
     let edges = edges.into_iter().filter(|&(apart, _)| 0 < apart);
     let edges: Vec<_> = edges.map(|(_, place)| place).take(120).collect();
     // The right number explains nearly all, if there is anything to explain; another one

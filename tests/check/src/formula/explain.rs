@@ -2,8 +2,8 @@ use super::{
     Change, Context, Edit, Evidence, Kind, Known, Node, Of, Op, Pixel, Place, SOME,
     Tree, Value, Values, Where, edits, misses, solved, unknowns,
 };
-use crate::Step;
 use crate::measure::{number, vector};
+use crate::{Step, sort};
 use glam::DVec3;
 use image::RgbImage;
 
@@ -126,10 +126,10 @@ impl Riddle<'_> {
         tree: &Tree,
         all: &mut Vec<Cause>,
     ) -> Result<(), Vec<Pixel>> {
-        all.sort_by_cached_key(|cause| {
+        sort(all, |cause| {
             // A number of the scene is the likeliest.
             let rank = 2 * usize::from(cause.rank) + usize::from(cause.is_formula);
-            (rank, cause.told.chars().count())
+            [rank, cause.told.chars().count()]
         });
         let missed = |cause: &Cause, places: &[Pixel], most: usize| {
             let tree = tree.with(&cause.changes);
@@ -225,11 +225,13 @@ impl Riddle<'_> {
                 }
             }
         }
-        all.sort_by_cached_key(|its| (usize::MAX - its.len(), 0));
-        let all = all.iter().take(1).filter(|its| 8 < its.len());
-        all.filter_map(|its| {
+        // The first of those that have most.
+        let most = all.iter().rev().max_by_key(|its| its.len());
+        let most = most.filter(|its| 8 < its.len());
+        most.and_then(|its| {
             numbers(&self.evidence(tree, its), false).into_iter().next()
         })
+        .into_iter()
         .collect()
     }
 }
@@ -261,8 +263,8 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
             rated.push((mended, edit));
         }
     }
-    rated.sort_by_cached_key(|(mended, edit)| {
-        (usize::MAX - mended, usize::from(edit.rank))
+    sort(&mut rated, |(mended, edit)| {
+        [usize::MAX - mended, usize::from(edit.rank)]
     });
     rated.iter().take(2).map(|(_, edit)| cause(tree, edit)).collect()
 }

@@ -56,7 +56,7 @@ pub(crate) enum Op {
     Nearest,
     /// A number of the nearest object.
     Chosen,
-    /// The sum over all lights, their product, the most of them, or one of them alone.
+    /// The sum over all lights, their product, the largest of them, or one of them alone.
     Sum,
     Product,
     Most,

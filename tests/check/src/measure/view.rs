@@ -1,7 +1,7 @@
 use super::Black;
 use crate::fov::{FOV, fields_of_view, has_sky};
 use crate::view::scattered;
-use crate::{Cause, Parts, Step};
+use crate::{Cause, Parts, Step, sort};
 use image::RgbImage;
 use step01_rays::Camera;
 
@@ -52,7 +52,7 @@ pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<View> {
     let of_fov = all.chunk_by(|a, b| a.fov == b.fov).flat_map(|some| {
         let mut some = some.to_vec();
         if 1 < some.len() {
-            some.sort_by_cached_key(|view| (view.misses(step, yours), 0));
+            sort(&mut some, |view| [view.misses(step, yours), 0]);
         }
         some.into_iter().take(2)
     });

@@ -72,7 +72,8 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
     }
 }
 
-/// The last sub-pixel alone, by the number of all: in a picture that seems to have one.
+/// The last sub-pixel alone, divided by the number of all: in a picture that seems to
+/// have one.
 fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
     let [i, j, mean] = ["i", "j", "M"].map(|name| tree.find(name));
     let (Some(i), Some(j), Some(mean)) = (i, j, mean) else {
@@ -91,8 +92,8 @@ fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
             other(mean, Op::Mul, weight),
         ];
         let says = format!(
-            "of {side} × {side} samples in a pixel the last one alone is kept, by the \
-             number of all"
+            "of {side} × {side} samples in a pixel the last one alone is kept, and \
+             divided by the number of all"
         );
         let changes = changes.into_iter().flatten().collect();
         all.push(Edit { changes, rank: 1, says: Some(says), line: i });

@@ -6,6 +6,7 @@ mod terms;
 mod vectors;
 
 use super::{Change, Kind, Line, Node, Of, Op, Tree};
+use crate::sort;
 use lines::{exchanges, rays};
 use names::swapped_numbers;
 use scene::{given, scenes};
@@ -43,7 +44,7 @@ pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
             || ["I", "I'"].contains(&name) && edit.rank == 1;
         edit.rank += u8::from(is_alias && edit.says.is_none());
     }
-    all.sort_by_cached_key(|edit| (usize::from(edit.rank), 0));
+    sort(&mut all, |edit| [usize::from(edit.rank), 0]);
     all
 }
 
