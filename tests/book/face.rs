@@ -1,59 +1,81 @@
-//! The face of the formulas has each of their letters.
+//! The faces of the book have each of its letters.
 
 use crate::book::BOOK;
 use crate::{assert_found, assert_none};
 use book::Site;
 
-/// The parts of a formula that hold its letters.
-const TOKENS: [&str; 4] = ["mi", "mn", "mo", "mtext"];
+/// What is drawn in each face; what stands in none of these may be in any.
+const FACES: [(&str, &[&str]); 2] =
+    [("Course Math", &["mi", "mn", "mo", "mtext"]), ("JetBrains Mono", &["pre"])];
 
-/// Each letter of a formula that would be drawn in another face.
+/// Signs that each machine has in some face of its own.
+const ANYWHERE: [char; 6] = ['ᵀ', 'ⁿ', 'ₛ', '○', '●', '\u{200b}'];
+
+/// Each letter that would be drawn in another face than its neighbours.
 fn faults(book: &Site) -> Vec<String> {
-    let ranges = ranges(book.files.text("fonts/fonts.css").unwrap_or_default());
+    let css = book.files.text("fonts/fonts.css").unwrap_or_default();
     let mut faults = vec![];
+    let any = ranges(css, "");
     for page in book.pages.values() {
-        for token in TOKENS.into_iter().flat_map(|tag| page.all(tag)) {
-            let is_missing = |c: &char| {
-                !c.is_whitespace()
-                    && !ranges
-                        .iter()
-                        .any(|[a, b]| (*a..=*b).contains(&u32::from(*c)))
-            };
-            if let Some(c) = token.text.chars().find(is_missing) {
-                faults.push(format!(
-                    "The formulas' face has no {c:?} ({:X}), at {}.",
-                    u32::from(c),
-                    page.at(token)
-                ));
+        if let Some(c) = missing(&page.text, &any) {
+            faults.push(format!(
+                "No face has {c:?} ({:X}), in {}.",
+                c as u32, page.name
+            ));
+        }
+        for (family, tags) in FACES {
+            let its = ranges(css, family);
+            for element in tags.iter().flat_map(|tag| page.all(tag)) {
+                if let Some(c) = missing(&element.text, &its) {
+                    faults.push(format!(
+                        "{family} has no {c:?} ({:X}), at {}.",
+                        c as u32,
+                        page.at(element)
+                    ));
+                }
             }
         }
     }
     faults
 }
 
-/// The first and the last of the letters in a row that the face has.
-fn ranges(css: &str) -> Vec<[u32; 2]> {
-    let face = css.lines().find(|line| line.contains("\"Course Math\""));
-    let face = face.and_then(|line| line.split_once("unicode-range:"));
-    let (_, all) = face.expect("the letters of the formulas' face");
+/// The first letter of the text that none of the ranges holds.
+fn missing(text: &str, ranges: &[[u32; 2]]) -> Option<char> {
+    let has =
+        |c: char| ranges.iter().any(|[a, b]| (*a..=*b).contains(&u32::from(c)));
+    let mut drawn =
+        text.chars().filter(|c| !c.is_whitespace() && !ANYWHERE.contains(c));
+    drawn.find(|&c| !has(c))
+}
+
+/// The first and the last of the letters in a row that the faces of a family have.
+fn ranges(css: &str, family: &str) -> Vec<[u32; 2]> {
     let number = |text: &str| u32::from_str_radix(text, 16).expect("a letter");
     let range = |text: &str| {
-        let text = text.trim().trim_end_matches([';', ' ', '}']);
-        let text = text.trim_start_matches("U+");
+        let text = text.trim().trim_start_matches("U+");
         let (a, b) = text.split_once('-').unwrap_or((text, text));
         [number(a), number(b)]
     };
-    all.split(',').map(range).collect()
+    let faces = css.lines().filter(|line| line.contains(&format!("\"{family}")));
+    let named = faces
+        .filter_map(|face| face.split_once("unicode-range:")?.1.split(';').next());
+    named.flat_map(|all| all.split(',').map(range)).collect()
 }
 
 #[test]
-fn the_formulas_have_a_face_of_their_own() {
+fn each_letter_has_its_face() {
     assert_none(&faults(&BOOK));
 }
 
 #[test]
-fn a_letter_that_the_face_lacks_is_found() {
+fn a_letter_that_a_face_lacks_is_found() {
     let page = "step01_rays.html";
-    let book = BOOK.with(page, "<mi>V</mi>", "<mi>Ж</mi>");
-    assert_found(&faults(&book), &["'Ж'", page]);
+    for (from, to, family) in [
+        ("<mi>V</mi>", "<mi>é</mi>", "Course Math"),
+        ("<pre><code", "<pre>⟂<code", "JetBrains Mono"),
+        ("<p>", "<p>Ж", "No face"),
+    ] {
+        let found = faults(&BOOK.with(page, from, to));
+        assert_found(&found, &[family, page]);
+    }
 }
