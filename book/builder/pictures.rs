@@ -1,11 +1,11 @@
 use crate::files::{CHAPTERS, Files};
-use crate::picture::size;
 use crate::{gallery, module};
 use anyhow::{Context, Result, anyhow};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
-use image::{ExtendedColorType, ImageEncoder, load_from_memory};
+use image::{DynamicImage, RgbImage, RgbaImage, load_from_memory};
 use live::Sight;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -29,15 +29,15 @@ pub fn write(workspace: &Path) -> Result<()> {
     let mut names = gallery::draw(&folder)?;
     let old = Files::read(&folder)?.0;
     let mut pictures = BTreeMap::from([("mistakes.png".to_owned(), mistakes()?)]);
-    for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
-        let Some(name) = name.strip_suffix(".snap.png") else { continue };
-        let (whole, smaller) = (format!("{name}.png"), format!("{name}{HALF}"));
-        let half = match old.get(&smaller) {
-            Some(half) if old.get(&whole) == Some(&bytes) => Some(half.clone()),
-            _ => half(&bytes).with_context(|| name.to_owned())?,
-        };
-        pictures.extend(half.map(|half| (smaller, half)));
-        pictures.insert(whole, bytes);
+    let locked = Files::read(&workspace.join("tests/snapshots"))?.0;
+    let packed = locked.par_iter().filter_map(|(name, bytes)| {
+        let name = name.strip_suffix(".snap.png")?;
+        let packed = packed(name, bytes, &old);
+        Some(packed.with_context(|| format!("the locked picture {name}")))
+    });
+    for (name, whole, half) in packed.collect::<Result<Vec<_>>>()? {
+        pictures.insert(format!("{name}.png"), whole);
+        pictures.extend(half.map(|half| (format!("{name}{HALF}"), half)));
     }
     for (name, bytes) in pictures {
         if old.get(&name) != Some(&bytes) {
@@ -56,47 +56,56 @@ pub fn write(workspace: &Path) -> Result<()> {
 fn mistakes() -> Result<Vec<u8>> {
     let live = live::find("mistakes").context("the live mistakes")?;
     match (live.sight)(&live.values()) {
-        Sight::Picture { size, pixels } => {
-            encoded(size, &pixels, ExtendedColorType::Rgba8)
+        Sight::Picture { size: [width, height], pixels } => {
+            let picture = RgbaImage::from_raw(width, height, pixels);
+            png(&DynamicImage::from(picture.context("too few pixels")?).into_rgb8())
         }
         Sight::Drawing(_) => Err(anyhow!("the live mistakes are no picture")),
     }
 }
 
-/// A wide picture in half its size.
-fn half(png: &[u8]) -> Result<Option<Vec<u8>>> {
-    let (width, height) = size(png).context("it is not a PNG file")?;
-    if width < WIDE {
-        return Ok(None);
+/// A locked picture with its name, packed for a page, and its half if it is wide; the
+/// `old` ones where they show it.
+fn packed<'a>(
+    name: &'a str,
+    locked: &[u8],
+    old: &BTreeMap<String, Vec<u8>>,
+) -> Result<(&'a str, Vec<u8>, Option<Vec<u8>>)> {
+    let picture = decoded(locked)?;
+    let shows_it = |png: &&Vec<u8>| decoded(png).is_ok_and(|old| old == picture);
+    match old.get(&format!("{name}.png")).filter(shows_it) {
+        Some(whole) => {
+            let half = old.get(&format!("{name}{HALF}"));
+            Ok((name, whole.clone(), half.cloned()))
+        }
+        None => Ok((name, png(&picture)?, half(&picture)?)),
     }
-    let picture = load_from_memory(png)?.into_rgb8();
-    let half = thumbnail(&picture, width / 2, height / 2);
-    encoded([width / 2, height / 2], &half, ExtendedColorType::Rgb8).map(Some)
 }
 
-/// A PNG file of these pixels.
-fn encoded(
-    [width, height]: [u32; 2],
-    pixels: &[u8],
-    colours: ExtendedColorType,
-) -> Result<Vec<u8>> {
+fn decoded(png: &[u8]) -> Result<RgbImage> {
+    Ok(load_from_memory(png)?.into_rgb8())
+}
+
+/// A wide picture in half its size.
+fn half(picture: &RgbImage) -> Result<Option<Vec<u8>>> {
+    let (width, height) = picture.dimensions();
+    let half = || png(&thumbnail(picture, width / 2, height / 2));
+    (WIDE <= width).then(half).transpose()
+}
+
+/// A PNG file of the picture, as small as can be: a page waits for it.
+fn png(picture: &RgbImage) -> Result<Vec<u8>> {
     let mut png = vec![];
-    PngEncoder::new_with_quality(
-        &mut png,
-        CompressionType::Default,
-        FilterType::Adaptive,
-    )
-    .write_image(pixels, width, height, colours)?;
+    let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
+    let encoder = PngEncoder::new_with_quality(&mut png, best, filter);
+    picture.write_with_encoder(encoder)?;
     Ok(png)
 }
 
 #[test]
 fn a_wide_picture_is_halved() -> Result<()> {
-    let square = |side: u32| {
-        let pixels = vec![[10, 20, 30]; (side * side) as usize].concat();
-        encoded([side, side], &pixels, ExtendedColorType::Rgb8)
-    };
-    assert_eq!(half(&square(WIDE - 1)?)?, None);
-    assert_eq!(half(&square(WIDE)?)?, Some(square(WIDE / 2)?));
+    let square = |side: u32| RgbImage::from_pixel(side, side, [10, 20, 30].into());
+    assert_eq!(half(&square(WIDE - 1))?, None);
+    assert_eq!(half(&square(WIDE))?, Some(png(&square(WIDE / 2))?));
     Ok(())
 }
