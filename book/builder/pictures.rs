@@ -32,13 +32,10 @@ pub fn write(workspace: &Path) -> Result<()> {
     let locked = Files::read(&workspace.join("tests/snapshots"))?.0;
     let packed = locked.par_iter().filter_map(|(name, bytes)| {
         let name = name.strip_suffix(".snap.png")?;
-        let packed = packed(name, bytes, &old);
-        Some(packed.with_context(|| format!("the locked picture {name}")))
+        let files = packed(name, bytes, &old);
+        Some(files.with_context(|| format!("the locked picture {name}")))
     });
-    for (name, whole, half) in packed.collect::<Result<Vec<_>>>()? {
-        pictures.insert(format!("{name}.png"), whole);
-        pictures.extend(half.map(|half| (format!("{name}{HALF}"), half)));
-    }
+    pictures.extend(packed.collect::<Result<Vec<_>>>()?.concat());
     for (name, bytes) in pictures {
         if old.get(&name) != Some(&bytes) {
             fs::write(folder.join(&name), bytes).with_context(|| name.clone())?;
@@ -64,22 +61,23 @@ fn mistakes() -> Result<Vec<u8>> {
     }
 }
 
-/// A locked picture with its name, packed for a page, and its half if it is wide; the
+/// The files of a locked picture, packed for a page, and of its half if it is wide; the
 /// `old` ones where they show it.
-fn packed<'a>(
-    name: &'a str,
+fn packed(
+    name: &str,
     locked: &[u8],
     old: &BTreeMap<String, Vec<u8>>,
-) -> Result<(&'a str, Vec<u8>, Option<Vec<u8>>)> {
+) -> Result<Vec<(String, Vec<u8>)>> {
     let picture = decoded(locked)?;
-    let shows_it = |png: &&Vec<u8>| decoded(png).is_ok_and(|old| old == picture);
-    match old.get(&format!("{name}.png")).filter(shows_it) {
-        Some(whole) => {
-            let half = old.get(&format!("{name}{HALF}"));
-            Ok((name, whole.clone(), half.cloned()))
-        }
-        None => Ok((name, png(&picture)?, half(&picture)?)),
-    }
+    let names = [".png", HALF].map(|end| format!("{name}{end}"));
+    let [whole, smaller] = names.each_ref().map(|name| old.get(name).cloned());
+    let shows_it = |png: &Vec<u8>| decoded(png).is_ok_and(|old| old == picture);
+    let files = match whole.filter(shows_it) {
+        Some(whole) => [Some(whole), smaller],
+        None => [Some(png(&picture)?), half(&picture)?],
+    };
+    let files = names.into_iter().zip(files);
+    Ok(files.filter_map(|(name, file)| Some((name, file?))).collect())
 }
 
 fn decoded(png: &[u8]) -> Result<RgbImage> {
