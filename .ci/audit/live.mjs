@@ -240,7 +240,7 @@ async function ask(tab, form, where, isThorough) {
   }, [Buffer.from(bytes).toString('base64'), called]);
   await drop('my notes', 'notes.txt');
   await says('notes.txt is not a PNG file');
-  await drop(readFileSync(right).subarray(0, 2000), `${name}.png`);
+  await drop(readFileSync(right).subarray(0, 1000), `${name}.png`);
   await says('is a damaged PNG file');
   if (isThorough) {
     start = Date.now();

@@ -139,16 +139,33 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
     // All are measured before any is changed: the page is laid out once.
-    const mend = () => {
-        const boxes = [...document.querySelectorAll("pre, .formula, .table-wrapper, .stage")];
-        const wide = boxes.map(box => box.scrollWidth > box.clientWidth);
+    const mend = (boxes, isWide) => {
+        const wide = boxes.map(isWide);
         boxes.forEach((box, k) => {
             if (wide[k]) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
         });
     };
+    const all = selector => [...document.querySelectorAll(selector)];
+    const isWide = box => box.scrollWidth > box.clientWidth;
+    // A formula that is far away is laid out when its parts are measured, and only then; so
+    // they are measured for some milliseconds at a time.
+    const range = document.createRange();
+    const isWideFormula = box => {
+        range.selectNodeContents(box.firstElementChild);
+        return range.getBoundingClientRect().right > box.getBoundingClientRect().right + 0.5;
+    };
     let due;
-    const later = () => { cancelAnimationFrame(due); due = requestAnimationFrame(mend); };
+    const some = formulas => {
+        const end = performance.now() + 5;
+        while (formulas.length && performance.now() < end) mend(formulas.splice(0, 4), isWideFormula);
+        if (formulas.length) due = setTimeout(some, 0, formulas);
+    };
+    const now = () => {
+        mend(all("pre, .table-wrapper, .stage"), isWide);
+        some(all(".formula"));
+    };
+    const later = () => { clearTimeout(due); due = setTimeout(now); };
     addEventListener("load", later);
     addEventListener("resize", later);
     document.fonts?.addEventListener("loadingdone", later);
