@@ -72,9 +72,10 @@ fn packed(
     let names = [".png", HALF].map(|end| format!("{name}{end}"));
     let [whole, smaller] = names.each_ref().map(|name| old.get(name).cloned());
     let shows_it = |png: &Vec<u8>| decoded(png).is_ok_and(|old| old == picture);
-    let files = match whole.filter(shows_it) {
-        Some(whole) => [Some(whole), smaller],
-        None => [Some(png(&picture)?), half(&picture)?],
+    let files = match (whole.filter(shows_it), smaller) {
+        (Some(whole), Some(half)) => [Some(whole), Some(half)],
+        (Some(whole), None) => [Some(whole), half(&picture)?],
+        (None, _) => [Some(png(&picture)?), half(&picture)?],
     };
     let files = names.into_iter().zip(files);
     Ok(files.filter_map(|(name, file)| Some((name, file?))).collect())
@@ -91,7 +92,7 @@ fn half(picture: &RgbImage) -> Result<Option<Vec<u8>>> {
     (WIDE <= width).then(half).transpose()
 }
 
-/// A PNG file of the picture, as small as can be: a page waits for it.
+/// A PNG file of the picture, packed as well as the encoder can: a page waits for it.
 fn png(picture: &RgbImage) -> Result<Vec<u8>> {
     let mut png = vec![];
     let (best, filter) = (CompressionType::Best, FilterType::Adaptive);

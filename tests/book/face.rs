@@ -1,4 +1,4 @@
-//! The faces of the book have each of its letters.
+//! The faces of the book have its letters.
 
 use crate::book::BOOK;
 use crate::{assert_found, assert_none};
@@ -8,10 +8,10 @@ use book::Site;
 const FACES: [(&str, &[&str]); 2] =
     [("Course Math", &["mi", "mn", "mo", "mtext"]), ("JetBrains Mono", &["pre"])];
 
-/// Signs that each machine has in some face of its own.
+/// Signs that are left to the faces of the reader's machine.
 const ANYWHERE: [char; 6] = ['ᵀ', 'ⁿ', 'ₛ', '○', '●', '\u{200b}'];
 
-/// Each letter that would be drawn in another face than its neighbours.
+/// Each letter of a formula or a listing that its face lacks, and each that no face has.
 fn faults(book: &Site) -> Vec<String> {
     let css = book.files.text("fonts/fonts.css").unwrap_or_default();
     let mut faults = vec![];
