@@ -265,8 +265,14 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let few = [0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0].into_iter();
     let few = few.filter(|_| ours == DVec3::ZERO && !is_shape);
     let terms = terms.into_iter().chain(near).chain(few).flat_map(|k| [k, -k]);
+    // Where a sphere can't be seen, many places are alike for few pixels.
+    let (mut alike, margin) = (vec![], DVec3::splat(f64::from(is_shape)));
     for x in others.chain(terms.map(|k| ours + k)) {
-        best.take(cost(evidence, more, unknown, x, best.cost), x);
+        let cost = cost(evidence, more, unknown, x, best.cost + margin);
+        if is_shape && cost.cmple(best.cost).all() {
+            alike.push((cost, x));
+        }
+        best.take(cost, x);
     }
     if (0.85 * start).cmplt(best.cost).all() {
         return None;
@@ -276,8 +282,17 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     if 3.0 * few < best.cost.max_element() {
         return None;
     }
+    let near = best;
     best.cost = cost(evidence, most, unknown, best.x, DVec3::INFINITY);
+    if near.cost == DVec3::ZERO {
+        for (_, x) in alike.iter().filter(|(cost, _)| *cost == DVec3::ZERO) {
+            best.take(cost(evidence, most, unknown, *x, best.cost), *x);
+        }
+    }
     refine(evidence, most, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
+    if is_shape && best.cost != DVec3::ZERO {
+        scan(evidence, most, unknown, &mut best, near.x);
+    }
     if best.cost != DVec3::ZERO {
         return None;
     }
@@ -302,6 +317,23 @@ fn refine(
             best.take(cost(evidence, part, unknown, x, best.cost), x);
         }
         step *= 0.6;
+    }
+}
+
+/// Looks at the round numbers around the best value and another one: an outline of flat
+/// colours is no slope that leads to the right one.
+fn scan(
+    evidence: &Evidence,
+    part: &Part,
+    unknown: &Unknown,
+    best: &mut Best,
+    other: DVec3,
+) {
+    for centre in [best.x, other] {
+        let hundredth = |k: i32| (centre * 100.0).round() / 100.0 + f64::from(k) / 100.0;
+        for x in (0..8).flat_map(|k| [hundredth(k), hundredth(-k)]) {
+            best.take(cost(evidence, part, unknown, x, best.cost), x);
+        }
     }
 }
 
