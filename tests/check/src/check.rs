@@ -5,7 +5,9 @@ use crate::png::{self, Notes};
 use crate::told::{Told, objects, one_pixel};
 use crate::verdict::verdict;
 use crate::view::View;
-use crate::{Answer, Cause, Found, Locked, Rest, Step, panels, sight, whose};
+use crate::{
+    Answer, Cause, Found, Locked, Rest, Step, panels, section, sight, whose,
+};
 use image::RgbImage;
 use std::io::{BufRead, Seek};
 
@@ -133,11 +135,19 @@ fn broken(case: &Case) -> String {
 /// Says which colour it is, where there is only one.
 fn one_colour(case: &Case) -> String {
     case.yours.flat().map_or(String::new(), |colour| {
+        let is_all = |byte: u8| colour.0 == [byte; 3];
+        let why = match (is_all(0), is_all(255)) {
+            (true, _) => {
+                " Each intensity is at most 0 there, or no number, as 0 / 0 is none."
+            }
+            (_, true) => " Each intensity is at least 1 there.",
+            _ => "",
+        };
         let all = match case.yours.kept.pixels().all(|pixel| *pixel == colour) {
             true => "",
             false => " in nearly all pixels",
         };
-        format!("It has one colour only{all}: {:?}.\n", colour.0)
+        format!("It has one colour only{all}: {:?}.{why}\n", colour.0)
     })
 }
 
@@ -146,7 +156,10 @@ fn told(case: &Case) -> String {
     let name = &case.ours.name;
     let same = case.same.map_or(String::new(), |same| {
         let same = &same.name;
-        format!("Not right yet: this is the picture of {same}, not of {name}.\n")
+        let why = no_highlights(case, same);
+        format!(
+            "Not right yet: this is the picture of {same}, not of {name}.\n{why}"
+        )
     });
     let is_told = case.yours.flat().is_some() || !case.broken.is_empty();
     let but = if is_told { "" } else { ", and no known mistake gives it" };
@@ -154,6 +167,20 @@ fn told(case: &Case) -> String {
         Some(found) => same + &verdict(found) + no_hit(case),
         None if case.same.is_some() => same,
         None => format!("Not right yet: this is not the picture of {name}{but}.\n"),
+    }
+}
+
+/// Says where highlights may be lost, where the picture of step 4 stands for that of the
+/// last step.
+fn no_highlights(case: &Case, same: &str) -> String {
+    let is_lit = same == Step::Diffuse.name() && case.step == Some(Step::Phong);
+    let [sum, term] = [section::SUM, section::SPECULAR].map(|one| one.path());
+    match is_lit {
+        true => format!(
+            "No highlight is in it: I_s is not in the sum, or nothing lets it in, as where \
+             0 < n·l is another condition ({sum}), or it is 0 everywhere ({term}).\n"
+        ),
+        false => String::new(),
     }
 }
 
@@ -168,8 +195,8 @@ fn no_hit(case: &Case) -> &'static str {
     match objects(case, &cause).contains(&true) {
         false => {
             "No ray meets anything in it. Other slips in a, b, c, D or the roots give the \
-             same picture; the tests of steps/step02_sphere/tests/by_hand.rs tell them \
-             apart.\n"
+             same picture, such as + r² for − r² in c, no r² there, or b for b² in D; the \
+             tests of steps/step02_sphere/tests/by_hand.rs tell them apart.\n"
         }
         true => "",
     }

@@ -330,7 +330,8 @@ fn scan(
     other: DVec3,
 ) {
     for centre in [best.x, other] {
-        let hundredth = |k: i32| (centre * 100.0).round() / 100.0 + f64::from(k) / 100.0;
+        let hundredth =
+            |k: i32| (centre * 100.0).round() / 100.0 + f64::from(k) / 100.0;
         for x in (0..8).flat_map(|k| [hundredth(k), hundredth(-k)]) {
             best.take(cost(evidence, part, unknown, x, best.cost), x);
         }

@@ -53,6 +53,7 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         all.push(Edit { changes, rank: 0, says: Some(says), line: v });
     }
     last_samples(tree, all);
+    steps(tree, all);
     if let Some(node) = &tree.lines[byte].node {
         let turns = Node::of(
             Op::Floor,
@@ -69,6 +70,23 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let says = "bytes end at 127, as those with a sign do".to_owned();
         let changes = vec![Change::Line(byte, most)];
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
+    }
+}
+
+/// A step from pixel to pixel without its 2, which is divided by something else, too.
+fn steps(tree: &Tree, all: &mut Vec<Edit>) {
+    for (line, axis) in [("D_u", 0), ("D_v", 1)] {
+        let by = ["rows", "columns", "hRes", "vRes"];
+        let names = [tree.find(line), tree.find("h")];
+        let (Some(line), Some(h)) = (names[0], names[1]) else { return };
+        for by in by.into_iter().filter_map(|name| tree.find(name)) {
+            let step = Node::of(Op::Div, [Node::Name(h), Node::Name(by)]);
+            let step = if axis == 0 { step } else { Node::of(Op::Neg, [step]) };
+            let mut three = [0.0; 3].map(Node::Number);
+            three[axis] = step;
+            let changes = vec![Change::Line(line, Node::of(Op::Vector, three))];
+            all.push(Edit { changes, rank: 1, says: None, line });
+        }
     }
 }
 

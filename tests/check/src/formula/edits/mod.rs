@@ -129,8 +129,17 @@ impl Scope<'_> {
             if matches!(op, Op::Chosen | Op::Nearest | Op::Sum) {
                 return all;
             }
+            let is_product = |op: &Op| matches!(op, Op::Mul | Op::Div);
             for (k, below) in nodes.iter().enumerate() {
+                let is_in_product = k == 0
+                    && is_product(op)
+                    && matches!(below, Node::Of(op, _) if is_product(op));
                 for (rank, other) in self.variants(below) {
+                    // A sum would need parentheses there, which no slip adds.
+                    let is_sum = matches!(other, Node::Of(Op::Add | Op::Sub, _));
+                    if is_in_product && is_sum {
+                        continue;
+                    }
                     let mut nodes = nodes.clone();
                     nodes[k] = other;
                     all.push((rank, Node::Of(*op, nodes)));

@@ -22,7 +22,9 @@ impl Scope<'_> {
         };
         let is_number = matches!(node, Node::Number(_));
         if kind != Some(Kind::Truth) && !is_number {
-            all.push((0, one(Op::Neg)));
+            // Hardly anyone changes the sign of a column or a row.
+            let is_place = ["i", "j"].contains(&&*self.line.name);
+            all.push((u8::from(is_place), one(Op::Neg)));
             let likely = [
                 with(Op::Mul, 2.0),
                 with(Op::Div, 2.0),
@@ -168,6 +170,11 @@ impl Scope<'_> {
                 }
                 if op == Op::Dot && self.line.of == Of::Light {
                     all.extend(self.dots());
+                }
+                let is_vector = |n: &Node| self.kind(n) == Some(Kind::Vector);
+                if matches!(op, Op::Add | Op::Sub) && is_vector(a) && is_vector(b) {
+                    let unit = |n: &Node| Node::of(Op::Unit, [n.clone()]);
+                    all.push((1, Node::of(op, [unit(a), unit(b)])));
                 }
                 all.extend(regrouped(op, a, b));
                 all.extend(terms(op, a, b));

@@ -74,6 +74,17 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
     }
     lamps(tree, &mut push);
     turned(tree, &mut push);
+    if let Some([sum, one, l, n]) = all_found(tree, ["E_s", "G", "l", "n"]) {
+        let of = |op: Op, name: usize| Node::of(op, [Node::Name(name)]);
+        let cosine = Node::of(Op::Dot, [Node::Name(n), of(Op::Alone(1), l)]);
+        let is_lit = Node::of(Op::Less, [Node::Number(0.0), cosine]);
+        let [first, last] = [0, 1].map(|which| of(Op::Alone(which), one));
+        let changes =
+            vec![Change::Line(sum, Node::of(Op::If, [is_lit, last, first]))];
+        let says = "the highlights are those of the last light that shines on the point, \
+                    not their sum, as with = for +=";
+        push("E_s", 0, changes, says.to_owned());
+    }
     if let (Some(line), Some(ambient), Some(one)) =
         (tree.find("I"), tree.find("I_a"), tree.find("I_d"))
         && tree.lines[one].is_needed
@@ -92,6 +103,12 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
                     light are missing";
         push("E_d", 0, last, says.to_owned());
     }
+}
+
+/// The places of some lines, where there are all of them.
+fn all_found<const N: usize>(tree: &Tree, names: [&str; N]) -> Option<[usize; N]> {
+    let all = names.map(|name| tree.find(name));
+    all.iter().all(Option::is_some).then(|| all.map(Option::unwrap_or_default))
 }
 
 /// One object's shape or material for all.
@@ -213,7 +230,7 @@ fn lamps(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
             let shown: Vec<_> =
                 own.iter().map(|n| n.trim_end_matches('\'')).collect();
             push(
-                if own[0] == "a'" { "fade" } else { "I_d" },
+                own[0],
                 1,
                 changes,
                 format!(

@@ -9,10 +9,11 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
     if op == Op::Mul {
         all.push(of(Op::Div, &of(Op::Add, a, b), &Node::Number(2.0)));
     }
+    if matches!(op, Op::Mul | Op::Div) {
+        all.extend(split(op, a, b));
+    }
     match (op, a, b) {
         (Op::Mul, Node::Of(Op::Mul, two), _) => {
-            let last = of(Op::Mul, &two[1], b);
-            all.extend([Op::Add, Op::Sub].map(|op| of(op, &two[0], &last)));
             let sums = [Op::Add, Op::Sub].map(|op| of(op, &two[1], b));
             all.extend(sums.map(|sum| of(Op::Mul, &two[0], &sum)));
         }
@@ -47,6 +48,29 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
         }
     }
     all.into_iter().map(|node| (1, node)).collect()
+}
+
+/// A product of three factors or more with a plus or a minus before one that is not the
+/// last: the product ends there, and what follows is another.
+fn split(op: Op, a: &Node, b: &Node) -> Vec<Node> {
+    let (mut signs, mut rest) = (vec![(op, b)], a);
+    while let Node::Of(op @ (Op::Mul | Op::Div), two) = rest {
+        signs.push((*op, &two[1]));
+        rest = &two[0];
+    }
+    signs.reverse();
+    let product = |first: &Node, signs: &[(Op, &Node)]| {
+        signs.iter().fold(first.clone(), |all, (op, next)| {
+            Node::of(*op, [all, (*next).clone()])
+        })
+    };
+    let places = 0..signs.len() - 1;
+    let sums = places.flat_map(|k| {
+        let two =
+            [product(rest, &signs[..k]), product(signs[k].1, &signs[k + 1..])];
+        [Op::Add, Op::Sub].map(|op| Node::of(op, two.clone()))
+    });
+    sums.collect()
 }
 
 /// The number with which a product begins, and what is left.
