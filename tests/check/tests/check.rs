@@ -355,12 +355,18 @@ fn the_picture_of_the_difference_is_yours_ours_and_where_they_differ() {
 
 #[test]
 fn the_right_picture_of_another_step_is_told() {
-    let words = ["this is the picture of step04_diffuse, not of step05_phong."];
+    let words = [
+        "this is the picture of step04_diffuse, not of step05_phong.",
+        "No highlight is in it: I_s is not in the sum",
+    ];
     let text = told(&right("step04_diffuse"), Some("step05_phong"), &words);
     assert!(!text.contains("what you get when"), "{text}");
     // The sky alone is right in step 1, and a known mistake in step 2.
-    let words =
-        ["this is the picture of step01_rays, not of", named("never-hits").when];
+    let words = [
+        "this is the picture of step01_rays, not of",
+        named("never-hits").when,
+        "+ r² for − r² in c",
+    ];
     told(&right("step01_rays"), Some("step02_sphere"), &words);
 }
 
@@ -383,4 +389,12 @@ fn mirror_images_and_swapped_channels_of_an_exercise_are_named() {
             told(&picture, name, &[&words]);
         }
     }
+}
+
+#[test]
+fn what_is_all_black_or_all_white_is_told_as_its_intensity() {
+    let mut picture = RgbImage::new(160, 90);
+    told(&picture, Some("step01_rays"), &["at most 0 there, or no number"]);
+    picture.pixels_mut().for_each(|pixel| pixel.0 = [255; 3]);
+    told(&picture, Some("step01_rays"), &["at least 1 there"]);
 }

@@ -4,16 +4,24 @@
 use ::check::{Verdict, stages};
 use gallery::{Parts, Step, camera};
 use glam::DVec3;
+use image::RgbImage;
 use step01_rays::Ray;
 use step02_sphere::Roots;
 use step04_diffuse::diffuse;
-use step05_phong::specular;
+use step05_phong::{
+    Point, direction_colour, reflect, render, seen, specular, terms,
+};
 
 /// Asserts that one slip is told as this formula, in its own stage and in no other.
 fn assert_told(step: Step, change: fn(&mut Parts), stage: &str, formula: &str) {
     let mut parts = Parts::right(&camera(160, 90));
     change(&mut parts);
-    let stages = stages(&parts.picture(step, 1), step);
+    assert_picture_told(&parts.picture(step, 1), step, stage, formula);
+}
+
+/// The same of a picture.
+fn assert_picture_told(yours: &RgbImage, step: Step, stage: &str, formula: &str) {
+    let stages = stages(yours, step);
     let wrong = stages.iter().filter(|one| one.verdict == Verdict::Wrong);
     let wrong: Vec<_> = wrong.collect();
     let is_it = wrong.iter().all(|one| one.name.starts_with(stage));
@@ -223,4 +231,115 @@ fn no_light_is_divided_by_a_thousand_where_it_is_absent() {
     let stages = stages(&parts.picture(Step::Diffuse, 1), Step::Diffuse);
     let fades = stages.iter().find(|stage| stage.name == "attenuation");
     assert!(fades.is_some_and(|one| one.verdict != Verdict::Wrong), "{stages:#?}");
+}
+
+#[test]
+fn a_plus_or_a_minus_within_a_product() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            parts.diffuse = |n, l, d, surface, light| {
+                let fade = light.attenuation.at(d);
+                surface.diffuse - fade * l.dot(n).max(0.0) * light.diffuse
+            };
+        },
+        "diffuse",
+        "I_d = R_d − (a + b d + c d²) max(l·n, 0) L_d",
+    );
+}
+
+#[test]
+fn the_highlights_of_the_last_light_that_shines() {
+    let (camera, scene) = (camera(160, 90), step05_phong::scene());
+    let picture = render(&camera, 1, |ray| {
+        let mut last = DVec3::ZERO;
+        let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
+            return direction_colour(ray);
+        };
+        let v = -ray.direction.normalize();
+        for light in &scene.lights {
+            let (l, d) = light.point.seen_from(p);
+            if 0.0 < n.dot(l) {
+                last = specular(reflect(l, n), v, d, material, light);
+            }
+        }
+        let sum = terms(&scene, ray)
+            .map_or(DVec3::ZERO, |terms| terms.sum() - terms.specular);
+        sum + last
+    });
+    assert_picture_told(
+        &picture,
+        Step::Phong,
+        "specular",
+        "those of the last light that shines on the point, not their sum",
+    );
+}
+
+#[test]
+fn two_vectors_that_are_made_unit_vectors() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            parts.seen_from = |light, p| {
+                let w = light.position.normalize() - p.normalize();
+                (w.normalize(), w.length())
+            };
+        },
+        "diffuse",
+        "w = normalised(P) − normalised(p)",
+    );
+}
+
+#[test]
+fn a_step_by_another_number_of_pixels() {
+    assert_told(
+        Step::Phong,
+        |parts| parts.camera.matrix.y_axis.y = -(30_f64.to_radians().tan()) / 89.0,
+        "rays",
+        "D_v = (0, −h / rows, 0)",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| parts.camera.matrix.y_axis.y *= 89.0 / 159.0,
+        "rays",
+        "D_v = (0, (−2) h rows / columns / columns, 0)",
+    );
+    assert_told(
+        Step::Rays,
+        |parts| parts.camera.matrix.y_axis.y *= -1.0,
+        "rays",
+        "in every pixel, V = i D_u − j D_v + V_0",
+    );
+}
+
+#[test]
+fn a_sphere_that_few_pixels_show() {
+    assert_told(
+        Step::Nearest,
+        |parts| parts.scene.objects[7].sphere.radius = 1.56,
+        "outlines",
+        "the salmon sphere has a radius of 1.56",
+    );
+    assert_told(
+        Step::Nearest,
+        |parts| parts.scene.objects[0].sphere.centre.z = -14.8,
+        "outlines",
+        "the red sphere is at (−0.65, −0.16, −14.8)",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| parts.scene.objects[8].sphere.centre.y = 3.2,
+        "outlines",
+        "the cream sphere is at (−2.1, 3.2, −9.5)",
+    );
+}
+
+#[test]
+fn one_light_twice() {
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.scene.lights[1].point = parts.scene.lights[0].point,
+        "diffuse, cool",
+        "of the warm one (steps/step04_diffuse/src/scene.rs)",
+    );
 }

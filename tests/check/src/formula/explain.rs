@@ -97,26 +97,19 @@ impl Riddle<'_> {
         if is_unlikely || is_shape {
             all.extend(numbers(&evidence, is_unlikely && is_thorough));
         }
-        let mut missed = match self.verified(tree, &mut all) {
+        let missed = match self.verified(tree, &mut all) {
             Ok(()) => return all,
             Err(missed) => missed,
         };
-        // What seemed to explain all did not: then perhaps another number does.
-        for _ in 0..2 {
-            if missed.is_empty() || !is_thorough {
-                break;
-            }
-            let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
-            let telling: Vec<_> = missed.iter().chain(few).copied().collect();
-            let mut all =
-                numbers(&self.evidence(tree, &telling), is_unlikely || is_shape);
-            match self.verified(tree, &mut all) {
-                Ok(()) => return all,
-                Err(more) if more.is_empty() => break,
-                Err(more) => missed.extend(more),
-            }
+        if missed.is_empty() || !is_thorough {
+            return vec![];
         }
-        vec![]
+        // What seemed to explain all did not: then perhaps another number does.
+        let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
+        let telling: Vec<_> = missed.iter().chain(few).copied().collect();
+        let evidence = self.evidence(tree, &telling);
+        let mut all = numbers(&evidence, is_unlikely || is_shape);
+        self.verified(tree, &mut all).map_or(vec![], |()| all)
     }
 
     /// Keeps the causes that explain every pixel, the likeliest first, and one of each
@@ -169,21 +162,28 @@ impl Riddle<'_> {
 
     /// The things, one in each group, that explain every pixel together: none where
     /// nothing is wrong, two at most.
-    pub fn explained(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
+    pub fn explained(
+        &self,
+        tree: &Tree,
+        is_thorough: bool,
+    ) -> Option<Vec<Vec<Cause>>> {
         let wrong = self.differing();
         if wrong.is_empty() {
             return Some(vec![]);
         }
-        let single = self.single(tree, &wrong, true);
+        let single = self.single(tree, &wrong, is_thorough);
         if single.is_empty() { None } else { Some(vec![single]) }
     }
 
     /// Two things that explain every pixel together; or one, where it needs no other.
     pub fn pair(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
         let wrong = self.differing();
-        let evidence = self.evidence(tree, &wrong);
         // Where hardly anything is right, no object can be told by itself.
         let is_lost = self.places.len() * 9 < wrong.len() * 10;
+        if is_lost && 1 < self.samples {
+            return None; // Not worth the wait.
+        }
+        let evidence = self.evidence(tree, &wrong);
         let of_objects = (!is_lost).then(|| self.of_objects(tree, &wrong));
         let of_objects = of_objects.into_iter().flatten();
         let halves = halves(&evidence).into_iter().chain(of_objects);
@@ -266,7 +266,17 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
     sort(&mut rated, |(mended, edit)| {
         [usize::MAX - mended, usize::from(edit.rank)]
     });
-    rated.iter().take(2).map(|(_, edit)| cause(tree, edit)).collect()
+    // Two formulas for one line mend the same pixels.
+    let line = |edit: &Edit| match edit.changes[..] {
+        [Change::Line(line, _)] => Some(line),
+        _ => None,
+    };
+    let first = rated.first().and_then(|(_, edit)| line(edit));
+    let is_other = |(k, (_, edit)): &(usize, &(usize, Edit))| {
+        *k == 0 || first.is_none() || first != line(edit)
+    };
+    let two = rated.iter().enumerate().filter(is_other).take(2);
+    two.map(|(_, (_, edit))| cause(tree, edit)).collect()
 }
 
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.

@@ -1,6 +1,7 @@
 use super::{
     Change, Context, Evidence, Kind, Known, Node, Of, Op, Part, Tree, Value, Values,
 };
+use crate::sort;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -260,17 +261,17 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     ];
     let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
     let others = factors.map(|k| k * ours).into_iter();
-    let near = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
+    let by = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
     // What is nothing with us has no factors.
     let few = [0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0].into_iter();
     let few = few.filter(|_| ours == DVec3::ZERO && !is_shape);
-    let terms = terms.into_iter().chain(near).chain(few).flat_map(|k| [k, -k]);
-    // Where a sphere can't be seen, many places are alike for few pixels.
-    let (mut alike, margin) = (vec![], DVec3::splat(f64::from(is_shape)));
+    let terms = terms.into_iter().chain(by).chain(few).flat_map(|k| [k, -k]);
+    let mut shapes = vec![];
     for x in others.chain(terms.map(|k| ours + k)) {
-        let cost = cost(evidence, more, unknown, x, best.cost + margin);
-        if is_shape && cost.cmple(best.cost).all() {
-            alike.push((cost, x));
+        let enough = if is_shape { start } else { best.cost };
+        let cost = cost(evidence, more, unknown, x, enough);
+        if is_shape && cost.cmplt(start).all() {
+            shapes.push(Best { cost, x });
         }
         best.take(cost, x);
     }
@@ -278,20 +279,27 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         return None;
     }
     refine(evidence, more, unknown, &mut best, 0.35);
+    // A small sphere is found from near by alone.
+    for mut other in near(&shapes) {
+        if best.cost == DVec3::ZERO {
+            break;
+        }
+        refine(evidence, more, unknown, &mut other, 0.05);
+        best.take(other.cost, other.x);
+    }
     let few = more.all().map(|known| known.0.len()).sum::<usize>() as f64;
     if 3.0 * few < best.cost.max_element() {
         return None;
     }
-    let near = best;
+    let centre = best.x;
     best.cost = cost(evidence, most, unknown, best.x, DVec3::INFINITY);
-    if near.cost == DVec3::ZERO {
-        for (_, x) in alike.iter().filter(|(cost, _)| *cost == DVec3::ZERO) {
-            best.take(cost(evidence, most, unknown, *x, best.cost), *x);
-        }
+    // Where it can't be seen, many places are alike for few pixels.
+    for one in shapes.iter().filter(|one| one.cost == DVec3::ZERO) {
+        best.take(cost(evidence, most, unknown, one.x, best.cost), one.x);
     }
     refine(evidence, most, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
     if is_shape && best.cost != DVec3::ZERO {
-        scan(evidence, most, unknown, &mut best, near.x);
+        scan(evidence, most, unknown, &mut best, centre);
     }
     if best.cost != DVec3::ZERO {
         return None;
@@ -318,6 +326,14 @@ fn refine(
         }
         step *= 0.6;
     }
+}
+
+/// The best values for a sphere, one of each cost.
+fn near(all: &[Best]) -> impl Iterator<Item = Best> {
+    let mut all = all.to_vec();
+    sort(&mut all, |one| [one.cost.x as usize, 0]);
+    all.dedup_by_key(|one| one.cost.x);
+    all.into_iter().take(6)
 }
 
 /// Looks at the round numbers around the best value and another one: an outline of flat

@@ -85,10 +85,14 @@ fn explained(
         let groups = ask(Riddle { yours, samples, places, ours: &ours }, &tree)?;
         Some((*view, tree, groups))
     };
-    let one = |view| riddle(view, &|riddle, tree| riddle.explained(tree));
+    // The second number of samples is less likely, and takes longer.
+    let one = |(k, view): (usize, &view::View)| {
+        let is_thorough = k == 0 || view.samples == 1;
+        riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
+    };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
     let nearest = || views.iter().min_by_key(|view| view.misses(step, yours));
-    views.iter().find_map(one).or_else(|| two(nearest()?))
+    views.iter().enumerate().find_map(one).or_else(|| two(nearest()?))
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.

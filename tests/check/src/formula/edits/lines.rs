@@ -1,4 +1,4 @@
-use super::Edit;
+use super::{Edit, all_found};
 use crate::formula::{Change, Node, Op, Tree, shown};
 
 /// Two names taken for each other in all lines after theirs.
@@ -73,16 +73,33 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
     }
 }
 
-/// A step from pixel to pixel without its 2, which is divided by something else, too.
+/// A step from pixel to pixel that is divided by something else and has lost its 2, too;
+/// or that is multiplied by the ratio of the sides.
 fn steps(tree: &Tree, all: &mut Vec<Edit>) {
-    for (line, axis) in [("D_u", 0), ("D_v", 1)] {
-        let by = ["rows", "columns", "hRes", "vRes"];
-        let names = [tree.find(line), tree.find("h")];
-        let (Some(line), Some(h)) = (names[0], names[1]) else { return };
-        for by in by.into_iter().filter_map(|name| tree.find(name)) {
-            let step = Node::of(Op::Div, [Node::Name(h), Node::Name(by)]);
-            let step = if axis == 0 { step } else { Node::of(Op::Neg, [step]) };
-            let mut three = [0.0; 3].map(Node::Number);
+    let Some([h, rows, columns, width, height, d_u, d_v]) =
+        all_found(tree, ["h", "rows", "columns", "hRes", "vRes", "D_u", "D_v"])
+    else {
+        return;
+    };
+    let of = |op: Op, a: Node, b: usize| Node::of(op, [a, Node::Name(b)]);
+    for (line, axis) in [(d_u, 0), (d_v, 1)] {
+        let Some(Node::Of(Op::Vector, three)) = &tree.lines[line].node else {
+            return;
+        };
+        let half = |by: usize| {
+            let half = of(Op::Div, Node::Name(h), by);
+            if axis == 0 { half } else { Node::of(Op::Neg, [half]) }
+        };
+        let Node::Of(Op::Div, two) = &three[axis] else { return };
+        let by = |(a, b): (usize, usize)| {
+            let above = of(Op::Mul, two[0].clone(), a);
+            of(Op::Div, Node::of(Op::Div, [above, two[1].clone()]), b)
+        };
+        let halves = [rows, width, height].map(half).into_iter();
+        let ratios =
+            [(rows, columns), (columns, rows), (height, width), (width, height)];
+        for step in halves.chain(ratios.map(by)) {
+            let mut three = three.clone();
             three[axis] = step;
             let changes = vec![Change::Line(line, Node::of(Op::Vector, three))];
             all.push(Edit { changes, rank: 1, says: None, line });

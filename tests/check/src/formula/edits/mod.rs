@@ -48,6 +48,12 @@ pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
     all
 }
 
+/// The places of some lines, where there are all of them.
+fn all_found<const N: usize>(tree: &Tree, names: [&str; N]) -> Option<[usize; N]> {
+    let all = names.map(|name| tree.find(name));
+    all.iter().all(Option::is_some).then(|| all.map(Option::unwrap_or_default))
+}
+
 /// A line, and the names that may stand in it.
 struct Scope<'a> {
     tree: &'a Tree,

@@ -1,4 +1,4 @@
-use super::Edit;
+use super::{Edit, all_found};
 use crate::formula::{Change, Line, Node, Of, Op, Tree, Value};
 use glam::DVec3;
 
@@ -103,12 +103,6 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
                     light are missing";
         push("E_d", 0, last, says.to_owned());
     }
-}
-
-/// The places of some lines, where there are all of them.
-fn all_found<const N: usize>(tree: &Tree, names: [&str; N]) -> Option<[usize; N]> {
-    let all = names.map(|name| tree.find(name));
-    all.iter().all(Option::is_some).then(|| all.map(Option::unwrap_or_default))
 }
 
 /// One object's shape or material for all.
