@@ -1,9 +1,9 @@
 //! What a chapter works out by hand, the step's tests by hand hold.
 
-use crate::book::BOOK;
-use crate::source::SOURCE;
-use crate::typist::STEPS;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::source::SOURCE;
+use super::typist::STEPS;
+use super::{assert_found, assert_none};
 use book::{Files, Page, Site};
 use std::collections::BTreeMap;
 use syn::punctuated::Punctuated;

@@ -1,7 +1,7 @@
 //! The faces of the book have its letters.
 
-use crate::book::BOOK;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::{assert_found, assert_none};
 use book::Site;
 
 /// What is drawn in each face; what stands in none of these may be in any.

@@ -87,7 +87,7 @@ impl VisitMut for Items {
 
 #[test]
 fn items_are_found_by_their_names() {
-    let items = Items::of(&crate::source::SOURCE);
+    let items = Items::of(&super::source::SOURCE);
     let there = "Ray Ray::start Ray::at Roots Roots::Two Roots::first_hit quadratic \
                  SPHERE Phong::sum AspectRatio::width polished Surface::of";
     for name in there.split(' ') {

@@ -1,11 +1,11 @@
 //! Every slide of the lecture is in its map, and the code and the tests that the
 //! map names exist.
 
-use crate::book::{BOOK, files};
-use crate::item::Items;
-use crate::source::SOURCE;
-use crate::table::rows;
-use crate::{assert_found, assert_none};
+use super::built::{BOOK, files};
+use super::item::Items;
+use super::source::SOURCE;
+use super::table::rows;
+use super::{assert_found, assert_none};
 use book::{Files, Site};
 use std::sync::LazyLock;
 

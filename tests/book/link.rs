@@ -1,8 +1,8 @@
 //! Every link, anchor and picture leads to something in the book, and nothing is
 //! fetched from elsewhere.
 
-use crate::book::BOOK;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::{assert_found, assert_none};
 use book::Site;
 
 /// The faults that a build tells.

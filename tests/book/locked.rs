@@ -1,8 +1,8 @@
 //! Every picture in the book is a locked one, or one that the gallery of mistakes or what
 //! answers draws, in every pixel.
 
-use crate::book::{BOOK, files};
-use crate::{assert_found, assert_none};
+use super::built::{BOOK, files};
+use super::{assert_found, assert_none};
 use book::{Files, Site};
 use gallery::mistakes;
 use image::{DynamicImage, RgbImage, RgbaImage};

@@ -1,8 +1,8 @@
 //! Nothing unexpanded is left, every picture and drawing has words for those who
 //! cannot see it, and an id stands for one thing.
 
-use crate::book::BOOK;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::{assert_found, assert_none};
 use book::{Page, Site};
 use std::collections::HashSet;
 

@@ -1,10 +1,10 @@
 //! Every name in the notation tables exists in the code.
 
-use crate::book::BOOK;
-use crate::item::Items;
-use crate::source::SOURCE;
-use crate::table::rows;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::item::Items;
+use super::source::SOURCE;
+use super::table::rows;
+use super::{assert_found, assert_none};
 use book::{Files, Site};
 
 const PAGE: &str = "notation.html";

@@ -1,8 +1,8 @@
 //! The page of one's own scene: the Rust that it writes is a program that draws what the
 //! page shows.
 
-use crate::assert_found;
-use crate::typed::{TYPING, whole};
+use super::assert_found;
+use super::typed::whole;
 use image::RgbImage;
 use live::{Knob, LIVE, Live, Sight};
 use proptest::prelude::Strategy;
@@ -89,7 +89,6 @@ fn example(count: usize) -> String {
 /// What is wrong with the programs of these scenes, typed into a workspace that holds
 /// the whole book. The first is the one that the book has its reader type.
 fn faults(scenes: &[Scene]) -> Vec<String> {
-    let _typing = TYPING.lock();
     let typist = whole();
     let folder = "steps/step05_phong/examples/own_scenes/";
     let rust = scenes.iter().map(|scene| scene.rust.clone()).enumerate();
@@ -119,8 +118,8 @@ fn faults(scenes: &[Scene]) -> Vec<String> {
     drawn.collect()
 }
 
-#[test]
-fn the_rust_of_a_scene_draws_it() {
+/// Fails unless the Rust that the page writes draws what it shows, and another is found.
+pub fn the_rust_of_a_scene_draws_it() {
     let empty = without(|knob| !knob.choices.is_empty());
     let in_a_sphere = without(|knob| {
         knob.group == "red sphere" && ["x", "y", "z"].contains(&knob.symbol)

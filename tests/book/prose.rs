@@ -1,7 +1,7 @@
 //! The chapters keep the rules of style: calm words.
 
-use crate::book::files;
-use crate::{assert_found, assert_none};
+use super::built::files;
+use super::{assert_found, assert_none};
 use book::Files;
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use std::sync::LazyLock;

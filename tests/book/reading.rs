@@ -1,6 +1,6 @@
 //! What a page gives its reader to do, from top to bottom.
 
-use crate::listing::Listing;
+use super::listing::Listing;
 use book::{Element, Page};
 
 /// One thing on a page.

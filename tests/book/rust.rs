@@ -1,9 +1,9 @@
 //! What a week of Rust does not teach has a note below the listing in which it first
 //! appears.
 
-use crate::book::BOOK;
-use crate::listing::Listing;
-use crate::{assert_found, assert_none};
+use super::built::BOOK;
+use super::listing::Listing;
+use super::{assert_found, assert_none};
 use book::{Page, Site};
 
 /// How such a thing looks in code, and what the note about it says.

@@ -1,9 +1,9 @@
 //! Every line of every source file stands in the chapter of its step, once.
 
-use crate::book::{BOOK, files};
-use crate::listing::Listing;
-use crate::own_scene;
-use crate::{assert_found, assert_none};
+use super::built::{BOOK, files};
+use super::listing::Listing;
+use super::own_scene;
+use super::{assert_found, assert_none};
 use book::{Files, Page, Site};
 use gallery::workspace;
 use std::fs;

@@ -1,21 +1,17 @@
 //! The book suffices: what a reader types from it compiles at every heading, and each
-//! command does what the page says.
+//! command does what the page says. That in the end all of it is ours, `source` says.
 
-use crate::assert_found;
-use crate::book::BOOK;
-use crate::listing::Listing;
-use crate::reading::{Asked, Event, events};
-use crate::source::SOURCE;
-use crate::typist::{STEPS, State, Typist, text};
+use super::assert_found;
+use super::built::BOOK;
+use super::listing::Listing;
+use super::own_scene;
+use super::reading::{Asked, Event, events};
+use super::source::SOURCE;
+use super::typist::{STEPS, State, Typist, text};
 use anyhow::{Context, Result, ensure};
 use book::{Page, Site};
 use std::collections::BTreeMap;
-use std::sync::Mutex;
 use tests::target;
-
-/// Held by a test that types: all type into one folder, so that little is compiled
-/// twice.
-pub static TYPING: Mutex<()> = Mutex::new(());
 
 type Files<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
 
@@ -30,7 +26,6 @@ fn is_asked(only: Only, page: &Page, command: &str) -> bool {
 /// The first thing that does not work for a reader who types everything, and runs every
 /// command, or `only` some of one page.
 fn fault(book: &Site, only: Only) -> Option<String> {
-    let _typing = TYPING.lock();
     let typist = Typist { folder: target().join("typed") };
     typist.put_aside().expect("the files can be moved");
     let mut files = Files::new();
@@ -73,10 +68,6 @@ fn typed<'a>(
         ensure!(has_drawn, "{}, no program {step} has drawn", at_the_end());
         typist.check_lock().with_context(at_the_end)?;
     }
-    if page.name == SOLUTIONS && is_asked(only, page, "") {
-        typist.write(files)?;
-        typist.check().with_context(at_the_end)?;
-    }
     Ok(())
 }
 
@@ -111,18 +102,26 @@ fn states(book: &Site, steps: &[&str]) -> Vec<State> {
                 && !files.is_empty()
             {
                 let name = format!("state_{step}_{}", states.len());
-                states.push(State { name, step: step.to_string(), files });
+                states.push(State { name, files });
             }
         }
     }
     states
 }
 
-const SOLUTIONS: &str = "solutions.html";
-
+/// All that is typed, in one test: it goes into one folder, so that little is compiled
+/// twice, and other tests go on while Cargo is waited for.
 #[test]
 fn the_book_suffices() {
     assert_eq!(fault(&BOOK, None), None);
+    assert!(30 <= states(&BOOK, &STEPS).len());
+    assert_eq!(fault_on_the_way(&BOOK, &STEPS), None);
+    own_scene::the_rust_of_a_scene_draws_it();
+    a_group_that_needs_a_later_one_is_found();
+    a_program_that_does_not_compile_is_found();
+    a_file_that_comes_a_chapter_too_late_is_found();
+    another_picture_is_found();
+    a_line_that_is_not_printed_is_found();
 }
 
 /// A reader's workspace, once the whole book is typed.
@@ -139,18 +138,10 @@ pub fn whole() -> Typist {
 
 /// What Cargo says of the states of these crates, once the whole book is typed.
 fn fault_on_the_way(book: &Site, steps: &[&str]) -> Option<String> {
-    let _typing = TYPING.lock();
     let typist = whole();
     Some(typist.check_states(&states(book, steps)).err()?.to_string())
 }
 
-#[test]
-fn every_state_on_the_way_compiles() {
-    assert!(30 <= states(&BOOK, &STEPS).len());
-    assert_eq!(fault_on_the_way(&BOOK, &STEPS), None);
-}
-
-#[test]
 fn a_program_that_does_not_compile_is_found() {
     let page = "step01_rays.html";
     let book = BOOK.with(page, "run(env!", "walk(env!");
@@ -159,7 +150,6 @@ fn a_program_that_does_not_compile_is_found() {
     assert_found(&Vec::from_iter(fault(&book, Some((page, command)))), &words);
 }
 
-#[test]
 fn another_picture_is_found() {
     let page = "step02_sphere.html";
     let two = "|camera, _| step02_sphere::picture(camera, 2))";
@@ -169,7 +159,6 @@ fn another_picture_is_found() {
     assert_found(&Vec::from_iter(fault(&book, Some((page, command)))), &words);
 }
 
-#[test]
 fn a_file_that_comes_a_chapter_too_late_is_found() {
     let main = "steps/step03_nearest/src/main.rs";
     let late = format!(
@@ -185,15 +174,6 @@ fn a_file_that_comes_a_chapter_too_late_is_found() {
     assert_found(&Vec::from_iter(fault(&book, Some((page, command)))), &words);
 }
 
-#[test]
-fn a_solution_that_does_not_compile_is_found() {
-    let book = BOOK.with(SOLUTIONS, "samples: u32)", "samples: f64)");
-    let fault = fault(&book, Some((SOLUTIONS, "")));
-    let words = ["At the end of", SOLUTIONS, "examples/rings.rs"];
-    assert_found(&Vec::from_iter(fault), &words);
-}
-
-#[test]
 fn a_line_that_is_not_printed_is_found() {
     let (page, command) = ("step02_sphere.html", "cargo check -p step02_sphere");
     let line = format!("$ {command}\n");
@@ -202,12 +182,11 @@ fn a_line_that_is_not_printed_is_found() {
     assert_found(&Vec::from_iter(fault(&book, Some((page, command)))), &words);
 }
 
-#[test]
 fn a_group_that_needs_a_later_one_is_found() {
     let (page, group) = ("step01_rays.html", "mod ray;\npub use ray::Ray;\n");
     let early = format!("{group}pub use camera::Camera as Early;\n");
     let book = BOOK.with(page, group, &early);
-    let words = ["Cargo says", "examples/state_step01_rays_", "camera"];
+    let words = ["Cargo says", "src/state_step01_rays_", "camera"];
     let fault = fault_on_the_way(&book, &STEPS[..1]);
     assert_found(&Vec::from_iter(fault), &words);
 }

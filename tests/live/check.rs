@@ -1,7 +1,7 @@
 //! The module that looks at a reader's picture says what `check` says.
 
-use crate::MEND;
-use crate::module::{Code, checked_in};
+use super::MEND;
+use super::module::{Code, checked_in};
 use ::check::{Locked, locked};
 use ::module::{NAMES, answer, draw};
 use gallery::{Step, camera, mistakes};

@@ -1,6 +1,6 @@
 //! Whatever the bytes of a file are, there is an answer, and soon.
 
-use crate::locked;
+use super::locked;
 use ::check::{Locked, check};
 use gallery::{Step, camera};
 use image::codecs::png::PngEncoder;

@@ -1,13 +1,13 @@
 //! The list of edits: it tells what stands in the steps, as they are now.
 
 #[allow(dead_code)] // what only the program needs
-#[path = "../examples/edits/edit.rs"]
+#[path = "../src/bin/edits/edit.rs"]
 mod edit;
 #[allow(dead_code)]
-#[path = "../examples/edits/project.rs"]
+#[path = "../src/bin/edits/project.rs"]
 mod project;
 #[allow(dead_code)]
-#[path = "../examples/edits/view.rs"]
+#[path = "../src/bin/edits/view.rs"]
 mod view;
 
 use edit::edits;

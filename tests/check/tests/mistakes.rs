@@ -1,6 +1,6 @@
 //! Every mistake gives a picture of its own.
 
-use crate::{folder, named, opened, right};
+use super::{folder, named, opened};
 use gallery::{Mistake, Parts, Step, camera, mistakes, workspace};
 use image::RgbImage;
 use std::collections::HashSet;
@@ -25,8 +25,9 @@ fn the_right_parts_draw_the_pictures_of_the_steps() {
 fn no_mistake_gives_the_right_picture_or_that_of_another() {
     let mut drawn: Vec<(&Mistake, RgbImage)> = vec![];
     for mistake in mistakes() {
-        let picture = mistake.picture(&camera(640, 360), 1);
-        let right = right(mistake.step.name());
+        let camera = camera(320, 180);
+        let picture = mistake.picture(&camera, 1);
+        let right = mistake.step.picture(&camera, 1);
         assert!(picture != right, "{} gives the right picture", mistake.name);
         for (other, theirs) in &drawn {
             assert!(*theirs != picture, "{} and {}", mistake.name, other.name);
@@ -82,7 +83,7 @@ fn the_appendix_of_the_book_shows_the_gallery() {
     let chapter = fs::read_to_string(path).expect("a chapter");
     assert!(
         chapter == ::check::appendix(),
-        "write it anew: cargo run -p check --example appendix > book/chapters/mistakes.md"
+        "write it anew: cargo run --bin appendix > book/chapters/mistakes.md"
     );
     for (_, name) in mistakes().flat_map(Mistake::shown) {
         assert!(chapter.contains(&format!("(pictures/{name}.png ")), "{name}");

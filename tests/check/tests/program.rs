@@ -1,15 +1,19 @@
 //! The program `check`: its arguments, its exit codes, and where it looks.
 
-use crate::{folder, locked, made, opened, right, target};
+use super::{folder, locked, made, opened, right};
 use gallery::{Step, workspace};
 use image::{ImageFormat, Rgb, RgbaImage};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 use std::{env, fs};
+use tests::Program;
 
-/// The program beside the folder of this test program.
+/// The program, built for this platform and profile.
 fn command() -> Command {
-    Command::new(target(2).join("check").with_extension(env::consts::EXE_EXTENSION))
+    static PATH: LazyLock<PathBuf> =
+        LazyLock::new(|| Program::new("check", "program").path());
+    Command::new(&*PATH)
 }
 
 fn run(arguments: &[&str]) -> Output {

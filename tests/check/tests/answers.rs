@@ -1,6 +1,6 @@
 //! What `check` says of pictures.
 
-use crate::{locked, made, named, right};
+use super::{locked, made, named, right};
 use ::check::{Answer, look};
 use gallery::{Mistake, Parts, Step, camera, mistakes};
 use image::{Rgb, RgbImage, imageops};
@@ -101,14 +101,14 @@ fn mistakes_are_named_at_another_size_and_number_of_samples() {
     let cases = [
         ("y-down", Step::Nearest, 320, 180, 1),
         ("y-down", Step::Rays, 200, 113, 1),
-        ("mirrored", Step::Nearest, 640, 360, 2),
+        ("mirrored", Step::Nearest, 640, 360, 1),
         ("full-angle", Step::Sphere, 160, 90, 3),
         ("square-view", Step::Nearest, 200, 150, 2),
         ("inward", Step::Diffuse, 160, 90, 4),
-        ("no-exponent", Step::Phong, 800, 450, 1),
+        ("no-exponent", Step::Phong, 960, 180, 1),
         ("gamma", Step::Phong, 160, 90, 3),
         ("bgr", Step::Diffuse, 64, 36, 1),
-        ("last-in-list", Step::Nearest, 96, 54, 16),
+        ("last-in-list", Step::Nearest, 64, 36, 16),
     ];
     for (name, step, width, height, samples) in cases {
         let picture = made(step, &[name], (width, height), samples);
@@ -127,8 +127,8 @@ fn right_pictures_of_another_size_or_number_of_samples_are_right_but_for_that() 
         (640, 480, 1, "--aspect 16:9 gives"),
         (400, 300, 1, "--width 640 --aspect 16:9 gives"),
         (640, 360, 2, "--samples 1 gives"),
-        (800, 450, 3, "--width 640 gives"),
-        (160, 90, 8, "--width 640 gives"),
+        (240, 135, 3, "--width 640 gives"),
+        (64, 36, 8, "--width 640 gives"),
     ];
     // In turn, with a name and without one.
     let steps = [(Step::Phong, Some("step05_phong")), (Step::Nearest, None)];
@@ -284,7 +284,7 @@ fn what_is_off_by_one_or_two_is_never_right() {
     let text = told(&mirrored, Some("step05_phong"), &["no known mistake"]);
     assert!(!text.contains("your picture of step05_phong is"), "{text}");
     // Where more rays are needed than are cast for an answer, one pixel can hide.
-    let mut large = Step::Nearest.picture(&camera(640, 120), 16);
+    let mut large = Step::Nearest.picture(&camera(640, 98), 16);
     large.put_pixel(1, 1, Rgb([0; 3]));
     told(
         &large,
@@ -301,8 +301,8 @@ fn a_picture_of_one_colour_has_no_invented_causes() {
     for (colour, spots, only, name) in
         [([0; 3], 0, all, None), ([255; 3], 1, nearly, phong)]
     {
-        let mut picture = RgbImage::from_pixel(640, 360, Rgb(colour));
-        (0..spots).for_each(|i| picture.put_pixel(320 + i, 180, Rgb([9; 3])));
+        let mut picture = RgbImage::from_pixel(320, 180, Rgb(colour));
+        (0..spots).for_each(|i| picture.put_pixel(160 + i, 90, Rgb([9; 3])));
         let text = told(&picture, name, &[only, &format!("{colour:?}.")]);
         let mut causes = text.lines().filter(|line| line.contains(" when "));
         assert!(!causes.any(|line| line.contains(", and ")), "{text}");

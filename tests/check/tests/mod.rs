@@ -1,7 +1,7 @@
 //! The gallery of mistakes, and what `check` says of every picture that a reader may
 //! bring.
 
-mod check;
+mod answers;
 mod damaged;
 mod edits;
 mod formulas;
@@ -15,18 +15,11 @@ use ::check::Locked;
 use gallery::{Mistake, Parts, Step, camera};
 use image::RgbImage;
 use std::path::{Path, PathBuf};
-use std::{env, fs, sync::LazyLock};
-
-/// A folder of the target folder, upwards from this test program.
-fn target(levels: usize) -> PathBuf {
-    let program = env::current_exe().expect("a running program has a path");
-    let folder = program.ancestors().nth(levels);
-    folder.expect("target/PROFILE/deps/program").to_owned()
-}
+use std::{fs, sync::LazyLock};
 
 /// An empty folder of this test.
 fn folder(test: &str) -> PathBuf {
-    let folder = target(3).join("tests").join(format!("check-{test}"));
+    let folder = tests::target().join("tests").join(format!("check-{test}"));
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder in the target folder");
     folder

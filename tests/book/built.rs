@@ -20,7 +20,7 @@ fn the_steps_are_chapters_in_their_order() {
     let steps = chapters.iter().filter(|page| page.name.starts_with("step"));
     let names: Vec<_> =
         steps.filter_map(|page| page.name.strip_suffix(".html")).collect();
-    assert_eq!(names, crate::typist::STEPS);
+    assert_eq!(names, super::typist::STEPS);
     let first = |name: &str| BOOK.pages[name].all("main").next().map(|m| &m.text);
     assert_eq!(first("index.html"), first(&chapters[0].name));
 }

@@ -3,7 +3,7 @@
 //! them; `--draw` draws and does not ask, `--ask` asks and does not draw.
 //!
 //! ```text
-//! cargo run -p check --example edits -- D_v attenuation
+//! cargo run --bin edits -- D_v attenuation
 //! ```
 //!
 //! Pictures and answers are in `target/edits/pictures`. A picture is drawn once.

@@ -3,7 +3,7 @@
 //! Each module is one promise: the check, a test that the book keeps it, and tests
 //! that a fault is found. The book is built once for all of them.
 
-mod book;
+mod built;
 
 mod listing;
 mod source;
