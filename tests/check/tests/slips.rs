@@ -293,16 +293,22 @@ fn two_vectors_that_are_made_unit_vectors() {
 #[test]
 fn a_step_by_another_number_of_pixels() {
     assert_told(
-        Step::Phong,
+        Step::Sphere,
         |parts| parts.camera.matrix.y_axis.y = -(30_f64.to_radians().tan()) / 89.0,
         "rays",
         "D_v = (0, −h / rows, 0)",
     );
     assert_told(
-        Step::Phong,
+        Step::Sphere,
         |parts| parts.camera.matrix.y_axis.y *= 89.0 / 159.0,
         "rays",
         "D_v = (0, (−2) h rows / columns / columns, 0)",
+    );
+    assert_told(
+        Step::Sphere,
+        |parts| parts.camera.matrix.x_axis.z = -1.0 / 159.0,
+        "rays",
+        "where ours is D_u = (2 h / columns, 0, 0)",
     );
     assert_told(
         Step::Rays,
@@ -327,7 +333,7 @@ fn a_sphere_that_few_pixels_show() {
         "the red sphere is at (−0.65, −0.16, −14.8)",
     );
     assert_told(
-        Step::Phong,
+        Step::Diffuse,
         |parts| parts.scene.objects[8].sphere.centre.y = 3.2,
         "outlines",
         "the cream sphere is at (−2.1, 3.2, −9.5)",

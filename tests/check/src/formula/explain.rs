@@ -266,14 +266,14 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
     sort(&mut rated, |(mended, edit)| {
         [usize::MAX - mended, usize::from(edit.rank)]
     });
-    // Two formulas for one line mend the same pixels.
-    let line = |edit: &Edit| match edit.changes[..] {
-        [Change::Line(line, _)] => Some(line),
+    // Two formulas of one stage mend the same pixels.
+    let stage = |edit: &Edit| match edit.changes[..] {
+        [Change::Line(..), ..] => Some(tree.lines[edit.line].place.stage),
         _ => None,
     };
-    let first = rated.first().and_then(|(_, edit)| line(edit));
+    let first = rated.first().and_then(|(_, edit)| stage(edit));
     let is_other = |(k, (_, edit)): &(usize, &(usize, Edit))| {
-        *k == 0 || first.is_none() || first != line(edit)
+        *k == 0 || first.is_none() || first != stage(edit)
     };
     let two = rated.iter().enumerate().filter(is_other).take(2);
     two.map(|(_, (_, edit))| cause(tree, edit)).collect()

@@ -74,7 +74,8 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
 }
 
 /// A step from pixel to pixel that is divided by something else and has lost its 2, too;
-/// or that is multiplied by the ratio of the sides.
+/// or that is multiplied by the ratio of the sides; or that goes ahead, too, by a part
+/// of 1.
 fn steps(tree: &Tree, all: &mut Vec<Edit>) {
     let Some([h, rows, columns, width, height, d_u, d_v]) =
         all_found(tree, ["h", "rows", "columns", "hRes", "vRes", "D_u", "D_v"])
@@ -98,7 +99,10 @@ fn steps(tree: &Tree, all: &mut Vec<Edit>) {
         let halves = [rows, width, height].map(half).into_iter();
         let ratios =
             [(rows, columns), (columns, rows), (height, width), (width, height)];
-        for step in halves.chain(ratios.map(by)) {
+        let ahead = |by: usize| of(Op::Div, Node::Number(-1.0), by);
+        let ahead = [rows, columns].map(|by| (2, ahead(by)));
+        let others = halves.chain(ratios.map(by)).map(|step| (axis, step));
+        for (axis, step) in others.chain(ahead) {
             let mut three = three.clone();
             three[axis] = step;
             let changes = vec![Change::Line(line, Node::of(Op::Vector, three))];
