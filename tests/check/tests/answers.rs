@@ -241,7 +241,8 @@ fn stray_pixels_do_not_hide_what_is_known() {
         let mut all = right(name);
         for (k, (i, j, colour)) in strays.into_iter().enumerate() {
             all.put_pixel(i, j, colour);
-            if k < first {
+            // The first alone, and all.
+            if k < first || [1, 2].contains(&k) {
                 continue;
             }
             let count =
