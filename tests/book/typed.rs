@@ -15,16 +15,16 @@ use tests::target;
 
 type Files<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
 
-/// A page, and words of its commands: what a planted fault is about.
+/// A page and one of its commands: what a planted fault is about.
 type Only<'a> = Option<(&'a str, &'a str)>;
 
 /// Whether a command of a page is to be run.
 fn is_asked(only: Only, page: &Page, command: &str) -> bool {
-    only.is_none_or(|(name, words)| page.name == name && command.contains(words))
+    only.is_none_or(|only| only == (page.name.as_str(), command))
 }
 
 /// The first thing that does not work for a reader who types everything, and runs every
-/// command, or `only` some of one page.
+/// command, or `only` one.
 fn fault(book: &Site, only: Only) -> Option<String> {
     let typist = Typist { folder: target().join("typed") };
     typist.put_aside().expect("the files can be moved");
