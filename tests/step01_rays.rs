@@ -240,7 +240,7 @@ fn samples_are_the_centres_of_the_sub_pixels() {
     for samples in 1..=4 {
         let camera = Camera::new(4, 3, 1.0);
         let seen = Mutex::new(Vec::new());
-        render(&camera, samples, &|ray| {
+        render(&camera, samples, |ray| {
             seen.lock()
                 .expect("no panic")
                 .push(camera.matrix.inverse() * ray.direction);
@@ -270,7 +270,7 @@ fn samples_are_the_centres_of_the_sub_pixels() {
 fn the_samples_of_a_pixel_are_cast_from_left_to_right_and_down() {
     let camera = Camera::new(2, 1, 1.0);
     let seen = Mutex::new(Vec::new());
-    render(&camera, 3, &|ray| {
+    render(&camera, 3, |ray| {
         seen.lock()
             .expect("no panic")
             .push(camera.matrix.inverse() * ray.direction);
@@ -290,7 +290,7 @@ fn a_pixel_is_the_mean_of_its_samples() {
     // One of the two sub-columns of the left pixel is white, the other black.
     let half =
         |ray: &Ray| DVec3::splat(if ray.direction.x < middle { 1.0 } else { 0.0 });
-    assert_eq!(render(&camera, 2, &half).get_pixel(0, 0), &Rgb([128; 3]));
+    assert_eq!(render(&camera, 2, half).get_pixel(0, 0), &Rgb([128; 3]));
 }
 
 #[test]
@@ -307,7 +307,7 @@ fn intensities_are_clamped_and_rounded_to_8_bits() {
         (1.0, 255),
         (7.0, 255),
     ] {
-        let picture = render(&camera, 1, &|_| DVec3::new(intensity, 0.0, 1.0));
+        let picture = render(&camera, 1, |_| DVec3::new(intensity, 0.0, 1.0));
         assert_eq!(
             picture,
             RgbImage::from_pixel(2, 1, Rgb([byte, 0, 255])),
@@ -319,7 +319,7 @@ fn intensities_are_clamped_and_rounded_to_8_bits() {
 #[test]
 fn columns_run_right_and_rows_run_down() {
     let camera = Camera::new(3, 3, 1.0);
-    let picture = render(&camera, 1, &|ray| ray.direction);
+    let picture = render(&camera, 1, |ray| ray.direction);
     assert_eq!(picture.get_pixel(0, 0)[0], 0);
     assert_ne!(picture.get_pixel(2, 0)[0], 0);
     assert_ne!(picture.get_pixel(0, 0)[1], 0);

@@ -11,7 +11,7 @@ const NEW: [(&str, &str); 37] = [
     ("|i, j|", "closure"),
     ("#[derive(", "derive"),
     ("pub(crate)", "pub(crate)"),
-    ("dyn Fn(", "dyn Fn"),
+    ("impl Fn(", "impl Fn"),
     ("static ", "static"),
     ("Atomic", "AtomicU32"),
     ("let Self {", "takes a struct apart"),

@@ -28,7 +28,7 @@ type Lit = Scene<Material, Light>;
 
 /// The first level at which `fast` draws something else, and how many bytes differ.
 fn difference(camera: &Camera, samples: u32, scene: &Lit) -> Option<String> {
-    let clear = render(camera, samples, &|ray| colour(scene, ray));
+    let clear = render(camera, samples, |ray| colour(scene, ray));
     levels().into_iter().find_map(|level| {
         let fast = draw(level, camera, samples, scene);
         let bytes = clear.iter().zip(fast.iter());

@@ -71,7 +71,7 @@ fn four_times_the_exponent_gives_about_the_same_highlight() {
 /// The shadows of rays that start on the surface itself.
 pub fn speckled(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| {
+    render(camera, samples, |ray| {
         let Some(point) = seen(&scene.objects, ray) else {
             return direction_colour(ray);
         };
@@ -86,7 +86,7 @@ pub fn speckled(camera: &Camera, samples: u32) -> RgbImage {
 /// The program before it has mirrors: shadows alone.
 pub fn shadowed(camera: &Camera, samples: u32) -> RgbImage {
     let scene = mirror::mirrors();
-    render(camera, samples, &|ray| mirror::colour(&scene, ray, 0))
+    render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
 }
 
 /// The white sphere: the picture from column 53 and row 231 on, four times as large.
@@ -113,7 +113,7 @@ fn at_the_depth_limit_mirrors_show_their_own_colour() {
 #[test]
 fn more_than_ten_mirrors_change_no_pixel() {
     let scene = mirror::mirrors();
-    let more = render(&camera(), 1, &|ray| mirror::colour(&scene, ray, 100));
+    let more = render(&camera(), 1, |ray| mirror::colour(&scene, ray, 100));
     assert!(more == locked("mirror"));
 }
 

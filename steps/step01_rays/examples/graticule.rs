@@ -26,7 +26,7 @@ fn colour(ray: &Ray, pixel: f64) -> DVec3 {
 /// The picture: the sky of step 1 with its graticule.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let pixel = camera.matrix.x_axis.length();
-    render(camera, samples, &|ray| colour(ray, pixel))
+    render(camera, samples, |ray| colour(ray, pixel))
 }
 
 fn main() {

@@ -66,7 +66,7 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     // The nearest first, so that it hides those behind it.
     let mut beads = beads();
     beads.sort_by(|p, q| p.distance(position).total_cmp(&q.distance(position)));
-    render(&camera, samples, &|ray| colour(&beads, ray))
+    render(&camera, samples, |ray| colour(&beads, ray))
 }
 
 fn main() {

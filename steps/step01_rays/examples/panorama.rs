@@ -39,7 +39,7 @@ fn colour(v: DVec3) -> DVec3 {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
     let inverse = camera.matrix.inverse();
-    render(camera, samples, &|ray| {
+    render(camera, samples, |ray| {
         colour(panoramic(camera, inverse * ray.direction))
     })
 }

@@ -17,7 +17,7 @@ fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the sky of step 1 in rings.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &colour)
+    render(camera, samples, colour)
 }
 
 fn main() {

@@ -12,7 +12,7 @@ fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &colour)
+    render(camera, samples, colour)
 }
 
 fn main() {

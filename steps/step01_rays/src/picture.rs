@@ -11,5 +11,5 @@ pub fn direction_colour(ray: &Ray) -> DVec3 {
 
 /// The picture of step 1: the direction of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &direction_colour)
+    render(camera, samples, direction_colour)
 }

@@ -14,7 +14,7 @@ pub(crate) static ROWS: AtomicU32 = AtomicU32::new(0);
 pub fn render(
     camera: &Camera,
     samples: u32,
-    colour: &(dyn Fn(&Ray) -> DVec3 + Sync),
+    colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> RgbImage {
     let side = f64::from(samples);
     let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;

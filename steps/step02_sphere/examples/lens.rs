@@ -65,7 +65,7 @@ fn colour(spheres: &[Sphere], ray: &Ray) -> DVec3 {
 
 /// The picture: two spheres of glass, and the lens in which they overlap.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &|ray| colour(&SPHERES, ray))
+    render(camera, samples, |ray| colour(&SPHERES, ray))
 }
 
 fn main() {

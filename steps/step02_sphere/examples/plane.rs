@@ -57,7 +57,7 @@ fn colour(sphere: &Sphere, ground: &Plane, ray: &Ray) -> DVec3 {
 
 /// The picture: the sphere of step 2 on a ground without end.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &|ray| colour(&SPHERE, &GROUND, ray))
+    render(camera, samples, |ray| colour(&SPHERE, &GROUND, ray))
 }
 
 fn main() {

@@ -100,7 +100,7 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
         ..*camera
     };
     let scene = scene();
-    render(&camera, samples, &|ray| colour(&scene, ray))
+    render(&camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {

@@ -17,7 +17,7 @@ fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &|ray| colour(&SPHERE, ray))
+    render(camera, samples, |ray| colour(&SPHERE, ray))
 }
 
 fn main() {

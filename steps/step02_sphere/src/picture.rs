@@ -16,5 +16,5 @@ pub fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
 
 /// The picture of step 2: one sphere in front of the directions of step 1.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    render(camera, samples, &|ray| colour(&SPHERE, ray))
+    render(camera, samples, |ray| colour(&SPHERE, ray))
 }

@@ -19,7 +19,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 /// The picture: the objects of the scene, through each other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let objects = objects();
-    render(camera, samples, &|ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&objects, ray))
 }
 
 fn main() {

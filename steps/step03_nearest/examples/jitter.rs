@@ -36,7 +36,7 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let side = samples.max(4);
     // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
     let inverse = camera.matrix.inverse();
-    render(camera, side, &|ray| {
+    render(camera, side, |ray| {
         if ray.direction.x < 0.0 {
             return colour(ray);
         }

@@ -150,7 +150,7 @@ fn petal(k: u32) -> DVec3 {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let mut objects = sunflower();
     let tree = Tree::new(&mut objects);
-    render(camera, samples, &|ray| {
+    render(camera, samples, |ray| {
         let hit = tree.nearest(ray, f64::INFINITY, &|few| nearest(few, ray));
         hit.map_or(direction_colour(ray), |hit| hit.object.material)
     })

@@ -36,7 +36,7 @@ pub fn objects() -> Vec<Object<DVec3>> {
 /// The picture: your objects, each in its flat colour.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let objects = objects();
-    render(camera, samples, &|ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&objects, ray))
 }
 
 fn main() {

@@ -17,7 +17,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let objects = objects();
-    render(camera, samples, &|ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&objects, ray))
 }
 
 fn main() {

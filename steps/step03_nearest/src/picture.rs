@@ -13,5 +13,5 @@ pub fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 /// The picture of step 3: the objects of the scene, each in its flat colour.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let objects = objects();
-    render(camera, samples, &|ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&objects, ray))
 }

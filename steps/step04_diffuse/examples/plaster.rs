@@ -6,7 +6,7 @@ use step04_diffuse::{Camera, direction_colour, render, run, scene, seen};
 /// The picture: the light that reaches each point, as white plaster shows it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| {
+    render(camera, samples, |ray| {
         let Some(point) = seen(&scene.objects, ray) else {
             return direction_colour(ray);
         };

@@ -57,7 +57,7 @@ pub fn scene() -> Scene<Surface, PointLight> {
 /// The picture: your scene, in the light of this step.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {

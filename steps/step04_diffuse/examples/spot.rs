@@ -68,7 +68,7 @@ fn colour(scene: &Scene<Surface, SpotLight>, ray: &Ray) -> DVec3 {
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = night();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {

@@ -23,7 +23,7 @@ fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {

@@ -47,7 +47,7 @@ fn colour(scene: &Scene<Surface, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
 /// The picture: the cool light stays, and the sun is new.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = Scene { lights: vec![COOL], ..scene() };
-    render(camera, samples, &|ray| colour(&scene, &SUN, ray))
+    render(camera, samples, |ray| colour(&scene, &SUN, ray))
 }
 
 fn main() {

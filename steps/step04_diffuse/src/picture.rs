@@ -21,5 +21,5 @@ pub fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
 /// The picture of step 4: the scene in ambient and diffuse light.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }

@@ -29,9 +29,9 @@ const CASES: [Case; 8] = [
 #[divan::bench(args = CASES, sample_count = 5)]
 fn clear(bencher: Bencher, case: Case) {
     let draw = |camera: &Camera, scene: &Scene<Material, Light>| {
-        render(camera, 1, &|ray| colour(scene, ray))
+        render(camera, 1, |ray| colour(scene, ray))
     };
-    measure(bencher, case, &draw);
+    measure(bencher, case, draw);
 }
 
 /// The final picture as PNG bytes.
@@ -49,7 +49,7 @@ fn camera() -> Camera {
 fn measure(
     bencher: Bencher,
     (name, threads): Case,
-    draw: &(dyn Fn(&Camera, &Scene<Material, Light>) -> RgbImage + Sync),
+    draw: impl Fn(&Camera, &Scene<Material, Light>) -> RgbImage + Sync,
 ) {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("a pool of threads");
@@ -114,5 +114,5 @@ mod example;
 #[divan::bench(args = CASES, sample_count = 5)]
 fn fast(bencher: Bencher, case: Case) {
     let level = fearless_simd::Level::new();
-    measure(bencher, case, &|camera, scene| example::draw(level, camera, 1, scene));
+    measure(bencher, case, |camera, scene| example::draw(level, camera, 1, scene));
 }

@@ -99,7 +99,7 @@ pub fn through_glass<M>(
 /// The picture: a ray may meet ten surfaces of glass, one after the other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = glasses(1.5);
-    render(camera, samples, &|ray| colour(&scene, ray, 10))
+    render(camera, samples, |ray| colour(&scene, ray, 10))
 }
 
 fn main() {

@@ -61,7 +61,7 @@ pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
 /// The picture: a ray may meet ten mirrors, one after the other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = mirrors();
-    render(camera, samples, &|ray| colour(&scene, ray, 10))
+    render(camera, samples, |ray| colour(&scene, ray, 10))
 }
 
 fn main() {

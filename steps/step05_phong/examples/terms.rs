@@ -7,7 +7,7 @@ use step05_phong::{Camera, Phong, direction_colour, render, scene, terms};
 /// The scene in the one term of the sum that `term` takes out.
 pub fn picture(camera: &Camera, term: fn(Phong) -> DVec3) -> RgbImage {
     let scene = scene();
-    render(camera, 1, &|ray| match terms(&scene, ray) {
+    render(camera, 1, |ray| match terms(&scene, ray) {
         Some(terms) => term(terms),
         None => direction_colour(ray),
     })

@@ -22,5 +22,5 @@ pub fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
 /// The picture of step 5, the final one: the scene in the whole Phong sum.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }

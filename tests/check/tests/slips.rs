@@ -251,7 +251,7 @@ fn a_plus_or_a_minus_within_a_product() {
 #[test]
 fn the_highlights_of_the_last_light_that_shines() {
     let (camera, scene) = (camera(160, 90), step05_phong::scene());
-    let picture = render(&camera, 1, &|ray| {
+    let picture = render(&camera, 1, |ray| {
         let mut last = DVec3::ZERO;
         let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
             return direction_colour(ray);

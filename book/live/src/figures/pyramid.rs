@@ -26,7 +26,7 @@ pub fn draw_picture(
     camera: &Camera,
     project: impl Fn(DVec3) -> DVec2,
 ) {
-    let image = render(camera, 1, &direction_colour);
+    let image = render(camera, 1, direction_colour);
     let at = |i: f64, j: f64| project(camera.ray(i, j).at(1.0));
     let radius = (0.36 * at(0.0, 0.0).distance(at(1.0, 0.0))).min(5.0);
     for (i, j, pixel) in image.enumerate_pixels() {

@@ -80,6 +80,6 @@ pub fn met(hit: Option<(&str, f64)>, ray: &Ray) -> Numbers {
 pub fn bytes(ray: &Ray, colour: impl Fn(&Ray) -> DVec3 + Sync) -> (String, String) {
     let matrix = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, ray.direction);
     let camera = Camera { centre: ray.start, h_res: 1, v_res: 1, matrix };
-    let pixel = render(&camera, 1, &colour).get_pixel(0, 0).0;
+    let pixel = render(&camera, 1, colour).get_pixel(0, 0).0;
     ("bytes".into(), vector(&pixel.map(f64::from)))
 }

@@ -33,7 +33,7 @@ pub(crate) fn picture(
     camera: &Camera,
     colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> Sight {
-    shown(&render(camera, 1, &colour))
+    shown(&render(camera, 1, colour))
 }
 
 /// What `camera` sees of a scene of step 5. In a page, the example `fast` draws it, as

@@ -71,7 +71,7 @@ const END: &str = "
 /// The picture: your scene in the whole Phong sum.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = my_scene();
-    render(camera, samples, &|ray| colour(&scene, ray))
+    render(camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {
