@@ -5,6 +5,7 @@ mod png;
 mod view;
 
 mod cause;
+mod each;
 mod fov;
 mod recognise;
 mod rest;
@@ -31,6 +32,7 @@ pub use answer::Answer;
 pub use appendix::appendix;
 pub(crate) use cause::Cause;
 pub use check::{check, look};
+pub(crate) use each::each;
 pub use formula::by_formulas;
 pub use locked::{Locked, locked, names};
 pub use measure::{Stage, Verdict, pixel, stages};

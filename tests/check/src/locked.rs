@@ -1,5 +1,6 @@
 use crate::{Step, png, workspace};
 use image::RgbImage;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::PathBuf;
@@ -17,7 +18,7 @@ impl Locked {
     /// All that there are in the folder of the course, or a sentence about why one of
     /// them can't be had.
     pub fn all() -> Result<Vec<Self>, String> {
-        let all = names().into_iter();
+        let all = names().into_par_iter();
         all.map(|name| Ok(Self { picture: locked(&name)?, name })).collect()
     }
 }

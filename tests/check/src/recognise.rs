@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
-use crate::{Cause, Mistake, Rest, Step, sort};
+use crate::{Cause, Mistake, Rest, Step, each, sort};
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -110,7 +110,7 @@ fn sieved(yours: &View, causes: Vec<Cause>) -> Vec<Rated> {
         let misses = misses(yours, &cause, &places, ROUNDING, most(320))?;
         Some((misses, cause))
     };
-    causes.into_iter().filter_map(rate).collect()
+    each(causes, rate)
 }
 
 /// The causes, of the fewest mistakes, that explain every pixel; first those of

@@ -1,5 +1,5 @@
 use crate::case::Case;
-use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages};
+use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages_beside};
 use crate::{Cause, Step};
 use gallery::Parts;
 use image::RgbImage;
@@ -32,7 +32,7 @@ impl Told {
                     |stage, light| is_shown(case, &cause, stage, light),
                 )
             }
-            None => stages(&case.yours.kept, step),
+            None => stages_beside(&case.yours.kept, step, Some(&case.ours.picture)),
         };
         let is_wrong = |stage: &&Stage| matches!(stage.verdict, Verdict::Wrong);
         let wrong = stages.iter().find(is_wrong);

@@ -54,7 +54,8 @@ impl<'a> Context<'a> {
         }
         context.others = if one.is_some() { 0 } else { context.stale };
         for (k, line) in tree.lines.iter().enumerate() {
-            let uses = context.other(k).map_or(line.uses, |node| tree.uses(node));
+            // What another formula needs is no matter: its line is stale itself.
+            let uses = line.uses;
             let is_apart = one.is_some_and(|(of, _)| of == line.of);
             let others = if is_apart { context.others } else { context.stale };
             context.stale |= u128::from(uses & context.stale != 0) << k;

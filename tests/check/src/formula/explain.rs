@@ -3,7 +3,7 @@ use super::{
     Tree, Value, Values, Where, edits, misses, solved, unknowns,
 };
 use crate::measure::{number, vector};
-use crate::{Step, sort};
+use crate::{Step, each, sort};
 use glam::DVec3;
 use image::RgbImage;
 
@@ -240,17 +240,13 @@ impl Riddle<'_> {
 fn halves(evidence: &Evidence) -> Vec<Cause> {
     let tree = evidence.tree;
     let [few, more, _] = &evidence.parts;
-    let mut seen = vec![];
-    let mut rated = vec![];
-    for edit in edits(tree).into_iter().filter(|edit| edit.rank < 2) {
+    let mut edits = edits(tree);
+    edits.retain(|edit| edit.rank < 2);
+    let mends = each(edits, |edit| {
         let context = Context::new(tree, &edit.changes, 0.0.into());
-        if !few
-            .right
-            .iter()
-            .chain(&more.right)
-            .all(|known| evidence.is_right(known, &context))
-        {
-            continue;
+        let mut right = few.right.iter().chain(&more.right);
+        if !right.all(|known| evidence.is_right(known, &context)) {
+            return None;
         }
         let pixels = |(_, values): &Known| values.changed(&context).pixels();
         let after: Vec<_> = more.wrong.iter().flat_map(pixels).collect();
@@ -258,7 +254,11 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
         let both = yours.zip(&after);
         let mended =
             both.filter(|(place, p)| evidence.pixel(**place) == **p).count();
-        if 2 < mended && !seen.contains(&after) {
+        (2 < mended).then_some((mended, edit, after))
+    });
+    let (mut seen, mut rated) = (vec![], vec![]);
+    for (mended, edit, after) in mends {
+        if !seen.contains(&after) {
             seen.push(after);
             rated.push((mended, edit));
         }
@@ -282,10 +282,9 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.
 fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
     let tree = evidence.tree;
-    let all = unknowns(tree).into_iter();
-    let all =
-        all.filter(|one| has_formulas || matches!(one.place, Where::Scene(..)));
-    let all = all.filter_map(|unknown| {
+    let mut all = unknowns(tree);
+    all.retain(|one| has_formulas || matches!(one.place, Where::Scene(..)));
+    each(all, |unknown| {
         let x = solved(evidence, &unknown)?;
         let (change, free) = unknown.change(tree, x);
         let change = match change {
@@ -298,8 +297,7 @@ fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
         let edit =
             Edit { changes: vec![change], rank, says: None, line: unknown.line };
         Some(cause(tree, &edit))
-    });
-    all.collect()
+    })
 }
 
 /// An expression with the value in the place of the unknown.

@@ -1,4 +1,5 @@
 use super::{Change, Context, Edit, SOME, Tree, Value, Values};
+use crate::each;
 use image::RgbImage;
 
 /// Column and row of a pixel.
@@ -76,8 +77,7 @@ impl<'a> Evidence<'a> {
 
     /// Those of some edits that give each of the pixels.
     pub fn survivors(&self, edits: Vec<Edit>) -> Vec<Edit> {
-        let fits = |edit: &Edit| self.fits(&edit.changes, 0.0.into());
-        edits.into_iter().filter(fits).collect()
+        each(edits, |edit| self.fits(&edit.changes, 0.0.into()).then_some(edit))
     }
 }
 

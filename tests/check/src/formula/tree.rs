@@ -1,6 +1,6 @@
 use super::{Change, Kind, Node, Op, Value, parse};
 use crate::{Named, Parts, Section, Step, camera, section};
-use std::rc::Rc;
+use std::sync::Arc;
 use step03_nearest::Object;
 use step05_phong::Light;
 
@@ -28,7 +28,7 @@ pub(crate) struct Tree {
 /// One formula, or one number of the scene or of a ray.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
-    pub name: Rc<str>,
+    pub name: Arc<str>,
     pub kind: Kind,
     pub of: Of,
     /// The formula; None for a number that is given.

@@ -1,14 +1,14 @@
 use glam::DVec3;
-use std::rc::Rc;
 use std::slice::from_ref;
+use std::sync::Arc;
 
 /// The values of an expression for many rays at once, or the one that all have.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     Scalar(f64),
     Vector(DVec3),
-    Scalars(Rc<[f64]>),
-    Vectors(Rc<[DVec3]>),
+    Scalars(Arc<[f64]>),
+    Vectors(Arc<[DVec3]>),
 }
 
 impl From<f64> for Value {
@@ -40,7 +40,7 @@ fn zip<A: Copy, B: Copy, C>(
     a: &[A],
     b: &[B],
     f: impl Fn(A, B) -> C,
-) -> Result<C, Rc<[C]>> {
+) -> Result<C, Arc<[C]>> {
     Err(match (a, b) {
         ([a], [b]) => return Ok(f(*a, *b)),
         ([a], b) => b.iter().map(|b| f(*a, *b)).collect(),
@@ -50,21 +50,21 @@ fn zip<A: Copy, B: Copy, C>(
 }
 
 #[inline(always)]
-fn each<A: Copy, C>(a: &[A], f: impl Fn(A) -> C) -> Result<C, Rc<[C]>> {
+fn each<A: Copy, C>(a: &[A], f: impl Fn(A) -> C) -> Result<C, Arc<[C]>> {
     match a {
         [a] => Ok(f(*a)),
         all => Err(all.iter().map(|a| f(*a)).collect()),
     }
 }
 
-impl From<Result<f64, Rc<[f64]>>> for Value {
-    fn from(all: Result<f64, Rc<[f64]>>) -> Self {
+impl From<Result<f64, Arc<[f64]>>> for Value {
+    fn from(all: Result<f64, Arc<[f64]>>) -> Self {
         all.map_or_else(Self::Scalars, Self::Scalar)
     }
 }
 
-impl From<Result<DVec3, Rc<[DVec3]>>> for Value {
-    fn from(all: Result<DVec3, Rc<[DVec3]>>) -> Self {
+impl From<Result<DVec3, Arc<[DVec3]>>> for Value {
+    fn from(all: Result<DVec3, Arc<[DVec3]>>) -> Self {
         all.map_or_else(Self::Vectors, Self::Vector)
     }
 }

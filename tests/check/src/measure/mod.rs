@@ -52,12 +52,21 @@ pub enum Verdict {
 
 /// The stages of `step`, in order, as a picture of that step tells them.
 pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
+    stages_beside(yours, step, None)
+}
+
+/// The same, where our picture with the defaults is there already.
+pub(crate) fn stages_beside(
+    yours: &RgbImage,
+    step: Step,
+    ours: Option<&RgbImage>,
+) -> Vec<Stage> {
     if yours.width() < 2 {
         return vec![];
     }
     let black = Black::of(yours);
     let places = view::places(yours, black.as_ref());
-    let mut stages = match explained(yours, step, &places) {
+    let mut stages = match explained(yours, step, &places, ours) {
         Some((view, tree, groups)) => {
             table::explained(&view, &tree, yours, &groups)
         }
@@ -75,11 +84,16 @@ fn explained(
     yours: &RgbImage,
     step: Step,
     places: &[(u32, u32)],
+    ours: Option<&RgbImage>,
 ) -> Option<(view::View, Tree, Groups)> {
     let views = view::likely(yours, step);
     let riddle = |view: &view::View,
                   ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
-        let ours = view.picture(step, yours.dimensions());
+        let is_ours = |ours: &&RgbImage| {
+            view.is_default() && ours.dimensions() == yours.dimensions()
+        };
+        let drawn = || view.picture(step, yours.dimensions());
+        let ours = ours.filter(is_ours).cloned().unwrap_or_else(drawn);
         let tree = Tree::new(step, yours.dimensions(), view.fov, view.samples);
         let samples = view.samples;
         let groups = ask(Riddle { yours, samples, places, ours: &ours }, &tree)?;

@@ -15,6 +15,11 @@ pub(super) struct View {
 }
 
 impl View {
+    /// Whether no option was given.
+    pub fn is_default(&self) -> bool {
+        self.fov == FOV && self.samples == 1
+    }
+
     /// Our picture with these options.
     pub fn picture(&self, step: Step, (width, height): (u32, u32)) -> RgbImage {
         let camera = Camera::new(width, height, self.fov.to_radians());
