@@ -20,6 +20,17 @@ pub const STEPS: [&str; 5] = [
     "step05_phong",
 ];
 
+/// The manifest of the states, which lacks some of what they take. What is not for them
+/// brings the features with which the book's builder takes the rest, as in its manifest:
+/// so nothing is compiled once more.
+const STATES: &str = "
+    package = { name = \"states\", edition.workspace = true }
+    [dependencies]
+    tempfile = \"3\"
+    tracing-attributes = \"0.1\"
+    clap = { workspace = true, features = [\"env\", \"wrap_help\"] }
+";
+
 /// A crate as a page shows it at some place, under a name of its own.
 pub struct State {
     pub name: String,
@@ -131,12 +142,10 @@ impl Typist {
             }
             lib += &format!("mod {name};\n");
         }
-        let taken = ["clap", "glam", "image", "indicatif", "rayon"];
-        let taken = taken.iter().chain(&STEPS);
+        let taken = ["glam", "image", "indicatif", "rayon"].iter().chain(&STEPS);
         let taken = taken.map(|name| format!("{name}.workspace = true\n"));
         let taken: String = taken.collect();
-        let package = "[package]\nname = \"states\"\nedition.workspace = true\n";
-        let manifest = format!("{package}[dependencies]\n{taken}");
+        let manifest = format!("{STATES}{taken}");
         self.save("steps/states/Cargo.toml", &manifest)?;
         self.save("steps/states/src/lib.rs", &lib)?;
         let mut cargo = self.cargo(&["build", "-p", "states"]);

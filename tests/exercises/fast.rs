@@ -5,7 +5,7 @@ use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};
 use step05_phong::*;
-use tests::{point, sphere, unit};
+use tests::{is_thorough, point, sphere, unit};
 
 /// The sets of instructions that this machine has.
 fn levels() -> Vec<Level> {
@@ -100,6 +100,8 @@ fn scenes() -> impl Strategy<Value = Lit> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(if is_thorough() { 256 } else { 50 }))]
+
     #[test]
     fn it_draws_any_scene_at_any_size(
         camera in cameras(), scene in scenes(), samples in 1..4_u32

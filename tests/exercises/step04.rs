@@ -39,7 +39,8 @@ fn half_the_light_is_the_byte_188_and_too_much_is_white() {
 fn the_curve_comes_after_the_mean() {
     // The pixel in which the red sphere ends before the sky.
     let camera = camera();
-    let (j, red) = (190, |i: u32| locked("gamma").get_pixel(i, 190)[2] < 150);
+    let (j, ours) = (190, locked("gamma"));
+    let red = |i: u32| ours.get_pixel(i, j)[2] < 150;
     let i = (270..400).find(|&i| !red(i)).expect("an edge") - 1;
     let centres = [-0.375, -0.125, 0.125, 0.375];
     let rays = centres.iter().flat_map(|v| centres.map(|u| (u, *v)));

@@ -10,6 +10,7 @@ use module::{Code, Module, checked_in};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use tests::is_thorough;
 
 /// What mends a module that is not ours.
 const MEND: &str = "book/live/*.wasm are not what book/live says: `cargo run -p live \
@@ -98,9 +99,6 @@ fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
     ranges.collect::<Vec<_>>()
 }
 
-/// How often to try each.
-const CASES: u32 = 2;
-
 /// Shows something, drags a handle of it and steps one.
 fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);
@@ -125,7 +123,8 @@ fn the_module_says_what_we_say_at_random() {
         let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
         let config = Config { failure_persistence: None, ..Config::default() };
         let mut runner = TestRunner::new_with_rng(config, rng);
-        for _ in 0..CASES {
+        let count = if is_thorough() { 2 } else { 1 };
+        for _ in 0..count {
             let tree = requests(live).new_tree(&mut runner).expect("requests");
             for request in tree.current() {
                 assert_same(&mut module, &request);
