@@ -66,7 +66,8 @@ fn answer(
     case.recount(recount);
     let start = broken(&case) + &notes.text;
     let is_known = same.is_some() || case.is_explained();
-    match kind(yours, &asked, notes).filter(|_| !is_known) {
+    let kind = if is_known { None } else { kind(yours, &asked, notes) };
+    match kind {
         Some(kind) => Answer::new(1, (start + &kind).trim_end().to_owned()),
         None => measured(case, start),
     }

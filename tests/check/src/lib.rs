@@ -32,7 +32,7 @@ pub use answer::Answer;
 pub use appendix::appendix;
 pub(crate) use cause::Cause;
 pub use check::{check, look};
-pub(crate) use each::each;
+pub(crate) use each::{at_once, each};
 pub use formula::by_formulas;
 pub use locked::{Locked, locked, names};
 pub use measure::{Stage, Verdict, pixel, stages};

@@ -119,11 +119,17 @@ fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
     (0..=2).find_map(|count| {
         let level =
             causes.iter().filter(|(_, cause)| cause.mistakes.len() == count);
-        let few = level.filter(|rated| rate(yours, rated, 512, 0, 0).is_some());
-        let few = few.filter(|rated| rate(yours, rated, 20_000, 0, 0).is_some());
-        let rest = |(_, cause): &Rated| (cause.clone(), compare(yours, cause));
-        let mut all: Vec<_> =
-            few.map(rest).filter(|(_, rest)| rest.beyond(0) == 0).collect();
+        let fits = |rated, count| rate(yours, rated, count, 0, 0).is_some();
+        let few = level.filter(|rated| fits(rated, 512) && fits(rated, 20_000));
+        // What one does not explain tells others, too.
+        let mut telling = vec![];
+        let rest = |(_, cause): &Rated| {
+            misses(yours, cause, &telling, 0, 0)?;
+            let (rest, last) = compare(yours, cause);
+            telling.extend(last);
+            last.is_none().then(|| (cause.clone(), rest))
+        };
+        let mut all: Vec<_> = few.filter_map(rest).collect();
         sort(&mut all, |(cause, _)| {
             let is_its = cause.mistakes.iter().any(|m| m.step == cause.step);
             [usize::from(!is_its), 0]
@@ -165,7 +171,7 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     sort(&mut causes, |(misses, (_, cause))| [*misses, cause.mistakes.len()]);
     let best = causes.into_iter().take(4);
     let mut best: Vec<_> = best
-        .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause)))
+        .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause).0))
         .collect();
     let cost = |(cause, rest): &(Cause, Rest)| {
         (rest.beyond(rounding) + 1) << (2 * cause.mistakes.len())
@@ -177,7 +183,7 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let right = Cause { mistakes: vec![], ..cause.clone() };
     let explained = match cause.mistakes.len() {
         0 => rest.compared(),
-        _ => compare(yours, &right).beyond(rounding),
+        _ => compare(yours, &right).0.beyond(rounding),
     };
     let is_near = rest.is_few(rounding) && rest.beyond(rounding) * 10 < explained;
     is_near.then(|| found(best))?
@@ -230,21 +236,25 @@ fn samples(yours: &View, causes: &[Rated]) -> Option<u32> {
     (2..=16).find(explains).filter(|_| !edges.is_empty())
 }
 
-/// What `cause` leaves unexplained.
-fn compare(yours: &View, cause: &Cause) -> Rest {
+/// What `cause` leaves unexplained, and the last pixel of that.
+fn compare(yours: &View, cause: &Cause) -> (Rest, Option<(u32, u32)>) {
     let ((width, height), all) = (yours.size, yours.pixels());
     let rays = all as u64 * u64::from(cause.samples.pow(2));
     let stride = (rays.div_ceil(RAYS) - 1).isqrt() as u32 + 1;
     let stride = stride.next_multiple_of(yours.stride) as usize;
     let parts = cause.parts((width, height));
-    let mut rest = Rest::new(all);
+    let (mut rest, mut last) = (Rest::new(all), None);
     for j in (0..height).step_by(stride) {
         for i in (0..width).step_by(stride) {
             let ours = parts.pixel(cause.step, cause.samples, i, j);
-            rest.add(apart(yours.pixel(i, j), &ours));
+            let apart = apart(yours.pixel(i, j), &ours);
+            rest.add(apart);
+            if 0 < apart {
+                last = Some((i, j));
+            }
         }
     }
-    rest
+    (rest, last)
 }
 
 /// At how many of `places` the picture differs, or None where it is more than `most`.

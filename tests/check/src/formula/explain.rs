@@ -129,19 +129,23 @@ impl Riddle<'_> {
             misses(&tree, self.yours, self.samples, places, most)
         };
         // The first has to explain all pixels, the others very many.
-        let few = self.places.iter().step_by(self.places.len() / 6000 + 1);
+        let rays =
+            self.places.len() * (self.samples * self.samples).max(4) as usize;
+        let few = self.places.iter().step_by(rays / 24_000 + 1);
         let few: Vec<_> = few.copied().collect();
         let mut wrong = vec![];
         // Where much is black or white, many seem to explain it: what the first of them
         // do not explain tells the others.
         let first = all.iter().take(60).enumerate().position(|(k, cause)| {
-            if k < 6 {
-                let missed = missed(cause, self.places, 2000);
-                wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
-                return missed.is_empty();
+            if !missed(cause, &wrong, 0).is_empty() {
+                return false;
             }
-            missed(cause, &wrong, 0).is_empty()
-                && missed(cause, self.places, 0).is_empty()
+            let most = if k < 6 { 2000 } else { 0 };
+            let missed = missed(cause, self.places, most);
+            if k < 6 {
+                wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
+            }
+            missed.is_empty()
         });
         let Some(first) = first else { return Err(wrong) };
         all.drain(..first);

@@ -1,5 +1,5 @@
 use super::{Change, Context, Edit, SOME, Tree, Value, Values};
-use crate::each;
+use crate::{at_once, each};
 use image::RgbImage;
 
 /// Column and row of a pixel.
@@ -97,12 +97,25 @@ pub(crate) fn misses(
     most: usize,
 ) -> Vec<Pixel> {
     let context = Context::plain(tree);
-    let some = SOME / samples.pow(2).min(64) as usize;
-    let wrong = places.chunks(some).flat_map(|places| {
+    let missed = |places: &[Pixel]| {
         let values = Values::at(tree, places, samples);
         let pixels = values.changed(&context).pixels();
         let both = places.iter().copied().zip(pixels);
-        both.filter(|((i, j), pixel)| yours.get_pixel(*i, *j).0 != *pixel)
-    });
-    wrong.map(|(place, _)| place).take(most.saturating_add(1)).collect()
+        let wrong =
+            both.filter(|((i, j), pixel)| yours.get_pixel(*i, *j).0 != *pixel);
+        Some(wrong.map(|(place, _)| place).collect::<Vec<_>>())
+    };
+    // All processors look at some each, as long as too few are found.
+    let some = SOME / samples.min(8) as usize;
+    let mut wrong = vec![];
+    for places in places.chunks(at_once() * some) {
+        for these in each(places.chunks(some).collect(), missed) {
+            wrong.extend(these);
+        }
+        if most < wrong.len() {
+            break;
+        }
+    }
+    wrong.truncate(most.saturating_add(1));
+    wrong
 }

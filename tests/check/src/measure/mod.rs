@@ -89,14 +89,24 @@ fn explained(
     let views = view::likely(yours, step);
     let riddle = |view: &view::View,
                   ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
-        let is_ours = |ours: &&RgbImage| {
-            view.is_default() && ours.dimensions() == yours.dimensions()
+        let size = yours.dimensions();
+        let ours = match ours {
+            Some(ours) if view.is_default() && ours.dimensions() == size => {
+                ours.clone()
+            }
+            _ => view.picture(step, size),
         };
-        let drawn = || view.picture(step, yours.dimensions());
-        let ours = ours.filter(is_ours).cloned().unwrap_or_else(drawn);
-        let tree = Tree::new(step, yours.dimensions(), view.fov, view.samples);
+        let tree = Tree::new(step, size, view.fov, view.samples);
         let samples = view.samples;
-        let groups = ask(Riddle { yours, samples, places, ours: &ours }, &tree)?;
+        // Of very many rays only some, by the golden ratio: more are not worth the wait.
+        let share = u32::MAX / (samples * samples).max(4) * 4;
+        let (mut places, mut at) = (places.to_vec(), 0_u32);
+        places.retain(|_| {
+            at = at.wrapping_add(0x9e37_79b9);
+            at < share
+        });
+        let riddle = Riddle { yours, samples, places: &places, ours: &ours };
+        let groups = ask(riddle, &tree)?;
         Some((*view, tree, groups))
     };
     // The second number of samples is less likely, and takes longer.
