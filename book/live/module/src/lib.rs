@@ -12,7 +12,9 @@ pub use pictures::draw;
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
-pub use check::{check, keep};
+pub use check::{check, keep, sum};
+#[cfg(feature = "check")]
+pub use pictures::SUMS;
 
 mod answer;
 pub use answer::answer;
