@@ -40,6 +40,9 @@ async function look(width, colorScheme) {
     if (!inside) fault(`asks for ${request.url()}`);
   });
   for (page of pages) {
+    // All pages in one: what is looked at in them is not looked at here again.
+    const isPrint = page === 'print.html';
+    if (isPrint && colorScheme === 'dark') continue;
     views += 1;
     await tab.goto(home + page, { waitUntil: 'load' });
     // Everything folded away is looked at as well, and pictures are not left for later.
@@ -56,15 +59,14 @@ async function look(width, colorScheme) {
     }));
     if (1 < seen.sideways) fault(`scrolls sideways by ${seen.sideways} px`);
     seen.broken.forEach(picture => fault(`shows no picture for ${picture}`));
-    // Colours do not depend on the width, and nothing else on dark; and those of print.html,
-    // which is all pages in one, are the pages'.
+    // Colours do not depend on the width, and nothing else on dark.
     const isDark = colorScheme === 'dark';
-    if (isDark && (width < 1280 || page === 'print.html')) continue;
+    if (width < 1280 && (isDark || isPrint)) continue;
     await tab.evaluate(axe);
     const { violations } = await tab.evaluate(options => window.axe.run(options), {
       preload: false,
       ...(isDark && { runOnly: ['color-contrast'] }),
-      ...(page === 'print.html' && { rules: { 'color-contrast': { enabled: false } } }),
+      ...(isPrint && { rules: { 'color-contrast': { enabled: false } } }),
     });
     for (const { id, help, nodes } of violations) {
       fault(`${id}: ${help}, at ${nodes[0].target.join(' ')}`);
