@@ -54,14 +54,20 @@ pub fn recognise(yours: &View, steps: &[Step]) -> Option<Found> {
         let mut fields = fields.iter();
         fields.find_map(|fov| levels(yours, steps, most, *fov, &mut vec![]))
     };
+    // Without an object, a mistake and an angle together explain too much.
+    let has_objects = |step: &&Step| **step != Step::Rays;
+    let later: Vec<_> = steps.iter().filter(has_objects).copied().collect();
     if let Some(found) = found {
+        // An option and one mistake are likelier than two mistakes.
+        if 1 < found.causes[0].len()
+            && let Some(likelier) = optional(&later, 1)
+        {
+            return Some(likelier);
+        }
         let is_right = found.causes[0].is_empty();
         let same = if is_right { None } else { optional(steps, 0) };
         return Some(Found { same_fov: same.map(|same| same.fov), ..found });
     }
-    // Without an object, a mistake and an angle together explain too much.
-    let has_objects = |step: &&Step| **step != Step::Rays;
-    let later: Vec<_> = steps.iter().filter(has_objects).copied().collect();
     if let Some(found) = optional(steps, 0).or_else(|| optional(&later, 1)) {
         return Some(found);
     }
@@ -125,9 +131,9 @@ fn exact(yours: &View, causes: &[Rated]) -> Option<Found> {
         let mut telling = vec![];
         let rest = |(_, cause): &Rated| {
             misses(yours, cause, &telling, 0, 0)?;
-            let (rest, last) = compare(yours, cause);
-            telling.extend(last);
-            last.is_none().then(|| (cause.clone(), rest))
+            let rest = compare(yours, cause, 0, 0);
+            telling.extend(rest.as_ref().err());
+            Some((cause.clone(), rest.ok()?))
         };
         let mut all: Vec<_> = few.filter_map(rest).collect();
         sort(&mut all, |(cause, _)| {
@@ -169,10 +175,12 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     let all = likely.iter().filter(|(_, cause)| cause.mistakes.len() <= 1);
     let mut causes: Vec<_> = all.filter_map(rated).collect();
     sort(&mut causes, |(misses, (_, cause))| [*misses, cause.mistakes.len()]);
-    let best = causes.into_iter().take(4);
-    let mut best: Vec<_> = best
-        .map(|(_, (_, cause))| (cause.clone(), compare(yours, cause).0))
-        .collect();
+    let compared = |(_, (_, cause)): (usize, &Rated)| {
+        let rest = compare(yours, cause, rounding, Rest::few_of(yours.pixels()));
+        Some((cause.clone(), rest.ok()?))
+    };
+    let mut best: Vec<_> =
+        causes.into_iter().take(4).filter_map(compared).collect();
     let cost = |(cause, rest): &(Cause, Rest)| {
         (rest.beyond(rounding) + 1) << (2 * cause.mistakes.len())
     };
@@ -181,11 +189,12 @@ fn near(yours: &View, likely: &[Rated], rounding: u8) -> Option<Found> {
     best.retain(|one| cost(one) == least);
     let (cause, rest) = best.first()?;
     let right = Cause { mistakes: vec![], ..cause.clone() };
-    let explained = match cause.mistakes.len() {
-        0 => rest.compared(),
-        _ => compare(yours, &right).0.beyond(rounding),
+    let ten_times = 10 * rest.beyond(rounding);
+    let explains = match cause.mistakes.len() {
+        0 => ten_times < rest.compared(),
+        _ => compare(yours, &right, rounding, ten_times).is_err(),
     };
-    let is_near = rest.is_few(rounding) && rest.beyond(rounding) * 10 < explained;
+    let is_near = explains && rest.is_few(rounding);
     is_near.then(|| found(best))?
 }
 
@@ -236,25 +245,32 @@ fn samples(yours: &View, causes: &[Rated]) -> Option<u32> {
     (2..=16).find(explains).filter(|_| !edges.is_empty())
 }
 
-/// What `cause` leaves unexplained, and the last pixel of that.
-fn compare(yours: &View, cause: &Cause) -> (Rest, Option<(u32, u32)>) {
+/// What `cause` leaves unexplained; or, where more than `most` pixels are off by more than
+/// `rounding`, the first of those that are too many.
+fn compare(
+    yours: &View,
+    cause: &Cause,
+    rounding: u8,
+    most: usize,
+) -> Result<Rest, (u32, u32)> {
     let ((width, height), all) = (yours.size, yours.pixels());
     let rays = all as u64 * u64::from(cause.samples.pow(2));
     let stride = (rays.div_ceil(RAYS) - 1).isqrt() as u32 + 1;
     let stride = stride.next_multiple_of(yours.stride) as usize;
     let parts = cause.parts((width, height));
-    let (mut rest, mut last) = (Rest::new(all), None);
+    let (mut rest, mut beyond) = (Rest::new(all), 0);
     for j in (0..height).step_by(stride) {
         for i in (0..width).step_by(stride) {
             let ours = parts.pixel(cause.step, cause.samples, i, j);
             let apart = apart(yours.pixel(i, j), &ours);
             rest.add(apart);
-            if 0 < apart {
-                last = Some((i, j));
+            beyond += usize::from(rounding < apart);
+            if most < beyond {
+                return Err((i, j));
             }
         }
     }
-    (rest, last)
+    Ok(rest)
 }
 
 /// At how many of `places` the picture differs, or None where it is more than `most`.

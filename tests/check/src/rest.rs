@@ -44,8 +44,13 @@ impl Rest {
         off.unwrap_or(0) as u8
     }
 
+    /// How many of so many pixels are few.
+    pub fn few_of(all: usize) -> usize {
+        all / FEW
+    }
+
     /// Whether few pixels are farther apart than by `rounding`.
     pub fn is_few(&self, rounding: u8) -> bool {
-        self.beyond(rounding) * FEW <= self.compared()
+        self.beyond(rounding) <= Self::few_of(self.compared())
     }
 }

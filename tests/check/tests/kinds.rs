@@ -208,6 +208,14 @@ fn another_field_of_view_is_told_as_an_option() {
     let text = look(&twice, Some("step05_phong"), locked()).text;
     assert!(text.contains(named("full-angle").when), "{text}");
     assert!(text.contains("You get the same picture with --fov 120."), "{text}");
+    // At 90° the tangent is 1, as where the angle is left out: a second mistake is not
+    // needed.
+    let (wide, wrong) =
+        (Camera::new(200, 150, PI / 2.0), named("radius-not-squared"));
+    let wrong_and_wide = wrong.picture_in(Step::Phong, &wide, 1);
+    let text = look(&wrong_and_wide, Some("step05_phong"), locked()).text;
+    assert!(text.contains(&format!("what you get when {}.", wrong.when)), "{text}");
+    assert!(text.contains("Its field of view is 90°"), "{text}");
 }
 
 #[test]

@@ -5,7 +5,8 @@ use ::check::{Verdict, stages};
 use gallery::{Parts, Step, camera};
 use glam::DVec3;
 use image::RgbImage;
-use step01_rays::Ray;
+use std::f64::consts::PI;
+use step01_rays::{Camera, Ray};
 use step02_sphere::Roots;
 use step04_diffuse::diffuse;
 use step05_phong::{
@@ -219,6 +220,22 @@ fn the_last_of_four_samples_alone() {
         "",
         "of 2 × 2 samples in a pixel the last one alone is kept",
     );
+}
+
+#[test]
+fn a_bound_in_a_picture_of_many_rays_a_pixel_or_of_a_wide_view() {
+    let bound = |camera: Camera| {
+        let mut parts = Parts::right(&camera);
+        parts.lit = |n, l| 0.3 < n.dot(l);
+        parts
+    };
+    let formula = "G = I_s if 0.3 < n·l, else 0";
+    let wide = Camera::new(160, 90, PI / 2.0);
+    for (camera, samples) in [(camera(160, 90), 2), (camera(160, 90), 4), (wide, 1)]
+    {
+        let yours = bound(camera).picture(Step::Phong, samples);
+        assert_picture_told(&yours, Step::Phong, "specular", formula);
+    }
 }
 
 #[test]

@@ -34,7 +34,7 @@ struct Here<'a> {
 const ZERO: Value = Value::Scalar(0.0);
 
 impl Values {
-    /// Those of pixels of `samples` × `samples` rays.
+    /// Those of pixels of `samples` × `samples` rays; of one ray, through the centre.
     pub fn at(tree: &Tree, places: &[(u32, u32)], samples: u32) -> Self {
         let rays = samples as usize * samples as usize;
         let size = tree.given.len();
@@ -50,7 +50,9 @@ impl Values {
             let [k_u, k_v] =
                 [ray % samples, ray / samples].map(|k| f64::from(k).into());
             let own = [i.clone(), j.clone(), k_u, k_v];
-            for (slot, value) in tree.of_ray.iter().zip(own) {
+            // The tree has the centre.
+            let given = if samples == 1 { 2 } else { 4 };
+            for (slot, value) in tree.of_ray.iter().zip(own).take(given) {
                 known[start + slot] = Some(value);
             }
         }

@@ -1,11 +1,11 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Known, Node, Of, Op, Pixel, Place, SOME,
-    Tree, Value, Values, Where, edits, misses, solved, unknowns,
+    Change, Context, Edit, Evidence, Kind, Known, Node, Of, Op, Part, Pixel, Place,
+    SOME, Tree, Value, Values, Where, edits, kept, misses, solved, unknowns,
 };
 use crate::measure::{number, vector};
 use crate::{Step, each, sort};
 use glam::DVec3;
-use image::RgbImage;
+use image::{Rgb, RgbImage};
 
 /// Something that is done otherwise than in the lecture, and explains a picture.
 #[derive(Clone, Debug)]
@@ -29,8 +29,8 @@ pub(crate) struct Riddle<'a> {
     pub yours: &'a RgbImage,
     pub samples: u32,
     pub places: &'a [Pixel],
-    /// Our picture.
-    pub ours: &'a RgbImage,
+    /// The pixels of our picture.
+    pub ours: &'a (dyn Fn(Pixel) -> Rgb<u8> + Sync),
 }
 
 impl Riddle<'_> {
@@ -45,10 +45,15 @@ impl Riddle<'_> {
 
     /// The pixels in which the picture is not ours.
     fn differing(&self) -> Vec<Pixel> {
-        let differs = |&&(i, j): &&Pixel| {
-            self.yours.get_pixel(i, j) != self.ours.get_pixel(i, j)
+        let some = |places: &[Pixel]| {
+            Some(kept(places, &mut |place| !self.is_right(place)))
         };
-        self.places.iter().filter(differs).copied().collect()
+        each(self.places.chunks(SOME).collect(), some).concat()
+    }
+
+    /// Whether a pixel is ours.
+    fn is_right(&self, (i, j): Pixel) -> bool {
+        *self.yours.get_pixel(i, j) == (self.ours)((i, j))
     }
 
     fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
@@ -57,19 +62,17 @@ impl Riddle<'_> {
         let mut is_wrong = vec![false; (width * height) as usize];
         wrong.iter().for_each(|place| is_wrong[index(place)] = true);
         let few = self.places.iter().step_by(self.places.len() / 400 + 1);
+        let mut few: Vec<_> = few.copied().collect();
         // Some of them are close to the wrong ones: outlines end there.
-        let near =
-            wrong.iter().step_by(wrong.len() / 120 + 1).flat_map(|&(i, j)| {
-                let by = |k: u32, by: i32| k.saturating_add_signed(by);
-                [(7, 0), (-7, 0), (0, 7), (0, -7)]
-                    .map(|(u, v)| (by(i, u), by(j, v)))
-            });
-        let near: Vec<_> = near.filter(|&(i, j)| i < width && j < height).collect();
-        let right = near.iter().filter(|&&(i, j)| {
-            self.yours.get_pixel(i, j) == self.ours.get_pixel(i, j)
-        });
-        let right: Vec<_> =
-            few.chain(right).filter(|p| !is_wrong[index(p)]).copied().collect();
+        for &(i, j) in wrong.iter().step_by(wrong.len() / 120 + 1) {
+            let by = |k: u32, by: i32| k.saturating_add_signed(by);
+            let near = [(7, 0), (-7, 0), (0, 7), (0, -7)];
+            let near = near.map(|(u, v)| (by(i, u), by(j, v)));
+            few.extend(kept(&near, &mut |(i, j)| {
+                i < width && j < height && self.is_right((i, j))
+            }));
+        }
+        let right = kept(&few, &mut |place| !is_wrong[index(&place)]);
         Evidence::new(tree, self.yours, self.samples, wrong, &right)
     }
 
@@ -248,8 +251,10 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
     edits.retain(|edit| edit.rank < 2);
     let mends = each(edits, |edit| {
         let context = Context::new(tree, &edit.changes, 0.0.into());
-        let mut right = few.right.iter().chain(&more.right);
-        if !right.all(|known| evidence.is_right(known, &context)) {
+        let fits = |part: &Part| {
+            part.right.iter().all(|known| evidence.fits_in(part, known, &context))
+        };
+        if !(fits(few) && fits(more)) {
             return None;
         }
         let pixels = |(_, values): &Known| values.changed(&context).pixels();
@@ -257,7 +262,7 @@ fn halves(evidence: &Evidence) -> Vec<Cause> {
         let yours = more.wrong.iter().flat_map(|(places, _)| places);
         let both = yours.zip(&after);
         let mended =
-            both.filter(|(place, p)| evidence.pixel(**place) == **p).count();
+            both.filter(|(place, p)| evidence.is_right(more, **place, **p)).count();
         (2 < mended).then_some((mended, edit, after))
     });
     let (mut seen, mut rated) = (vec![], vec![]);

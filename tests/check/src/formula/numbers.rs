@@ -174,7 +174,10 @@ fn cost(
     for (places, values) in part.all() {
         for (place, pixel) in places.iter().zip(values.changed(&context).pixels()) {
             let yours = evidence.pixel(*place);
-            let apart = |k: usize| f64::from(yours[k].abs_diff(pixel[k]).min(24));
+            let apart = |k: usize| {
+                let apart = yours[k].abs_diff(pixel[k]);
+                f64::from(apart.saturating_sub(part.slack).min(24))
+            };
             let apart = DVec3::from_array([0, 1, 2].map(apart));
             cost += match unknown.is_colour {
                 true => apart,
@@ -298,6 +301,10 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         best.take(cost(evidence, most, unknown, one.x, best.cost), one.x);
     }
     refine(evidence, most, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
+    // A bound parts the pixels: no slope leads to it.
+    if matches!(&unknown.place, Where::Formula(node) if has_bound(node)) {
+        refine(evidence, most, unknown, &mut best, 0.35);
+    }
     if is_shape && best.cost != DVec3::ZERO {
         scan(evidence, most, unknown, &mut best, centre);
     }
@@ -307,7 +314,15 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     rounded(evidence, unknown, best.x)
 }
 
-/// Looks around the best value, in smaller and smaller steps.
+/// Whether something is compared with the unknown number.
+fn has_bound(node: &Node) -> bool {
+    let Node::Of(op, nodes) = node else { return false };
+    let compares = matches!(op, Op::Less | Op::LessOrEqual | Op::Max | Op::Min);
+    let is_free = |node: &Node| matches!(node, Node::Free(_));
+    compares && nodes.iter().any(is_free) || nodes.iter().any(has_bound)
+}
+
+/// Looks around the best value, in smaller and smaller steps, and at round numbers.
 fn refine(
     evidence: &Evidence,
     part: &Part,
@@ -325,6 +340,10 @@ fn refine(
             best.take(cost(evidence, part, unknown, x, best.cost), x);
         }
         step *= 0.6;
+    }
+    for scale in [1.0, 10.0, 100.0] {
+        let round = (best.x * scale).round() / scale;
+        best.take(cost(evidence, part, unknown, round, best.cost), round);
     }
 }
 

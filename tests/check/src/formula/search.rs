@@ -1,6 +1,6 @@
-use super::{Change, Context, Edit, SOME, Tree, Value, Values};
-use crate::{at_once, each};
-use image::RgbImage;
+use super::{Change, Context, Edit, Of, SOME, Tree, Value, Values};
+use crate::{apart, at_once, each};
+use image::{Rgb, RgbImage};
 
 /// Column and row of a pixel.
 pub(crate) type Pixel = (u32, u32);
@@ -8,11 +8,16 @@ pub(crate) type Pixel = (u32, u32);
 /// Some pixels, and the values of all lines there.
 pub(crate) type Known = (Vec<Pixel>, Values);
 
+/// By how much one ray may be another colour than all rays of a pixel, where a picture is
+/// smooth.
+const SLACK: u8 = 2;
+
 /// Some pixels of a picture, and what a tree makes of them.
 pub(crate) struct Evidence<'a> {
     pub tree: &'a Tree,
     yours: &'a RgbImage,
-    /// Few pixels, then more.
+    /// Few pixels, then more; the first ones of one ray each, where that tells enough of
+    /// pixels of many.
     pub parts: [Part; 3],
 }
 
@@ -20,6 +25,8 @@ pub(crate) struct Evidence<'a> {
 pub(crate) struct Part {
     pub wrong: Vec<Known>,
     pub right: Vec<Known>,
+    /// By how much one ray may be another colour than all rays of its pixel.
+    pub slack: u8,
 }
 
 impl Part {
@@ -39,19 +46,35 @@ impl<'a> Evidence<'a> {
     ) -> Self {
         let context = Context::plain(tree);
         let many = 1 + samples as usize * samples as usize / 4;
-        let known = |all: &[Pixel], count: usize, size: usize| {
-            let some = spread(all, count / many + 2, count);
-            let known = |places: &[Pixel]| {
-                let values = Values::at(tree, places, samples);
-                (places.to_vec(), values.filled(&context))
-            };
-            some.chunks(size).map(known).collect()
+        let values = |places: &[Pixel], samples: u32| {
+            Values::at(tree, places, samples).filled(&context)
         };
+        // Where a picture is smooth, one ray of a pixel tells about what all of them do.
+        let mut is_even = |place: Pixel| 1 < samples && is_smooth(yours, place);
+        let even = kept(right, &mut is_even);
+        let mut tells = |place: Pixel| {
+            let ours = values(&[place], 1).changed(&context).pixels();
+            2 * SLACK < apart(yours.get_pixel(place.0, place.1), &Rgb(ours[0]))
+        };
+        let telling = kept(&spread(&kept(wrong, &mut is_even), 200, 3), &mut tells);
+        let is_enough = 6 < telling.len();
         // One by one first: a value of one ray needs no list.
         let parts = [(4, 2, 1), (24, 16, SOME), (360, 240, SOME)];
-        let parts = parts.map(|(some, others, size)| Part {
-            wrong: known(wrong, some, size),
-            right: known(right, others, size),
+        let parts = parts.map(|(some, others, size)| {
+            // All rays of most pixels decide.
+            let is_quick = is_enough && some < 100;
+            let known = |all: &[Pixel], count: usize| {
+                let few = if is_quick { count } else { count / many + 2 };
+                let rays = if is_quick { 1 } else { samples };
+                let known =
+                    |places: &[Pixel]| (places.to_vec(), values(places, rays));
+                spread(all, few, count).chunks(size).map(known).collect()
+            };
+            let (wrong, right, slack) = match is_quick {
+                true => (&telling[..], &even[..], SLACK),
+                false => (wrong, right, 0),
+            };
+            Part { wrong: known(wrong, some), right: known(right, others), slack }
         });
         Self { tree, yours, parts }
     }
@@ -59,16 +82,32 @@ impl<'a> Evidence<'a> {
     /// Whether the tree with these changes gives each of the pixels.
     pub fn fits(&self, changes: &[Change], free: Value) -> bool {
         let context = Context::new(self.tree, changes, free);
-        self.parts
-            .iter()
-            .flat_map(Part::all)
-            .all(|known| self.is_right(known, &context))
+        // What makes one pixel of all its rays can't be told by one.
+        let is_of_rays = |change: &Change| match change {
+            Change::Line(line, _) => self.tree.lines[*line].of == Of::Pixel,
+            _ => false,
+        };
+        let is_mean = changes.iter().any(is_of_rays);
+        let fits = |part: &Part| {
+            part.all().all(|known| self.fits_in(part, known, &context))
+        };
+        self.parts.iter().all(|part| 0 < part.slack && is_mean || fits(part))
     }
 
-    /// Whether some pixels are those of the picture.
-    pub fn is_right(&self, (places, values): &Known, context: &Context) -> bool {
-        let yours = places.iter().map(|place| self.pixel(*place));
-        values.changed(context).pixels().into_iter().eq(yours)
+    /// Whether some pixels of a part are those of the picture.
+    pub fn fits_in(
+        &self,
+        part: &Part,
+        (places, values): &Known,
+        context: &Context,
+    ) -> bool {
+        let mut both = places.iter().zip(values.changed(context).pixels());
+        both.all(|(place, pixel)| self.is_right(part, *place, pixel))
+    }
+
+    /// Whether it is the colour of a pixel of a part.
+    pub fn is_right(&self, part: &Part, (i, j): Pixel, pixel: [u8; 3]) -> bool {
+        apart(self.yours.get_pixel(i, j), &Rgb(pixel)) <= part.slack
     }
 
     pub fn pixel(&self, (i, j): Pixel) -> [u8; 3] {
@@ -79,6 +118,31 @@ impl<'a> Evidence<'a> {
     pub fn survivors(&self, edits: Vec<Edit>) -> Vec<Edit> {
         each(edits, |edit| self.fits(&edit.changes, 0.0.into()).then_some(edit))
     }
+}
+
+/// Those of some pixels of which this is so.
+pub(crate) fn kept(
+    all: &[Pixel],
+    is_so: &mut dyn FnMut(Pixel) -> bool,
+) -> Vec<Pixel> {
+    all.iter().filter(|place| is_so(**place)).copied().collect()
+}
+
+/// Whether the colours around a pixel change evenly, so that in its centre it has the mean
+/// of them.
+fn is_smooth(yours: &RgbImage, (i, j): Pixel) -> bool {
+    let at = |u: i32, v: i32| {
+        let place = (i.checked_add_signed(u)?, j.checked_add_signed(v)?);
+        yours.get_pixel_checked(place.0, place.1)
+    };
+    let one = yours.get_pixel(i, j);
+    [(1, 0), (0, 1), (1, 1), (1, -1)].into_iter().all(|(u, v)| {
+        let (Some(a), Some(b)) = (at(u, v), at(-u, -v)) else { return false };
+        (0..3).all(|k| {
+            let [a, b, one] = [a, b, one].map(|pixel| i32::from(pixel.0[k]));
+            (a - b).abs() < 24 && (a + b - 2 * one).abs() < 4
+        })
+    })
 }
 
 /// About so many of some pixels, evenly, beginning anywhere.
@@ -99,11 +163,9 @@ pub(crate) fn misses(
     let context = Context::plain(tree);
     let missed = |places: &[Pixel]| {
         let values = Values::at(tree, places, samples);
-        let pixels = values.changed(&context).pixels();
-        let both = places.iter().copied().zip(pixels);
-        let wrong =
-            both.filter(|((i, j), pixel)| yours.get_pixel(*i, *j).0 != *pixel);
-        Some(wrong.map(|(place, _)| place).collect::<Vec<_>>())
+        let mut pixels = values.changed(&context).pixels().into_iter();
+        let mut is_missed = |(i, j)| Some(yours.get_pixel(i, j).0) != pixels.next();
+        Some(kept(places, &mut is_missed))
     };
     // All processors look at some each, as long as too few are found.
     let some = SOME / samples.min(8) as usize;

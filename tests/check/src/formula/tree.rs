@@ -262,6 +262,7 @@ impl Tree {
         let (objects, lights) = (parts.objects(self.step), &parts.scene.lights);
         let place = |stage, section| Place { stage, section, test: "" };
         let rays = place("rays", section::CAMERA);
+        let middle = f64::from(samples - 1) / 2.0;
         for (name, number) in [
             ("fov", fov),
             ("hRes", width.into()),
@@ -269,8 +270,8 @@ impl Tree {
             ("samples", samples.into()),
             ("column", 0.0),
             ("row", 0.0),
-            ("k_u", 0.0),
-            ("k_v", 0.0),
+            ("k_u", middle),
+            ("k_v", middle),
         ] {
             self.put(name, Of::Ray, vec![number.into()], rays);
         }

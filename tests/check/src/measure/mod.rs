@@ -1,6 +1,6 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
-use crate::formula::{Cause, Riddle, Tree};
+use crate::formula::{Cause, Riddle, Tree, kept};
 use crate::{Section, Step};
 use image::RgbImage;
 
@@ -90,22 +90,24 @@ fn explained(
     let riddle = |view: &view::View,
                   ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let size = yours.dimensions();
-        let ours = match ours {
-            Some(ours) if view.is_default() && ours.dimensions() == size => {
-                ours.clone()
-            }
-            _ => view.picture(step, size),
+        let ours =
+            ours.filter(|ours| view.is_default() && ours.dimensions() == size);
+        let cause = view.cause(step);
+        let parts = cause.parts(size);
+        let pixel = |(i, j): (u32, u32)| match ours {
+            Some(ours) => *ours.get_pixel(i, j),
+            None => parts.pixel(step, view.samples, i, j),
         };
         let tree = Tree::new(step, size, view.fov, view.samples);
         let samples = view.samples;
         // Of very many rays only some, by the golden ratio: more are not worth the wait.
         let share = u32::MAX / (samples * samples).max(4) * 4;
-        let (mut places, mut at) = (places.to_vec(), 0_u32);
-        places.retain(|_| {
+        let mut at = 0_u32;
+        let places = kept(places, &mut |_| {
             at = at.wrapping_add(0x9e37_79b9);
             at < share
         });
-        let riddle = Riddle { yours, samples, places: &places, ours: &ours };
+        let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
         let groups = ask(riddle, &tree)?;
         Some((*view, tree, groups))
     };

@@ -1,9 +1,8 @@
 use super::Black;
 use crate::fov::{FOV, fields_of_view, has_sky};
 use crate::view::scattered;
-use crate::{Cause, Parts, Step, sort};
+use crate::{Cause, Step, sort};
 use image::RgbImage;
-use step01_rays::Camera;
 
 /// The options that a picture may have been drawn with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,17 +19,16 @@ impl View {
         self.fov == FOV && self.samples == 1
     }
 
-    /// Our picture with these options.
-    pub fn picture(&self, step: Step, (width, height): (u32, u32)) -> RgbImage {
-        let camera = Camera::new(width, height, self.fov.to_radians());
-        Parts::right(&camera).picture(step, self.samples)
+    /// Our picture of a step with these options.
+    pub fn cause(&self, step: Step) -> Cause {
+        let &Self { fov, samples } = self;
+        Cause { step, samples, fov, mistakes: vec![] }
     }
 
     /// In how many of some pixels a picture differs from ours with these options.
     pub fn misses(&self, step: Step, yours: &RgbImage) -> usize {
-        let &Self { fov, samples } = self;
-        let cause = Cause { step, samples, fov, mistakes: vec![] };
-        let parts = cause.parts(yours.dimensions());
+        let samples = self.samples;
+        let parts = self.cause(step).parts(yours.dimensions());
         let differs = |&(i, j): &(u32, u32)| {
             *yours.get_pixel(i, j) != parts.pixel(step, samples, i, j)
         };
@@ -89,9 +87,13 @@ pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)>
     let (width, height) = yours.dimensions();
     let all = u64::from(width) * u64::from(height);
     let stride = (all / 260_000).isqrt() as usize + 1;
-    let columns = move |j| (0..width).step_by(stride).map(move |i| (i, j));
-    let all = (0..height).step_by(stride).flat_map(columns);
-    let is_drawn =
-        |place: &(u32, u32)| black.is_none_or(|black| !black.has(*place));
-    all.filter(is_drawn).collect()
+    let mut places = vec![];
+    for j in (0..height).step_by(stride) {
+        for i in (0..width).step_by(stride) {
+            if black.is_none_or(|black| !black.has((i, j))) {
+                places.push((i, j));
+            }
+        }
+    }
+    places
 }
