@@ -13,7 +13,7 @@ macro_rules! pictures {
         /// The names of the pictures.
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];
 
-        /// The sum of each, which tells it from the others before it is drawn.
+        /// The sum of each, by which it is known before it is drawn.
         #[cfg(feature = "check")]
         pub const SUMS: &[u16] = &[$($sum),*];
 

@@ -100,12 +100,12 @@ fn explained(
         };
         let tree = Tree::new(step, size, view.fov, view.samples);
         let samples = view.samples;
-        // Of very many rays only some, by the golden ratio: more are not worth the wait.
-        let share = u32::MAX / (samples * samples).max(4) * 4;
+        // Spread by the golden ratio.
+        let share = u32::MAX / view.one_of();
         let mut at = 0_u32;
         let places = kept(places, &mut |_| {
             at = at.wrapping_add(0x9e37_79b9);
-            at < share
+            at <= share
         });
         let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
         let groups = ask(riddle, &tree)?;

@@ -170,8 +170,12 @@ pub(super) fn explained(
     let tree = tree.with(&changes);
     let mut stages =
         blank(tree.step, |row| shown::verdict(&tree, row, view, yours));
+    let looked_at = match view.is_whole(yours) {
+        true => "",
+        false => " that was looked at",
+    };
     for group in groups {
-        tell(&mut stages, group);
+        tell(&mut stages, group, looked_at);
         tell_point(&mut stages, group, &tree);
     }
     if view.fov != FOV && stages[0].verdict == Verdict::Right {
@@ -185,7 +189,7 @@ pub(super) fn explained(
 }
 
 /// Tells one thing, and what explains as much.
-fn tell(stages: &mut [Stage], group: &[Cause]) {
+fn tell(stages: &mut [Stage], group: &[Cause], looked_at: &str) {
     let Some(first) = group.first() else { return };
     let mut is_told = false;
     let name = stages.iter().find(|stage| is_of(first, row(stage))).map(|s| s.name);
@@ -198,7 +202,7 @@ fn tell(stages: &mut [Stage], group: &[Cause]) {
             continue;
         }
         is_told = true;
-        stage.numbers.push(format!("in every pixel, {}", first.told));
+        stage.numbers.push(format!("in every pixel{looked_at}, {}", first.told));
         for other in group.iter().skip(1).take(4) {
             stage.numbers.push(format!("or else {}", other.told));
         }

@@ -19,6 +19,17 @@ impl View {
         self.fov == FOV && self.samples == 1
     }
 
+    /// Of how many pixels one is looked at: as many as with four rays a pixel, as more
+    /// rays are not worth the wait.
+    pub fn one_of(&self) -> u32 {
+        (self.samples * self.samples).div_ceil(4)
+    }
+
+    /// Whether all pixels of a picture are looked at.
+    pub fn is_whole(&self, yours: &RgbImage) -> bool {
+        self.one_of() == 1 && stride(yours) == 1
+    }
+
     /// Our picture of a step with these options.
     pub fn cause(&self, step: Step) -> Cause {
         let &Self { fov, samples } = self;
@@ -84,9 +95,7 @@ fn is_smooth(yours: &RgbImage) -> bool {
 
 /// All pixels, or some 200,000 of them where there are many more; none of a black line.
 pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)> {
-    let (width, height) = yours.dimensions();
-    let all = u64::from(width) * u64::from(height);
-    let stride = (all / 260_000).isqrt() as usize + 1;
+    let ((width, height), stride) = (yours.dimensions(), stride(yours));
     let mut places = vec![];
     for j in (0..height).step_by(stride) {
         for i in (0..width).step_by(stride) {
@@ -96,4 +105,10 @@ pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)>
         }
     }
     places
+}
+
+/// Of how many columns, and rows, one is looked at.
+fn stride(yours: &RgbImage) -> usize {
+    let all = u64::from(yours.width()) * u64::from(yours.height());
+    (all / 260_000).isqrt() as usize + 1
 }
