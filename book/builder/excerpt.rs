@@ -72,10 +72,11 @@ fn figure(
     let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(3.max(ticks + 1));
     format!(
-        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes}>\
+        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}\">\
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
          {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
         escape(path),
+        code.lines().count(),
     )
 }
 

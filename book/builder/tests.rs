@@ -142,7 +142,10 @@ fn a_listing_may_move() {
     let html = right(&format!("{{{{#listing own_scene:rust {path}}}}}\n"));
     let end = format!(r#"-my_scene.rs" data-path="{path}" data-lines="1-"#);
     assert!(html.contains(&end), "{html}");
-    assert!(html.contains(r#" data-code="own_scene:rust">"#), "{html}");
+    let code = html.split("```").nth(1).expect("a fence");
+    let lines = code.lines().count() - 1; // the language
+    let start = format!(r#" data-code="own_scene:rust" style="--lines: {lines}">"#);
+    assert!(html.contains(&start), "{html}");
     assert!(html.contains("    run(env!(\"CARGO_CRATE_NAME\"), picture);\n}\n```"));
     wrong("{{#listing own_scene:rust}}\n", 1, "NAME:NUMBER path");
     wrong(

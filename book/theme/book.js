@@ -21,7 +21,7 @@ function whenNear(elements, near) {
             observer.unobserve(target);
             near(target);
         }
-    }, { rootMargin: "600px" });
+    }, { rootMargin: "400px" });
     elements.forEach(element => observer.observe(element));
 }
 

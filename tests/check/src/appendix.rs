@@ -91,7 +91,10 @@ pub fn appendix() -> String {
         );
         let all = || mistakes().filter(|mistake| mistake.step == step);
         let small: String = all().map(small).collect();
-        text += &format!("\n<div class=\"contacts\">\n\n{small}\n</div>\n");
+        let count = all().count();
+        text += &format!(
+            "\n<div class=\"contacts\" style=\"--items: {count}\">\n\n{small}\n</div>\n"
+        );
         all().for_each(|mistake| text += &entry(mistake));
     }
     text
