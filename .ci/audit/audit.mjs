@@ -62,6 +62,8 @@ async function look(width, colorScheme) {
     // Colours do not depend on the width, and nothing else on dark.
     const isDark = colorScheme === 'dark';
     if (width < 1280 && (isDark || isPrint)) continue;
+    // What scrolls sideways has been found.
+    await tab.waitForSelector('main[data-ready]');
     await tab.evaluate(axe);
     const { violations } = await tab.evaluate(options => window.axe.run(options), {
       preload: false,

@@ -138,34 +138,36 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
 
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
-    // All are measured before any is changed: the page is laid out once.
-    const mend = (boxes, isWide) => {
-        const wide = boxes.map(isWide);
-        boxes.forEach((box, k) => {
-            if (wide[k]) box.tabIndex = 0;
-            else box.removeAttribute("tabindex");
-        });
-    };
-    const all = selector => [...document.querySelectorAll(selector)];
-    const isWide = box => box.scrollWidth > box.clientWidth;
-    // A formula that is far away is laid out when its parts are measured, and only then; so
-    // they are measured for some milliseconds at a time.
+    // What is far away is laid out when it is measured, and only then; so this goes on for some
+    // milliseconds at a time, and measures a few before it changes one of them.
+    const main = document.querySelector("main");
     const range = document.createRange();
-    const isWideFormula = box => {
+    const isWide = box => {
+        if (!box.matches(".formula")) return box.scrollWidth > box.clientWidth;
         range.selectNodeContents(box.firstElementChild);
         return range.getBoundingClientRect().right > box.getBoundingClientRect().right + 0.5;
     };
     let due;
-    const some = formulas => {
+    const some = boxes => {
         const end = performance.now() + 5;
-        while (formulas.length && performance.now() < end) mend(formulas.splice(0, 4), isWideFormula);
-        if (formulas.length) due = setTimeout(some, 0, formulas);
+        while (boxes.length && performance.now() < end) {
+            const few = boxes.splice(0, 4);
+            const wide = few.map(isWide);
+            few.forEach((box, k) => {
+                if (wide[k]) box.tabIndex = 0;
+                else box.removeAttribute("tabindex");
+            });
+        }
+        if (boxes.length) due = setTimeout(some, 0, boxes);
+        else main.dataset.ready = "";
     };
-    const now = () => {
-        mend(all("pre, .table-wrapper, .stage"), isWide);
-        some(all(".formula"));
+    const all = selector => [...document.querySelectorAll(selector)];
+    const now = () => some([...all("pre, .table-wrapper, .stage"), ...all(".formula")]);
+    const later = () => {
+        clearTimeout(due);
+        delete main.dataset.ready;
+        due = setTimeout(now);
     };
-    const later = () => { clearTimeout(due); due = setTimeout(now); };
     addEventListener("load", later);
     addEventListener("resize", later);
     document.fonts?.addEventListener("loadingdone", later);
