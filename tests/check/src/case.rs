@@ -1,13 +1,14 @@
-use crate::fov::FOV;
-use crate::recognise::RAYS;
 use crate::turned::turned;
 use crate::view::View;
-use crate::{Cause, Found, Locked, Rest, Step, camera, recognise, whose};
+use crate::{Cause, Found, Locked, Options, Rest, Step, camera, recognise, whose};
 use image::RgbImage;
 
 /// The most rays that are worth the wait for a very large picture: one for each pixel of
 /// the largest.
 const MOST: usize = 16384 * 16384;
+
+/// The most rays that our picture is drawn with: four for each pixel of 640×360.
+const FEW: usize = 1_000_000;
 
 /// So few pixels are a slip of the mouse, and no mistake of a program.
 const STRAYS: usize = 12;
@@ -90,26 +91,25 @@ impl<'a> Case<'a> {
     }
 
     /// Our picture at the size of the reader's, where there is anything to show: a
-    /// step's own is drawn anew at another size.
-    pub fn drawn(&self) -> Option<RgbImage> {
+    /// step's own is drawn anew at another size, or with options.
+    pub fn drawn(&self, mut options: Options) -> Option<RgbImage> {
         let Self { yours, ours, .. } = self;
         if self.is_explained() && self.is_nearly_right() {
             return None;
         }
-        let found = self.found.as_ref();
-        let fov = found.map_or(FOV, |found| found.fov);
-        if yours.size == ours.picture.dimensions() && fov == FOV {
+        // Very many rays are not worth the wait.
+        if FEW < yours.kept.pixels().len() * options.samples.pow(2) as usize {
+            options.samples = 1;
+        }
+        if yours.size == ours.picture.dimensions() && options == Options::NONE {
             return Some(ours.picture.clone());
         }
-        // More rays a pixel are not worth the wait, except for a small picture.
-        let found = found.filter(|_| yours.pixels() as u64 * 256 <= RAYS);
-        let samples = found.map_or(1, |found| found.samples);
         let step = self.step.filter(|_| 2 <= yours.size.0)?;
-        let parts =
-            Cause { step, samples, fov, mistakes: vec![] }.parts(yours.size);
+        let parts = options.cause(step).parts(yours.size);
         let (columns, rows) = yours.kept.dimensions();
         Some(RgbImage::from_fn(columns, rows, |i, j| {
-            parts.pixel(step, samples, i * yours.stride, j * yours.stride)
+            let (i, j) = (i * yours.stride, j * yours.stride);
+            parts.pixel(step, options.samples, i, j)
         }))
     }
 }

@@ -1,6 +1,6 @@
 use crate::case::Case;
 use crate::kind::kind;
-use crate::options::options;
+use crate::options::{Options, options};
 use crate::png::{self, Notes};
 use crate::told::{Told, objects, one_pixel};
 use crate::verdict::verdict;
@@ -91,20 +91,20 @@ fn measured(mut case: Case, mut text: String) -> Answer {
     }
     text += &one_colour(&case);
     text += &told(&case);
-    text += &options(
-        case.yours.size,
-        case.ours.picture.dimensions(),
-        case.found.as_ref(),
-    );
+    let found = case.found.as_ref().map(Found::options);
+    let drawn_with = found.or(stages.as_ref().map(|stages| stages.options));
+    let drawn_with = drawn_with.unwrap_or(Options::NONE);
+    text += &options(case.yours.size, case.ours.picture.dimensions(), drawn_with);
     text += &stages.map_or(String::new(), |stages| stages.text);
     if step.is_some() && !is_whole {
         text += "It is too large to be measured stage by stage; a smaller one tells more.\n";
     }
-    let ours = case.drawn();
+    let ours = case.drawn(drawn_with);
     if let Some(ours) = &ours {
         let yours = &case.yours.kept;
         let step = step.filter(|_| is_whole);
-        text += &step.map_or(String::new(), |step| one_pixel(yours, ours, step));
+        let pixel = |step| one_pixel(yours, ours, step, drawn_with);
+        text += &step.map_or(String::new(), pixel);
         text += &differences(&case, ours);
     }
     let difference =

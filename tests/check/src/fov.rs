@@ -1,4 +1,5 @@
 use crate::view::View;
+use crate::{key, sort};
 use step01_rays::{Camera, direction_colour};
 
 /// The field of view of the course's camera, in degrees.
@@ -57,7 +58,7 @@ fn half_width(yours: &View) -> Option<f64> {
     let places = yours.scattered(4000).into_iter();
     let upper = places.filter(|(_, j)| 3 * j < yours.size.1);
     let mut all: Vec<f64> = upper.filter_map(tan).collect();
-    all.sort_unstable_by(f64::total_cmp);
+    sort(&mut all, |tan| key(*tan));
     // Where most of them are close together, and the middle of these.
     let close = |start: usize| {
         let end = all.partition_point(|tan| *tan < 1.01 * all[start]);

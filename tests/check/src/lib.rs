@@ -35,11 +35,12 @@ pub use check::{check, look};
 pub(crate) use each::{at_once, each};
 pub use formula::by_formulas;
 pub use locked::{Locked, locked, names};
-pub use measure::{Stage, Verdict, pixel, stages};
+pub use measure::{Stage, Verdict, stages};
+pub(crate) use options::Options;
 pub use png::picture;
 pub(crate) use recognise::{Found, recognise};
 pub(crate) use rest::Rest;
-pub(crate) use sort::sort;
+pub(crate) use sort::{key, sort};
 pub use table::table;
 pub use whose::by_file;
 

@@ -1,13 +1,33 @@
-use crate::Found;
 use crate::fov::FOV;
+use crate::{Cause, Step};
 use std::fmt::Write;
+
+/// The options, beside its size, that a picture may have been drawn with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Options {
+    /// The field of view θ, in degrees.
+    pub fov: f64,
+    /// The side of the grid of rays in each pixel.
+    pub samples: u32,
+}
+
+impl Options {
+    /// Those of a locked picture.
+    pub const NONE: Self = Self { fov: FOV, samples: 1 };
+
+    /// Our picture of a step with these options.
+    pub fn cause(self, step: Step) -> Cause {
+        let Self { fov, samples } = self;
+        Cause { step, samples, fov, mistakes: vec![] }
+    }
+}
 
 /// Says both sizes, numbers of rays and fields of view where they differ, and the
 /// options that give the right ones.
 pub(crate) fn options(
     yours: (u32, u32),
     ours: (u32, u32),
-    found: Option<&Found>,
+    Options { fov, samples }: Options,
 ) -> String {
     let mut text = String::new();
     if yours != ours {
@@ -21,20 +41,19 @@ pub(crate) fn options(
             size(yours, ours)
         );
     }
-    if let Some(Found { samples: samples @ 2.., .. }) = found {
+    if 1 < samples {
         let _ = writeln!(
             text,
             "It has {samples}×{samples} rays a pixel, and the locked picture 1: \
              --samples 1 gives that."
         );
     }
-    if let Some(found) = found.filter(|found| found.fov != FOV) {
+    if fov != FOV {
         let _ = writeln!(
             text,
-            "Its field of view is {}°, and that of the locked picture {FOV}°: --fov \
+            "Its field of view is {fov}°, and that of the locked picture {FOV}°: --fov \
              {FOV} gives that. If you gave no such option, look at what becomes of θ, \
-             in camera.rs and program.rs.",
-            found.fov
+             in camera.rs and program.rs."
         );
     }
     text

@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
-use crate::{Cause, Mistake, Rest, Step, each, sort};
+use crate::{Cause, Mistake, Options, Rest, Step, each, sort};
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -27,10 +27,16 @@ impl Found {
         let Self { samples, fov, .. } = *self;
         Cause { step, samples, fov, mistakes: self.causes[0].clone() }
     }
+
+    /// The options that it explains.
+    pub fn options(&self) -> Options {
+        let Self { samples, fov, .. } = *self;
+        Options { fov, samples }
+    }
 }
 
 /// About how many rays are cast at most to compare a picture with one cause.
-pub(crate) const RAYS: u64 = 16_000_000;
+const RAYS: u64 = 16_000_000;
 
 /// A channel that is off by this much may be so by rounding.
 pub(crate) const ROUNDING: u8 = 2;

@@ -1,6 +1,6 @@
 use crate::case::Case;
 use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages_beside};
-use crate::{Cause, Step};
+use crate::{Cause, Options, Step};
 use gallery::Parts;
 use image::RgbImage;
 use std::fmt::Write;
@@ -11,6 +11,8 @@ pub(crate) struct Told {
     pub text: String,
     /// Whether the numbers show a stage to be wrong.
     pub is_wrong: bool,
+    /// The options that the picture was drawn with, as far as they are known.
+    pub options: Options,
 }
 
 impl Told {
@@ -18,19 +20,20 @@ impl Told {
     pub fn of(case: &Case, step: Step) -> Self {
         let known = case.found.as_ref().filter(|_| case.is_explained());
         let known = known.filter(|_| !case.is_nearly_right());
-        let stages = match known {
+        let (stages, options) = match known {
             Some(found) => {
                 let cause = found.cause(step);
                 let right = Cause { mistakes: vec![], ..cause.clone() };
                 let [yours, ours] =
                     [&cause, &right].map(|cause| objects(case, cause));
-                of_mistakes(
-                    step,
+                let stages = of_mistakes(
+                    &cause,
                     &found.causes,
                     yours.contains(&true),
                     yours == ours,
                     |stage, light| is_shown(case, &cause, stage, light),
-                )
+                );
+                (stages, found.options())
             }
             None => stages_beside(&case.yours.kept, step, Some(&case.ours.picture)),
         };
@@ -38,7 +41,7 @@ impl Told {
         let wrong = stages.iter().find(is_wrong);
         let mut text = table(&stages);
         text += &wrong.map_or(String::new(), first);
-        Self { text, is_wrong: wrong.is_some() }
+        Self { text, is_wrong: wrong.is_some(), options }
     }
 }
 
@@ -116,8 +119,13 @@ fn first(stage: &Stage) -> String {
 }
 
 /// One pixel in full, on lines of its own.
-pub(crate) fn one_pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
-    match pixel(yours, ours, step).trim_end() {
+pub(crate) fn one_pixel(
+    yours: &RgbImage,
+    ours: &RgbImage,
+    step: Step,
+    options: Options,
+) -> String {
+    match pixel(yours, ours, step, options).trim_end() {
         "" => String::new(),
         text => format!("{text}\n"),
     }

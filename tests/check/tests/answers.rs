@@ -5,6 +5,8 @@ use ::check::{Answer, look};
 use gallery::{Mistake, Parts, Step, camera, mistakes};
 use image::{Rgb, RgbImage, imageops};
 use std::collections::HashSet;
+use std::f64::consts::PI;
+use step01_rays::Camera;
 use tests::{is_thorough, some};
 
 /// The size of the locked pictures.
@@ -299,6 +301,32 @@ fn where_not_all_rays_are_cast_one_pixel_can_hide() {
         Some("step03_nearest"),
         &["Nearly right: ", " that were compared."],
     );
+}
+
+#[test]
+fn options_and_a_slip_that_no_list_has_are_both_told() {
+    let wide = Camera::new(320, 180, PI / 2.0);
+    let cases = [
+        (camera(320, 180), 2, "It has 2×2 rays a pixel, and the locked picture 1"),
+        (wide, 1, "Its field of view is 90°, and that of the locked picture 60°"),
+    ];
+    for (camera, samples, option) in cases {
+        let mut parts = Parts::right(&camera);
+        let right = parts.picture(Step::Phong, samples);
+        parts.lit = |n, l| 0.3 < n.dot(l);
+        let yours = parts.picture(Step::Phong, samples);
+        // Ours has the same options: it differs where the slip shows, and nowhere else.
+        let differ = yours.pixels().zip(right.pixels()).filter(|(a, b)| a != b);
+        let differ = format!("\n{} of 57600 pixels differ", differ.count());
+        let text =
+            told(&yours, Some("step05_phong"), &[option, "0.3 < n·l", &differ]);
+        let (_, pixel) = text.split_once("Column ").expect("one pixel");
+        let mut numbers = pixel.split(|c: char| !c.is_ascii_digit());
+        let mut number = || numbers.find_map(|word| word.parse().ok());
+        let [i, j, r, g, b, ours @ ..] = [(); 8].map(|()| number().expect("eight"));
+        let there = [&yours, &right].map(|all| all[(i, j)].0.map(u32::from));
+        assert_eq!([[r, g, b], ours], there, "{text}");
+    }
 }
 
 #[test]

@@ -22,6 +22,6 @@ pub(crate) use node::{Kind, Node, Op};
 pub(crate) use numbers::{Where, solved, unknowns};
 use parse::parse;
 pub(crate) use print::shown;
-pub(crate) use search::{Evidence, Known, Part, Pixel, kept, misses};
+pub(crate) use search::{Evidence, Known, Part, Pixel, is_smooth, kept, misses};
 pub(crate) use tree::{Line, Of, Place, Tree};
 pub(crate) use value::Value;

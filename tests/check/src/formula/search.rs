@@ -130,7 +130,7 @@ pub(crate) fn kept(
 
 /// Whether the colours around a pixel change evenly, so that in its centre it has the mean
 /// of them.
-fn is_smooth(yours: &RgbImage, (i, j): Pixel) -> bool {
+pub(crate) fn is_smooth(yours: &RgbImage, (i, j): Pixel) -> bool {
     let at = |u: i32, v: i32| {
         let place = (i.checked_add_signed(u)?, j.checked_add_signed(v)?);
         yours.get_pixel_checked(place.0, place.1)

@@ -1,6 +1,7 @@
 use super::reading::{Seen, put};
 use super::words::{number, percent};
 use super::{Stage, Verdict};
+use crate::{key, sort};
 use step04_diffuse::{Attenuation, COOL, WARM};
 
 /// Which of the parts of ours reach a pixel.
@@ -166,7 +167,7 @@ impl Curve {
     /// The curve through a thing, a factor and how far off that may be, each; if they lie
     /// on one. What depends on something else as well does not.
     fn of(mut all: Vec<[f64; 3]>) -> Option<Self> {
-        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort(&mut all, |one| key(one[0]));
         let size = (all.len() / 16).max(4);
         let (mut points, mut rests, mut on) = (vec![], vec![], 0);
         for bin in all.chunks(size).filter(|bin| bin.len() == size) {
@@ -180,7 +181,7 @@ impl Curve {
                 |p: &&[f64; 3]| off(p) < 1.5 * p[2] + 0.02 * p[1].abs().max(0.05);
             on += bin.iter().filter(is_on).count();
         }
-        rests.sort_unstable_by(f64::total_cmp);
+        sort(&mut rests, |rest| key(*rest));
         let rest = *rests.get(rests.len() / 2)?;
         (4 <= points.len() && rest < 0.03 && 10 * on > 9 * size * points.len())
             .then_some(Self { points, rest })

@@ -1,7 +1,7 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
 use crate::formula::{Cause, Riddle, Tree, kept};
-use crate::{Section, Step};
+use crate::{Options, Section, Step};
 use image::RgbImage;
 
 mod least;
@@ -19,7 +19,7 @@ mod view;
 
 use black::Black;
 use least::Least;
-pub use pixel::pixel;
+pub(crate) use pixel::pixel;
 use sky::Sky;
 pub(crate) use table::of_mistakes;
 pub(crate) use words::{number, vector};
@@ -52,30 +52,31 @@ pub enum Verdict {
 
 /// The stages of `step`, in order, as a picture of that step tells them.
 pub fn stages(yours: &RgbImage, step: Step) -> Vec<Stage> {
-    stages_beside(yours, step, None)
+    stages_beside(yours, step, None).0
 }
 
-/// The same, where our picture with the defaults is there already.
+/// The same, where our picture with the defaults is there already; and the options, where
+/// all pixels are explained.
 pub(crate) fn stages_beside(
     yours: &RgbImage,
     step: Step,
     ours: Option<&RgbImage>,
-) -> Vec<Stage> {
+) -> (Vec<Stage>, Options) {
     if yours.width() < 2 {
-        return vec![];
+        return (vec![], Options::NONE);
     }
     let black = Black::of(yours);
     let places = view::places(yours, black.as_ref());
-    let mut stages = match explained(yours, step, &places, ours) {
+    let (mut stages, options) = match explained(yours, step, &places, ours) {
         Some((view, tree, groups)) => {
-            table::explained(&view, &tree, yours, &groups)
+            (table::explained(&view, &tree, yours, &groups), view)
         }
-        None => reading::stages(yours, step, &places),
+        None => (reading::stages(yours, step, &places), Options::NONE),
     };
     if let Some(black) = black {
         table::add_black(&mut stages, &black);
     }
-    stages
+    (stages, options)
 }
 
 /// The options and the things done otherwise, in groups of which one explains as much
@@ -85,13 +86,12 @@ fn explained(
     step: Step,
     places: &[(u32, u32)],
     ours: Option<&RgbImage>,
-) -> Option<(view::View, Tree, Groups)> {
+) -> Option<(Options, Tree, Groups)> {
     let views = view::likely(yours, step);
-    let riddle = |view: &view::View,
-                  ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
+    let riddle = |view: &Options, ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let size = yours.dimensions();
         let ours =
-            ours.filter(|ours| view.is_default() && ours.dimensions() == size);
+            ours.filter(|ours| *view == Options::NONE && ours.dimensions() == size);
         let cause = view.cause(step);
         let parts = cause.parts(size);
         let pixel = |(i, j): (u32, u32)| match ours {
@@ -112,7 +112,7 @@ fn explained(
         Some((*view, tree, groups))
     };
     // The second number of samples is less likely, and takes longer.
-    let one = |(k, view): (usize, &view::View)| {
+    let one = |(k, view): (usize, &Options)| {
         let is_thorough = k == 0 || view.samples == 1;
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };

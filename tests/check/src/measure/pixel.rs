@@ -1,19 +1,26 @@
 use super::words::vector;
-use crate::Step;
-use crate::apart;
-use crate::formula::{Context, Tree, Values};
-use crate::fov::FOV;
+use crate::formula::{Context, Tree, Values, is_smooth};
+use crate::{Options, Step, apart};
 use glam::DVec3;
 use image::RgbImage;
 
 /// The pixel that differs most, in full: yours, ours, which object, and each of its
-/// terms.
-pub fn pixel(yours: &RgbImage, ours: &RgbImage, step: Step) -> String {
+/// terms. Of many rays a pixel, those terms are of the one through the centre: it is a
+/// pixel in which that is like all of them, if there is one.
+pub(crate) fn pixel(
+    yours: &RgbImage,
+    ours: &RgbImage,
+    step: Step,
+    Options { fov, samples }: Options,
+) -> String {
     let pairs = yours.enumerate_pixels().zip(ours.pixels());
-    let worst = pairs.max_by_key(|((_, _, a), b)| apart(a, b));
+    let worst = pairs.max_by_key(|((i, j, a), b)| {
+        let apart = apart(a, b);
+        (samples == 1 || 2 < apart && is_smooth(yours, (*i, *j)), apart)
+    });
     let Some(((i, j, a), b)) = worst else { return String::new() };
     let (width, height) = yours.dimensions();
-    let tree = Tree::new(step, (width.max(2), height), FOV, 1);
+    let tree = Tree::new(step, (width.max(2), height), fov, 1);
     let context = Context::plain(&tree);
     let values = Values::at(&tree, &[(i, j)], 1);
     let values = values.changed(&context);

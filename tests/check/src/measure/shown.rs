@@ -1,6 +1,7 @@
 use super::Verdict;
 use super::table::Row;
-use super::view::{View, places};
+use super::view::places;
+use crate::Options;
 use crate::formula::{Change, Context, Node, Op, SOME, Tree, Values};
 use image::RgbImage;
 
@@ -9,7 +10,7 @@ use image::RgbImage;
 pub(super) fn verdict(
     tree: &Tree,
     row: &Row,
-    view: &View,
+    view: &Options,
     yours: &RgbImage,
 ) -> Verdict {
     let places = places(yours, None);

@@ -1,8 +1,7 @@
-use super::view::View;
 use super::{Black, Stage, Verdict, number, shown};
-use crate::formula::{Cause, Change, Tree};
+use crate::formula::{self, Change, Tree};
 use crate::fov::FOV;
-use crate::{Mistake, Section, Step, section};
+use crate::{Cause, Mistake, Options, Section, Step, section};
 use image::RgbImage;
 
 /// A line of the table.
@@ -148,7 +147,7 @@ pub(super) fn row(stage: &Stage) -> &'static Row {
 }
 
 /// Whether a thing is of a line of the table.
-fn is_of(cause: &Cause, row: &Row) -> bool {
+fn is_of(cause: &formula::Cause, row: &Row) -> bool {
     let stage = match (cause.place.stage, cause.step) {
         // One sphere is always the nearest.
         ("nearest", Step::Sphere) => "outlines",
@@ -160,10 +159,10 @@ fn is_of(cause: &Cause, row: &Row) -> bool {
 
 /// The table of a picture of which every pixel is explained.
 pub(super) fn explained(
-    view: &View,
+    view: &Options,
     tree: &Tree,
     yours: &RgbImage,
-    groups: &[Vec<Cause>],
+    groups: &[Vec<formula::Cause>],
 ) -> Vec<Stage> {
     let changes: Vec<_> =
         groups.iter().flat_map(|group| group[0].changes.iter().cloned()).collect();
@@ -178,18 +177,23 @@ pub(super) fn explained(
         tell(&mut stages, group, looked_at);
         tell_point(&mut stages, group, &tree);
     }
-    if view.fov != FOV && stages[0].verdict == Verdict::Right {
-        let why = format!(
-            "it is the camera of `--fov {}`; if you gave no such option, look at θ",
-            number(view.fov)
-        );
-        stages[0].verdict = Verdict::Unknown(why);
-    }
+    tell_fov(&mut stages, view.fov);
     stages
 }
 
+/// Tells that right rays are those of a field of view that is not the course's.
+fn tell_fov(stages: &mut [Stage], fov: f64) {
+    if fov != FOV && stages[0].verdict == Verdict::Right {
+        let why = format!(
+            "it is the camera of `--fov {}`; if you gave no such option, look at θ",
+            number(fov)
+        );
+        stages[0].verdict = Verdict::Unknown(why);
+    }
+}
+
 /// Tells one thing, and what explains as much.
-fn tell(stages: &mut [Stage], group: &[Cause], looked_at: &str) {
+fn tell(stages: &mut [Stage], group: &[formula::Cause], looked_at: &str) {
     let Some(first) = group.first() else { return };
     let mut is_told = false;
     let name = stages.iter().find(|stage| is_of(first, row(stage))).map(|s| s.name);
@@ -226,14 +230,14 @@ fn tell(stages: &mut [Stage], group: &[Cause], looked_at: &str) {
 }
 
 /// Tells that p may be wrong, too, where t is: p = S + t V.
-fn tell_point(stages: &mut [Stage], group: &[Cause], tree: &Tree) {
+fn tell_point(stages: &mut [Stage], group: &[formula::Cause], tree: &Tree) {
     let is_t = |change: &Change| match change {
         Change::Line(line, _) => {
             ["t", "t'", "t_1", "t_2"].contains(&&*tree.lines[*line].name)
         }
         _ => false,
     };
-    let is_wrong = |cause: &Cause| cause.changes.iter().any(is_t);
+    let is_wrong = |cause: &formula::Cause| cause.changes.iter().any(is_t);
     if !group.first().is_some_and(is_wrong) || tree.step <= Step::Nearest {
         return;
     }
@@ -297,7 +301,7 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
 /// at all, whether the right pixels see one, and whether a light's part of the light is
 /// seen, is known.
 pub(crate) fn of_mistakes(
-    step: Step,
+    &Cause { step, fov, .. }: &Cause,
     causes: &[Vec<&Mistake>],
     has_objects: bool,
     has_outlines: bool,
@@ -347,5 +351,6 @@ pub(crate) fn of_mistakes(
     for its in stages.iter_mut().filter(is_hidden) {
         its.verdict = shown::hidden();
     }
+    tell_fov(&mut stages, fov);
     stages
 }

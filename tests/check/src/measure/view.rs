@@ -1,24 +1,10 @@
 use super::Black;
 use crate::fov::{FOV, fields_of_view, has_sky};
-use crate::view::scattered;
-use crate::{Cause, Step, sort};
+use crate::view::{View, scattered};
+use crate::{Options, Step, sort};
 use image::RgbImage;
 
-/// The options that a picture may have been drawn with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
-    /// The field of view, in degrees.
-    pub fov: f64,
-    /// The side of the grid of rays in each pixel.
-    pub samples: u32,
-}
-
-impl View {
-    /// Whether no option was given.
-    pub fn is_default(&self) -> bool {
-        self.fov == FOV && self.samples == 1
-    }
-
+impl Options {
     /// Of how many pixels one is looked at: as many as with four rays a pixel, as more
     /// rays are not worth the wait.
     pub fn one_of(&self) -> u32 {
@@ -28,12 +14,6 @@ impl View {
     /// Whether all pixels of a picture are looked at.
     pub fn is_whole(&self, yours: &RgbImage) -> bool {
         self.one_of() == 1 && stride(yours) == 1
-    }
-
-    /// Our picture of a step with these options.
-    pub fn cause(&self, step: Step) -> Cause {
-        let &Self { fov, samples } = self;
-        Cause { step, samples, fov, mistakes: vec![] }
     }
 
     /// In how many of some pixels a picture differs from ours with these options.
@@ -48,20 +28,21 @@ impl View {
 }
 
 /// The likeliest first: the defaults.
-pub(super) fn views(yours: &RgbImage) -> Vec<View> {
-    let whole = crate::view::View::whole(yours.clone());
+pub(super) fn views(yours: &RgbImage) -> Vec<Options> {
+    let whole = View::whole(yours.clone());
     let others = fields_of_view(&whole).into_iter();
     let fovs =
         [FOV].into_iter().chain(others.filter(|fov| has_sky(&whole, *fov)).take(1));
     let samples: &[u32] = if is_smooth(yours) { &[2, 3, 4, 1] } else { &[1] };
-    let all = fovs
-        .flat_map(|fov| samples.iter().map(move |&samples| View { fov, samples }));
+    let all = fovs.flat_map(|fov| {
+        samples.iter().map(move |&samples| Options { fov, samples })
+    });
     all.collect()
 }
 
 /// Of each field of view the two numbers of samples with which ours is nearest; the
 /// course's own angle first, as another one explains too much.
-pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<View> {
+pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
     let all = views(yours);
     let of_fov = all.chunk_by(|a, b| a.fov == b.fov).flat_map(|some| {
         let mut some = some.to_vec();
