@@ -12,6 +12,13 @@ pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
     let degrees = 2.0 * tan.atan().to_degrees();
     let rounded = |unit: f64| (degrees * unit).round() / unit;
     let mut all: Vec<f64> = [1.0, 2.0, 10.0, 100.0].map(rounded).into();
+    // Those that give this one with a mistake: θ from top to bottom, θ for θ/2, and θ/2 for
+    // its tangent.
+    let (width, height) = yours.size;
+    let upright = 2.0 * (tan * f64::from(height - 1) / f64::from(width - 1)).atan();
+    all.extend(
+        [upright, tan.atan(), 2.0 * tan].map(|fov| fov.to_degrees().round()),
+    );
     all.retain(|fov| *fov != FOV && 0.0 < *fov && *fov < 180.0);
     all.dedup();
     // What the course's angle explains as well needs no other.

@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::fov::{FOV, fields_of_view};
 use crate::view::View;
-use crate::{Cause, Mistake, Options, Rest, Step, each, sort};
+use crate::{Cause, Mistake, Options, Rest, Step, at_once, each, sort};
 
 /// What is known of a picture.
 #[derive(Clone, Debug)]
@@ -265,10 +265,17 @@ fn compare(
     let stride = stride.next_multiple_of(yours.stride) as usize;
     let parts = cause.parts((width, height));
     let (mut rest, mut beyond) = (Rest::new(all), 0);
-    for j in (0..height).step_by(stride) {
-        for i in (0..width).step_by(stride) {
+    let rows: Vec<_> = (0..height).step_by(stride).collect();
+    let row = |j: u32| {
+        let columns = (0..width).step_by(stride);
+        let one = |i: u32| {
             let ours = parts.pixel(cause.step, cause.samples, i, j);
-            let apart = apart(yours.pixel(i, j), &ours);
+            (i, j, apart(yours.pixel(i, j), &ours))
+        };
+        Some(columns.map(one).collect::<Vec<_>>())
+    };
+    for rows in rows.chunks(4 * at_once()) {
+        for (i, j, apart) in each(rows.to_vec(), row).concat() {
             rest.add(apart);
             beyond += usize::from(rounding < apart);
             if most < beyond {

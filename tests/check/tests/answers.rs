@@ -330,6 +330,16 @@ fn options_and_a_slip_that_no_list_has_are_both_told() {
 }
 
 #[test]
+fn an_angle_that_is_an_option_and_taken_in_another_way_is_told() {
+    let upright = (37.5_f64.to_radians().tan() * 319.0 / 179.0).atan();
+    let taken = Camera::new(320, 180, 2.0 * upright);
+    let picture = Parts::right(&taken).picture(Step::Phong, 1);
+    let known = [named("upright-angle")];
+    let text = assert_named(&picture, Some("step05_phong"), &known);
+    assert!(text.contains("Its field of view is 75°"), "{text}");
+}
+
+#[test]
 fn a_picture_of_one_colour_has_no_invented_causes() {
     let (all, nearly) =
         ("It has one colour only: ", "one colour only in nearly all");

@@ -8,9 +8,9 @@ use image::RgbImage;
 use std::f64::consts::PI;
 use step01_rays::{Camera, Ray};
 use step02_sphere::Roots;
-use step04_diffuse::diffuse;
+use step04_diffuse::{Surface, diffuse};
 use step05_phong::{
-    Point, direction_colour, reflect, render, seen, specular, terms,
+    Phong, Point, direction_colour, reflect, render, seen, specular, terms,
 };
 
 /// Asserts that one slip is told as this formula, in its own stage and in no other.
@@ -368,4 +368,106 @@ fn one_light_twice() {
         "diffuse, cool",
         "of the warm one (steps/step04_diffuse/src/scene.rs)",
     );
+}
+
+#[test]
+fn a_polynomial_of_which_one_term_is_left() {
+    assert_told(
+        Step::Phong,
+        |parts| parts.attenuation = |_, d| d * d,
+        "attenuation",
+        "divisor = d²",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.attenuation = |k, d| 1.0 + k.c * d * d,
+        "attenuation",
+        "divisor = 1 + c d²",
+    );
+}
+
+#[test]
+fn what_other_books_do_to_the_sum_or_to_the_lobe() {
+    let of_terms = |sum: fn(Phong) -> DVec3| {
+        let scene = step05_phong::scene();
+        render(&camera(160, 90), 1, |ray| {
+            terms(&scene, ray).map_or_else(|| direction_colour(ray), sum)
+        })
+    };
+    let gamma = of_terms(|terms| terms.sum().powf(1.0 / 2.2));
+    let told = "I = (I_a + E_d + E_s)^0.4545";
+    assert_picture_told(&gamma, Step::Phong, "sum", told);
+    let most = of_terms(|its| its.ambient + its.diffuse.max(its.specular));
+    let told = "I = I_a + max(E_d, E_s)";
+    assert_picture_told(&most, Step::Phong, "s", told);
+    assert_told(
+        Step::Phong,
+        |parts| {
+            parts.specular = |r, v, d, material, light| {
+                let lobe = f64::from(material.shininess + 2) / (2.0 * PI);
+                lobe * specular(r, v, d, material, light)
+            };
+        },
+        "specular",
+        "((n + 2) / 6.283)",
+    );
+}
+
+#[test]
+fn one_number_for_all_that_there_are() {
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            parts.diffuse = |n, l, d, surface, light| {
+                let surface = Surface { diffuse: DVec3::splat(0.45), ..*surface };
+                diffuse(n, l, d, &surface, light)
+            };
+        },
+        "diffuse",
+        "R_d = (0.45, 0.45, 0.45)",
+    );
+    assert_told(
+        Step::Nearest,
+        |parts| parts.miss = |_| DVec3::ZERO,
+        "s",
+        "I = 0 if nearest < 0, else I",
+    );
+    // As the slide has it.
+    assert_told(
+        Step::Rays,
+        |parts| parts.camera.matrix.y_axis.y *= 89.0,
+        "rays",
+        "D_v = (0, (−2) h rows / columns, 0)",
+    );
+}
+
+#[test]
+fn colours_in_a_picture_of_many_rays_a_pixel() {
+    // No pixel of an object is ours: outlines tell how many rays there are.
+    for samples in [4, 6] {
+        let mut parts = Parts::right(&camera(160, 90));
+        for material in parts.materials() {
+            material.surface.diffuse = material.surface.diffuse.powf(2.2);
+        }
+        let yours = parts.picture(Step::Nearest, samples);
+        assert_picture_told(&yours, Step::Nearest, "colours", "I = colour^2.2");
+    }
+}
+
+#[test]
+fn bytes_of_each_sample() {
+    let mut parts = Parts::right(&camera(160, 90));
+    let scene = step05_phong::scene();
+    let cut = render(&parts.camera, 3, |ray| {
+        let colour = terms(&scene, ray)
+            .map_or_else(|| direction_colour(ray), |terms| terms.sum());
+        (255.0 * colour).floor() / 255.0
+    });
+    let told = "each sample is cut off to a byte, before the mean of all is taken";
+    assert_picture_told(&cut, Step::Phong, "sum", told);
+    // Half a byte, here and there, is no other camera.
+    parts.byte = |x| (255.0 * x.clamp(0.0, 1.0)) as u8;
+    parts.materials().for_each(|material| material.shininess /= 2);
+    let stages = stages(&parts.picture(Step::Phong, 1), Step::Phong);
+    assert_ne!(stages[0].verdict, Verdict::Wrong, "{stages:#?}");
 }

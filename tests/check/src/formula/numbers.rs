@@ -148,6 +148,9 @@ fn put_in(
     }
     let with = |op: Op, kind: Kind| Node::of(op, [node.clone(), Node::Free(kind)]);
     push(with(Op::Mul, Kind::Scalar), false, 1.0);
+    if ["R_a", "R_d", "R_s"].contains(&name) {
+        push(Node::Free(Kind::Vector), true, 0.5);
+    }
     if is_light {
         push(with(Op::Mul, Kind::Vector), true, 1.0);
         push(with(Op::Min, Kind::Scalar), false, 1.0);
@@ -263,14 +266,19 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         10.0, 100.0,
     ];
     let terms = [0.1, 0.25, 0.5, 1.0, 3.0, 6.0, 10.0];
-    let others = factors.map(|k| k * ours).into_iter();
-    let by = (1..if is_shape { 24 } else { 1 }).map(|k| 0.2 * f64::from(k));
-    // What is nothing with us has no factors.
-    let few = [0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0].into_iter();
-    let few = few.filter(|_| ours == DVec3::ZERO && !is_shape);
-    let terms = terms.into_iter().chain(by).chain(few).flat_map(|k| [k, -k]);
+    let mut terms = terms.to_vec();
+    if is_shape {
+        terms.extend((1..24).map(|k| 0.2 * f64::from(k)));
+    } else if ours == DVec3::ZERO {
+        // What is nothing with us has no factors.
+        terms.extend([0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0]);
+    }
+    let mut others = factors.map(|k| k * ours).to_vec();
+    for k in terms {
+        others.extend([ours + k, ours - k]);
+    }
     let mut shapes = vec![];
-    for x in others.chain(terms.map(|k| ours + k)) {
+    for x in others {
         let enough = if is_shape { start } else { best.cost };
         let cost = cost(evidence, more, unknown, x, enough);
         if is_shape && cost.cmplt(start).all() {
@@ -376,9 +384,10 @@ fn scan(
 /// The value of the fewest digits that explains all pixels of the evidence.
 fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
     let is_it = |x: DVec3| {
-        evidence.parts.iter().all(|part| {
-            cost(evidence, part, unknown, x, DVec3::splat(1.0)) == DVec3::ZERO
-        })
+        x.is_finite()
+            && evidence.parts.iter().all(|part| {
+                cost(evidence, part, unknown, x, DVec3::splat(1.0)) == DVec3::ZERO
+            })
     };
     let digits = |digits: i32| {
         x.map(|x| {
@@ -388,8 +397,10 @@ fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
     };
     // Each channel by itself: one may need more digits than another.
     let mut rounds = (0..3).map(digits).collect::<Vec<_>>();
-    rounds.push(x.map(constant));
-    rounds.extend((3..6).map(digits));
+    rounds.extend([x.map(constant), digits(3)]);
+    // One over a number of two digits, as of gamma.
+    rounds.push(x.map(|x| 10.0 / (10.0 / x).round()));
+    rounds.extend((4..6).map(digits));
     rounds.push(x);
     if !unknown.is_colour {
         return rounds.into_iter().find(|x| is_it(*x));
@@ -407,12 +418,12 @@ fn rounded(evidence: &Evidence, unknown: &Unknown, x: DVec3) -> Option<DVec3> {
     is_it(best).then_some(best)
 }
 
-/// The simple fraction, perhaps of π, that is very near; or else the number itself.
+/// The simple fraction, perhaps of π, that is very near; or else no number.
 fn constant(x: f64) -> f64 {
     let simple = [1.0, 2.0, 4.0, 180.0];
     let of_pi = simple.into_iter().flat_map(|k| [k * PI, PI / k, k / PI]);
     let thirds = (1..12).flat_map(|k| [3.0, 7.0, 9.0].map(|by| f64::from(k) / by));
     let near = |one: &f64| (x.abs() - one).abs() < 1e-3 * one;
     let found = of_pi.chain(thirds).find(near);
-    found.map_or(x, |one| one.copysign(x))
+    found.map_or(f64::NAN, |one| one.copysign(x))
 }

@@ -1,6 +1,6 @@
 use super::classes;
 use super::table::{blank, row};
-use super::view::views;
+use super::view::{mixed, views};
 use super::words::percent;
 use super::{Stage, Verdict, camera};
 use crate::Step;
@@ -43,7 +43,7 @@ pub(super) fn stages(
 ) -> Vec<Stage> {
     let places: Vec<_> =
         places.iter().step_by(places.len() / 60_000 + 1).copied().collect();
-    let views = views(yours);
+    let views = views(yours, mixed(yours).is_some());
     let read =
         views.iter().filter(|view| view.samples == views[0].samples).map(|view| {
             let tree = Tree::new(step, yours.dimensions(), view.fov, 1);

@@ -1,7 +1,7 @@
 use super::Black;
 use crate::fov::{FOV, fields_of_view, has_sky};
 use crate::view::{View, scattered};
-use crate::{Options, Step, sort};
+use crate::{Options, Step, key, sort};
 use image::RgbImage;
 
 impl Options {
@@ -27,37 +27,97 @@ impl Options {
     }
 }
 
-/// The likeliest first: the defaults.
-pub(super) fn views(yours: &RgbImage) -> Vec<Options> {
-    let whole = View::whole(yours.clone());
-    let others = fields_of_view(&whole).into_iter();
-    let fovs =
-        [FOV].into_iter().chain(others.filter(|fov| has_sky(&whole, *fov)).take(1));
-    let samples: &[u32] = if is_smooth(yours) { &[2, 3, 4, 1] } else { &[1] };
-    let all = fovs.flat_map(|fov| {
-        samples.iter().map(move |&samples| Options { fov, samples })
-    });
-    all.collect()
+impl Options {
+    /// How far the shares of the sky in some pixels, which are mixed of it and an object,
+    /// are from those that so many rays have; None where too few pixels tell it.
+    fn off(
+        &self,
+        step: Step,
+        yours: &RgbImage,
+        mixed: &[(u32, u32)],
+    ) -> Option<f64> {
+        let parts = self.cause(step).parts(yours.dimensions());
+        let is_sky = |i: f64, j: f64| {
+            parts.seen(step, &(parts.ray)(parts.camera.ray(i, j))).is_none()
+        };
+        let side = f64::from(self.samples);
+        let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+        let mut all_off = vec![];
+        for &(i, j) in mixed.iter().step_by(mixed.len() / 100 + 1) {
+            let (x, y) = (f64::from(i), f64::from(j));
+            let [left, right] = [i - 1, i + 1].map(|i| yours.get_pixel(i, j).0);
+            let sides = [is_sky(x - 2.0, y), is_sky(x + 2.0, y)];
+            if sides[0] == sides[1] {
+                continue;
+            }
+            let (sky, object) =
+                if sides[0] { (left, right) } else { (right, left) };
+            let most = (0..3).max_by_key(|&k| sky[k].abs_diff(object[k]));
+            let most = most.unwrap_or(0);
+            let [sky, object, it] = [sky, object, yours.get_pixel(i, j).0]
+                .map(|pixel| f64::from(pixel[most]));
+            let mut share = 0.0;
+            for k in 0..self.samples * self.samples {
+                let (u, v) = (offset(k % self.samples), offset(k / self.samples));
+                if is_sky(x + u, y + v) {
+                    share += 1.0 / (side * side);
+                }
+            }
+            all_off.push(((it - object) / (sky - object) - share).abs());
+        }
+        sort(&mut all_off, |off| key(*off));
+        all_off.get(all_off.len() / 2).copied().filter(|_| 7 < all_off.len())
+    }
 }
 
-/// Of each field of view the two numbers of samples with which ours is nearest; the
-/// course's own angle first, as another one explains too much.
+/// The likeliest first: the defaults.
+pub(super) fn views(yours: &RgbImage, is_smooth: bool) -> Vec<Options> {
+    let whole = View::whole(yours.clone());
+    let others = fields_of_view(&whole);
+    let other = others.into_iter().find(|fov| has_sky(&whole, *fov));
+    let samples: &[u32] = if is_smooth { &[2, 3, 4, 1, 5, 6, 7, 8] } else { &[1] };
+    let mut all = vec![];
+    for fov in [Some(FOV), other].into_iter().flatten() {
+        for &samples in samples {
+            all.push(Options { fov, samples });
+        }
+    }
+    all
+}
+
+/// Of each field of view two numbers of samples: the one that outlines tell, and those with
+/// which ours is nearest; the course's own angle first, as another one explains too much.
 pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
-    let all = views(yours);
-    let of_fov = all.chunk_by(|a, b| a.fov == b.fov).flat_map(|some| {
-        let mut some = some.to_vec();
+    let mixed = mixed(yours);
+    let all = views(yours, mixed.is_some());
+    let mixed = mixed.unwrap_or_default();
+    let mut likely = vec![];
+    for some in all.chunk_by(|a, b| a.fov == b.fov) {
+        let mut told = vec![];
+        for view in some {
+            told.extend(view.off(step, yours, &mixed).map(|off| (off, *view)));
+        }
+        sort(&mut told, |(off, _)| key(*off));
+        let mut some = some[..some.len().min(4)].to_vec();
         if 1 < some.len() {
             sort(&mut some, |view| [view.misses(step, yours), 0]);
         }
-        some.into_iter().take(2)
-    });
-    of_fov.collect()
+        if let [(least, first), (next, _), ..] = told[..]
+            && 1.5 * least < next
+        {
+            some.retain(|view| *view != first);
+            some.insert(0, first);
+        }
+        some.truncate(2);
+        likely.extend(some);
+    }
+    likely
 }
 
-/// Whether the pixels along sharp edges are mixed of two colours, as with more rays a
-/// pixel.
-fn is_smooth(yours: &RgbImage) -> bool {
-    let (mut edges, mut mixed) = (0, 0);
+/// The pixels along sharp edges that are mixed of two colours; None where others are not,
+/// as with one ray a pixel.
+pub(super) fn mixed(yours: &RgbImage) -> Option<Vec<(u32, u32)>> {
+    let (mut edges, mut mixed) = (0, vec![]);
     for j in 0..yours.height() {
         for i in 2..yours.width() - 2 {
             let at = |i: u32| yours.get_pixel(i, j);
@@ -66,12 +126,13 @@ fn is_smooth(yours: &RgbImage) -> bool {
             let is_even = apart(i - 2, i - 1) < 4 && apart(i + 1, i + 2) < 4;
             if is_even && 40 < apart(i - 1, i + 1) {
                 edges += 1;
-                let is_mixed = 8 < apart(i - 1, i).min(apart(i, i + 1));
-                mixed += usize::from(is_mixed);
+                if 8 < apart(i - 1, i).min(apart(i, i + 1)) {
+                    mixed.push((i, j));
+                }
             }
         }
     }
-    edges < 3 * mixed && 3 < mixed
+    (edges < 3 * mixed.len() && 3 < mixed.len()).then_some(mixed)
 }
 
 /// All pixels, or some 200,000 of them where there are many more; none of a black line.

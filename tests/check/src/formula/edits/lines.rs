@@ -53,6 +53,7 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         all.push(Edit { changes, rank: 0, says: Some(says), line: v });
     }
     last_samples(tree, all);
+    samples_in_bytes(tree, all);
     steps(tree, all);
     if let Some(node) = &tree.lines[byte].node {
         let turns = Node::of(
@@ -74,8 +75,8 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
 }
 
 /// A step from pixel to pixel that is divided by something else and has lost its 2, too;
-/// or that is multiplied by the ratio of the sides; or that goes ahead, too, by a part
-/// of 1.
+/// or that is multiplied by the ratio of the sides, or by one of them; or that goes ahead,
+/// too, by a part of 1.
 fn steps(tree: &Tree, all: &mut Vec<Edit>) {
     let Some([h, rows, columns, width, height, d_u, d_v]) =
         all_found(tree, ["h", "rows", "columns", "hRes", "vRes", "D_u", "D_v"])
@@ -96,13 +97,21 @@ fn steps(tree: &Tree, all: &mut Vec<Edit>) {
             let above = of(Op::Mul, two[0].clone(), a);
             of(Op::Div, Node::of(Op::Div, [above, two[1].clone()]), b)
         };
-        let halves = [rows, width, height].map(half).into_iter();
-        let ratios =
-            [(rows, columns), (columns, rows), (height, width), (width, height)];
-        let ahead = |by: usize| of(Op::Div, Node::Number(-1.0), by);
-        let ahead = [rows, columns].map(|by| (2, ahead(by)));
-        let others = halves.chain(ratios.map(by)).map(|step| (axis, step));
-        for (axis, step) in others.chain(ahead) {
+        let mut others = vec![];
+        for side in [rows, width, height] {
+            let times = of(Op::Mul, two[0].clone(), side);
+            let times = Node::of(Op::Div, [times, two[1].clone()]);
+            others.extend([(axis, half(side)), (axis, times)]);
+        }
+        for ratio in
+            [(rows, columns), (columns, rows), (height, width), (width, height)]
+        {
+            others.push((axis, by(ratio)));
+        }
+        for side in [rows, columns] {
+            others.push((2, of(Op::Div, Node::Number(-1.0), side)));
+        }
+        for (axis, step) in others {
             let mut three = three.clone();
             three[axis] = step;
             let changes = vec![Change::Line(line, Node::of(Op::Vector, three))];
@@ -136,6 +145,40 @@ fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
         );
         let changes = changes.into_iter().flatten().collect();
         all.push(Edit { changes, rank: 1, says: Some(says), line: i });
+    }
+}
+
+/// Bytes of each sample, and their mean: in a picture of several rays a pixel.
+fn samples_in_bytes(tree: &Tree, all: &mut Vec<Edit>) {
+    let Some([ray, byte, mean]) = all_found(tree, ["I'", "B", "M"]) else { return };
+    let samples = tree.find("samples").map(|k| tree.lines[k].given[0].scalar(0));
+    let Some(colour) = &tree.lines[ray].node else { return };
+    if samples == Some(1.0) {
+        return;
+    }
+    let of = |op: Op, a: Node, b: f64| Node::of(op, [a, Node::Number(b)]);
+    let floor = |node: Node| Node::of(Op::Floor, [node]);
+    let whole = of(Op::Mul, colour.clone(), 255.0);
+    for (half, how) in [(0.5, "rounded"), (0.0, "cut off")] {
+        let bytes = floor(of(Op::Add, whole.clone(), half));
+        let clamped = of(Op::Min, of(Op::Max, bytes.clone(), 0.0), 255.0);
+        for bytes in [clamped, bytes] {
+            let mean = Node::Name(mean);
+            let rounded = floor(of(Op::Add, mean.clone(), 0.5));
+            let again = of(Op::Div, bytes.clone(), 255.0);
+            for (bytes, last) in [
+                (&bytes, Some(floor(mean))),
+                (&bytes, Some(rounded)),
+                (&again, None),
+            ] {
+                let mut changes = vec![Change::Line(ray, bytes.clone())];
+                changes.extend(last.map(|last| Change::Line(byte, last)));
+                let says = format!(
+                    "each sample is {how} to a byte, before the mean of all is taken"
+                );
+                all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
+            }
+        }
     }
 }
 

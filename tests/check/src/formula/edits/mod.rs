@@ -10,6 +10,7 @@ use crate::sort;
 use lines::{exchanges, rays};
 use names::swapped_numbers;
 use scene::{given, scenes};
+use terms::fades;
 
 /// One thing done otherwise than in the lecture.
 #[derive(Clone, Debug)]
@@ -69,6 +70,9 @@ impl Scope<'_> {
         others.extend(self.renamed(node));
         others.extend(swapped_numbers(node));
         others.extend(self.multiplied(node));
+        if &*self.line.name == "fade" {
+            others.extend(fades(node));
+        }
         if &*self.line.name == "M" {
             others.push((
                 1,

@@ -125,6 +125,12 @@ impl Scope<'_> {
             (Op::If, [truth, a, b]) => {
                 all.push((0, a.clone()));
                 all.push((0, b.clone()));
+                let none = Node::Number(0.0);
+                all.push((
+                    0,
+                    Node::of(op, [truth.clone(), none.clone(), b.clone()]),
+                ));
+                all.push((0, Node::of(op, [truth.clone(), a.clone(), none])));
                 all.push((1, Node::of(op, [truth.clone(), b.clone(), a.clone()])));
             }
             (Op::Vector, [x, y, z]) => {
@@ -222,15 +228,32 @@ impl Scope<'_> {
         let vectors =
             self.names(Kind::Vector).filter(|_| self.line.kind == Kind::Vector);
         let names = self.names(Kind::Scalar).chain(vectors);
-        let powers = names.flat_map(|name| {
+        let mut factors = vec![];
+        for name in names {
             let square = Node::of(Op::Pow, [name.clone(), Node::Number(2.0)]);
-            [name.clone(), square, Node::of(Op::Sqrt, [name])]
-        });
-        let all = powers.flat_map(|name| {
-            let two = [node.clone(), name];
-            [Op::Mul, Op::Div].map(|op| (2, Node::of(op, two.clone())))
-        });
-        all.collect()
+            factors.extend([name.clone(), square, Node::of(Op::Sqrt, [name])]);
+        }
+        // What makes a wider lobe darker, in other books.
+        let n = self.tree.find("n'").filter(|_| &*self.line.name == "I_s");
+        if let Some(n) = n {
+            for (by, below) in [
+                (1.0, 2.0 * PI),
+                (2.0, 2.0 * PI),
+                (8.0, 8.0 * PI),
+                (2.0, 8.0 * PI),
+                (1.0, 2.0),
+                (2.0, 2.0),
+            ] {
+                let more = Node::of(Op::Add, [Node::Name(n), Node::Number(by)]);
+                factors.push(Node::of(Op::Div, [more, Node::Number(below)]));
+            }
+        }
+        let mut all = vec![];
+        for factor in factors {
+            let two = [node.clone(), factor];
+            all.extend([Op::Mul, Op::Div].map(|op| (2, Node::of(op, &two))));
+        }
+        all
     }
 }
 

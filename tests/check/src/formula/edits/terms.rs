@@ -20,6 +20,8 @@ pub(super) fn terms(op: Op, a: &Node, b: &Node) -> Vec<Ranked> {
         (Op::Add, Node::Of(Op::Add, two), _) => {
             all.push(of(Op::Mul, &two[0], &of(Op::Add, &two[1], b)));
             all.push(of(Op::Sub, &two[0], &of(Op::Add, &two[1], b)));
+            all.push(of(Op::Add, &two[0], &of(Op::Max, &two[1], b)));
+            all.push(of(Op::Max, a, b));
             // The product of two terms, without the third.
             let pairs = [(&two[0], &two[1]), (&two[0], b), (&two[1], b)];
             all.extend(pairs.map(|(x, y)| of(Op::Mul, x, y)));
@@ -64,13 +66,35 @@ fn split(op: Op, a: &Node, b: &Node) -> Vec<Node> {
             Node::of(*op, [all, (*next).clone()])
         })
     };
-    let places = 0..signs.len() - 1;
-    let sums = places.flat_map(|k| {
+    let mut sums = vec![];
+    for k in 0..signs.len() - 1 {
         let two =
             [product(rest, &signs[..k]), product(signs[k].1, &signs[k + 1..])];
-        [Op::Add, Op::Sub].map(|op| Node::of(op, two.clone()))
-    });
-    sums.collect()
+        sums.extend([Op::Add, Op::Sub].map(|op| Node::of(op, two.clone())));
+    }
+    sums
+}
+
+/// a + b d + c d² with 1 for some of its letters, or without some of its terms.
+pub(super) fn fades(node: &Node) -> Vec<Ranked> {
+    let Node::Of(Op::Add, two) = node else { return vec![] };
+    let (Node::Of(Op::Add, first), Node::Of(Op::Mul, square)) = (&two[0], &two[1])
+    else {
+        return vec![];
+    };
+    let (a, linear, d) = (&first[0], &first[1], &square[1]);
+    let one = Node::Number(1.0);
+    let squared = Node::of(Op::Mul, [d.clone(), d.clone()]);
+    let terms = [[a, &one], [linear, d], [&two[1], &squared]];
+    let mut all = vec![];
+    for which in 1..27 {
+        let chosen = [which % 3, which / 3 % 3, which / 9];
+        let chosen = terms.iter().zip(chosen).filter(|(_, which)| *which < 2);
+        let chosen = chosen.map(|(two, which)| two[which].clone());
+        let sum = chosen.reduce(|sum, term| Node::of(Op::Add, [sum, term]));
+        all.extend(sum.map(|sum| (1, sum)));
+    }
+    all
 }
 
 /// The number with which a product begins, and what is left.
