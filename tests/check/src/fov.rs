@@ -8,17 +8,27 @@ pub(crate) const FOV: f64 = 60.0;
 /// Fields of view that a picture may have been drawn with, in degrees, other than that
 /// of the course, as round numbers: the sky tells its rays, and these the angle.
 pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
-    let Some(tan) = half_width(yours) else { return vec![] };
-    let degrees = 2.0 * tan.atan().to_degrees();
-    let rounded = |unit: f64| (degrees * unit).round() / unit;
-    let mut all: Vec<f64> = [1.0, 2.0, 10.0, 100.0].map(rounded).into();
-    // Those that give this one with a mistake: θ from top to bottom, θ for θ/2, and θ/2 for
-    // its tangent.
-    let (width, height) = yours.size;
-    let upright = 2.0 * (tan * f64::from(height - 1) / f64::from(width - 1)).atan();
-    all.extend(
-        [upright, tan.atan(), 2.0 * tan].map(|fov| fov.to_degrees().round()),
-    );
+    // The angle of which most sky is seen, be it little.
+    let (mut most, mut all) = (FEW, vec![]);
+    for fov in (1..180).map(f64::from) {
+        let sky = sky(yours, fov);
+        if most < sky {
+            (most, all) = (sky, vec![fov]);
+        }
+    }
+    if let Some(tan) = half_width(yours) {
+        let degrees = 2.0 * tan.atan().to_degrees();
+        all.extend(
+            [1.0, 2.0, 10.0, 100.0].map(|unit| (degrees * unit).round() / unit),
+        );
+        // Those that give this one with a mistake: θ from top to bottom, θ for θ/2, and θ/2
+        // for its tangent.
+        let [width, height] =
+            [yours.size.0, yours.size.1].map(|k| f64::from(k - 1));
+        let upright = 2.0 * (tan * height / width).atan();
+        let others = [upright, tan.atan(), 2.0 * tan];
+        all.extend(others.map(|fov| fov.to_degrees().round()));
+    }
     all.retain(|fov| *fov != FOV && 0.0 < *fov && *fov < 180.0);
     all.dedup();
     // What the course's angle explains as well needs no other.
@@ -27,13 +37,16 @@ pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
     all
 }
 
-/// Whether much of a picture is the sky of a field of view.
+/// Whether some of a picture is the sky of a field of view.
 pub(crate) fn has_sky(yours: &View, fov: f64) -> bool {
-    is_much(sky(yours, fov))
+    FEW < sky(yours, fov)
 }
 
 /// How many pixels are looked at for the sky.
 const PLACES: u32 = 600;
+
+/// So few of them are like another sky by chance.
+const FEW: usize = 5;
 
 fn is_much(sky: usize) -> bool {
     10 * sky > PLACES as usize
@@ -46,7 +59,9 @@ fn sky(yours: &View, fov: f64) -> usize {
     let is_sky = |&(i, j): &(u32, u32)| {
         let colour = direction_colour(&camera.ray(i.into(), j.into()));
         let bytes = (255.0 * colour + 0.5).to_array().map(|c| c as u8);
-        yours.pixel(i, j).0 == bytes
+        // White is the sky of many angles, and other things.
+        let is_clamped = bytes[..2].iter().all(|c| [0, 255].contains(c));
+        yours.pixel(i, j).0 == bytes && !is_clamped
     };
     yours.scattered(PLACES).iter().filter(|place| is_sky(place)).count()
 }

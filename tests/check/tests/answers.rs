@@ -340,6 +340,16 @@ fn an_angle_that_is_an_option_and_taken_in_another_way_is_told() {
 }
 
 #[test]
+fn an_angle_of_which_little_sky_is_left_is_told() {
+    let known = named("a-is-a-length");
+    let mut parts = Parts::right(&Camera::new(640, 360, 70_f64.to_radians()));
+    (known.change)(&mut parts);
+    let picture = parts.picture(Step::Phong, 1);
+    let text = assert_named(&picture, Some("step05_phong"), &[known]);
+    assert!(text.contains("Its field of view is 70°"), "{text}");
+}
+
+#[test]
 fn a_picture_of_one_colour_has_no_invented_causes() {
     let (all, nearly) =
         ("It has one colour only: ", "one colour only in nearly all");

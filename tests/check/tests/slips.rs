@@ -471,3 +471,24 @@ fn bytes_of_each_sample() {
     let stages = stages(&parts.picture(Step::Phong, 1), Step::Phong);
     assert_ne!(stages[0].verdict, Verdict::Wrong, "{stages:#?}");
 }
+
+#[test]
+fn what_two_options_hide() {
+    let view =
+        |degrees: f64| Parts::right(&Camera::new(320, 180, degrees.to_radians()));
+    let mut parts = view(45.0);
+    for material in parts.materials() {
+        material.specular *= material.surface.diffuse;
+    }
+    let yours = parts.picture(Step::Phong, 2);
+    let told = "R_s = (g, g, g) R_d";
+    assert_picture_told(&yours, Step::Phong, "specular", told);
+    // No outline is where ours is: the shares of two colours tell how many rays there are.
+    let mut parts = view(50.0);
+    for object in &mut parts.scene.objects {
+        object.sphere.radius /= 2.0;
+    }
+    let yours = parts.picture(Step::Nearest, 4);
+    let told = "radius = radius / 2";
+    assert_picture_told(&yours, Step::Nearest, "outlines", told);
+}

@@ -113,7 +113,8 @@ fn explained(
     };
     // The second number of samples is less likely, and takes longer.
     let one = |(k, view): (usize, &Options)| {
-        let is_thorough = k == 0 || view.samples == 1;
+        let is_first = k == 0 || views[k - 1].fov != view.fov;
+        let is_thorough = is_first || view.samples == 1;
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));

@@ -30,32 +30,20 @@ impl Options {
 impl Options {
     /// How far the shares of the sky in some pixels, which are mixed of it and an object,
     /// are from those that so many rays have; None where too few pixels tell it.
-    fn off(
-        &self,
-        step: Step,
-        yours: &RgbImage,
-        mixed: &[(u32, u32)],
-    ) -> Option<f64> {
+    fn off(self, step: Step, yours: &RgbImage, mixed: &[Mixed]) -> Option<f64> {
         let parts = self.cause(step).parts(yours.dimensions());
         let is_sky = |i: f64, j: f64| {
             parts.seen(step, &(parts.ray)(parts.camera.ray(i, j))).is_none()
         };
         let side = f64::from(self.samples);
         let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-        let mut all_off = vec![];
-        for &(i, j) in mixed.iter().step_by(mixed.len() / 100 + 1) {
-            let (x, y) = (f64::from(i), f64::from(j));
-            let [left, right] = [i - 1, i + 1].map(|i| yours.get_pixel(i, j).0);
+        let mut all = vec![];
+        for (place, left) in mixed.iter().step_by(mixed.len() / 100 + 1) {
+            let (x, y) = (f64::from(place.0), f64::from(place.1));
             let sides = [is_sky(x - 2.0, y), is_sky(x + 2.0, y)];
             if sides[0] == sides[1] {
                 continue;
             }
-            let (sky, object) =
-                if sides[0] { (left, right) } else { (right, left) };
-            let most = (0..3).max_by_key(|&k| sky[k].abs_diff(object[k]));
-            let most = most.unwrap_or(0);
-            let [sky, object, it] = [sky, object, yours.get_pixel(i, j).0]
-                .map(|pixel| f64::from(pixel[most]));
             let mut share = 0.0;
             for k in 0..self.samples * self.samples {
                 let (u, v) = (offset(k % self.samples), offset(k / self.samples));
@@ -63,11 +51,27 @@ impl Options {
                     share += 1.0 / (side * side);
                 }
             }
-            all_off.push(((it - object) / (sky - object) - share).abs());
+            let theirs = if sides[0] { *left } else { 1.0 - left };
+            all.push((theirs - share).abs());
         }
-        sort(&mut all_off, |off| key(*off));
-        all_off.get(all_off.len() / 2).copied().filter(|_| 7 < all_off.len())
+        median(all)
     }
+
+    /// Whether the shares of the colours in mixed pixels are those of so many rays.
+    fn is_grid(self, mixed: &[Mixed]) -> bool {
+        let rays = f64::from(self.samples.pow(2));
+        let off = |(_, left): &Mixed| (left * rays - (left * rays).round()).abs();
+        median(mixed.iter().map(off).collect()).is_some_and(|off| off < 0.1)
+    }
+}
+
+/// A pixel between two others, and the share of the left one's colour in its own.
+type Mixed = ((u32, u32), f64);
+
+/// The one in the middle of enough numbers.
+fn median(mut all: Vec<f64>) -> Option<f64> {
+    sort(&mut all, |one| key(*one));
+    all.get(all.len() / 2).copied().filter(|_| 7 < all.len())
 }
 
 /// The likeliest first: the defaults.
@@ -92,19 +96,21 @@ pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
     let all = views(yours, mixed.is_some());
     let mixed = mixed.unwrap_or_default();
     let mut likely = vec![];
-    for some in all.chunk_by(|a, b| a.fov == b.fov) {
+    for of_fov in all.chunk_by(|a, b| a.fov == b.fov) {
         let mut told = vec![];
-        for view in some {
+        for view in of_fov {
             told.extend(view.off(step, yours, &mixed).map(|off| (off, *view)));
         }
         sort(&mut told, |(off, _)| key(*off));
-        let mut some = some[..some.len().min(4)].to_vec();
+        let first = match told[..] {
+            [(least, first), (next, _), ..] if 1.5 * least < next => Some(first),
+            _ => of_fov.iter().take(3).find(|view| view.is_grid(&mixed)).copied(),
+        };
+        let mut some = of_fov[..of_fov.len().min(4)].to_vec();
         if 1 < some.len() {
             sort(&mut some, |view| [view.misses(step, yours), 0]);
         }
-        if let [(least, first), (next, _), ..] = told[..]
-            && 1.5 * least < next
-        {
+        if let Some(first) = first {
             some.retain(|view| *view != first);
             some.insert(0, first);
         }
@@ -116,7 +122,7 @@ pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
 
 /// The pixels along sharp edges that are mixed of two colours; None where others are not,
 /// as with one ray a pixel.
-pub(super) fn mixed(yours: &RgbImage) -> Option<Vec<(u32, u32)>> {
+pub(super) fn mixed(yours: &RgbImage) -> Option<Vec<Mixed>> {
     let (mut edges, mut mixed) = (0, vec![]);
     for j in 0..yours.height() {
         for i in 2..yours.width() - 2 {
@@ -127,12 +133,16 @@ pub(super) fn mixed(yours: &RgbImage) -> Option<Vec<(u32, u32)>> {
             if is_even && 40 < apart(i - 1, i + 1) {
                 edges += 1;
                 if 8 < apart(i - 1, i).min(apart(i, i + 1)) {
-                    mixed.push((i, j));
+                    let all = [i - 1, i, i + 1].map(|i| at(i).0.map(f64::from));
+                    let apart = |k: &usize| (all[0][*k] - all[2][*k]).abs() as u8;
+                    let k = (0..3).max_by_key(apart).unwrap_or(0);
+                    let left = (all[1][k] - all[2][k]) / (all[0][k] - all[2][k]);
+                    mixed.push(((i, j), left));
                 }
             }
         }
     }
-    (edges < 3 * mixed.len() && 3 < mixed.len()).then_some(mixed)
+    (edges < 5 * mixed.len() && 3 < mixed.len()).then_some(mixed)
 }
 
 /// All pixels, or some 200,000 of them where there are many more; none of a black line.
