@@ -491,4 +491,9 @@ fn what_two_options_hide() {
     let yours = parts.picture(Step::Nearest, 4);
     let told = "radius = radius / 2";
     assert_picture_told(&yours, Step::Nearest, "outlines", told);
+    // Nor is any where the rows are a fraction of a pixel too high.
+    let mut parts = view(60.0);
+    parts.camera.matrix.z_axis.y *= 180.0 / 179.0;
+    let yours = parts.picture(Step::Phong, 4);
+    assert_picture_told(&yours, Step::Phong, "rays", "rows = vRes");
 }

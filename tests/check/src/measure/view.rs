@@ -58,10 +58,11 @@ impl Options {
     }
 
     /// Whether the shares of the colours in mixed pixels are those of so many rays.
+    /// By chance they are off by a quarter, more or less.
     fn is_grid(self, mixed: &[Mixed]) -> bool {
         let rays = f64::from(self.samples.pow(2));
         let off = |(_, left): &Mixed| (left * rays - (left * rays).round()).abs();
-        median(mixed.iter().map(off).collect()).is_some_and(|off| off < 0.1)
+        median(mixed.iter().map(off).collect()).is_some_and(|off| off < 0.17)
     }
 }
 
@@ -89,8 +90,9 @@ pub(super) fn views(yours: &RgbImage, is_smooth: bool) -> Vec<Options> {
     all
 }
 
-/// Of each field of view two numbers of samples: the one that outlines tell, and those with
-/// which ours is nearest; the course's own angle first, as another one explains too much.
+/// Of each field of view two or three numbers of samples: the one that outlines tell, and
+/// those with which ours is nearest; the course's own angle first, as another one explains
+/// too much.
 pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
     let mixed = mixed(yours);
     let all = views(yours, mixed.is_some());
@@ -110,11 +112,16 @@ pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
         if 1 < some.len() {
             sort(&mut some, |view| [view.misses(step, yours), 0]);
         }
+        let mut most = 2;
         if let Some(first) = first {
             some.retain(|view| *view != first);
             some.insert(0, first);
+        } else if let Some(at) = some.iter().skip(2).position(|v| v.samples == 1) {
+            // Nothing tells it: it may well be one.
+            some.swap(2, 2 + at);
+            most = 3;
         }
-        some.truncate(2);
+        some.truncate(most);
         likely.extend(some);
     }
     likely
