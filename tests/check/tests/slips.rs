@@ -384,6 +384,12 @@ fn a_polynomial_of_which_one_term_is_left() {
         "attenuation",
         "divisor = 1 + c d²",
     );
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.attenuation = |k, d| k.at(d) - 0.25,
+        "attenuation",
+        "divisor = a + b d + c d² − 0.25",
+    );
 }
 
 #[test]

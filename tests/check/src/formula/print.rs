@@ -61,7 +61,12 @@ impl Print<'_> {
             (format!("{name}({})", all.join(", ")), 9)
         };
         match op {
-            Op::Add => (format!("{} + {}", at(0, 2), at(1, 4)), 2),
+            Op::Add => match at(1, 4).strip_prefix("(−") {
+                Some(less) if matches!(nodes[1], Node::Number(_)) => {
+                    (format!("{} − {}", at(0, 2), less.trim_end_matches(')')), 2)
+                }
+                _ => (format!("{} + {}", at(0, 2), at(1, 4)), 2),
+            },
             Op::Sub => (format!("{} − {}", at(0, 2), at(1, 4)), 2),
             Op::Mul => (self.product(&nodes[0], &nodes[1]), 4),
             Op::Div => (format!("{} / {}", at(0, 4), at(1, 5)), 4),

@@ -25,9 +25,7 @@ impl Options {
         };
         scattered(yours, 3000).into_iter().filter(differs).count()
     }
-}
 
-impl Options {
     /// How far the shares of the sky in some pixels, which are mixed of it and an object,
     /// are from those that so many rays have; None where too few pixels tell it.
     fn off(self, step: Step, yours: &RgbImage, mixed: &[Mixed]) -> Option<f64> {
