@@ -79,7 +79,7 @@ fn measured(mut case: Case, mut text: String) -> Answer {
     let step = step.filter(|_| !(case.is_nearly_right() && case.has_strays_only()));
     let is_whole = case.yours.stride == 1;
     let stages = step.filter(|_| is_whole);
-    let stages = stages.map(|step| Told::of(&case, step));
+    let stages = stages.map(|step| Told::of(&mut case, step));
     // What seems to be rounded, but shows a wrong stage, is not nearly right.
     let is_wrong = stages.as_ref().is_some_and(|stages| stages.is_wrong);
     let is_few = |found: &Found| found.rest.is_few(0);

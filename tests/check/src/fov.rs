@@ -60,7 +60,7 @@ fn sky(yours: &View, fov: f64) -> usize {
         let colour = direction_colour(&camera.ray(i.into(), j.into()));
         let bytes = (255.0 * colour + 0.5).to_array().map(|c| c as u8);
         // White is the sky of many angles, and other things.
-        let is_clamped = bytes[..2].iter().all(|c| [0, 255].contains(c));
+        let is_clamped = matches!(bytes, [0 | 255, 0 | 255, _]);
         yours.pixel(i, j).0 == bytes && !is_clamped
     };
     yours.scattered(PLACES).iter().filter(|place| is_sky(place)).count()

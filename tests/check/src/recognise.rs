@@ -275,11 +275,13 @@ fn compare(
         Some(columns.map(one).collect::<Vec<_>>())
     };
     for rows in rows.chunks(4 * at_once()) {
-        for (i, j, apart) in each(rows.to_vec(), row).concat() {
-            rest.add(apart);
-            beyond += usize::from(rounding < apart);
-            if most < beyond {
-                return Err((i, j));
+        for row in each(rows.to_vec(), row) {
+            for (i, j, apart) in row {
+                rest.add(apart);
+                beyond += usize::from(rounding < apart);
+                if most < beyond {
+                    return Err((i, j));
+                }
             }
         }
     }

@@ -1,6 +1,6 @@
 use crate::case::Case;
-use crate::measure::{Stage, Verdict, of_mistakes, pixel, stages_beside};
-use crate::{Cause, Options, Step};
+use crate::measure::{Stage, Verdict, by_one, of_mistakes, pixel, stages_beside};
+use crate::{Cause, Found, Options, Step};
 use gallery::Parts;
 use image::RgbImage;
 use std::fmt::Write;
@@ -17,11 +17,22 @@ pub(crate) struct Told {
 
 impl Told {
     /// Measures the picture, unless it is known how every pixel came about.
-    pub fn of(case: &Case, step: Step) -> Self {
+    pub fn of(case: &mut Case, step: Step) -> Self {
+        let is_two = |found: &Found| 1 < found.causes[0].len();
+        let by_one = (case.is_explained()
+            && case.found.as_ref().is_some_and(is_two))
+        .then(|| by_one(&case.yours.kept, step, &case.ours.picture))
+        .flatten();
+        // One thing done otherwise is likelier than two known mistakes.
+        if by_one.is_some() {
+            case.found = None;
+        }
+        let case = &*case;
         let known = case.found.as_ref().filter(|_| case.is_explained());
         let known = known.filter(|_| !case.is_nearly_right());
-        let (stages, options) = match known {
-            Some(found) => {
+        let (stages, options) = match (by_one, known) {
+            (Some(by_one), _) => by_one,
+            (_, Some(found)) => {
                 let cause = found.cause(step);
                 let right = Cause { mistakes: vec![], ..cause.clone() };
                 let [yours, ours] =
@@ -35,7 +46,7 @@ impl Told {
                 );
                 (stages, found.options())
             }
-            None => stages_beside(&case.yours.kept, step, Some(&case.ours.picture)),
+            _ => stages_beside(&case.yours.kept, step, Some(&case.ours.picture)),
         };
         let is_wrong = |stage: &&Stage| matches!(stage.verdict, Verdict::Wrong);
         let wrong = stages.iter().find(is_wrong);

@@ -3,6 +3,7 @@
 use super::{locked, made, named, right};
 use ::check::{Answer, look};
 use gallery::{Mistake, Parts, Step, camera, mistakes};
+use glam::DVec3;
 use image::{Rgb, RgbImage, imageops};
 use std::collections::HashSet;
 use std::f64::consts::PI;
@@ -152,7 +153,7 @@ fn right_pictures_of_another_size_or_number_of_samples_are_right_but_for_that() 
 #[test]
 fn two_mistakes_are_told_apart() {
     let cases: [(Step, &[&str]); 9] = [
-        (Step::Nearest, &["y-down", "mirrored"]),
+        (Step::Nearest, &["y-down", "truncated"]),
         (Step::Phong, &["mirrored", "bgr"]),
         (Step::Phong, &["full-angle", "gamma"]),
         (Step::Sphere, &["square-view", "bgr"]),
@@ -170,6 +171,21 @@ fn two_mistakes_are_told_apart() {
         if k % 8 == 0 {
             assert_named(&picture, None, &both);
         }
+    }
+}
+
+#[test]
+fn one_thing_is_likelier_than_two_mistakes() {
+    let turned = made(Step::Phong, &["y-down", "mirrored"], SIZE, 1);
+    let mut parts = Parts::right(&camera(640, 360));
+    parts.diffuse = |_, _, _, _, _| DVec3::ZERO;
+    parts.specular = |_, _, _, _, _| DVec3::ZERO;
+    let ambient = parts.picture(Step::Phong, 1);
+    let turn = "h = −tan(θ / 2), where ours is h = tan(θ / 2)";
+    let sum = "I = I_a, where ours is I = I_a + E_d + E_s";
+    for (picture, one) in [(turned, turn), (ambient, sum)] {
+        let text = told(&picture, Some("step05_phong"), &["no known mistake", one]);
+        assert!(!text.contains(" is what you get when "), "{text}");
     }
 }
 

@@ -67,26 +67,33 @@ pub(crate) fn stages_beside(
     }
     let black = Black::of(yours);
     let places = view::places(yours, black.as_ref());
-    let (mut stages, options) = match explained(yours, step, &places, ours) {
-        Some((view, tree, groups)) => {
-            (table::explained(&view, &tree, yours, &groups), view)
-        }
-        None => (reading::stages(yours, step, &places), Options::NONE),
-    };
+    let all = explained(yours, step, &places, ours, true);
+    let (mut stages, options) = all
+        .unwrap_or_else(|| (reading::stages(yours, step, &places), Options::NONE));
     if let Some(black) = black {
         table::add_black(&mut stages, &black);
     }
     (stages, options)
 }
 
-/// The options and the things done otherwise, in groups of which one explains as much
-/// as another, that explain every pixel together.
+/// The same, where one thing done otherwise explains every pixel.
+pub(crate) fn by_one(
+    yours: &RgbImage,
+    step: Step,
+    ours: &RgbImage,
+) -> Option<(Vec<Stage>, Options)> {
+    explained(yours, step, &view::places(yours, None), Some(ours), false)
+}
+
+/// The stages and the options, where one thing done otherwise explains every pixel; or
+/// two, if they may.
 fn explained(
     yours: &RgbImage,
     step: Step,
     places: &[(u32, u32)],
     ours: Option<&RgbImage>,
-) -> Option<(Options, Tree, Groups)> {
+    may_be_two: bool,
+) -> Option<(Vec<Stage>, Options)> {
     let views = view::likely(yours, step);
     let riddle = |view: &Options, ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
         let size = yours.dimensions();
@@ -109,7 +116,7 @@ fn explained(
         });
         let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
         let groups = ask(riddle, &tree)?;
-        Some((*view, tree, groups))
+        Some((table::explained(view, &tree, yours, &groups), *view))
     };
     // The second number of samples is less likely, and takes longer.
     let one = |(k, view): (usize, &Options)| {
@@ -119,7 +126,8 @@ fn explained(
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
     let nearest = || views.iter().min_by_key(|view| view.misses(step, yours));
-    views.iter().enumerate().find_map(one).or_else(|| two(nearest()?))
+    let found = views.iter().enumerate().find_map(one);
+    if may_be_two { found.or_else(|| two(nearest()?)) } else { found }
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.

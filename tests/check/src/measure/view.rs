@@ -79,8 +79,9 @@ pub(super) fn views(yours: &RgbImage, is_smooth: bool) -> Vec<Options> {
     let others = fields_of_view(&whole);
     let other = others.into_iter().find(|fov| has_sky(&whole, *fov));
     let samples: &[u32] = if is_smooth { &[2, 3, 4, 1, 5, 6, 7, 8] } else { &[1] };
-    let mut all = vec![];
-    for fov in [Some(FOV), other].into_iter().flatten() {
+    let (mut fovs, mut all) = (vec![FOV], vec![]);
+    fovs.extend(other);
+    for fov in fovs {
         for &samples in samples {
             all.push(Options { fov, samples });
         }

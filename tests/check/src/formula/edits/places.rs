@@ -165,6 +165,7 @@ impl Scope<'_> {
                 let turned = turned.map(|op| Node::of(*op, [b.clone(), a.clone()]));
                 all.extend(turned.map(|other| (1, other)));
                 if let (Op::Add, Node::Of(Op::Add, two)) = (op, a) {
+                    all.extend([(0, two[0].clone()), (0, two[1].clone())]);
                     let last = [two[1].clone(), b.clone()];
                     for other in [Op::Mul, Op::Div] {
                         let last = Node::of(other, last.clone());
@@ -236,14 +237,9 @@ impl Scope<'_> {
         // What makes a wider lobe darker, in other books.
         let n = self.tree.find("n'").filter(|_| &*self.line.name == "I_s");
         if let Some(n) = n {
-            for (by, below) in [
-                (1.0, 2.0 * PI),
-                (2.0, 2.0 * PI),
-                (8.0, 8.0 * PI),
-                (2.0, 8.0 * PI),
-                (1.0, 2.0),
-                (2.0, 2.0),
-            ] {
+            for (by, below) in
+                [(1.0, 2.0 * PI), (2.0, 2.0 * PI), (8.0, 8.0 * PI), (2.0, 8.0 * PI)]
+            {
                 let more = Node::of(Op::Add, [Node::Name(n), Node::Number(by)]);
                 factors.push(Node::of(Op::Div, [more, Node::Number(below)]));
             }
