@@ -40,6 +40,17 @@ fn assert_same(module: &mut Module, request: &str) {
     assert_eq!(fault(module, request), None);
 }
 
+#[test]
+fn no_path_of_a_machine_stands_in_a_module() {
+    for name in ["check", "live", "pictures"] {
+        let module = checked_in(name);
+        let text = String::from_utf8_lossy(&module);
+        for path in [".cargo", "registry/src", "/home/", "/Users/"] {
+            assert!(!text.contains(path), "{path} in {name}.wasm. {MEND}");
+        }
+    }
+}
+
 fn words(values: &[f64]) -> String {
     values.iter().map(|value| format!(" {value}")).collect()
 }
