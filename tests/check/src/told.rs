@@ -16,7 +16,7 @@ pub(crate) struct Told {
 }
 
 impl Told {
-    /// Measures the picture, unless it is known how every pixel came about.
+    /// Measures the picture, unless known mistakes explain it: one, or two that are needed.
     pub fn of(case: &mut Case, step: Step) -> Self {
         let is_two = |found: &Found| 1 < found.causes[0].len();
         let by_one = (case.is_explained()

@@ -130,7 +130,7 @@ fn letters(tree: &Tree, node: &Node, push: &mut dyn FnMut(Node)) {
     }
 }
 
-/// A factor, a power, a term or a bound for the whole line.
+/// A factor, a power, a term or a bound for the whole line, or one colour in its place.
 fn put_in(
     tree: &Tree,
     line: usize,
