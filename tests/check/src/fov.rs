@@ -37,9 +37,11 @@ pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
     all
 }
 
-/// Whether some of a picture is the sky of a field of view.
-pub(crate) fn has_sky(yours: &View, fov: f64) -> bool {
-    FEW < sky(yours, fov)
+/// Of some fields of view the one of which most sky is seen, if some is.
+pub(crate) fn likeliest(yours: &View, all: Vec<f64>) -> Option<f64> {
+    let all = all.into_iter().rev().map(|fov| (sky(yours, fov), fov));
+    let (most, fov) = all.max_by_key(|(sky, _)| *sky)?;
+    (FEW < most).then_some(fov)
 }
 
 /// How many pixels are looked at for the sky.

@@ -124,8 +124,9 @@ pub(crate) fn read(file: impl BufRead + Seek) -> Result<(View, Notes), String> {
 
 /// The picture in a file, or what the file is that it can't be read; no picture, where
 /// that is too large to be kept whole.
-pub fn picture(file: impl BufRead + Seek) -> Result<Option<RgbImage>, String> {
-    let (view, _) = read(file)?;
+pub fn picture(mut file: impl BufRead + Seek) -> Result<Option<RgbImage>, String> {
+    // As `check` does it: one copy of the decoder.
+    let (view, _) = read(&mut file)?;
     Ok((view.stride == 1).then_some(view.kept))
 }
 

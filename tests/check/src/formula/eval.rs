@@ -2,6 +2,7 @@ use super::{Change, Context, Node, Of, Op, Tree, Value};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::ops::{Add, Div, Mul, Sub};
 
 /// How many pixels are best evaluated at once, where there are many.
 pub(crate) const SOME: usize = 512;
@@ -231,13 +232,15 @@ impl Changed<'_> {
     fn total(&self, op: Op, name: usize, ray: usize) -> Value {
         let count = self.context.tree.lines[name].count;
         let mut all = (0..count).map(|which| self.name(name, ray, which).clone());
-        match op {
-            Op::Alone(which) => all.nth(which.min(count - 1)),
-            Op::Product => all.reduce(|a, b| a.zip(&b, |a, b| a * b)),
-            Op::Most => all.reduce(|a, b| a.zip(&b, f64::max)),
-            _ => all.reduce(|a, b| a.zip(&b, |a, b| a + b)),
-        }
-        .unwrap_or(ZERO)
+        let f: fn(f64, f64) -> f64 = match op {
+            Op::Alone(which) => {
+                return all.nth(which.min(count - 1)).unwrap_or(ZERO);
+            }
+            Op::Product => f64::mul,
+            Op::Most => f64::max,
+            _ => f64::add,
+        };
+        all.reduce(|a, b| a.zip(&b, f)).unwrap_or(ZERO)
     }
 
     /// That of all rays of a pixel.
@@ -276,19 +279,21 @@ fn one(op: Op, v: &Value) -> Value {
 }
 
 fn two(op: Op, a: &Value, b: &Value) -> Value {
-    match op {
-        Op::Add => a.zip(b, |a, b| a + b),
-        Op::Sub => a.zip(b, |a, b| a - b),
-        Op::Mul => a.zip(b, |a, b| a * b),
-        Op::Div => a.zip(b, |a, b| a / b),
-        Op::Max => a.zip(b, f64::max),
-        Op::Min => a.zip(b, f64::min),
-        Op::Less => a.zip(b, |a, b| f64::from(a < b)),
-        Op::LessOrEqual => a.zip(b, |a, b| f64::from(a <= b)),
-        Op::Pow => a.zip(b, power),
-        Op::Cross => a.cross(b),
-        _ => a.dot(b),
-    }
+    // One copy of what lists need for these; what is met often has its own.
+    let other: fn(f64, f64) -> f64 = match op {
+        Op::Add => return a.zip(b, f64::add),
+        Op::Sub => return a.zip(b, f64::sub),
+        Op::Mul => return a.zip(b, f64::mul),
+        Op::Cross => return a.cross(b),
+        Op::Div => f64::div,
+        Op::Max => f64::max,
+        Op::Min => f64::min,
+        Op::Less => |a, b| f64::from(a < b),
+        Op::LessOrEqual => |a, b| f64::from(a <= b),
+        Op::Pow => power,
+        _ => return a.dot(b),
+    };
+    a.zip(b, other)
 }
 
 /// xⁿ, as `powi` has it where n is a whole number.

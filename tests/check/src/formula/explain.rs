@@ -1,6 +1,6 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Known, Node, Of, Op, Part, Pixel, Place,
-    SOME, Tree, Value, Values, Where, edits, kept, misses, solved, unknowns,
+    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Part, Pixel, Place, SOME,
+    Tree, Value, Values, Where, edits, kept, misses, solved, spread, unknowns,
 };
 use crate::measure::{number, vector};
 use crate::{Step, each, sort};
@@ -56,7 +56,13 @@ impl Riddle<'_> {
         *self.yours.get_pixel(i, j) == (self.ours)((i, j))
     }
 
-    fn evidence<'t>(&'t self, tree: &'t Tree, wrong: &[Pixel]) -> Evidence<'t> {
+    /// Of some of the wrong pixels, and of others.
+    fn evidence<'t>(
+        &'t self,
+        tree: &'t Tree,
+        telling: &[Pixel],
+        wrong: &[Pixel],
+    ) -> Evidence<'t> {
         let (width, height) = self.yours.dimensions();
         let index = |&(i, j): &Pixel| (j * width + i) as usize;
         let mut is_wrong = vec![false; (width * height) as usize];
@@ -73,7 +79,7 @@ impl Riddle<'_> {
             }));
         }
         let right = kept(&few, &mut |place| !is_wrong[index(&place)]);
-        Evidence::new(tree, self.yours, self.samples, wrong, &right)
+        Evidence::new(tree, self.yours, self.samples, telling, &right)
     }
 
     /// Each single thing that explains every pixel, the likeliest first; `wrong` are
@@ -87,7 +93,7 @@ impl Riddle<'_> {
         wrong: &[Pixel],
         is_thorough: bool,
     ) -> Vec<Cause> {
-        let evidence = self.evidence(tree, wrong);
+        let evidence = self.evidence(tree, wrong, wrong);
         let mut edits = edits(tree);
         edits.retain(|edit| is_thorough || edit.rank < 2);
         let found = evidence.survivors(edits).into_iter();
@@ -110,7 +116,7 @@ impl Riddle<'_> {
         // What seemed to explain all did not: then perhaps another number does.
         let few = wrong.iter().step_by(wrong.len() / missed.len().max(100) + 1);
         let telling: Vec<_> = missed.iter().chain(few).copied().collect();
-        let evidence = self.evidence(tree, &telling);
+        let evidence = self.evidence(tree, &telling, &telling);
         let mut all = numbers(&evidence, is_unlikely || is_shape);
         self.verified(tree, &mut all).map_or(vec![], |()| all)
     }
@@ -186,15 +192,10 @@ impl Riddle<'_> {
     pub fn pair(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
         let wrong = self.differing();
         // Where hardly anything is right, no object can be told by itself.
-        let is_lost = self.places.len() * 9 < wrong.len() * 10;
-        if is_lost && 1 < self.samples {
+        if self.places.len() * 9 < wrong.len() * 10 && 1 < self.samples {
             return None; // Not worth the wait.
         }
-        let evidence = self.evidence(tree, &wrong);
-        let of_objects = (!is_lost).then(|| self.of_objects(tree, &wrong));
-        let of_objects = of_objects.into_iter().flatten();
-        let halves = halves(&evidence).into_iter().chain(of_objects);
-        for first in halves {
+        for (k, first) in self.halves(tree, &wrong).into_iter().enumerate() {
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed);
             if rest.is_empty() {
@@ -206,7 +207,7 @@ impl Riddle<'_> {
                 }
                 continue;
             }
-            let second = self.single(&changed, &rest, false);
+            let second = self.single(&changed, &rest, k == 0);
             if second.first().is_some_and(|second| second.of != first.of) {
                 return Some(vec![vec![first], second]);
             }
@@ -216,80 +217,179 @@ impl Riddle<'_> {
 }
 
 impl Riddle<'_> {
-    /// Numbers of the scene that explain all wrong pixels of one object.
-    fn of_objects(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
-        let few: Vec<_> =
-            wrong.iter().step_by(wrong.len() / 2000 + 1).copied().collect();
-        let context = Context::plain(tree);
-        let mut all = vec![vec![]; tree.count(Of::Object)];
+    /// Single things that mend some of the pixels that are wrong, or bring them nearer, and
+    /// spoil hardly any: the best of each line.
+    fn halves(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+        let groups = self.groups(tree, wrong);
+        let few = |all: &Vec<Pixel>| spread(all, 24, 0);
+        let mut telling: Vec<_> = groups.iter().flat_map(few).collect();
+        telling.extend(spread(wrong, telling.len(), 0));
+        let evidence = self.evidence(tree, &telling, wrong);
+        let mut edits = edits(tree);
+        edits.retain(|edit| edit.rank < 2);
+        let reach = self.yours.width() / 12;
+        for group in groups.iter().take(3) {
+            // One place of it: there, nothing else hides it.
+            let near = |&(i, j): &Pixel| {
+                kept(group, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
+            };
+            let centres = spread(group, 9, 0);
+            let place = centres.iter().map(near).max_by_key(Vec::len);
+            let place = place.unwrap_or_default();
+            if 8 < place.len() {
+                edits.extend(solutions(&self.evidence(tree, &place, wrong), false));
+            }
+        }
+        // More pixels tell which of them are best, one of each line.
+        let rays = (self.samples * self.samples) as usize;
+        let mut some = spread(wrong, 3000 / rays, 0);
+        some.extend(spread(self.places, 600 / rays, 0));
+        let missed = |edit: Edit| {
+            let tree = tree.with(&edit.changes);
+            let missed = misses(&tree, self.yours, self.samples, &some, usize::MAX);
+            Some((missed.len(), edit))
+        };
+        let mut all = each(best(&evidence, edits), missed);
+        sort(&mut all, |(missed, edit)| [*missed, edit.rank.into()]);
+        let mut halves: Vec<Edit> = vec![];
+        for (_, edit) in all {
+            if halves.iter().all(|one| one.line != edit.line) {
+                halves.push(edit);
+            }
+        }
+        halves.truncate(if tree.step == Step::Rays { 12 } else { 4 });
+        halves.iter().map(|edit| cause(tree, edit)).collect()
+    }
+
+    /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
+    /// the largest group first.
+    fn groups(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Vec<Pixel>> {
+        let few = spread(wrong, 2000, 0);
+        let (context, diffuse) = (Context::plain(tree), tree.find("I_d"));
+        let diffuse = diffuse.filter(|line| tree.lines[*line].is_needed);
+        let mut groups: Vec<(usize, Vec<Pixel>)> = vec![];
         for places in few.chunks(SOME) {
-            let values = Values::at(tree, places, self.samples);
+            let values = Values::at(tree, places, 1);
             let values = values.changed(&context);
             for (k, place) in places.iter().enumerate() {
                 let object = values.line(tree.nearest, 0).scalar(k);
-                if 0.0 <= object {
-                    all[object as usize].push(*place);
+                let mut key = (1.0 + object) as usize;
+                for light in 0..2 {
+                    let is_lit =
+                        |line| values.line(line, light).vector(k) != DVec3::ZERO;
+                    key = 2 * key + usize::from(diffuse.is_some_and(is_lit));
+                }
+                match groups.iter_mut().find(|(other, _)| *other == key) {
+                    Some((_, group)) => group.push(*place),
+                    None => groups.push((key, vec![*place])),
                 }
             }
         }
-        // The first of those that have most.
-        let most = all.iter().rev().max_by_key(|its| its.len());
-        let most = most.filter(|its| 8 < its.len());
-        most.and_then(|its| {
-            numbers(&self.evidence(tree, its), false).into_iter().next()
-        })
-        .into_iter()
-        .collect()
+        sort(&mut groups, |(_, group)| [usize::MAX - group.len(), 0]);
+        groups.into_iter().map(|(_, group)| group).collect()
     }
 }
 
-/// Single things that explain some of the pixels that are wrong, and spoil none.
-fn halves(evidence: &Evidence) -> Vec<Cause> {
-    let tree = evidence.tree;
-    let [few, more, _] = &evidence.parts;
-    let mut edits = edits(tree);
-    edits.retain(|edit| edit.rank < 2);
-    let mends = each(edits, |edit| {
-        let context = Context::new(tree, &edit.changes, 0.0.into());
-        let fits = |part: &Part| {
-            part.right.iter().all(|known| evidence.fits_in(part, known, &context))
-        };
-        if !(fits(few) && fits(more)) {
+/// What becomes of the wrong pixels with an edit.
+struct Rated {
+    /// Which it is.
+    edit: usize,
+    /// How many it mends.
+    mended: usize,
+    /// How far they all still are.
+    far: usize,
+    after: Vec<[u8; 3]>,
+}
+
+impl Rated {
+    /// None where it spoils more than a few that are right.
+    fn of(
+        evidence: &Evidence,
+        part: &Part,
+        edit: usize,
+        changes: &[Change],
+    ) -> Option<Self> {
+        let context = Context::new(evidence.tree, changes, 0.0.into());
+        let (mut rights, mut spoilt) = (0, 0);
+        for (places, values) in &part.right {
+            for (place, p) in places.iter().zip(values.changed(&context).pixels()) {
+                rights += 1;
+                spoilt += usize::from(!evidence.is_right(part, *place, p));
+            }
+        }
+        // Some are right by chance, as where bytes are cut off, or where few are.
+        if rights + 16 < 8 * spoilt {
             return None;
         }
-        let pixels = |(_, values): &Known| values.changed(&context).pixels();
-        let after: Vec<_> = more.wrong.iter().flat_map(pixels).collect();
-        let yours = more.wrong.iter().flat_map(|(places, _)| places);
-        let both = yours.zip(&after);
-        let mended =
-            both.filter(|(place, p)| evidence.is_right(more, **place, **p)).count();
-        (2 < mended).then_some((mended, edit, after))
-    });
-    let (mut seen, mut rated) = (vec![], vec![]);
-    for (mended, edit, after) in mends {
-        if !seen.contains(&after) {
-            seen.push(after);
-            rated.push((mended, edit));
+        let (mut mended, mut far, mut after) = (0, 0, vec![]);
+        for (places, values) in &part.wrong {
+            for (place, p) in places.iter().zip(values.changed(&context).pixels()) {
+                mended += usize::from(evidence.is_right(part, *place, p));
+                let yours = evidence.pixel(*place);
+                for k in 0..3 {
+                    far += usize::from(yours[k].abs_diff(p[k]));
+                }
+                after.push(p);
+            }
+        }
+        Some(Self { edit, mended, far, after })
+    }
+
+    fn sort(all: &mut [Self], by_far: bool) {
+        let mended = |one: &Self| usize::MAX - one.mended;
+        sort(all, |one| match by_far {
+            true => [one.far, mended(one)],
+            false => [mended(one), one.far],
+        });
+    }
+}
+
+/// The edits that mend most, and those that bring nearest.
+fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
+    let [.., few, many] = &evidence.parts;
+    let rated = |part: &Part, all: Vec<usize>| {
+        each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
+    };
+    // Some seem good to few pixels; many tell.
+    let mut all = rated(few, (0..edits.len()).collect());
+    let mut some = vec![];
+    for by_far in [false, true] {
+        Rated::sort(&mut all, by_far);
+        let mut taken = vec![];
+        for one in &all {
+            let same = taken.iter().filter(|after| **after == &one.after).count();
+            if taken.len() < 80 && same < 16 {
+                taken.push(&one.after);
+                some.push(one.edit);
+            }
         }
     }
-    sort(&mut rated, |(mended, edit)| {
-        [usize::MAX - mended, usize::from(edit.rank)]
+    sort(&mut some, |k| [*k, 0]);
+    some.dedup();
+    let mut all = rated(many, some);
+    let Some(before) = Rated::of(evidence, many, 0, &[]) else { return vec![] };
+    all.retain(|one| {
+        before.after.len() / 16 < one.mended || 3 * one.far < 2 * before.far
     });
-    // Two formulas of one stage mend the same pixels.
-    let stage = |edit: &Edit| match edit.changes[..] {
-        [Change::Line(..), ..] => Some(tree.lines[edit.line].place.stage),
-        _ => None,
-    };
-    let first = rated.first().and_then(|(_, edit)| stage(edit));
-    let is_other = |(k, (_, edit)): &(usize, &(usize, Edit))| {
-        *k == 0 || first.is_none() || first != stage(edit)
-    };
-    let two = rated.iter().enumerate().filter(is_other).take(2);
-    two.map(|(_, (_, edit))| cause(tree, edit)).collect()
+    let mut best = vec![];
+    for by_far in [false, true] {
+        Rated::sort(&mut all, by_far);
+        best.extend(all.iter().take(12).map(|one| one.edit));
+    }
+    sort(&mut best, |k| [*k, 0]);
+    best.dedup();
+    best.reverse();
+    best.into_iter().map(|k| edits.swap_remove(k)).collect()
 }
 
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.
 fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
+    let all = solutions(evidence, has_formulas);
+    all.iter().map(|edit| cause(evidence.tree, edit)).collect()
+}
+
+/// The same, as edits.
+fn solutions(evidence: &Evidence, has_formulas: bool) -> Vec<Edit> {
     let tree = evidence.tree;
     let mut all = unknowns(tree);
     all.retain(|one| has_formulas || matches!(one.place, Where::Scene(..)));
@@ -303,9 +403,7 @@ fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
         let is_put_in = matches!(&change, Change::Line(..)) && unknown.is_colour;
         let is_scene = matches!(unknown.place, Where::Scene(..));
         let rank = if is_put_in { 2 } else { u8::from(!is_scene) };
-        let edit =
-            Edit { changes: vec![change], rank, says: None, line: unknown.line };
-        Some(cause(tree, &edit))
+        Some(Edit { changes: vec![change], rank, says: None, line: unknown.line })
     })
 }
 

@@ -22,6 +22,8 @@ pub(crate) use node::{Kind, Node, Op};
 pub(crate) use numbers::{Where, solved, unknowns};
 use parse::parse;
 pub(crate) use print::shown;
-pub(crate) use search::{Evidence, Known, Part, Pixel, is_smooth, kept, misses};
+pub(crate) use search::{
+    Evidence, Known, Part, Pixel, is_smooth, kept, misses, spread,
+};
 pub(crate) use tree::{Line, Of, Place, Tree};
 pub(crate) use value::Value;

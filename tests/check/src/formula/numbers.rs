@@ -244,7 +244,7 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let some = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours);
     let more = [0.3, -1.0, 6.0, -6.0].map(|k| ours + k);
     let some: Vec<_> = some.into_iter().chain(more).collect();
-    let [few, more, most] = evidence.parts.each_ref();
+    let [few, some_few, more, most] = evidence.parts.each_ref();
     let unreached = |known: &Known| unreached(evidence, &known.1, unknown, &some);
     // A small sphere may be anywhere; another number changes whatever is wrong, but for
     // what is wrong by a rounding.
@@ -276,6 +276,16 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let mut others = factors.map(|k| k * ours).to_vec();
     for k in terms {
         others.extend([ours + k, ours - k]);
+    }
+    // Of one number, those that are best for few pixels.
+    if !is_shape && !unknown.is_colour {
+        let sum = |x| cost(evidence, some_few, unknown, x, DVec3::INFINITY).x;
+        let start = sum(ours);
+        let mut rated: Vec<_> = others.iter().map(|x| (sum(*x), *x)).collect();
+        rated.retain(|(cost, _)| *cost < 0.95 * start);
+        sort(&mut rated, |(cost, _)| [*cost as usize, 0]);
+        rated.truncate(6);
+        others = rated.into_iter().map(|(_, x)| x).collect();
     }
     let mut shapes = vec![];
     for x in others {

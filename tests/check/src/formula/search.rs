@@ -18,7 +18,7 @@ pub(crate) struct Evidence<'a> {
     yours: &'a RgbImage,
     /// Few pixels, then more; the first ones of one ray each, where that tells enough of
     /// pixels of many.
-    pub parts: [Part; 3],
+    pub parts: [Part; 4],
 }
 
 /// Some pixels, those that differ apart from the others.
@@ -59,7 +59,7 @@ impl<'a> Evidence<'a> {
         let telling = kept(&spread(&kept(wrong, &mut is_even), 200, 3), &mut tells);
         let is_enough = 6 < telling.len();
         // One by one first: a value of one ray needs no list.
-        let parts = [(4, 2, 1), (24, 16, SOME), (360, 240, SOME)];
+        let parts = [(4, 2, 1), (8, 4, SOME), (24, 16, SOME), (360, 240, SOME)];
         let parts = parts.map(|(some, others, size)| {
             // All rays of most pixels decide.
             let is_quick = is_enough && some < 100;
@@ -146,7 +146,7 @@ pub(crate) fn is_smooth(yours: &RgbImage, (i, j): Pixel) -> bool {
 }
 
 /// About so many of some pixels, evenly, beginning anywhere.
-fn spread(all: &[Pixel], count: usize, start: usize) -> Vec<Pixel> {
+pub(crate) fn spread(all: &[Pixel], count: usize, start: usize) -> Vec<Pixel> {
     let step = all.len() / count.max(1) + 1;
     all.iter().skip(start % step).step_by(step).copied().collect()
 }

@@ -1,4 +1,5 @@
 use glam::DVec3;
+use std::ops::Mul;
 use std::slice::from_ref;
 use std::sync::Arc;
 
@@ -160,7 +161,7 @@ impl Value {
     pub fn dot(&self, other: &Self) -> Self {
         match (self.list(), other.list()) {
             (List::Vectors(a), List::Vectors(b)) => zip(a, b, DVec3::dot).into(),
-            _ => self.zip(other, |a, b| a * b),
+            _ => self.zip(other, f64::mul),
         }
     }
 

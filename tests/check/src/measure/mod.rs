@@ -125,7 +125,11 @@ fn explained(
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    let nearest = || views.iter().min_by_key(|view| view.misses(step, yours));
+    // Who gives an angle gives whole degrees.
+    let is_likely = |view: &&Options| view.fov.fract() == 0.0;
+    let likely = || views.iter().filter(is_likely);
+    // A little nearer is so by chance.
+    let nearest = || likely().min_by_key(|view| view.misses(step, yours) / 200);
     let found = views.iter().enumerate().find_map(one);
     if may_be_two { found.or_else(|| two(nearest()?)) } else { found }
 }

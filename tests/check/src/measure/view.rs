@@ -1,5 +1,5 @@
 use super::Black;
-use crate::fov::{FOV, fields_of_view, has_sky};
+use crate::fov::{FOV, fields_of_view, likeliest};
 use crate::view::{View, scattered};
 use crate::{Options, Step, key, sort};
 use image::RgbImage;
@@ -77,7 +77,7 @@ fn median(mut all: Vec<f64>) -> Option<f64> {
 pub(super) fn views(yours: &RgbImage, is_smooth: bool) -> Vec<Options> {
     let whole = View::whole(yours.clone());
     let others = fields_of_view(&whole);
-    let other = others.into_iter().find(|fov| has_sky(&whole, *fov));
+    let other = likeliest(&whole, others);
     let samples: &[u32] = if is_smooth { &[2, 3, 4, 1, 5, 6, 7, 8] } else { &[1] };
     let (mut fovs, mut all) = (vec![FOV], vec![]);
     fovs.extend(other);
