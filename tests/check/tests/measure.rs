@@ -2,6 +2,7 @@
 
 use ::check::{Stage, Verdict, stages};
 use gallery::{Parts, Step, camera};
+use glam::DVec3;
 use image::{Rgb, RgbImage};
 use tests::some;
 
@@ -125,6 +126,33 @@ fn two_stages_are_told_separately() {
     });
     assert_wrong(&stages, "rays", "D_v = (0, (−1) h", &["ambient"]);
     assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &["rays"]);
+}
+
+/// Neither of the two makes a pixel right, or only where it shows least.
+#[test]
+fn two_stages_are_told_separately_where_they_hide_each_other() {
+    let stages = of(Step::Phong, |parts| {
+        parts.camera.matrix.y_axis.y *= 319.0 / 179.0;
+        parts.scene.ambient_light = DVec3::new(0.42, 0.32, 0.32);
+    });
+    assert_wrong(&stages, "rays", "D_v = (0, (−2) h / rows", &["ambient"]);
+    assert_wrong(&stages, "ambient", "(0.42, 0.32, 0.32)", &["rays"]);
+    let stages = of(Step::Diffuse, |parts| {
+        parts.scene.lights[0].point.attenuation.a = 7.0;
+        for material in parts.materials() {
+            material.surface.ambient *= material.surface.ambient;
+        }
+    });
+    assert_wrong(&stages, "ambient", "R_a", &["attenuation"]);
+    assert_wrong(&stages, "attenuation", "a in a + bd + cd² is 7", &["ambient"]);
+    let stages = of(Step::Phong, |parts| {
+        parts.byte = |intensity| (255.0 * intensity) as u8;
+        parts.materials().for_each(|material| material.shininess /= 2);
+    });
+    let both = ["specular, warm", "specular, cool"];
+    let bytes = "sum, bytes, order";
+    assert_wrong(&stages, bytes, "B = floor(255 M)", &both);
+    assert_wrong(&stages, both[0], "/ 2", &[bytes, both[1]]);
 }
 
 #[test]

@@ -145,6 +145,22 @@ fn another_number_or_bound() {
 }
 
 #[test]
+fn bytes_of_numbers_from_minus_one_and_whole_numbers_divided() {
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.byte = |intensity| (127.5 * (intensity + 1.0) + 0.5) as u8,
+        "sum",
+        "B = floor(127.5 (M + 1) + 0.5)",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| parts.materials().for_each(|material| material.shininess /= 4),
+        "specular",
+        "n = floor((n of the nearest) / 4)",
+    );
+}
+
+#[test]
 fn two_numbers_of_a_light_and_a_margin_of_the_nearest() {
     assert_told(
         Step::Diffuse,

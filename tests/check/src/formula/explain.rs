@@ -245,20 +245,25 @@ impl Riddle<'_> {
         let mut some = spread(wrong, 3000 / rays, 0);
         some.extend(spread(self.places, 600 / rays, 0));
         let missed = |edit: Edit| {
+            let half = cause(tree, &edit);
             let tree = tree.with(&edit.changes);
             let missed = misses(&tree, self.yours, self.samples, &some, usize::MAX);
-            Some((missed.len(), edit))
+            Some((missed.len(), half, edit.line))
         };
         let mut all = each(best(&evidence, edits), missed);
-        sort(&mut all, |(missed, edit)| [*missed, edit.rank.into()]);
-        let mut halves: Vec<Edit> = vec![];
-        for (_, edit) in all {
-            if halves.iter().all(|one| one.line != edit.line) {
-                halves.push(edit);
+        sort(&mut all, |(missed, half, _)| {
+            [*missed, 1000 * usize::from(half.rank) + half.told.chars().count()]
+        });
+        // The first is nearly always one of the two, if any is.
+        let most = if tree.step == Step::Rays { 12 } else { 2 };
+        let (mut lines, mut halves) = (vec![], vec![]);
+        for (_, half, line) in all {
+            if halves.len() < most && !lines.contains(&line) {
+                lines.push(line);
+                halves.push(half);
             }
         }
-        halves.truncate(if tree.step == Step::Rays { 12 } else { 4 });
-        halves.iter().map(|edit| cause(tree, edit)).collect()
+        halves
     }
 
     /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
@@ -318,7 +323,7 @@ impl Rated {
             }
         }
         // Some are right by chance, as where bytes are cut off, or where few are.
-        if rights + 16 < 8 * spoilt {
+        if rights + 16 < 3 * spoilt {
             return None;
         }
         let (mut mended, mut far, mut after) = (0, 0, vec![]);
@@ -346,12 +351,17 @@ impl Rated {
 
 /// The edits that mend most, and those that bring nearest.
 fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
-    let [.., few, many] = &evidence.parts;
+    let [_, fewest, few, many] = &evidence.parts;
     let rated = |part: &Part, all: Vec<usize>| {
         each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
     };
+    // Most change none of a few pixels, or spoil them.
+    let Some(same) = Rated::of(evidence, fewest, 0, &[]) else { return vec![] };
+    let all = rated(fewest, (0..edits.len()).collect());
+    let is_near = |one: &&Rated| 0 < one.mended || one.far < same.far;
+    let all: Vec<_> = all.iter().filter(is_near).map(|one| one.edit).collect();
     // Some seem good to few pixels; many tell.
-    let mut all = rated(few, (0..edits.len()).collect());
+    let mut all = rated(few, all);
     let mut some = vec![];
     for by_far in [false, true] {
         Rated::sort(&mut all, by_far);

@@ -118,16 +118,16 @@ fn explained(
         let groups = ask(riddle, &tree)?;
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
+    // Who gives an angle gives whole degrees.
+    let is_whole = |view: &&Options| view.fov.fract() == 0.0;
     // The second number of samples is less likely, and takes longer.
     let one = |(k, view): (usize, &Options)| {
         let is_first = k == 0 || views[k - 1].fov != view.fov;
-        let is_thorough = is_first || view.samples == 1;
+        let is_thorough = (is_first || view.samples == 1) && is_whole(&view);
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    // Who gives an angle gives whole degrees.
-    let is_likely = |view: &&Options| view.fov.fract() == 0.0;
-    let likely = || views.iter().filter(is_likely);
+    let likely = || views.iter().filter(is_whole);
     // A little nearer is so by chance.
     let nearest = || likely().min_by_key(|view| view.misses(step, yours) / 200);
     let found = views.iter().enumerate().find_map(one);

@@ -72,6 +72,27 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let changes = vec![Change::Line(byte, most)];
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
     }
+    let floor = |node: Node| Node::of(Op::Floor, [node]);
+    let of = |op: Op, a: Node, b: f64| Node::of(op, [a, Node::Number(b)]);
+    let mut whole = |line: usize, node: Node| {
+        let changes = vec![Change::Line(line, floor(node))];
+        all.push(Edit { changes, rank: 1, says: None, line });
+    };
+    // Intensities taken for numbers from -1 to 1.
+    if let Some(mean) = tree.find("M") {
+        let twice = of(Op::Add, Node::Name(mean), 1.0);
+        let times = Node::of(Op::Mul, [Node::Number(127.5), twice]);
+        whole(byte, of(Op::Add, times, 0.5));
+    }
+    // Whole numbers are divided without a rest.
+    if let Some(n) = tree.find("n'")
+        && let Some(node) =
+            tree.lines[n].node.as_ref().filter(|_| tree.lines[n].is_needed)
+    {
+        for k in [3.0, 4.0, 8.0] {
+            whole(n, of(Op::Div, node.clone(), k));
+        }
+    }
 }
 
 /// A step from pixel to pixel that is divided by something else and has lost its 2, too;
