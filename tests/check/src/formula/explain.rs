@@ -1,6 +1,6 @@
 use super::{
-    Change, Context, Edit, Evidence, Kind, Node, Of, Op, Part, Pixel, Place, SOME,
-    Tree, Value, Values, Where, edits, kept, misses, solved, spread, unknowns,
+    Change, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, SOME, Tree, Value,
+    Where, edits, kept, misses, solved, unknowns,
 };
 use crate::measure::{number, vector};
 use crate::{Step, each, sort};
@@ -17,7 +17,8 @@ pub(crate) struct Cause {
     pub light: Option<usize>,
     /// Theirs and ours, in words or as formulas.
     pub told: String,
-    rank: u8,
+    /// How far-fetched it is.
+    pub rank: u8,
     /// Whether it is another formula, not a number or something told in words.
     is_formula: bool,
     /// What tells it from others: its line, or the number of the scene.
@@ -57,7 +58,7 @@ impl Riddle<'_> {
     }
 
     /// Of some of the wrong pixels, and of others.
-    fn evidence<'t>(
+    pub fn evidence<'t>(
         &'t self,
         tree: &'t Tree,
         telling: &[Pixel],
@@ -216,182 +217,6 @@ impl Riddle<'_> {
     }
 }
 
-impl Riddle<'_> {
-    /// Single things that mend some of the pixels that are wrong, or bring them nearer, and
-    /// spoil hardly any: the best of each line.
-    fn halves(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
-        let groups = self.groups(tree, wrong);
-        let few = |all: &Vec<Pixel>| spread(all, 24, 0);
-        let mut telling: Vec<_> = groups.iter().flat_map(few).collect();
-        telling.extend(spread(wrong, telling.len(), 0));
-        let evidence = self.evidence(tree, &telling, wrong);
-        let mut edits = edits(tree);
-        edits.retain(|edit| edit.rank < 2);
-        let reach = self.yours.width() / 12;
-        for group in groups.iter().take(3) {
-            // One place of it: there, nothing else hides it.
-            let near = |&(i, j): &Pixel| {
-                kept(group, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
-            };
-            let centres = spread(group, 9, 0);
-            let place = centres.iter().map(near).max_by_key(Vec::len);
-            let place = place.unwrap_or_default();
-            if 8 < place.len() {
-                edits.extend(solutions(&self.evidence(tree, &place, wrong), false));
-            }
-        }
-        // More pixels tell which of them are best, one of each line.
-        let rays = (self.samples * self.samples) as usize;
-        let mut some = spread(wrong, 3000 / rays, 0);
-        some.extend(spread(self.places, 600 / rays, 0));
-        let missed = |edit: Edit| {
-            let half = cause(tree, &edit);
-            let tree = tree.with(&edit.changes);
-            let missed = misses(&tree, self.yours, self.samples, &some, usize::MAX);
-            Some((missed.len(), half, edit.line))
-        };
-        let mut all = each(best(&evidence, edits), missed);
-        sort(&mut all, |(missed, half, _)| {
-            [*missed, 1000 * usize::from(half.rank) + half.told.chars().count()]
-        });
-        // The first is nearly always one of the two, if any is.
-        let most = if tree.step == Step::Rays { 12 } else { 2 };
-        let (mut lines, mut halves) = (vec![], vec![]);
-        for (_, half, line) in all {
-            if halves.len() < most && !lines.contains(&line) {
-                lines.push(line);
-                halves.push(half);
-            }
-        }
-        halves
-    }
-
-    /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
-    /// the largest group first.
-    fn groups(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Vec<Pixel>> {
-        let few = spread(wrong, 2000, 0);
-        let (context, diffuse) = (Context::plain(tree), tree.find("I_d"));
-        let diffuse = diffuse.filter(|line| tree.lines[*line].is_needed);
-        let mut groups: Vec<(usize, Vec<Pixel>)> = vec![];
-        for places in few.chunks(SOME) {
-            let values = Values::at(tree, places, 1);
-            let values = values.changed(&context);
-            for (k, place) in places.iter().enumerate() {
-                let object = values.line(tree.nearest, 0).scalar(k);
-                let mut key = (1.0 + object) as usize;
-                for light in 0..2 {
-                    let is_lit =
-                        |line| values.line(line, light).vector(k) != DVec3::ZERO;
-                    key = 2 * key + usize::from(diffuse.is_some_and(is_lit));
-                }
-                match groups.iter_mut().find(|(other, _)| *other == key) {
-                    Some((_, group)) => group.push(*place),
-                    None => groups.push((key, vec![*place])),
-                }
-            }
-        }
-        sort(&mut groups, |(_, group)| [usize::MAX - group.len(), 0]);
-        groups.into_iter().map(|(_, group)| group).collect()
-    }
-}
-
-/// What becomes of the wrong pixels with an edit.
-struct Rated {
-    /// Which it is.
-    edit: usize,
-    /// How many it mends.
-    mended: usize,
-    /// How far they all still are.
-    far: usize,
-    after: Vec<[u8; 3]>,
-}
-
-impl Rated {
-    /// None where it spoils more than a few that are right.
-    fn of(
-        evidence: &Evidence,
-        part: &Part,
-        edit: usize,
-        changes: &[Change],
-    ) -> Option<Self> {
-        let context = Context::new(evidence.tree, changes, 0.0.into());
-        let (mut rights, mut spoilt) = (0, 0);
-        for (places, values) in &part.right {
-            for (place, p) in places.iter().zip(values.changed(&context).pixels()) {
-                rights += 1;
-                spoilt += usize::from(!evidence.is_right(part, *place, p));
-            }
-        }
-        // Some are right by chance, as where bytes are cut off, or where few are.
-        if rights + 16 < 3 * spoilt {
-            return None;
-        }
-        let (mut mended, mut far, mut after) = (0, 0, vec![]);
-        for (places, values) in &part.wrong {
-            for (place, p) in places.iter().zip(values.changed(&context).pixels()) {
-                mended += usize::from(evidence.is_right(part, *place, p));
-                let yours = evidence.pixel(*place);
-                for k in 0..3 {
-                    far += usize::from(yours[k].abs_diff(p[k]));
-                }
-                after.push(p);
-            }
-        }
-        Some(Self { edit, mended, far, after })
-    }
-
-    fn sort(all: &mut [Self], by_far: bool) {
-        let mended = |one: &Self| usize::MAX - one.mended;
-        sort(all, |one| match by_far {
-            true => [one.far, mended(one)],
-            false => [mended(one), one.far],
-        });
-    }
-}
-
-/// The edits that mend most, and those that bring nearest.
-fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
-    let [_, fewest, few, many] = &evidence.parts;
-    let rated = |part: &Part, all: Vec<usize>| {
-        each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
-    };
-    // Most change none of a few pixels, or spoil them.
-    let Some(same) = Rated::of(evidence, fewest, 0, &[]) else { return vec![] };
-    let all = rated(fewest, (0..edits.len()).collect());
-    let is_near = |one: &&Rated| 0 < one.mended || one.far < same.far;
-    let all: Vec<_> = all.iter().filter(is_near).map(|one| one.edit).collect();
-    // Some seem good to few pixels; many tell.
-    let mut all = rated(few, all);
-    let mut some = vec![];
-    for by_far in [false, true] {
-        Rated::sort(&mut all, by_far);
-        let mut taken = vec![];
-        for one in &all {
-            let same = taken.iter().filter(|after| **after == &one.after).count();
-            if taken.len() < 80 && same < 16 {
-                taken.push(&one.after);
-                some.push(one.edit);
-            }
-        }
-    }
-    sort(&mut some, |k| [*k, 0]);
-    some.dedup();
-    let mut all = rated(many, some);
-    let Some(before) = Rated::of(evidence, many, 0, &[]) else { return vec![] };
-    all.retain(|one| {
-        before.after.len() / 16 < one.mended || 3 * one.far < 2 * before.far
-    });
-    let mut best = vec![];
-    for by_far in [false, true] {
-        Rated::sort(&mut all, by_far);
-        best.extend(all.iter().take(12).map(|one| one.edit));
-    }
-    sort(&mut best, |k| [*k, 0]);
-    best.dedup();
-    best.reverse();
-    best.into_iter().map(|k| edits.swap_remove(k)).collect()
-}
-
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.
 fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
     let all = solutions(evidence, has_formulas);
@@ -399,7 +224,7 @@ fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
 }
 
 /// The same, as edits.
-fn solutions(evidence: &Evidence, has_formulas: bool) -> Vec<Edit> {
+pub(super) fn solutions(evidence: &Evidence, has_formulas: bool) -> Vec<Edit> {
     let tree = evidence.tree;
     let mut all = unknowns(tree);
     all.retain(|one| has_formulas || matches!(one.place, Where::Scene(..)));
@@ -430,7 +255,7 @@ fn filled(node: &Node, free: &Value) -> Node {
 }
 
 /// An edit with its words.
-fn cause(tree: &Tree, edit: &Edit) -> Cause {
+pub(super) fn cause(tree: &Tree, edit: &Edit) -> Cause {
     let place = tree.lines[edit.line].place;
     let path = place.section.path();
     let told = match (&edit.says, &edit.changes[..]) {

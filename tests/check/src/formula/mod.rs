@@ -5,6 +5,7 @@ mod drawn;
 mod edits;
 mod eval;
 mod explain;
+mod halves;
 mod node;
 mod numbers;
 mod parse;
