@@ -143,7 +143,7 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
             material.surface.ambient *= material.surface.ambient;
         }
     });
-    assert_wrong(&stages, "ambient", "R_a", &["attenuation"]);
+    assert_wrong(&stages, "ambient", "colour²", &["attenuation"]);
     assert_wrong(&stages, "attenuation", "a in a + bd + cd² is 7", &["ambient"]);
     let stages = of(Step::Phong, |parts| {
         parts.byte = |intensity| (255.0 * intensity) as u8;

@@ -135,23 +135,23 @@ impl Rated {
 
 /// The edits that mend most, and those that bring nearest.
 fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
-    let [_, fewest, few, many] = &evidence.parts;
+    let [_, few, more, most] = &evidence.parts;
     let rated = |part: &Part, all: Vec<usize>| {
         each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
     };
     let same = |part: &Part| Rated::of(evidence, part, 0, &[]);
-    let (Some(few_same), Some(many_same)) = (same(fewest), same(many)) else {
+    let (Some(few_same), Some(most_same)) = (same(few), same(most)) else {
         return vec![];
     };
     // Most change none of a few pixels, or spoil them.
-    let mut all = rated(fewest, (0..edits.len()).collect());
+    let mut all = rated(few, (0..edits.len()).collect());
     all.retain(|one| 0 < one.mended || one.far < few_same.far);
     let all = all.iter().map(|one| one.edit).collect();
     // Some seem good to few pixels; many tell.
-    let some = first(&mut rated(few, all), 80, 16);
-    let mut all = rated(many, some);
+    let some = first(&mut rated(more, all), 80, 16);
+    let mut all = rated(most, some);
     all.retain(|one| {
-        many_same.after.len() / 16 < one.mended || 3 * one.far < 2 * many_same.far
+        most_same.after.len() / 16 < one.mended || 3 * one.far < 2 * most_same.far
     });
     let best = first(&mut all, 14, 4).into_iter().rev();
     best.map(|k| edits.swap_remove(k)).collect()

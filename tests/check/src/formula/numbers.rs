@@ -244,14 +244,14 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let some = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours);
     let more = [0.3, -1.0, 6.0, -6.0].map(|k| ours + k);
     let some: Vec<_> = some.into_iter().chain(more).collect();
-    let [few, some_few, more, most] = evidence.parts.each_ref();
+    let [fewest, few, more, most] = evidence.parts.each_ref();
     let unreached = |known: &Known| unreached(evidence, &known.1, unknown, &some);
     // A small sphere may be anywhere; another number changes whatever is wrong, but for
     // what is wrong by a rounding.
     let mut left = 0;
     let is_hopeful = match is_shape {
-        true => few.all().any(|known| unreached(known) == 0),
-        false => few.wrong.iter().chain(&more.wrong).all(|known| {
+        true => fewest.all().any(|known| unreached(known) == 0),
+        false => fewest.wrong.iter().chain(&more.wrong).all(|known| {
             left += unreached(known);
             left <= 1 + known.0.len() / 8
         }),
@@ -279,7 +279,7 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     }
     // Of one number, those that are best for few pixels.
     if !is_shape && !unknown.is_colour {
-        let sum = |x| cost(evidence, some_few, unknown, x, DVec3::INFINITY).x;
+        let sum = |x| cost(evidence, few, unknown, x, DVec3::INFINITY).x;
         let start = sum(ours);
         let mut rated: Vec<_> = others.iter().map(|x| (sum(*x), *x)).collect();
         rated.retain(|(cost, _)| *cost < 0.95 * start);

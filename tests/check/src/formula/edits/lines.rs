@@ -72,25 +72,28 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let changes = vec![Change::Line(byte, most)];
         all.push(Edit { changes, rank: 0, says: Some(says), line: byte });
     }
-    let floor = |node: Node| Node::of(Op::Floor, [node]);
+    whole(tree, byte, all);
+}
+
+/// Bytes of intensities that are taken for numbers from -1 to 1, and n that is divided as
+/// whole numbers are, without a rest.
+fn whole(tree: &Tree, byte: usize, all: &mut Vec<Edit>) {
     let of = |op: Op, a: Node, b: f64| Node::of(op, [a, Node::Number(b)]);
-    let mut whole = |line: usize, node: Node| {
-        let changes = vec![Change::Line(line, floor(node))];
+    let mut push = |line: usize, node: Node| {
+        let changes = vec![Change::Line(line, Node::of(Op::Floor, [node]))];
         all.push(Edit { changes, rank: 1, says: None, line });
     };
-    // Intensities taken for numbers from -1 to 1.
     if let Some(mean) = tree.find("M") {
         let twice = of(Op::Add, Node::Name(mean), 1.0);
         let times = Node::of(Op::Mul, [Node::Number(127.5), twice]);
-        whole(byte, of(Op::Add, times, 0.5));
+        push(byte, of(Op::Add, times, 0.5));
     }
-    // Whole numbers are divided without a rest.
-    if let Some(n) = tree.find("n'")
-        && let Some(node) =
-            tree.lines[n].node.as_ref().filter(|_| tree.lines[n].is_needed)
+    let n = tree.find("n'").map(|n| (n, &tree.lines[n]));
+    let n = n.filter(|(_, line)| line.is_needed);
+    if let Some((n, node)) = n.and_then(|(n, line)| Some((n, line.node.as_ref()?)))
     {
         for k in [3.0, 4.0, 8.0] {
-            whole(n, of(Op::Div, node.clone(), k));
+            push(n, of(Op::Div, node.clone(), k));
         }
     }
 }
