@@ -44,6 +44,17 @@ pub(crate) fn likeliest(yours: &View, all: Vec<f64>) -> Option<f64> {
     (FEW < most).then_some(fov)
 }
 
+/// Whether a field of view may have been given as an option: the course's own, or whole
+/// degrees of which as much sky is seen as of any angle close by.
+pub(crate) fn is_option(yours: &View, fov: f64) -> bool {
+    let most = sky(yours, fov);
+    let is_less = |k: i32| {
+        let near = sky(yours, fov + 0.02 * f64::from(k));
+        near <= most + most / 50
+    };
+    fov == FOV || fov.fract() == 0.0 && (-25..=25).all(is_less)
+}
+
 /// How many pixels are looked at for the sky.
 const PLACES: u32 = 600;
 

@@ -4,6 +4,7 @@ use ::check::{Stage, Verdict, stages};
 use gallery::{Parts, Step, camera};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
+use step01_rays::Camera;
 use tests::some;
 
 /// The stages of a picture that some parts draw in step 5 at 320×180.
@@ -153,6 +154,13 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     let bytes = "sum, bytes, order";
     assert_wrong(&stages, bytes, "B = floor(255 M)", &both);
     assert_wrong(&stages, both[0], "/ 2", &[bytes, both[1]]);
+    // Not the camera of another angle, be it near.
+    let stages = of(Step::Phong, |parts| {
+        parts.camera = Camera::new(320, 180, 2.0 * 0.5_f64.atan());
+        parts.reflect = |l, n| n.dot(l) * n - l;
+    });
+    assert_wrong(&stages, "rays", "h = sin(θ / 2)", &both);
+    assert_wrong(&stages, both[0], "r = n·l n − l", &["rays", both[1]]);
 }
 
 #[test]

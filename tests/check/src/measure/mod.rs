@@ -1,6 +1,8 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
 use crate::formula::{Cause, Riddle, Tree, kept};
+use crate::fov::is_option;
+use crate::view::View;
 use crate::{Options, Section, Step};
 use image::RgbImage;
 
@@ -118,16 +120,16 @@ fn explained(
         let groups = ask(riddle, &tree)?;
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
-    // Who gives an angle gives whole degrees.
-    let is_whole = |view: &&Options| view.fov.fract() == 0.0;
+    let whole = View::whole(yours.clone());
+    let is_given = |view: &&Options| is_option(&whole, view.fov);
     // The second number of samples is less likely, and takes longer.
     let one = |(k, view): (usize, &Options)| {
         let is_first = k == 0 || views[k - 1].fov != view.fov;
-        let is_thorough = (is_first || view.samples == 1) && is_whole(&view);
+        let is_thorough = (is_first || view.samples == 1) && is_given(&view);
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    let likely = || views.iter().filter(is_whole);
+    let likely = || views.iter().filter(is_given);
     // A little nearer is so by chance.
     let nearest = || likely().min_by_key(|view| view.misses(step, yours) / 200);
     let found = views.iter().enumerate().find_map(one);
