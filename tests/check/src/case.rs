@@ -106,6 +106,9 @@ impl<'a> Case<'a> {
         }
         let step = self.step.filter(|_| 2 <= yours.size.0)?;
         let parts = options.cause(step).parts(yours.size);
+        if yours.stride == 1 {
+            return Some(parts.picture(step, options.samples));
+        }
         let (columns, rows) = yours.kept.dimensions();
         Some(RgbImage::from_fn(columns, rows, |i, j| {
             let (i, j) = (i * yours.stride, j * yours.stride);

@@ -1,6 +1,6 @@
 use super::{
     Change, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, SOME, Tree, Value,
-    Where, edits, kept, misses, solved, unknowns,
+    Where, edits, kept, misses, solved, spread, unknowns,
 };
 use crate::measure::{number, vector};
 use crate::{Step, each, sort};
@@ -35,21 +35,29 @@ pub(crate) struct Riddle<'a> {
 }
 
 impl Riddle<'_> {
-    /// Many of the pixels that a tree does not explain.
-    fn wrong(&self, tree: &Tree) -> Vec<Pixel> {
+    /// Many of the pixels, evenly.
+    fn many(&self) -> Vec<Pixel> {
         // An odd number, as the rows are even: not the same columns again and again.
         let step = (self.places.len() / 30_000) | 1;
-        let some = self.places.iter().step_by(step);
-        let some: Vec<_> = some.copied().collect();
-        misses(tree, self.yours, self.samples, &some, usize::MAX)
+        self.places.iter().step_by(step).copied().collect()
     }
 
-    /// The pixels in which the picture is not ours.
+    /// Those of them that a tree does not explain.
+    fn wrong(&self, tree: &Tree) -> Vec<Pixel> {
+        misses(tree, self.yours, self.samples, &self.many(), usize::MAX)
+    }
+
+    /// The pixels in which the picture is not ours: where these are not few, some.
     fn differing(&self) -> Vec<Pixel> {
-        let some = |places: &[Pixel]| {
-            Some(kept(places, &mut |place| !self.is_right(place)))
+        let many = self.many();
+        let differing = |places: &[Pixel]| {
+            let some = |places: &[Pixel]| {
+                Some(kept(places, &mut |place| !self.is_right(place)))
+            };
+            each(places.chunks(SOME).collect(), some).concat()
         };
-        each(self.places.chunks(SOME).collect(), some).concat()
+        let wrong = differing(&many);
+        if many.len() < 20 * wrong.len() { wrong } else { differing(self.places) }
     }
 
     /// Whether a pixel is ours.
@@ -68,8 +76,8 @@ impl Riddle<'_> {
         let index = |&(i, j): &Pixel| (j * width + i) as usize;
         let mut is_wrong = vec![false; (width * height) as usize];
         wrong.iter().for_each(|place| is_wrong[index(place)] = true);
-        let few = self.places.iter().step_by(self.places.len() / 400 + 1);
-        let mut few: Vec<_> = few.copied().collect();
+        // Of these it is known whether they are wrong.
+        let mut few = spread(&self.many(), 400, 0);
         // Some of them are close to the wrong ones: outlines end there.
         for &(i, j) in wrong.iter().step_by(wrong.len() / 120 + 1) {
             let by = |k: u32, by: i32| k.saturating_add_signed(by);
@@ -193,7 +201,9 @@ impl Riddle<'_> {
     pub fn pair(&self, tree: &Tree) -> Option<Vec<Vec<Cause>>> {
         let wrong = self.differing();
         // Where hardly anything is right, no object can be told by itself.
-        if self.places.len() * 9 < wrong.len() * 10 && 1 < self.samples {
+        let few = spread(self.places, 1000, 0);
+        let right = kept(&few, &mut |place| self.is_right(place)).len();
+        if 10 * right < few.len() && 1 < self.samples {
             return None; // Not worth the wait.
         }
         for (k, first) in self.halves(tree, &wrong).into_iter().enumerate() {

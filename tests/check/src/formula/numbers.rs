@@ -278,13 +278,13 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         others.extend([ours + k, ours - k]);
     }
     // Of one number, those that are best for few pixels.
-    if !is_shape && !unknown.is_colour {
+    if !unknown.is_colour {
         let sum = |x| cost(evidence, few, unknown, x, DVec3::INFINITY).x;
         let start = sum(ours);
         let mut rated: Vec<_> = others.iter().map(|x| (sum(*x), *x)).collect();
         rated.retain(|(cost, _)| *cost < 0.95 * start);
         sort(&mut rated, |(cost, _)| [*cost as usize, 0]);
-        rated.truncate(6);
+        rated.truncate(if is_shape { 30 } else { 6 });
         others = rated.into_iter().map(|(_, x)| x).collect();
     }
     let mut shapes = vec![];

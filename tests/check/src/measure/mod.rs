@@ -121,19 +121,25 @@ fn explained(
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
     let whole = View::whole(yours.clone());
-    let is_given = |view: &&Options| is_option(&whole, view.fov);
-    // The second number of samples is less likely, and takes longer.
+    // A little nearer is so by chance.
+    let off = |view: &Options| {
+        let is_given = 1 < views.len() && is_option(&whole, view.fov);
+        if is_given { view.misses(step, yours) / 200 } else { usize::MAX }
+    };
+    let offs: Vec<_> = views.iter().map(off).collect();
+    let least = offs.iter().min();
+    // What is far-fetched is looked for with the options that are nearest alone; the
+    // second number of samples is less likely, and takes longer.
     let one = |(k, view): (usize, &Options)| {
         let is_first = k == 0 || views[k - 1].fov != view.fov;
-        let is_thorough = (is_first || view.samples == 1) && is_given(&view);
+        let is_likely = is_first || view.samples == 1;
+        let is_thorough = is_likely && Some(&offs[k]) == least;
         riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
     };
     let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    let likely = || views.iter().filter(is_given);
-    // A little nearer is so by chance.
-    let nearest = || likely().min_by_key(|view| view.misses(step, yours) / 200);
     let found = views.iter().enumerate().find_map(one);
-    if may_be_two { found.or_else(|| two(nearest()?)) } else { found }
+    let nearest = || offs.iter().position(|off| Some(off) == least);
+    if may_be_two { found.or_else(|| two(&views[nearest()?])) } else { found }
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.
