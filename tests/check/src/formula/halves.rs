@@ -3,7 +3,7 @@
 use super::explain::{cause, solutions};
 use super::{
     Cause, Change, Context, Edit, Evidence, Part, Pixel, Riddle, SOME, Tree,
-    Values, edits, kept, misses, spread,
+    Values, edits, kept, spread,
 };
 use crate::{Step, each, sort};
 use glam::DVec3;
@@ -36,26 +36,46 @@ impl Riddle<'_> {
         let rays = (self.samples * self.samples) as usize;
         let mut some = spread(wrong, 3000 / rays, 0);
         some.extend(spread(self.places, 600 / rays, 0));
-        let missed = |edit: Edit| {
+        let rated = |edit: Edit| {
             let half = cause(tree, &edit);
-            let tree = tree.with(&edit.changes);
-            let missed = misses(&tree, self.yours, self.samples, &some, usize::MAX);
-            Some((missed.len(), half, edit.line))
+            let left = self.left(&tree.with(&edit.changes), &some);
+            Some((left, half, edit.line))
         };
-        let mut all = each(best(&evidence, edits), missed);
-        sort(&mut all, |(missed, half, _)| {
-            [*missed, 1000 * usize::from(half.rank) + half.told.chars().count()]
-        });
+        let mut all = each(best(&evidence, edits), rated);
         // The first is nearly always one of the two, if any is.
-        let most = if tree.step == Step::Rays { 12 } else { 2 };
+        let most = if tree.step == Step::Rays { 12 } else { 3 };
         let (mut lines, mut halves) = (vec![], vec![]);
-        for (_, half, line) in all {
-            if halves.len() < most && !lines.contains(&line) {
+        // By turns what leaves the least, and what mends the most.
+        for k in 0..all.len().min(most) {
+            let of = usize::from(k % 2 == 1);
+            sort(&mut all, |(left, half, line)| {
+                let told = half.told.chars().count();
+                let is_taken = usize::from(lines.contains(line));
+                [is_taken << 30 | left[of], 1000 * usize::from(half.rank) + told]
+            });
+            let (_, half, line) = all.remove(0);
+            if !lines.contains(&line) {
                 lines.push(line);
                 halves.push(half);
             }
         }
         halves
+    }
+
+    /// How far some pixels are from what a tree makes, and how many of them are it not.
+    fn left(&self, tree: &Tree, some: &[Pixel]) -> [usize; 2] {
+        let context = Context::plain(tree);
+        let (mut bits, mut missed) = (0, 0);
+        for places in some.chunks(SOME) {
+            let values = Values::at(tree, places, self.samples);
+            let pixels = values.changed(&context).pixels();
+            for (&(i, j), pixel) in places.iter().zip(pixels) {
+                let far = far(self.yours.get_pixel(i, j).0, pixel);
+                bits += far;
+                missed += usize::from(0 < far);
+            }
+        }
+        [bits, missed]
     }
 
     /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
@@ -85,6 +105,17 @@ impl Riddle<'_> {
         sort(&mut groups, |(_, group)| [usize::MAX - group.len(), 0]);
         groups.into_iter().map(|(_, group)| group).collect()
     }
+}
+
+/// How far a pixel is from another: about as many bits as it takes to tell it from that.
+fn far(a: [u8; 3], b: [u8; 3]) -> usize {
+    let bits = |k: usize| {
+        let off = 1 + u32::from(a[k].abs_diff(b[k]));
+        // With two more digits after the point, by the line between two powers.
+        let whole = off.ilog2();
+        (4 * whole + (4 * off >> whole) - 4) as usize
+    };
+    (0..3).map(bits).sum()
 }
 
 /// What becomes of the wrong pixels with an edit.
