@@ -15,6 +15,18 @@ pub(crate) enum Change {
     Without(usize),
 }
 
+impl Change {
+    /// Whether another one is of something else.
+    pub fn is_apart(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Line(k, _), Self::Line(l, _)) => k != l,
+            (Self::Given(k, a, _), Self::Given(l, b, _)) => (k, a) != (l, b),
+            (Self::Lamp(k, _), Self::Lamp(l, _)) => k != l,
+            _ => true,
+        }
+    }
+}
+
 /// What is evaluated: the lines, with changes and with a value for the unknown.
 pub(crate) struct Context<'a> {
     pub tree: &'a Tree,

@@ -91,22 +91,22 @@ impl Riddle<'_> {
         Evidence::new(tree, self.yours, self.samples, telling, &right)
     }
 
-    /// Each single thing that explains every pixel, the likeliest first; `wrong` are
-    /// those that the tree itself does not explain.
+    /// Each single thing that explains every pixel, the likeliest first: one of the edits,
+    /// or a number. `wrong` are the pixels that the tree itself does not explain.
     ///
     /// What is not `thorough` leaves out what is far-fetched, and gives up where a number
     /// seems to explain all and does not.
     fn single(
         &self,
         tree: &Tree,
+        mut edits: Vec<&Edit>,
         wrong: &[Pixel],
         is_thorough: bool,
     ) -> Vec<Cause> {
         let evidence = self.evidence(tree, wrong, wrong);
-        let mut edits = edits(tree);
         edits.retain(|edit| is_thorough || edit.rank < 2);
         let found = evidence.survivors(edits).into_iter();
-        let mut all: Vec<_> = found.map(|edit| cause(tree, &edit)).collect();
+        let mut all: Vec<_> = found.map(|edit| cause(tree, edit)).collect();
         let is_likely = |cause: &&Cause| cause.rank < 2;
         let is_unlikely = all.iter().find(is_likely).is_none();
         let is_shape = all.iter().filter(is_likely).all(|cause| {
@@ -193,7 +193,9 @@ impl Riddle<'_> {
         if wrong.is_empty() {
             return Some(vec![]);
         }
-        let single = self.single(tree, &wrong, is_thorough);
+        let edits = edits(tree);
+        let all = edits.iter().collect();
+        let single = self.single(tree, all, &wrong, is_thorough);
         if single.is_empty() { None } else { Some(vec![single]) }
     }
 
@@ -206,7 +208,9 @@ impl Riddle<'_> {
         if 10 * right < few.len() && 1 < self.samples {
             return None; // Not worth the wait.
         }
-        for (k, first) in self.halves(tree, &wrong).into_iter().enumerate() {
+        let edits = edits(tree);
+        let halves = self.halves(tree, &edits, &wrong);
+        for (k, first) in halves.into_iter().enumerate() {
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed);
             if rest.is_empty() {
@@ -218,7 +222,14 @@ impl Riddle<'_> {
                 }
                 continue;
             }
-            let second = self.single(&changed, &rest, k == 0);
+            let is_apart = |edit: &&Edit| {
+                let is_other = |one: &Change| {
+                    first.changes.iter().all(|other| one.is_apart(other))
+                };
+                edit.changes.iter().all(is_other)
+            };
+            let others = edits.iter().filter(is_apart).collect();
+            let second = self.single(&changed, others, &rest, k == 0);
             if second.first().is_some_and(|second| second.of != first.of) {
                 return Some(vec![vec![first], second]);
             }

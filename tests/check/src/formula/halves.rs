@@ -3,7 +3,7 @@
 use super::explain::{cause, solutions};
 use super::{
     Cause, Change, Context, Edit, Evidence, Part, Pixel, Riddle, SOME, Tree,
-    Values, edits, kept, spread,
+    Values, kept, spread,
 };
 use crate::{Step, each, sort};
 use glam::DVec3;
@@ -11,14 +11,18 @@ use glam::DVec3;
 impl Riddle<'_> {
     /// Single things that mend some of the pixels that are wrong, or bring them nearer, and
     /// leave most of the others right: the best of each line.
-    pub fn halves(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Cause> {
+    pub fn halves(
+        &self,
+        tree: &Tree,
+        edits: &[Edit],
+        wrong: &[Pixel],
+    ) -> Vec<Cause> {
         let groups = self.groups(tree, wrong);
         let few = |all: &Vec<Pixel>| spread(all, 24, 0);
         let mut telling: Vec<_> = groups.iter().flat_map(few).collect();
         telling.extend(spread(wrong, telling.len(), 0));
         let evidence = self.evidence(tree, &telling, wrong);
-        let mut edits = edits(tree);
-        edits.retain(|edit| edit.rank < 2);
+        let mut numbers = vec![];
         let reach = self.yours.width() / 12;
         for group in groups.iter().take(3) {
             // One place of it: there, nothing else hides it.
@@ -29,19 +33,22 @@ impl Riddle<'_> {
             let place = centres.iter().map(near).max_by_key(Vec::len);
             let place = place.unwrap_or_default();
             if 8 < place.len() {
-                edits.extend(solutions(&self.evidence(tree, &place, wrong), false));
+                numbers
+                    .extend(solutions(&self.evidence(tree, &place, wrong), false));
             }
         }
         // More pixels tell which of them are best, one of each line.
         let rays = (self.samples * self.samples) as usize;
         let mut some = spread(wrong, 3000 / rays, 0);
         some.extend(spread(self.places, 600 / rays, 0));
-        let rated = |edit: Edit| {
-            let half = cause(tree, &edit);
+        let rated = |edit: &Edit| {
+            let half = cause(tree, edit);
             let left = self.left(&tree.with(&edit.changes), &some);
             Some((left, half, edit.line))
         };
-        let mut all = each(best(&evidence, edits), rated);
+        let likely = edits.iter().filter(|edit| edit.rank < 2);
+        let all = likely.chain(&numbers).collect();
+        let mut all = each(best(&evidence, all), rated);
         // The first is nearly always one of the two, if any is.
         let most = if tree.step == Step::Rays { 12 } else { 3 };
         let (mut lines, mut halves) = (vec![], vec![]);
@@ -165,7 +172,7 @@ impl Rated {
 }
 
 /// The edits that mend most, and those that bring nearest.
-fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
+fn best<'e>(evidence: &Evidence, edits: Vec<&'e Edit>) -> Vec<&'e Edit> {
     let [_, few, more, most] = &evidence.parts;
     let rated = |part: &Part, all: Vec<usize>| {
         each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
@@ -184,8 +191,7 @@ fn best(evidence: &Evidence, mut edits: Vec<Edit>) -> Vec<Edit> {
     all.retain(|one| {
         most_same.after.len() / 16 < one.mended || 3 * one.far < 2 * most_same.far
     });
-    let best = first(&mut all, 14, 4).into_iter().rev();
-    best.map(|k| edits.swap_remove(k)).collect()
+    first(&mut all, 14, 4).into_iter().map(|k| edits[k]).collect()
 }
 
 /// The first of those that mend most and of those that bring nearest, in their order; of

@@ -246,11 +246,13 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let some: Vec<_> = some.into_iter().chain(more).collect();
     let [fewest, few, more, most] = evidence.parts.each_ref();
     let unreached = |known: &Known| unreached(evidence, &known.1, unknown, &some);
-    // A small sphere may be anywhere; another number changes whatever is wrong, but for
-    // what is wrong by a rounding.
+    // A sphere changes some of what is wrong wherever it goes; another number all of it,
+    // but for what is wrong by a rounding.
     let mut left = 0;
     let is_hopeful = match is_shape {
-        true => fewest.all().any(|known| unreached(known) == 0),
+        true => {
+            few.wrong.iter().any(|known| unreached(known) * 4 <= known.0.len() * 3)
+        }
         false => fewest.wrong.iter().chain(&more.wrong).all(|known| {
             left += unreached(known);
             left <= 1 + known.0.len() / 8
@@ -274,8 +276,13 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         terms.extend([0.002, 0.02, 0.75, 0.9, 2.0, 4.0, 5.0, 8.0]);
     }
     let mut others = factors.map(|k| k * ours).to_vec();
-    for k in terms {
-        others.extend([ours + k, ours - k]);
+    for x in terms.iter().flat_map(|k| [ours + *k, ours - *k]) {
+        let is_near = |other: &DVec3| {
+            (x - other).abs().max_element() < 0.04 * x.abs().max_element()
+        };
+        if is_shape || !others.iter().any(is_near) {
+            others.push(x);
+        }
     }
     // Of one number, those that are best for few pixels.
     if !unknown.is_colour {

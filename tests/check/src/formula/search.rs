@@ -115,7 +115,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Those of some edits that give each of the pixels.
-    pub fn survivors(&self, edits: Vec<Edit>) -> Vec<Edit> {
+    pub fn survivors<'e>(&self, edits: Vec<&'e Edit>) -> Vec<&'e Edit> {
         each(edits, |edit| self.fits(&edit.changes, 0.0.into()).then_some(edit))
     }
 }

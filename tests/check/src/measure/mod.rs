@@ -121,25 +121,30 @@ fn explained(
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
     let whole = View::whole(yours.clone());
-    // A little nearer is so by chance.
-    let off = |view: &Options| {
-        let is_given = 1 < views.len() && is_option(&whole, view.fov);
-        if is_given { view.misses(step, yours) / 200 } else { usize::MAX }
+    let is_alone = views.len() == 1;
+    let rated = |view: &Options| {
+        let is_given = is_alone || is_option(&whole, view.fov);
+        // A little nearer is so by chance.
+        let off = if is_alone { 0 } else { view.misses(step, yours) / 200 };
+        (*view, off, is_given)
     };
-    let offs: Vec<_> = views.iter().map(off).collect();
-    let least = offs.iter().min();
-    // What is far-fetched is looked for with the options that are nearest alone; the
-    // second number of samples is less likely, and takes longer.
-    let one = |(k, view): (usize, &Options)| {
+    let rated: Vec<_> = views.iter().map(rated).collect();
+    let given = rated.iter().filter(|(.., is_given)| *is_given);
+    let (nearest, least, _) = given.min_by_key(|(_, off, _)| *off)?;
+    let one = |(k, (view, off, is_given)): (usize, &(Options, usize, bool))| {
+        // What is far-fetched is looked for with the options that are nearest alone; the
+        // second number of samples is less likely, and takes longer.
         let is_first = k == 0 || views[k - 1].fov != view.fov;
-        let is_likely = is_first || view.samples == 1;
-        let is_thorough = is_likely && Some(&offs[k]) == least;
-        riddle(view, &|riddle, tree| riddle.explained(tree, is_thorough))
+        let is_likely = *is_given && (is_first || view.samples == 1);
+        let is_thorough = is_likely && off == least;
+        // One thing explains no picture that is much nearer to other options.
+        let is_near = *off < least + 4;
+        let ask = |riddle: Riddle, tree: &Tree| riddle.explained(tree, is_thorough);
+        if is_near { riddle(view, &ask) } else { None }
     };
-    let two = |view| riddle(view, &|riddle, tree| riddle.pair(tree));
-    let found = views.iter().enumerate().find_map(one);
-    let nearest = || offs.iter().position(|off| Some(off) == least);
-    if may_be_two { found.or_else(|| two(&views[nearest()?])) } else { found }
+    let found = rated.iter().enumerate().find_map(one);
+    let two = || riddle(nearest, &|riddle, tree| riddle.pair(tree));
+    if may_be_two { found.or_else(two) } else { found }
 }
 
 /// Things done otherwise, in groups of which one explains as much as another.

@@ -3,9 +3,8 @@ use super::table::{blank, row};
 use super::view::{mixed, views};
 use super::words::percent;
 use super::{Stage, Verdict, camera};
-use crate::Step;
-use crate::apart;
 use crate::formula::{Changed, Context, Pixel, SOME, Tree, Values};
+use crate::{Step, apart, each};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
 
@@ -154,10 +153,10 @@ fn seen(tree: &Tree, yours: &RgbImage, places: &[(u32, u32)]) -> Vec<Seen> {
         let ours: Vec<_> =
             places.iter().copied().zip(values.pixels()).enumerate().collect();
         let its = ours.into_iter();
-        its.map(|(k, (place, ours))| seen(&values, k, place, ours))
-            .collect::<Vec<_>>()
+        let its = its.map(|(k, (place, ours))| seen(&values, k, place, ours));
+        Some(its.collect::<Vec<_>>())
     };
-    places.chunks(SOME).flat_map(some).collect()
+    each(places.chunks(SOME).collect(), some).concat()
 }
 
 /// Tells the outlines; false where they are not right.

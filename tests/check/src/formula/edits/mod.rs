@@ -6,7 +6,7 @@ mod terms;
 mod vectors;
 
 use super::{Change, Kind, Line, Node, Of, Op, Tree};
-use crate::sort;
+use crate::{each, sort};
 use lines::{exchanges, rays};
 use names::swapped_numbers;
 use scene::{given, scenes};
@@ -26,15 +26,17 @@ pub(crate) struct Edit {
 
 /// Every edit of every line, the likeliest first.
 pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
-    let mut all = vec![];
-    for (k, line) in tree.lines.iter().enumerate().filter(|(_, l)| l.is_needed) {
-        if let Some(node) = &line.node {
-            let scope = Scope { tree, k, line };
-            scope.of_line(node, &mut all);
-        } else {
-            given(line, k, &mut all);
+    let of = |(k, line): (usize, &Line)| {
+        let mut all = vec![];
+        match &line.node {
+            Some(node) => Scope { tree, k, line }.of_line(node, &mut all),
+            None => given(line, k, &mut all),
         }
-    }
+        Some(all)
+    };
+    let lines = tree.lines.iter().enumerate().filter(|(_, l)| l.is_needed);
+    let all = each(lines.collect(), of).into_iter();
+    let mut all: Vec<_> = all.flatten().collect();
     exchanges(tree, &mut all);
     rays(tree, &mut all);
     scenes(tree, &mut all);
