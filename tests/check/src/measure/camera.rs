@@ -2,24 +2,33 @@ use super::Sky;
 use super::reading::Seen;
 use super::words::{list, number, vector};
 use crate::{Step, camera};
+use gallery::Parts;
 use glam::{DMat3, DVec3};
 use image::RgbImage;
+use step01_rays::Ray;
 
-/// What the sky tells of a camera that no known formula gives: theirs and ours.
+/// What is wrong where a sky is that of other rays than ours.
+pub(super) enum Told {
+    /// The camera: the numbers of it, theirs and ours.
+    Rays(Vec<String>),
+    /// The camera or the colour of the sky: the objects are where neither sees them.
+    Either(Vec<String>),
+    /// The colour of the sky alone, for the objects are where our rays see them, but for
+    /// so many pixels.
+    Sky(Vec<String>, usize),
+}
+
+/// What the sky tells of a camera that no known formula gives.
 ///
 /// None where no sky tells it, or where the objects are not where it would see them.
-pub(super) fn read(
-    yours: &RgbImage,
-    step: Step,
-    seen: &[Seen],
-) -> Option<Vec<String>> {
+pub(super) fn read(yours: &RgbImage, step: Step, seen: &[Seen]) -> Option<Told> {
     let (width, height) = yours.dimensions();
     // What is the same everywhere is one colour, and no sky.
     let sky = Sky::of(yours).filter(|sky| !sky.is_even())?;
     let off = || seen.iter().filter_map(|s| sky.off(yours, s.place));
-    let on = off().filter(|off| *off < 1.5).count();
+    let on = off().filter(|off| *off < NEAR).count();
     // What bends away from a plane, as after a power, is no sky of other rays.
-    let beside = off().filter(|off| (1.5..8.0).contains(off)).count();
+    let beside = off().filter(|off| (NEAR..8.0).contains(off)).count();
     let share = on as f64 / seen.len().max(1) as f64;
     let least = if step == Step::Rays { 0.97 } else { 0.2 };
     let is_sky = least < share && 8 * beside < on;
@@ -27,8 +36,46 @@ pub(super) fn read(
     if is_dimmed(&sky, &ours) || is_rounded(&sky, &ours, (width, height)) {
         return None;
     }
-    let numbers = differences(&sky, &ours);
-    (is_sky && !numbers.is_empty()).then_some(numbers)
+    let is_its = |s: &Seen, is_object: bool| {
+        let off = sky.off(yours, s.place);
+        off.is_some_and(|off| off < NEAR) != is_object
+    };
+    let others = seen.iter().filter(|s| !is_its(s, s.object.is_some())).count();
+    // Where the rays of this sky would see the objects.
+    let parts = Parts::right(&camera(width, height));
+    let few = || seen.iter().step_by(seen.len() / 4000 + 1);
+    let is_seen = |s: &&Seen| {
+        let place = DVec3::new(s.place.0.into(), s.place.1.into(), 1.0);
+        let direction = sky.matrix * place;
+        let point = parts.seen(step, &Ray { start: DVec3::ZERO, direction });
+        is_its(s, point.is_some())
+    };
+    let is_ours =
+        others * 60 < seen.len() && 8.0 < shift(&sky, &ours, (width, height));
+    let is_else = few().filter(is_seen).count() * 10 < few().count() * 9;
+    let (told, whose): (fn(_, _) -> Told, _) = match (step, is_ours, is_else) {
+        (Step::Rays, ..) | (_, false, false) => (|all, _| Told::Rays(all), "your"),
+        (_, true, _) => (Told::Sky, "by the sky's colours,"),
+        _ => (|all, _| Told::Either(all), "by the sky's colours,"),
+    };
+    let numbers = differences(&sky, &ours, whose);
+    (is_sky && !numbers.is_empty()).then(|| told(numbers, others))
+}
+
+/// So far off, in parts of V that one byte may be off, a pixel may be of a sky.
+const NEAR: f64 = 1.5;
+
+/// How many columns or rows a ray in the middle of a quarter of the picture is away from
+/// ours, where that is least.
+fn shift(sky: &Sky, ours: &DMat3, (width, height): (u32, u32)) -> f64 {
+    let quarters = [(1, 1), (1, 3), (3, 1), (3, 3)];
+    let quarter = |size: u32, k: u32| f64::from(size * k) / 4.0;
+    let shift = |(k, l): (u32, u32)| {
+        let place = DVec3::new(quarter(width, k), quarter(height, l), 1.0);
+        let off = ((sky.matrix - *ours) * place).truncate();
+        off.length() / ours.x_axis.x
+    };
+    quarters.map(shift).into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the colours of a sky are those of our rays, but so many times as bright: then
@@ -59,7 +106,7 @@ fn is_rounded(sky: &Sky, ours: &DMat3, (width, height): (u32, u32)) -> bool {
 }
 
 /// How the columns of a matrix differ from those of ours, as far as can be told.
-fn differences(sky: &Sky, ours: &DMat3) -> Vec<String> {
+fn differences(sky: &Sky, ours: &DMat3, whose: &str) -> Vec<String> {
     let mut numbers = vec![];
     for (k, name) in ["D_u", "D_v", "V_0"].into_iter().enumerate() {
         let (yours, ours, error) =
@@ -69,7 +116,7 @@ fn differences(sky: &Sky, ours: &DMat3) -> Vec<String> {
             let why = if why.is_empty() { why } else { format!(": {why}") };
             let clean = yours.map(|x| if x.abs() < error { 0.0 } else { x });
             numbers.push(format!(
-                "your {name} is about {}; it should be {}{why}",
+                "{whose} {name} is about {}; it should be {}{why}",
                 vector(clean),
                 vector(ours)
             ));

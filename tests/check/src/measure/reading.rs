@@ -1,6 +1,6 @@
 use super::classes;
 use super::table::{blank, row};
-use super::view::{mixed, views};
+use super::view::{is_blurred, mixed, views};
 use super::words::percent;
 use super::{Stage, Verdict, camera};
 use crate::formula::{Changed, Context, Pixel, SOME, Tree, Values};
@@ -58,14 +58,29 @@ pub(super) fn stages(
     };
     let is_option = fov != crate::fov::FOV;
     if share < 0.6 {
-        let wrong =
-            (!is_option).then(|| camera::read(yours, step, &seen)).flatten();
-        if let Some(numbers) = wrong {
-            put(&mut stages, "rays", Verdict::Wrong, numbers);
-            for stage in stages.iter_mut().skip(1) {
-                let why = "the rays have to be right first".to_owned();
-                stage.verdict = Verdict::Unknown(why);
+        match (!is_option).then(|| camera::read(yours, step, &seen)).flatten() {
+            Some(camera::Told::Rays(numbers)) => {
+                put(&mut stages, "rays", Verdict::Wrong, numbers);
+                for stage in stages.iter_mut().skip(1) {
+                    let why = "the rays have to be right first".to_owned();
+                    stage.verdict = Verdict::Unknown(why);
+                }
             }
+            Some(camera::Told::Either(numbers)) => {
+                let why = "the objects are where neither our rays see them nor those \
+                           that the sky's colours tell";
+                put(&mut stages, "rays", Verdict::Unknown(why.to_owned()), numbers);
+            }
+            Some(camera::Told::Sky(numbers, others)) => {
+                let why = "the objects are where our rays see them".to_owned();
+                put(&mut stages, "rays", Verdict::Unknown(why), vec![]);
+                put(&mut stages, "sky", Verdict::Wrong, numbers);
+                put(&mut stages, "outlines", outlined(others), vec![]);
+                if others == 0 {
+                    coloured(&tree, &seen, &mut stages);
+                }
+            }
+            None => {}
         }
         return stages;
     }
@@ -83,13 +98,31 @@ pub(super) fn stages(
     };
     put(&mut stages, "rays", verdict.clone(), vec![]);
     put(&mut stages, "sky", verdict, vec![]);
-    if Step::Sphere <= step && !is_smooth && outlines(&tree, &seen, &mut stages) {
-        match step {
-            Step::Sphere | Step::Nearest => flat(&tree, &seen, &mut stages),
-            _ => classes::tell(&seen, &mut stages),
-        }
+    if Step::Sphere <= step
+        && !is_smooth
+        && outlines(yours, &tree, &seen, &mut stages)
+    {
+        coloured(&tree, &seen, &mut stages);
     }
     stages
+}
+
+/// Tells the colours of what has right outlines.
+fn coloured(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) {
+    match tree.step {
+        Step::Sphere | Step::Nearest => flat(tree, seen, stages),
+        _ => classes::tell(seen, stages),
+    }
+}
+
+/// Outlines with so many pixels that may be wrong.
+fn outlined(others: usize) -> Verdict {
+    match others {
+        0 => Verdict::Right,
+        some => {
+            Verdict::Unknown(format!("{some} pixels may be objects or the sky"))
+        }
+    }
 }
 
 pub(super) fn put(
@@ -160,7 +193,12 @@ fn seen(tree: &Tree, yours: &RgbImage, places: &[(u32, u32)]) -> Vec<Seen> {
 }
 
 /// Tells the outlines; false where they are not right.
-fn outlines(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) -> bool {
+fn outlines(
+    yours: &RgbImage,
+    tree: &Tree,
+    seen: &[Seen],
+    stages: &mut [Stage],
+) -> bool {
     let objects = || seen.iter().filter(|s| s.object.is_some());
     let lost = |s: &&Seen| s.yours == s.sky && s.ours != s.sky;
     let missing = objects().filter(lost).count();
@@ -169,17 +207,15 @@ fn outlines(tree: &Tree, seen: &[Seen], stages: &mut [Stage]) -> bool {
     let far = extra.iter().filter(|s| 6 < apart(&s.yours, &s.ours)).count();
     let (all, sky) = (objects().count(), seen.len() - objects().count());
     if extra.is_empty() && missing * 500 <= all && 0 < all {
-        let verdict = if missing == 0 {
-            Verdict::Right
-        } else {
-            Verdict::Unknown(format!("{missing} pixels may be objects or the sky"))
-        };
-        put(stages, "outlines", verdict, vec![]);
+        put(stages, "outlines", outlined(missing), vec![]);
         return true;
     }
     let is_wrong = seen.len() < 200 * (missing + far) && extra.len() < 2 * far + 1
         || 20 * missing > all && extra.is_empty();
-    if is_wrong {
+    if is_wrong && is_blurred(yours) {
+        let why = "the edges are blurred: they are wider than one pixel".to_owned();
+        put(stages, "outlines", Verdict::Unknown(why), vec![]);
+    } else if is_wrong {
         let mut numbers = vec![];
         if 0 < missing {
             let share = percent(missing, all);

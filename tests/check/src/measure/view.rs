@@ -151,6 +151,22 @@ pub(super) fn mixed(yours: &RgbImage) -> Option<Vec<Mixed>> {
     (edges < 5 * mixed.len() && 3 < mixed.len()).then_some(mixed)
 }
 
+/// Whether most edges are wider than the one pixel that the rays through it mix.
+pub(super) fn is_blurred(yours: &RgbImage) -> bool {
+    let (mut sharp, mut wide) = (0, 0);
+    for j in 0..yours.height() {
+        for i in 3..yours.width() {
+            let at = |k: u32| yours.get_pixel(i - k, j);
+            let steps = [0, 1, 2].map(|k| crate::apart(at(k), at(k + 1)));
+            let is_edge = 40 < crate::apart(at(0), at(3));
+            let is_step = steps.iter().any(|step| 40 < *step);
+            sharp += u32::from(is_edge && is_step);
+            wide += u32::from(is_edge && !is_step && steps.iter().all(|s| 8 < *s));
+        }
+    }
+    sharp + 20 < wide
+}
+
 /// All pixels, or some 200,000 of them where there are many more; none of a black line.
 pub(super) fn places(yours: &RgbImage, black: Option<&Black>) -> Vec<(u32, u32)> {
     let ((width, height), stride) = (yours.dimensions(), stride(yours));
