@@ -55,23 +55,20 @@ impl<'a> Context<'a> {
             _ => None,
         };
         context.which = one.map_or(0, |(_, which)| which);
-        for change in changes {
-            context.stale |= 1
-                << match change {
-                    Change::Line(k, _)
-                    | Change::Lamp(k, _)
-                    | Change::Given(k, ..) => *k,
-                    Change::Objects(..) | Change::Without(_) => tree.nearest,
-                };
-        }
-        context.others = if one.is_some() { 0 } else { context.stale };
+        let own = changes.iter().map(|change| match change {
+            Change::Line(k, _) | Change::Lamp(k, _) | Change::Given(k, ..) => *k,
+            Change::Objects(..) | Change::Without(_) => tree.nearest,
+        });
+        let reached = own.map(|line| tree.lines[line].reaches);
+        context.stale = reached.fold(0, |all, line| all | line);
+        let Some((of, _)) = one else {
+            context.others = context.stale;
+            return context;
+        };
         for (k, line) in tree.lines.iter().enumerate() {
-            // What another formula needs is no matter: its line is stale itself.
-            let uses = line.uses;
-            let is_apart = one.is_some_and(|(of, _)| of == line.of);
-            let others = if is_apart { context.others } else { context.stale };
-            context.stale |= u128::from(uses & context.stale != 0) << k;
-            context.others |= u128::from(uses & others != 0) << k;
+            let is_apart = line.of == of;
+            let all = if is_apart { context.others } else { context.stale };
+            context.others |= u128::from(line.uses & all != 0) << k;
         }
         context
     }

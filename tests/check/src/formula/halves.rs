@@ -50,11 +50,11 @@ impl Riddle<'_> {
         let all = likely.chain(&numbers).collect();
         let mut all = each(best(&evidence, all), rated);
         // The first is nearly always one of the two, if any is.
-        let most = if tree.step == Step::Rays { 12 } else { 3 };
+        let most = if tree.step == Step::Rays { 12 } else { 4 };
         let (mut lines, mut halves) = (vec![], vec![]);
-        // By turns what leaves the least, and what mends the most.
+        // What leaves the least; the second is what mends the most.
         for k in 0..all.len().min(most) {
-            let of = usize::from(k % 2 == 1);
+            let of = usize::from(k == 1);
             sort(&mut all, |(left, half, line)| {
                 let told = half.told.chars().count();
                 let is_taken = usize::from(lines.contains(line));
@@ -115,16 +115,21 @@ impl Riddle<'_> {
 }
 
 /// How far a pixel is from another: about as many bits as it takes to tell it from that.
-fn far(a: [u8; 3], b: [u8; 3]) -> usize {
+fn far(yours: [u8; 3], other: [u8; 3]) -> usize {
     let bits = |k: usize| {
-        let off = 1 + u32::from(a[k].abs_diff(b[k]));
-        // With two more digits after the point, by the line between two powers.
+        let off = 1 + u32::from(yours[k].abs_diff(other[k]));
+        // In quarters of a bit, by the line between two powers.
         let whole = off.ilog2();
         let bits = 4 * whole + (4 * off >> whole) - 4;
-        // What is black or white may be so by chance.
-        (if matches!(a[k], 0 | 255) { bits / 4 } else { bits }) as usize
+        counted(yours[k], bits as usize)
     };
     (0..3).map(bits).sum()
+}
+
+/// How much a difference counts: that of a byte at an end is less, as much ends there by
+/// chance.
+fn counted(yours: u8, off: usize) -> usize {
+    if matches!(yours, 0 | 255) { off / 4 } else { off }
 }
 
 /// What becomes of the wrong pixels with an edit.
@@ -164,7 +169,8 @@ impl Rated {
                 mended += usize::from(evidence.is_right(part, *place, p));
                 let yours = evidence.pixel(*place);
                 for k in 0..3 {
-                    far += usize::from(yours[k].abs_diff(p[k]));
+                    let off = usize::from(yours[k].abs_diff(p[k]));
+                    far += counted(yours[k], off);
                 }
                 after.push(p);
             }

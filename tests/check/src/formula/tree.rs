@@ -40,6 +40,8 @@ pub(crate) struct Line {
     pub is_needed: bool,
     /// The lines that it needs, a bit for each.
     pub uses: u128,
+    /// Itself and all lines that need it, or need one that does.
+    pub reaches: u128,
     /// Where its values are among those of a ray, and how many it has.
     pub start: usize,
     pub count: usize,
@@ -169,6 +171,11 @@ impl Tree {
             self.given.extend(line.given.iter().cloned().map(Some));
             self.given.resize(line.start + count, None);
         }
+        for k in (0..self.lines.len()).rev() {
+            let need = self.lines[k + 1..].iter().filter(|l| l.uses >> k & 1 != 0);
+            let reaches = need.fold(1 << k, |all, line| all | line.reaches);
+            self.lines[k].reaches = reaches;
+        }
         self.of_ray = ["column", "row", "k_u", "k_v"]
             .map(|name| self.find(name).map_or(0, |k| self.lines[k].start));
     }
@@ -223,6 +230,7 @@ impl Tree {
             place,
             is_needed: false,
             uses: 0,
+            reaches: 0,
             start: 0,
             count: 0,
             is_function,
@@ -337,6 +345,7 @@ impl Tree {
             place,
             is_needed: false,
             uses: 0,
+            reaches: 0,
             start: 0,
             count: 0,
             is_function: false,

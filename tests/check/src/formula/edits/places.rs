@@ -29,8 +29,6 @@ impl Scope<'_> {
                 with(Op::Mul, 2.0),
                 with(Op::Div, 2.0),
                 with(Op::Pow, 2.0),
-                with(Op::Pow, 3.0),
-                with(Op::Pow, 4.0),
                 one(Op::Sqrt),
                 one(Op::Abs),
                 from(Op::Div, 1.0),
@@ -42,7 +40,9 @@ impl Scope<'_> {
             ];
             all.extend(likely.map(|other| (1, other)));
             let rest = Node::of(Op::Div, [node.clone(), with(Op::Add, 1.0)]);
-            let unlikely = [with(Op::Max, 1.0), with(Op::Min, 0.0), rest];
+            let [cube, fourth] = [3.0, 4.0].map(|n| with(Op::Pow, n));
+            let bounds = [with(Op::Max, 1.0), with(Op::Min, 0.0)];
+            let unlikely = [cube, fourth, rest].into_iter().chain(bounds);
             all.extend(unlikely.map(|other| (2, other)));
             for by in [3.0, 4.0] {
                 all.extend([Op::Mul, Op::Div].map(|op| (2, with(op, by))));
