@@ -4,7 +4,8 @@ use ::check::{Stage, Verdict, stages};
 use gallery::{Parts, Step, camera};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
-use step01_rays::Camera;
+use step01_rays::{Camera, Ray};
+use step05_phong::specular;
 use tests::some;
 
 /// The stages of a picture that some parts draw in step 5 at 320×180.
@@ -154,6 +155,29 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     let bytes = "sum, bytes, order";
     assert_wrong(&stages, bytes, "B = floor(255 M)", &both);
     assert_wrong(&stages, both[0], "/ 2", &[bytes, both[1]]);
+    // What mends no pixel, beside what is white anyway.
+    let stages = of(Step::Phong, |parts| {
+        parts.seen_from = |light, p| {
+            let (l, d) = light.seen_from(p);
+            (l, d * d)
+        };
+        for material in parts.materials() {
+            let red = material.surface.ambient.x;
+            material.surface.ambient = DVec3::splat(red);
+        }
+    });
+    assert_wrong(&stages, "ambient", "colour_x", &["attenuation"]);
+    assert_wrong(&stages, "attenuation", "d = w·w", &["ambient"]);
+    let stages = of(Step::Diffuse, |parts| {
+        parts.normal = |sphere, p| (p + sphere.centre) / sphere.radius;
+        parts.attenuation = |fade, d| 1.0 / fade.at(d);
+    });
+    assert_wrong(
+        &stages,
+        "point and normal",
+        "(p + centre)",
+        &["attenuation", "diffuse, warm", "diffuse, cool"],
+    );
     // Not the camera of another angle, be it near.
     let stages = of(Step::Phong, |parts| {
         parts.camera = Camera::new(320, 180, 2.0 * 0.5_f64.atan());
@@ -217,6 +241,62 @@ fn a_darker_sky_is_no_camera() {
     for stage in stages(&picture, Step::Phong) {
         assert!(matches!(stage.verdict, Verdict::Unknown(_)), "{stage:#?}");
     }
+}
+
+/// Highlights that no formula explains.
+fn spoil(parts: &mut Parts) {
+    parts.specular = |r, v, d, material, light| {
+        specular(r, v, d, material, light) * (1.5 + (40.0 * d).sin())
+    };
+}
+
+#[test]
+fn a_sky_that_other_rays_would_see_is_no_camera_where_the_objects_are_seen_by_ours()
+{
+    let turned: fn(&Ray) -> DVec3 = |ray| {
+        let sky = step01_rays::direction_colour(ray);
+        DVec3::new(sky.y, sky.x, sky.z)
+    };
+    let stages = of(Step::Phong, |parts| {
+        parts.miss = turned;
+        spoil(parts);
+    });
+    let sky = "by the sky's colours, D_u is about (0, 0.00362, 0)";
+    let both = ["specular, warm", "specular, cool"];
+    assert_wrong(&stages, "sky", sky, &both);
+    assert_ne!(named(&stages, "outlines").verdict, Verdict::Wrong);
+    assert_eq!(named(&stages, "ambient").verdict, Verdict::Right);
+    // Objects that neither sees leave it open.
+    let stages = of(Step::Phong, |parts| {
+        parts.miss = turned;
+        parts.camera.matrix.y_axis.y *= -1.0;
+        parts.camera.matrix.z_axis.y *= -1.0;
+        spoil(parts);
+    });
+    assert_ne!(named(&stages, "rays").verdict, Verdict::Wrong, "{stages:#?}");
+    // Those that the sky's rays see tell the camera.
+    let stages = of(Step::Phong, |parts| {
+        parts.camera.matrix.y_axis.y *= -1.0;
+        parts.camera.matrix.z_axis.y *= -1.0;
+        spoil(parts);
+    });
+    assert_wrong(&stages, "rays", "your D_v is about (0, 0.00362, 0)", &[]);
+}
+
+#[test]
+fn blurred_edges_are_no_wrong_outlines() {
+    let sharp = Step::Phong.picture(&camera(320, 180), 1);
+    // As where the rays of a pixel go through its neighbours, too.
+    let picture = RgbImage::from_fn(320, 180, |i, j| {
+        let near = |k: u32, l: u32| {
+            sharp.get_pixel((i + k).min(319), (j + l).min(179)).0.map(u32::from)
+        };
+        let all = (0..16).map(|k| near(k % 4, k / 4));
+        let sum = all.fold([0; 3], |sum, p| [0, 1, 2].map(|k| sum[k] + p[k]));
+        Rgb(sum.map(|sum| ((sum + 8) / 16) as u8))
+    });
+    let stages = stages(&picture, Step::Phong);
+    assert_ne!(named(&stages, "outlines").verdict, Verdict::Wrong, "{stages:#?}");
 }
 
 #[test]

@@ -36,23 +36,22 @@ pub(super) fn read(yours: &RgbImage, step: Step, seen: &[Seen]) -> Option<Told> 
     if is_dimmed(&sky, &ours) || is_rounded(&sky, &ours, (width, height)) {
         return None;
     }
-    let is_its = |s: &Seen, is_object: bool| {
-        let off = sky.off(yours, s.place);
-        off.is_some_and(|off| off < NEAR) != is_object
-    };
-    let others = seen.iter().filter(|s| !is_its(s, s.object.is_some())).count();
+    let is_object =
+        |s: &&Seen| sky.off(yours, s.place).is_none_or(|off| NEAR <= off);
+    let others = seen.iter().filter(|s| is_object(s) != s.object.is_some()).count();
     // Where the rays of this sky would see the objects.
     let parts = Parts::right(&camera(width, height));
     let few = || seen.iter().step_by(seen.len() / 4000 + 1);
-    let is_seen = |s: &&Seen| {
+    let is_elsewhere = |s: &&Seen| {
         let place = DVec3::new(s.place.0.into(), s.place.1.into(), 1.0);
         let direction = sky.matrix * place;
         let point = parts.seen(step, &Ray { start: DVec3::ZERO, direction });
-        is_its(s, point.is_some())
+        is_object(s) != point.is_some()
     };
     let is_ours =
         others * 60 < seen.len() && 8.0 < shift(&sky, &ours, (width, height));
-    let is_else = few().filter(is_seen).count() * 10 < few().count() * 9;
+    let objects = few().filter(is_object).count();
+    let is_else = objects < 8 * few().filter(is_elsewhere).count();
     let (told, whose): (fn(_, _) -> Told, _) = match (step, is_ours, is_else) {
         (Step::Rays, ..) | (_, false, false) => (|all, _| Told::Rays(all), "your"),
         (_, true, _) => (Told::Sky, "by the sky's colours,"),

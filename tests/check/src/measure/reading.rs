@@ -76,9 +76,7 @@ pub(super) fn stages(
                 put(&mut stages, "rays", Verdict::Unknown(why), vec![]);
                 put(&mut stages, "sky", Verdict::Wrong, numbers);
                 put(&mut stages, "outlines", outlined(others), vec![]);
-                if others == 0 {
-                    coloured(&tree, &seen, &mut stages);
-                }
+                coloured(&tree, &seen, &mut stages);
             }
             None => {}
         }
