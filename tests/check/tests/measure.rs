@@ -285,18 +285,23 @@ fn a_sky_that_other_rays_would_see_is_no_camera_where_the_objects_are_seen_by_ou
 
 #[test]
 fn blurred_edges_are_no_wrong_outlines() {
-    let sharp = Step::Phong.picture(&camera(320, 180), 1);
-    // As where the rays of a pixel go through its neighbours, too.
-    let picture = RgbImage::from_fn(320, 180, |i, j| {
-        let near = |k: u32, l: u32| {
-            sharp.get_pixel((i + k).min(319), (j + l).min(179)).0.map(u32::from)
-        };
-        let all = (0..16).map(|k| near(k % 4, k / 4));
-        let sum = all.fold([0; 3], |sum, p| [0, 1, 2].map(|k| sum[k] + p[k]));
-        Rgb(sum.map(|sum| ((sum + 8) / 16) as u8))
-    });
-    let stages = stages(&picture, Step::Phong);
-    assert_ne!(named(&stages, "outlines").verdict, Verdict::Wrong, "{stages:#?}");
+    let steps = [Step::Phong, Step::Sphere, Step::Nearest, Step::Diffuse];
+    for step in some(steps, 1) {
+        let sharp = step.picture(&camera(640, 360), 1);
+        // As where the rays of a pixel go through its neighbours, too.
+        let picture = RgbImage::from_fn(640, 360, |i, j| {
+            let near = |k: u32, l: u32| {
+                let (i, j) = ((i + k).clamp(2, 641), (j + l).clamp(2, 361));
+                sharp.get_pixel(i - 2, j - 2).0.map(u32::from)
+            };
+            let all = (0..25).map(|k| near(k % 5, k / 5));
+            let sum = all.fold([0; 3], |sum, p| [0, 1, 2].map(|k| sum[k] + p[k]));
+            Rgb(sum.map(|sum| ((sum + 12) / 25) as u8))
+        });
+        let stages = stages(&picture, step);
+        let outlines = &named(&stages, "outlines").verdict;
+        assert_ne!(*outlines, Verdict::Wrong, "{step:?} {stages:#?}");
+    }
 }
 
 #[test]

@@ -120,7 +120,7 @@ fn far(yours: [u8; 3], other: [u8; 3]) -> usize {
         let off = 1 + u32::from(yours[k].abs_diff(other[k]));
         // In quarters of a bit, by the line between two powers.
         let whole = off.ilog2();
-        let bits = 4 * whole + (4 * off >> whole) - 4;
+        let bits = 4 * whole + ((4 * off) >> whole) - 4;
         counted(yours[k], bits as usize)
     };
     (0..3).map(bits).sum()
