@@ -1,5 +1,7 @@
 use crate::case::Case;
-use crate::measure::{Stage, Verdict, by_one, of_mistakes, pixel, stages_beside};
+use crate::measure::{
+    Stage, Verdict, by_one, likely, of_mistakes, pixel, stages_beside,
+};
 use crate::{Cause, Found, Options, Step};
 use gallery::Parts;
 use image::RgbImage;
@@ -37,9 +39,19 @@ impl Told {
                 let right = Cause { mistakes: vec![], ..cause.clone() };
                 let [yours, ours] =
                     [&cause, &right].map(|cause| objects(case, cause));
+                let others = match &found.causes[0][..] {
+                    [_] => likely(
+                        &case.yours.kept,
+                        step,
+                        &found.options(),
+                        &case.ours.picture,
+                    ),
+                    _ => vec![],
+                };
                 let stages = of_mistakes(
                     &cause,
                     &found.causes,
+                    &others,
                     yours.contains(&true),
                     yours == ours,
                     |stage, light| is_shown(case, &cause, stage, light),

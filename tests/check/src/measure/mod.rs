@@ -97,27 +97,8 @@ fn explained(
     may_be_two: bool,
 ) -> Option<(Vec<Stage>, Options)> {
     let views = view::likely(yours, step);
-    let riddle = |view: &Options, ask: &dyn Fn(Riddle, &Tree) -> Option<Groups>| {
-        let size = yours.dimensions();
-        let ours =
-            ours.filter(|ours| *view == Options::NONE && ours.dimensions() == size);
-        let cause = view.cause(step);
-        let parts = cause.parts(size);
-        let pixel = |(i, j): (u32, u32)| match ours {
-            Some(ours) => *ours.get_pixel(i, j),
-            None => parts.pixel(step, view.samples, i, j),
-        };
-        let tree = Tree::new(step, size, view.fov, view.samples);
-        let samples = view.samples;
-        // Spread by the golden ratio.
-        let share = u32::MAX / view.one_of();
-        let mut at = 0_u32;
-        let places = kept(places, &mut |_| {
-            at = at.wrapping_add(0x9e37_79b9);
-            at <= share
-        });
-        let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
-        let groups = ask(riddle, &tree)?;
+    let riddle = |view: &Options, ask: Ask| {
+        let (tree, groups) = asked(yours, step, places, view, ours, ask)?;
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
     let whole = View::whole(yours.clone());
@@ -146,6 +127,57 @@ fn explained(
     let two = || riddle(nearest, &|riddle, tree| riddle.pair(tree));
     if may_be_two { found.or_else(two) } else { found }
 }
+
+/// What is likely, and gives the picture of these options as a known mistake does.
+pub(crate) fn likely(
+    yours: &RgbImage,
+    step: Step,
+    options: &Options,
+    ours: &RgbImage,
+) -> Vec<Cause> {
+    let places = view::places(yours, None);
+    let ask = |riddle: Riddle, tree: &Tree| riddle.explained(tree, false);
+    let found = asked(yours, step, &places, options, Some(ours), &ask);
+    let mut all = found.map_or(vec![], |(_, groups)| groups.concat());
+    all.retain(|cause| cause.rank == 0);
+    all
+}
+
+/// Asks what explains a picture with these options; `ours` is our picture without any.
+fn asked(
+    yours: &RgbImage,
+    step: Step,
+    places: &[(u32, u32)],
+    options: &Options,
+    ours: Option<&RgbImage>,
+    ask: Ask,
+) -> Option<(Tree, Groups)> {
+    let (size, samples) = (yours.dimensions(), options.samples);
+    let is_it = |ours: &&RgbImage| {
+        *options == Options::NONE && ours.dimensions() == size
+    };
+    let ours = ours.filter(is_it);
+    let cause = options.cause(step);
+    let parts = cause.parts(size);
+    let pixel = |(i, j): (u32, u32)| match ours {
+        Some(ours) => *ours.get_pixel(i, j),
+        None => parts.pixel(step, samples, i, j),
+    };
+    let tree = Tree::new(step, size, options.fov, samples);
+    // Spread by the golden ratio.
+    let share = u32::MAX / options.one_of(yours);
+    let mut at = 0_u32;
+    let places = kept(places, &mut |_| {
+        at = at.wrapping_add(0x9e37_79b9);
+        at <= share
+    });
+    let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
+    let groups = ask(riddle, &tree)?;
+    Some((tree, groups))
+}
+
+/// A question to a picture.
+type Ask<'a> = &'a dyn Fn(Riddle, &Tree) -> Option<Groups>;
 
 /// Things done otherwise, in groups of which one explains as much as another.
 type Groups = Vec<Vec<Cause>>;

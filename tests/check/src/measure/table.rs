@@ -216,12 +216,17 @@ fn tell(stages: &mut [Stage], group: &[formula::Cause], looked_at: &str) {
                 .push(format!("or else one of {more} others, which are alike"));
         }
     }
-    for other in group.iter().skip(1) {
+    let others: Vec<_> = group.iter().skip(1).collect();
+    doubt(stages, &others, name.unwrap_or_default());
+}
+
+/// No stage is right that other things are in which explain as much as one in `name`.
+fn doubt(stages: &mut [Stage], others: &[&formula::Cause], name: &str) {
+    for other in others {
         for stage in stages.iter_mut().filter(|stage| is_of(other, row(stage))) {
             if stage.verdict == Verdict::Right {
                 let why = format!(
-                    "either it or {} is wrong, and both give this picture",
-                    name.unwrap_or_default()
+                    "either it or {name} is wrong, and both give this picture"
                 );
                 stage.verdict = Verdict::Unknown(why);
             }
@@ -297,12 +302,13 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
 /// The table of a picture of which known mistakes explain every pixel: they know their
 /// stages. The others are right where the picture shows them.
 ///
-/// The first list is told; each of the others explains as much. Whether it has an object
-/// at all, whether the right pixels see one, and whether a light's part of the light is
+/// The first list is told; each of the others explains as much, and so do some formulas
+/// that are told where they lead to another file. Whether it has an object at all, whether the right pixels see one, and whether a light's part of the light is
 /// seen, is known.
 pub(crate) fn of_mistakes(
     &Cause { step, fov, .. }: &Cause,
     causes: &[Vec<&Mistake>],
+    formulas: &[formula::Cause],
     has_objects: bool,
     has_outlines: bool,
     is_shown: impl Fn(&str, usize) -> bool,
@@ -339,6 +345,19 @@ pub(crate) fn of_mistakes(
                 its.numbers.push(POINT.to_owned());
             }
         }
+    }
+    let is_told = |path: &str| {
+        causes.iter().flatten().any(|mistake| mistake.section.path() == path)
+    };
+    let is_other =
+        |one: &&formula::Cause| !is_told(&one.place.section.path());
+    let others: Vec<_> = formulas.iter().filter(is_other).take(4).collect();
+    let is_wrong = |stage: &&mut Stage| stage.verdict == Verdict::Wrong;
+    if let Some(first) = stages.iter_mut().find(is_wrong) {
+        let told = others.iter().map(|other| format!("or else {}", other.told));
+        first.numbers.extend(told);
+        let name = first.name;
+        doubt(&mut stages, &others, name);
     }
     let is_t = |s: &Stage| s.name == "nearest" && s.verdict == Verdict::Wrong;
     if stages.iter().any(is_t) {

@@ -4,16 +4,19 @@ use crate::view::{View, scattered};
 use crate::{Options, Step, key, sort};
 use image::RgbImage;
 
+/// As many rays as are cast at most to explain a picture: four for each pixel of 640×360.
+const RAYS: u32 = 4 * 640 * 360;
+
 impl Options {
-    /// Of how many pixels one is looked at: as many as with four rays a pixel, as more
-    /// rays are not worth the wait.
-    pub fn one_of(&self) -> u32 {
-        (self.samples * self.samples).div_ceil(4)
+    /// Of how many pixels one is looked at, as very many rays are not worth the wait.
+    pub fn one_of(&self, yours: &RgbImage) -> u32 {
+        let pixels = yours.pixels().len() / stride(yours).pow(2);
+        (pixels as u32 * self.samples * self.samples).div_ceil(RAYS)
     }
 
     /// Whether all pixels of a picture are looked at.
     pub fn is_whole(&self, yours: &RgbImage) -> bool {
-        self.one_of() == 1 && stride(yours) == 1
+        self.one_of(yours) == 1 && stride(yours) == 1
     }
 
     /// In how many of some pixels a picture differs from ours with these options.

@@ -92,6 +92,20 @@ impl Scope<'_> {
         if kind == Some(Kind::Vector) {
             all.extend(self.reduced(node));
         }
+        if self.line.of == Of::Pixel && matches!(node, Node::Name(_)) {
+            // Whole numbers, too soon.
+            let half = with(Op::Add, 0.5);
+            all.extend([one(Op::Floor), Node::of(Op::Floor, [half])].map(|n| (1, n)));
+        }
+        if let Node::Of(Op::Chosen, _) = node
+            && kind == Some(Kind::Vector)
+        {
+            // A channel taken for another one.
+            let part = |axis: usize| one(Op::Part(axis));
+            for axes in [[0, 1, 1], [0, 0, 2], [0, 1, 0], [0, 2, 2], [1, 1, 2], [2, 1, 2]] {
+                all.push((1, Node::of(Op::Vector, axes.map(part))));
+            }
+        }
         if let Node::Name(name) = node {
             all.extend(self.counted(&self.tree.lines[*name].name, node));
         }
