@@ -189,6 +189,23 @@ fn one_thing_is_likelier_than_two_mistakes() {
     }
 }
 
+/// A slip of another file may give the picture of a known mistake.
+#[test]
+fn what_gives_the_same_picture_elsewhere_is_told_beside_a_name() {
+    let mistake = named("y-down").picture_in(Step::Rays, &camera(320, 180), 1);
+    let text = told(
+        &mistake,
+        Some("step01_rays"),
+        &["y points down", "or else sky = 0.7 + 0.3 (V_x, −V_y, −V_z)"],
+    );
+    let sky = "  sky                can't be told: either it or rays is wrong";
+    assert!(text.contains(sky), "{text}");
+    // An object shows which of them it is.
+    let mistake = named("y-down").picture_in(Step::Phong, &camera(320, 180), 1);
+    let text = told(&mistake, Some("step05_phong"), &["y points down"]);
+    assert!(text.contains("  sky                right"), "{text}");
+}
+
 #[test]
 fn what_nobody_knows_is_not_named() {
     let wave = |i: u32, j: u32| (f64::from(i * i + 3 * j * j) * 0.37).sin();

@@ -187,6 +187,45 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     assert_wrong(&stages, both[0], "r = n·l n − l", &["rays", both[1]]);
 }
 
+/// The sky tells the one of two that it shows, whatever becomes of the objects; or both.
+#[test]
+fn a_sky_that_is_another_tells_the_first_of_two_stages() {
+    let stages = of(Step::Phong, |parts| {
+        parts.camera.matrix.y_axis.y *= 319.0 / 179.0;
+        parts.normal = |sphere, p| (sphere.centre - p) / sphere.radius;
+    });
+    let normal = "point and normal";
+    assert_wrong(&stages, "rays", "D_v = (0, (−2) h / rows", &[normal]);
+    assert_wrong(&stages, normal, "n = (centre − p) / radius", &["rays"]);
+    let swapped = "0.3 (V_y, V_x, −V_z)";
+    // Without an object, bytes may as well have changed places.
+    for (step, name) in [(Step::Rays, "sum, bytes, order"), (Step::Phong, "sky")] {
+        let stages = of(step, |parts| {
+            parts.camera.matrix.y_axis.y *= 0.5;
+            parts.miss = |ray| {
+                let v = ray.direction;
+                0.7 + 0.3 * DVec3::new(v.y, v.x, -v.z)
+            };
+        });
+        assert_wrong(&stages, "rays", "D_v = (0, (−1) h", &[name]);
+        assert_wrong(&stages, name, swapped, &["rays"]);
+    }
+}
+
+/// Where one thing is wrong in the dark, the ambient light tells it.
+#[test]
+fn numbers_are_read_where_little_else_shows() {
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.ambient_light *= 3.0;
+        for material in parts.materials() {
+            material.specular = material.surface.diffuse;
+        }
+    });
+    let both = ["specular, warm", "specular, cool"];
+    assert_wrong(&stages, "ambient", "(0.96, 0.96, 1.26)", &both);
+    assert_wrong(&stages, both[0], "R_d", &["ambient", both[1]]);
+}
+
 #[test]
 fn a_wrong_t_leaves_the_point_open() {
     let stages = of(Step::Diffuse, |parts| parts.point = |ray, t| ray.at(t - 0.1));

@@ -161,6 +161,39 @@ fn bytes_of_numbers_from_minus_one_and_whole_numbers_divided() {
 }
 
 #[test]
+fn bytes_rounded_too_soon_and_a_channel_taken_twice() {
+    assert_told(
+        Step::Diffuse,
+        |parts| parts.byte = |intensity| (255.0 * intensity.round()) as u8,
+        "sum",
+        "B = floor(255 floor(M + 0.5) + 0.5)",
+    );
+    assert_told(
+        Step::Phong,
+        |parts| {
+            for material in parts.materials() {
+                for colour in
+                    [&mut material.surface.ambient, &mut material.surface.diffuse]
+                {
+                    colour.z = colour.y;
+                }
+            }
+        },
+        "colours",
+        "(colour of the nearest)_y, (colour of the nearest)_y)",
+    );
+    assert_told(
+        Step::Rays,
+        |parts| {
+            let camera = camera(161, 91);
+            parts.camera = Camera { matrix: camera.matrix, ..parts.camera };
+        },
+        "rays",
+        "columns = hRes and rows = vRes",
+    );
+}
+
+#[test]
 fn two_numbers_of_a_light_and_a_margin_of_the_nearest() {
     assert_told(
         Step::Diffuse,
@@ -247,10 +280,10 @@ fn a_bound_in_a_picture_of_many_rays_a_pixel_or_of_a_wide_view() {
     };
     let formula = "G = I_s if 0.3 < n·l, else 0";
     let wide = Camera::new(160, 90, PI / 2.0);
-    for (camera, samples) in [(camera(160, 90), 2), (camera(160, 90), 4), (wide, 1)]
-    {
+    let large = camera(480, 270);
+    for (camera, samples) in [(camera(160, 90), 2), (large, 4), (wide, 1)] {
         let yours = bound(camera).picture(Step::Phong, samples);
-        // Of 4 × 4 rays a pixel, a fourth of the pixels is looked at.
+        // Of very many rays, only some are cast.
         let told = if samples == 4 { " that was looked at" } else { "" };
         let told = format!("in every pixel{told}, {formula}");
         assert_picture_told(&yours, Step::Phong, "specular", &told);

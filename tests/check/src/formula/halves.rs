@@ -5,6 +5,7 @@ use super::{
     Cause, Change, Context, Edit, Evidence, Part, Pixel, Riddle, SOME, Tree,
     Values, kept, spread,
 };
+use crate::measure::sky;
 use crate::{Step, each, sort};
 use glam::DVec3;
 
@@ -17,40 +18,69 @@ impl Riddle<'_> {
         edits: &[Edit],
         wrong: &[Pixel],
     ) -> Vec<Cause> {
-        let groups = self.groups(tree, wrong);
-        let few = |all: &Vec<Pixel>| spread(all, 24, 0);
-        let mut telling: Vec<_> = groups.iter().flat_map(few).collect();
+        let few = spread(self.places, 1000, 0);
+        let sky = self.of_sky(tree, edits, &few);
+        if !sky.is_empty() {
+            return self.nearest(tree, sky.iter().take(8).collect(), wrong, 3);
+        }
+        // Where little is right, that is by chance.
+        let right = kept(&few, &mut |place| self.is_right(place)).len();
+        let may_spoil = 10 * right < few.len();
+        if may_spoil && 1 < self.samples {
+            return vec![]; // Not worth the wait.
+        }
+        let groups = self.groups(tree, &spread(wrong, 2000, 0));
+        let some = |(_, all): &Group| spread(all, 24, 0);
+        let mut telling: Vec<_> = groups.iter().flat_map(some).collect();
         telling.extend(spread(wrong, telling.len(), 0));
         let evidence = self.evidence(tree, &telling, wrong);
         let mut numbers = vec![];
-        let reach = self.yours.width() / 12;
-        for group in groups.iter().take(3) {
+        let objects = || groups.iter().filter(|(key, _)| SKY < *key);
+        // Ambient light alone tells of its numbers best.
+        let is_dark = |(key, _): &&Group| key % 4 == 0;
+        let dark = objects().skip(3).find(is_dark).filter(|_| self.samples < 3);
+        let most = 3_u32.div_ceil(self.samples) as usize;
+        for (key, group) in objects().take(most).chain(dark) {
             // One place of it: there, nothing else hides it.
-            let near = |&(i, j): &Pixel| {
-                kept(group, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
+            let reach = self.yours.width() / 12;
+            let near = |all: &[Pixel], &(i, j): &Pixel| {
+                kept(all, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
             };
             let centres = spread(group, 9, 0);
-            let place = centres.iter().map(near).max_by_key(Vec::len);
-            let place = place.unwrap_or_default();
-            if 8 < place.len() {
+            let centre = centres.iter().max_by_key(|at| near(group, at).len());
+            let place = centre.map_or(vec![], |at| near(wrong, at));
+            let mut its = self.groups(tree, &place).into_iter();
+            let place = its.find(|(other, _)| other == key);
+            if let Some((_, place)) = place.filter(|(_, place)| 8 < place.len()) {
                 numbers
                     .extend(solutions(&self.evidence(tree, &place, wrong), false));
             }
         }
-        // More pixels tell which of them are best, one of each line.
+        let likely = edits.iter().filter(|edit| edit.rank < 2);
+        let all = likely.chain(&numbers).collect();
+        // The first is nearly always one of the two, if any is.
+        let most = if tree.step == Step::Rays { 12 } else { 4 };
+        self.nearest(tree, best(&evidence, all, may_spoil), wrong, most)
+    }
+
+    /// Those of some edits that bring the picture nearest, one of each line; more pixels
+    /// tell which they are.
+    fn nearest(
+        &self,
+        tree: &Tree,
+        all: Vec<&Edit>,
+        wrong: &[Pixel],
+        most: usize,
+    ) -> Vec<Cause> {
         let rays = (self.samples * self.samples) as usize;
-        let mut some = spread(wrong, 3000 / rays, 0);
-        some.extend(spread(self.places, 600 / rays, 0));
+        let mut some = spread(wrong, 1800 / rays, 0);
+        some.extend(spread(self.places, 400 / rays, 0));
         let rated = |edit: &Edit| {
             let half = cause(tree, edit);
             let left = self.left(&tree.with(&edit.changes), &some);
             Some((left, half, edit.line))
         };
-        let likely = edits.iter().filter(|edit| edit.rank < 2);
-        let all = likely.chain(&numbers).collect();
-        let mut all = each(best(&evidence, all), rated);
-        // The first is nearly always one of the two, if any is.
-        let most = if tree.step == Step::Rays { 12 } else { 4 };
+        let mut all = each(all, rated);
         let (mut lines, mut halves) = (vec![], vec![]);
         // What leaves the least; the second is what mends the most.
         for k in 0..all.len().min(most) {
@@ -58,7 +88,9 @@ impl Riddle<'_> {
             sort(&mut all, |(left, half, line)| {
                 let told = half.told.chars().count();
                 let is_taken = usize::from(lines.contains(line));
-                [is_taken << 30 | left[of], 1000 * usize::from(half.rank) + told]
+                // A little nearer is so by chance.
+                let left = left[of] + left[of] / 20 * usize::from(half.rank);
+                [is_taken << 30 | left, told]
             });
             let (_, half, line) = all.remove(0);
             if !lines.contains(&line) {
@@ -67,6 +99,29 @@ impl Riddle<'_> {
             }
         }
         halves
+    }
+
+    /// The edits, or else the numbers, that explain the sky of a picture, where that is
+    /// another than ours.
+    fn of_sky(&self, tree: &Tree, edits: &[Edit], few: &[Pixel]) -> Vec<Edit> {
+        // What is sky in both.
+        let all = self.groups(tree, &sky(self.yours, few)).into_iter();
+        let all = all.filter(|(key, _)| *key <= SKY);
+        let all: Vec<_> = all.flat_map(|(_, all)| all).collect();
+        let sky = kept(&all, &mut |place| !self.is_right(place));
+        if sky.len() < 60 || sky.len() * 4 < all.len() * 3 {
+            return vec![];
+        }
+        let evidence = Evidence::new(tree, self.yours, self.samples, &sky, &[]);
+        let mut all = evidence.survivors(edits.iter().collect());
+        if all.is_empty() {
+            let numbers = solutions(&evidence, true);
+            if !numbers.is_empty() {
+                return numbers;
+            }
+            all = firsts(&evidence, edits);
+        }
+        all.into_iter().cloned().collect()
     }
 
     /// How far some pixels are from what a tree makes, and how many of them are it not.
@@ -87,11 +142,10 @@ impl Riddle<'_> {
 
     /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
     /// the largest group first.
-    fn groups(&self, tree: &Tree, wrong: &[Pixel]) -> Vec<Vec<Pixel>> {
-        let few = spread(wrong, 2000, 0);
+    fn groups(&self, tree: &Tree, few: &[Pixel]) -> Vec<Group> {
         let (context, diffuse) = (Context::plain(tree), tree.find("I_d"));
         let diffuse = diffuse.filter(|line| tree.lines[*line].is_needed);
-        let mut groups: Vec<(usize, Vec<Pixel>)> = vec![];
+        let mut groups: Vec<Group> = vec![];
         for places in few.chunks(SOME) {
             let values = Values::at(tree, places, 1);
             let values = values.changed(&context);
@@ -110,9 +164,16 @@ impl Riddle<'_> {
             }
         }
         sort(&mut groups, |(_, group)| [usize::MAX - group.len(), 0]);
-        groups.into_iter().map(|(_, group)| group).collect()
+        groups
     }
 }
+
+/// Pixels that see one object which the same lights reach, and what tells these: 0 and 1
+/// for the lights in its last two bits.
+type Group = (usize, Vec<Pixel>);
+
+/// The last key of what sees no object.
+const SKY: usize = 3;
 
 /// How far a pixel is from another: about as many bits as it takes to tell it from that.
 fn far(yours: [u8; 3], other: [u8; 3]) -> usize {
@@ -144,9 +205,10 @@ struct Rated {
 }
 
 impl Rated {
-    /// None where it spoils a third of those that are right.
+    /// None where it spoils a third of those that are right, unless it may.
     fn of(
         evidence: &Evidence,
+        may_spoil: bool,
         part: &Part,
         edit: usize,
         changes: &[Change],
@@ -160,7 +222,7 @@ impl Rated {
             }
         }
         // Some are right by chance, as where bytes are cut off, or where few are.
-        if rights + 16 < 3 * spoilt {
+        if !may_spoil && rights + 16 < 3 * spoilt {
             return None;
         }
         let (mut mended, mut far, mut after) = (0, 0, vec![]);
@@ -179,13 +241,50 @@ impl Rated {
     }
 }
 
+/// The first of two slips of the hand that explain all pixels of the sky together.
+fn firsts<'e>(evidence: &Evidence, edits: &'e [Edit]) -> Vec<&'e Edit> {
+    let few = &evidence.parts[1];
+    let rated = |edit: &'e Edit| {
+        let rated = Rated::of(evidence, true, few, 0, &edit.changes)?;
+        let hash = |hash: usize, byte: &u8| {
+            (hash ^ usize::from(*byte)).wrapping_mul(16_777_619)
+        };
+        Some((edit, rated.after.as_flattened().iter().fold(0, hash)))
+    };
+    let is_slip = |edit: &&Edit| {
+        let stage = evidence.tree.lines[edit.line].place.stage;
+        // Another angle is an option, more likely.
+        let is_angle = ["θ", "h"].contains(&&*evidence.tree.lines[edit.line].name);
+        edit.rank == 0 && !is_angle && ["rays", "sky", "sum"].contains(&stage)
+    };
+    let mut all = each(edits.iter().filter(is_slip).collect(), rated);
+    // One of those that make the same pixels.
+    sort(&mut all, |(_, hash)| [*hash, 0]);
+    all.dedup_by_key(|(_, hash)| *hash);
+    let with_another = |k: usize| {
+        let first = all[k].0;
+        let fits = |(second, _): &(&Edit, usize)| {
+            let two = [&first.changes[..], &second.changes].concat();
+            first.line != second.line && evidence.fits(&two, 0.0.into())
+        };
+        all[k + 1..].iter().any(fits).then_some(first)
+    };
+    each((0..all.len()).collect(), with_another)
+}
+
 /// The edits that mend most, and those that bring nearest.
-fn best<'e>(evidence: &Evidence, edits: Vec<&'e Edit>) -> Vec<&'e Edit> {
+fn best<'e>(
+    evidence: &Evidence,
+    edits: Vec<&'e Edit>,
+    may_spoil: bool,
+) -> Vec<&'e Edit> {
     let [_, few, more, most] = &evidence.parts;
     let rated = |part: &Part, all: Vec<usize>| {
-        each(all, |k| Rated::of(evidence, part, k, &edits[k].changes))
+        let one =
+            |k: usize| Rated::of(evidence, may_spoil, part, k, &edits[k].changes);
+        each(all, one)
     };
-    let same = |part: &Part| Rated::of(evidence, part, 0, &[]);
+    let same = |part: &Part| Rated::of(evidence, may_spoil, part, 0, &[]);
     let (Some(few_same), Some(most_same)) = (same(few), same(most)) else {
         return vec![];
     };
@@ -194,17 +293,22 @@ fn best<'e>(evidence: &Evidence, edits: Vec<&'e Edit>) -> Vec<&'e Edit> {
     all.retain(|one| 0 < one.mended || one.far < few_same.far);
     let all = all.iter().map(|one| one.edit).collect();
     // Some seem good to few pixels; many tell.
-    let some = first(&mut rated(more, all), 80, 16);
+    let some = first(&edits, &mut rated(more, all), 120, 3);
     let mut all = rated(most, some);
     all.retain(|one| {
         most_same.after.len() / 16 < one.mended || 3 * one.far < 2 * most_same.far
     });
-    first(&mut all, 14, 4).into_iter().map(|k| edits[k]).collect()
+    first(&edits, &mut all, 22, 2).into_iter().map(|k| edits[k]).collect()
 }
 
 /// The first of those that mend most and of those that bring nearest, in their order; of
-/// what makes the same pixels, only some.
-fn first(all: &mut [Rated], most: usize, alike: usize) -> Vec<usize> {
+/// what makes the same pixels in one line, only some.
+fn first(
+    edits: &[&Edit],
+    all: &mut [Rated],
+    most: usize,
+    alike: usize,
+) -> Vec<usize> {
     let mut first = vec![];
     for by_far in [false, true] {
         sort(all, |one| {
@@ -213,9 +317,10 @@ fn first(all: &mut [Rated], most: usize, alike: usize) -> Vec<usize> {
         });
         let mut taken = vec![];
         for one in &*all {
-            let same = taken.iter().filter(|after| **after == &one.after).count();
+            let this = (edits[one.edit].line, &one.after);
+            let same = taken.iter().filter(|other| **other == this).count();
             if taken.len() < most && same < alike {
-                taken.push(&one.after);
+                taken.push(this);
                 first.push(one.edit);
             }
         }

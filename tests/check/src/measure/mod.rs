@@ -1,6 +1,6 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
-use crate::formula::{Cause, Riddle, Tree, kept};
+use crate::formula::{Cause, Pixel, Riddle, Tree, kept};
 use crate::fov::is_option;
 use crate::view::View;
 use crate::{Options, Section, Step};
@@ -153,9 +153,8 @@ fn asked(
     ask: Ask,
 ) -> Option<(Tree, Groups)> {
     let (size, samples) = (yours.dimensions(), options.samples);
-    let is_it = |ours: &&RgbImage| {
-        *options == Options::NONE && ours.dimensions() == size
-    };
+    let is_it =
+        |ours: &&RgbImage| *options == Options::NONE && ours.dimensions() == size;
     let ours = ours.filter(is_it);
     let cause = options.cause(step);
     let parts = cause.parts(size);
@@ -174,6 +173,14 @@ fn asked(
     let riddle = Riddle { yours, samples, places: &places, ours: &pixel };
     let groups = ask(riddle, &tree)?;
     Some((tree, groups))
+}
+
+/// Those of some pixels that are of the sky of a picture, whatever rays it is of.
+pub(crate) fn sky(yours: &RgbImage, places: &[Pixel]) -> Vec<Pixel> {
+    let sky = Sky::of(yours).filter(|sky| !sky.is_even());
+    let Some(sky) = sky else { return vec![] };
+    let is_it = |off: f64| off < 1.0;
+    kept(places, &mut |place| sky.off(yours, place).is_some_and(is_it))
 }
 
 /// A question to a picture.

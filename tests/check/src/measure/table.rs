@@ -210,11 +210,11 @@ fn tell(stages: &mut [Stage], group: &[formula::Cause], looked_at: &str) {
         for other in group.iter().skip(1).take(4) {
             stage.numbers.push(format!("or else {}", other.told));
         }
-        if let more @ 1.. = group.len().saturating_sub(5) {
-            stage
-                .numbers
-                .push(format!("or else one of {more} others, which are alike"));
-        }
+        stage.numbers.extend(match group.len().saturating_sub(5) {
+            0 => None,
+            1 => Some("or else another one, which is alike".to_owned()),
+            more => Some(format!("or else one of {more} others, which are alike")),
+        });
     }
     let others: Vec<_> = group.iter().skip(1).collect();
     doubt(stages, &others, name.unwrap_or_default());
@@ -349,8 +349,7 @@ pub(crate) fn of_mistakes(
     let is_told = |path: &str| {
         causes.iter().flatten().any(|mistake| mistake.section.path() == path)
     };
-    let is_other =
-        |one: &&formula::Cause| !is_told(&one.place.section.path());
+    let is_other = |one: &&formula::Cause| !is_told(&one.place.section.path());
     let others: Vec<_> = formulas.iter().filter(is_other).take(4).collect();
     let is_wrong = |stage: &&mut Stage| stage.verdict == Verdict::Wrong;
     if let Some(first) = stages.iter_mut().find(is_wrong) {

@@ -52,6 +52,14 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         let changes = vec![Change::Line(v, Node::of(Op::Vector, rows))];
         all.push(Edit { changes, rank: 0, says: Some(says), line: v });
     }
+    if let Some([columns, rows, width, height]) =
+        all_found(tree, ["columns", "rows", "hRes", "vRes"])
+    {
+        let pairs = [(columns, width), (rows, height)];
+        let changes = pairs.map(|(line, of)| Change::Line(line, Node::Name(of)));
+        let changes = changes.into();
+        all.push(Edit { changes, rank: 0, says: None, line: columns });
+    }
     last_samples(tree, all);
     samples_in_bytes(tree, all);
     steps(tree, all);

@@ -22,9 +22,10 @@ impl Scope<'_> {
         };
         let is_number = matches!(node, Node::Number(_));
         if kind != Some(Kind::Truth) && !is_number {
-            // Hardly anyone changes the sign of a column or a row.
-            let is_place = ["i", "j"].contains(&&*self.line.name);
-            all.push((u8::from(is_place), one(Op::Neg)));
+            // Hardly anyone changes the sign of a column, a row or a radius.
+            let plain = ["i", "j", "radius", "radius'"];
+            let is_plain = plain.contains(&&*self.line.name);
+            all.push((u8::from(is_plain), one(Op::Neg)));
             let likely = [
                 with(Op::Mul, 2.0),
                 with(Op::Div, 2.0),
@@ -95,14 +96,18 @@ impl Scope<'_> {
         if self.line.of == Of::Pixel && matches!(node, Node::Name(_)) {
             // Whole numbers, too soon.
             let half = with(Op::Add, 0.5);
-            all.extend([one(Op::Floor), Node::of(Op::Floor, [half])].map(|n| (1, n)));
+            all.extend(
+                [one(Op::Floor), Node::of(Op::Floor, [half])].map(|n| (1, n)),
+            );
         }
         if let Node::Of(Op::Chosen, _) = node
             && kind == Some(Kind::Vector)
         {
             // A channel taken for another one.
             let part = |axis: usize| one(Op::Part(axis));
-            for axes in [[0, 1, 1], [0, 0, 2], [0, 1, 0], [0, 2, 2], [1, 1, 2], [2, 1, 2]] {
+            for axes in
+                [[0, 1, 1], [0, 0, 2], [0, 1, 0], [0, 2, 2], [1, 1, 2], [2, 1, 2]]
+            {
                 all.push((1, Node::of(Op::Vector, axes.map(part))));
             }
         }
