@@ -23,6 +23,11 @@ pub struct Mistake {
     pub change: fn(&mut Parts),
 }
 
+/// What the book says alone: the module of a page holds no such words.
+pub(crate) const fn book(words: &'static str) -> &'static str {
+    if cfg!(target_arch = "wasm32") { "" } else { words }
+}
+
 impl Mistake {
     /// The picture of its step with this mistake in it.
     pub fn picture(&self, camera: &Camera, samples: u32) -> RgbImage {

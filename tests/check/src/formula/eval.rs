@@ -260,22 +260,24 @@ impl Changed<'_> {
 }
 
 fn one(op: Op, v: &Value) -> Value {
-    match op {
-        Op::Neg => v.map(|x| -x),
-        Op::Sqrt => v.map(f64::sqrt),
-        Op::Abs => v.map(f64::abs),
-        Op::Length => v.scalars(DVec3::length),
-        Op::Unit => v.vectors(DVec3::normalize),
-        Op::Tan => v.map(f64::tan),
-        Op::Atan => v.map(f64::atan),
-        Op::Sin => v.map(f64::sin),
-        Op::Cos => v.map(f64::cos),
-        Op::Acos => v.map(|x| x.clamp(-1.0, 1.0).acos()),
-        Op::Floor => v.map(f64::floor),
-        Op::Ceil => v.map(f64::ceil),
-        Op::Part(axis) => v.scalars(|v| v[axis]),
-        _ => v.clone(),
-    }
+    // One copy of what lists need for these.
+    let part: fn(f64) -> f64 = match op {
+        Op::Length => return v.scalars(DVec3::length),
+        Op::Unit => return v.vectors(DVec3::normalize),
+        Op::Part(axis) => return v.scalars(|v| v[axis]),
+        Op::Neg => |x| -x,
+        Op::Sqrt => f64::sqrt,
+        Op::Abs => f64::abs,
+        Op::Tan => f64::tan,
+        Op::Atan => f64::atan,
+        Op::Sin => f64::sin,
+        Op::Cos => f64::cos,
+        Op::Acos => |x| x.clamp(-1.0, 1.0).acos(),
+        Op::Floor => f64::floor,
+        Op::Ceil => f64::ceil,
+        _ => return v.clone(),
+    };
+    v.map(part)
 }
 
 fn two(op: Op, a: &Value, b: &Value) -> Value {

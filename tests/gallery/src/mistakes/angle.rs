@@ -1,5 +1,6 @@
 //! Mistakes with θ and the size of the image plane.
 
+use crate::mistake::book;
 use crate::{Mistake, Parts, section};
 use step01_rays::Camera;
 
@@ -7,7 +8,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "degrees",
         when: "the angle is in degrees",
-        sees: "The view is far too wide, upside down and mirrored.",
+        sees: book("The view is far too wide, upside down and mirrored."),
         says: "The tangent takes radians: of 30 radians it is −6.4, and of 30° it is 0.58.",
         change: |parts| {
             let Camera { h_res, v_res, .. } = parts.camera;
@@ -18,7 +19,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "full-angle",
         when: "the tangent is that of θ, not of θ/2",
-        sees: "The view is three times as wide, so everything is three times as small.",
+        sees: book(
+            "The view is three times as wide, so everything is three times as small.",
+        ),
         says: "From the middle of the picture to its side is half of the angle.",
         change: |parts| parts.camera = wide(parts, theta(parts).tan()),
         ..section::CAMERA.mistake()
@@ -26,7 +29,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "half-tangent",
         when: "half the tangent of θ is taken for the tangent of θ/2",
-        sees: "The view is too wide, and everything is a third smaller.",
+        sees: book("The view is too wide, and everything is a third smaller."),
         says: "The half belongs inside: tan(θ/2), not tan(θ)/2.",
         change: |parts| parts.camera = wide(parts, theta(parts).tan() / 2.0),
         ..section::CAMERA.mistake()
@@ -34,7 +37,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-tangent",
         when: "θ/2 stands where its tangent should",
-        sees: "The view is a tenth too narrow, and everything a tenth larger.",
+        sees: book(
+            "The view is a tenth too narrow, and everything a tenth larger.",
+        ),
         says: "The image plane is flat: its half width is tan(θ/2), not θ/2.",
         change: |parts| parts.camera = wide(parts, theta(parts) / 2.0),
         ..section::CAMERA.mistake()
@@ -42,7 +47,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-angle",
         when: "the image plane runs from −1 to 1 whatever the angle is",
-        sees: "The view is too wide, exactly as with `--fov 90`.",
+        sees: book("The view is too wide, exactly as with `--fov 90`."),
         says: "Its half width is tan(θ/2), and that is 1 for 90° only.",
         change: |parts| parts.camera = wide(parts, 1.0),
         ..section::CAMERA.mistake()
@@ -50,7 +55,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "upright-angle",
         when: "θ is taken from top to bottom",
-        sees: "The view is too wide, and everything smaller by the aspect ratio.",
+        sees: book(
+            "The view is too wide, and everything smaller by the aspect ratio.",
+        ),
         says: "OpenGL's angle is vertical, the lecture's goes from left to right.",
         change: |parts| {
             let tan = parts.camera.matrix.z_axis.y;
@@ -61,7 +68,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "square-view",
         when: "the view is as high as it is wide, though the picture is not",
-        sees: "Everything is squeezed from top to bottom: spheres are flat ovals.",
+        sees: book(
+            "Everything is squeezed from top to bottom: spheres are flat ovals.",
+        ),
         says: "Pixels are square where D_v is as long as D_u, with hRes − 1 below both.",
         change: |parts| high(parts, 1.0),
         ..section::CAMERA.mistake()
@@ -69,7 +78,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "ratio-upside-down",
         when: "the aspect ratio is upside down",
-        sees: "Everything is squeezed very flat.",
+        sees: book("Everything is squeezed very flat."),
         says: "The height of the view is its width times vRes/hRes, not hRes/vRes.",
         change: |parts| {
             let Camera { h_res, v_res, .. } = parts.camera;
@@ -80,7 +89,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "too-many-steps",
         when: "hRes and vRes stand where hRes − 1 and vRes − 1 should",
-        sees: "It looks right, but every edge is off by a fraction of a pixel.",
+        sees: book(
+            "It looks right, but every edge is off by a fraction of a pixel.",
+        ),
         says: "Between hRes rays there are hRes − 1 steps.",
         change: |parts| {
             let Camera { h_res, v_res, .. } = parts.camera;
@@ -96,7 +107,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "edge-to-edge",
         when: "θ reaches from the left edge of the picture to its right edge",
-        sees: "It looks right, but every edge is off by a fraction of a pixel.",
+        sees: book(
+            "It looks right, but every edge is off by a fraction of a pixel.",
+        ),
         says: "Many courses measure it so; the lecture's θ lies between the middles of the \
          outermost pixels, which are hRes − 1 steps apart.",
         change: |parts| {

@@ -1,5 +1,6 @@
 //! Mistakes with the nine numbers of the camera matrix.
 
+use crate::mistake::book;
 use crate::{Mistake, Parts, section};
 use glam::{DMat3, DVec3};
 use step01_rays::Camera;
@@ -8,7 +9,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "slide-matrix",
         when: "the matrix is the slide's, to the letter",
-        sees: "Below its first few rows, nothing changes from top to bottom.",
+        sees: book("Below its first few rows, nothing changes from top to bottom."),
         says: "The D_v of the slide has lost its denominator, so that the second row looks \
          down already.",
         change: |parts| {
@@ -23,7 +24,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "d-u-in-wrong-row",
         when: "D_u has its value in the row of y",
-        sees: "The picture is slanted streaks, each of one colour.",
+        sees: book("The picture is slanted streaks, each of one colour."),
         says: "D_u is one pixel to the right, so its value belongs to x; the first slide has \
          this slip.",
         change: |parts| {
@@ -35,7 +36,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "rows-for-columns",
         when: "the matrix is given row by row to a function that takes columns",
-        sees: "A slanted line cuts the sky; from step 2 on, red fills nearly all of the picture.",
+        sees: book(
+            "A slanted line cuts the sky; from step 2 on, red fills nearly all of the picture.",
+        ),
         says: "`DMat3::from_cols` takes D_u, D_v and V_0, one after the other.",
         change: |parts| parts.camera.matrix = parts.camera.matrix.transpose(),
         ..section::CAMERA.mistake()
@@ -43,7 +46,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "i-j-swapped",
         when: "i and j change places",
-        sees: "The picture is transposed: up has become left.",
+        sees: book("The picture is transposed: up has become left."),
         says: "D_u is multiplied by the column i, D_v by the row j.",
         change: |parts| {
             let DMat3 { x_axis: d_u, y_axis: d_v, z_axis: v_0 } =
@@ -55,7 +58,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "starts-ahead",
         when: "V_0 looks straight ahead",
-        sees: "The middle of the scene is in the upper left corner.",
+        sees: book("The middle of the scene is in the upper left corner."),
         says: "The first ray goes through the centre of the corner pixel: its x is −tan(θ/2), and its y is above 0.",
         change: |parts| parts.camera.matrix.z_axis = DVec3::NEG_Z,
         ..section::CAMERA.mistake()
@@ -63,7 +66,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "half-a-pixel",
         when: "half a pixel is added to i and j",
-        sees: "It looks right, but everything is half a pixel to the left and up.",
+        sees: book(
+            "It looks right, but everything is half a pixel to the left and up.",
+        ),
         says: "Where the outermost rays enclose θ, whole numbers are the middles of pixels.",
         change: |parts| {
             let matrix = &mut parts.camera.matrix;
@@ -74,7 +79,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "y-down",
         when: "y points down",
-        sees: "The picture is upside down.",
+        sees: book("The picture is upside down."),
         says: "Rows run down and y runs up, so D_v has a minus and V_0 starts at the top.",
         change: |parts| turned(parts, DVec3::new(1.0, -1.0, 1.0)),
         ..section::CAMERA.mistake()
@@ -82,7 +87,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "mirrored",
         when: "x points left",
-        sees: "The picture is mirrored: left and right have changed places.",
+        sees: book("The picture is mirrored: left and right have changed places."),
         says: "The first column is on the left, at −tan(θ/2), and D_u goes to the right.",
         change: |parts| turned(parts, DVec3::new(-1.0, 1.0, 1.0)),
         ..section::CAMERA.mistake()
@@ -90,7 +95,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "looks-back",
         when: "the camera looks along +z",
-        sees: "The sky is green and orange, and what is ahead is missing.",
+        sees: book("The sky is green and orange, and what is ahead is missing."),
         says: "The camera looks down −z, so V_0 has a −1.",
         change: |parts| turned(parts, DVec3::new(1.0, 1.0, -1.0)),
         ..section::CAMERA.mistake()

@@ -1,5 +1,6 @@
 //! Mistakes in the choice of one hit among many.
 
+use crate::mistake::book;
 use crate::{Mistake, Step, section};
 use step03_nearest::Hit;
 
@@ -7,7 +8,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "first-in-list",
         when: "the first sphere in the list that is hit is taken",
-        sees: "The ground covers what stands on it: the golden sphere is gone.",
+        sees: book(
+            "The ground covers what stands on it: the golden sphere is gone.",
+        ),
         says: "Ask every sphere, and keep the hit with the smallest t.",
         change: |parts| parts.nearest = |hits| hits.next(),
         ..section::NEAREST.mistake()
@@ -15,7 +18,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "last-in-list",
         when: "the last sphere in the list that is hit is taken",
-        sees: "Each sphere covers those that come before it in the list.",
+        sees: book("Each sphere covers those that come before it in the list."),
         says: "A new hit counts only if its t is smaller than that of the nearest so far.",
         change: |parts| parts.nearest = |hits| hits.last(),
         ..section::NEAREST.mistake()
@@ -23,7 +26,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "farthest",
         when: "the hit with the largest t is taken",
-        sees: "What is far away covers what is near.",
+        sees: book("What is far away covers what is near."),
         says: "The comparison is the wrong way round: keep the smaller t.",
         change: |parts| {
             parts.nearest = |hits| hits.max_by(|a, b| a.t.total_cmp(&b.t));
@@ -34,7 +37,9 @@ pub(crate) const ALL: &[Mistake] = &[
         name: "old-t",
         step: Step::Diffuse,
         when: "a nearer object is kept, but not its t",
-        sees: "The white sphere is dark, the golden one too light, and the teal one has a stripe.",
+        sees: book(
+            "The white sphere is dark, the golden one too light, and the teal one has a stripe.",
+        ),
         says: "A hit is a t and its object: replace both, or the light is that of a point \
          behind the surface.",
         change: |parts| {

@@ -1,5 +1,6 @@
 //! Mistakes with the ambient and the diffuse term, and with more than one light.
 
+use crate::mistake::book;
 use crate::{Mistake, section};
 use glam::DVec3;
 use step04_diffuse::{Surface, diffuse};
@@ -8,7 +9,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-max",
         when: "l·n may be below 0",
-        sees: "The side that faces away from a light is too dark, down to black.",
+        sees: book(
+            "The side that faces away from a light is too dark, down to black.",
+        ),
         says: "max(l·n, 0): a light behind the surface gives nothing, and takes nothing away.",
         change: |parts| {
             parts.diffuse = |n, l, d, surface, light| {
@@ -20,7 +23,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "absolute",
         when: "|n·l| is taken for max(n·l, 0)",
-        sees: "The dark sides are lit as well, as if by lights behind them.",
+        sees: book("The dark sides are lit as well, as if by lights behind them."),
         says: "A light behind the surface does not reach it.",
         change: |parts| {
             parts.diffuse = |n, l, d, surface, light| {
@@ -33,7 +36,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-cosine",
         when: "l·n is left out of the diffuse term",
-        sees: "Spheres are flat discs again, only brighter.",
+        sees: book("Spheres are flat discs again, only brighter."),
         says: "By Lambert's law, light that comes in at a slant counts l·n times.",
         change: |parts| {
             parts.diffuse = |_, _, d, surface, light| {
@@ -45,7 +48,9 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-colour",
         when: "R_d is left out of the diffuse term",
-        sees: "The lit sides have the colour of the light, not that of the sphere.",
+        sees: book(
+            "The lit sides have the colour of the light, not that of the sphere.",
+        ),
         says: "The surface reflects only R_d of the light, in each of red, green and blue.",
         change: |parts| {
             parts.diffuse = |n, l, d, _, light| {
@@ -57,7 +62,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-diffuse",
         when: "the diffuse term is left out",
-        sees: "Spheres are flat discs again, and dark.",
+        sees: book("Spheres are flat discs again, and dark."),
         says: "I is the sum of all its terms: each light adds its I_d.",
         change: |parts| parts.diffuse = |_, _, _, _, _| DVec3::ZERO,
         ..section::LIGHTS.mistake()
@@ -65,7 +70,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "no-ambient",
         when: "the ambient term is left out",
-        sees: "What no light reaches is black.",
+        sees: book("What no light reaches is black."),
         says: "The sum begins with I_a = R_a L_a.",
         change: |parts| parts.scene.ambient_light = DVec3::ZERO,
         ..section::AMBIENT.mistake()
@@ -73,7 +78,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "ambient-without-colour",
         when: "R_a is left out of the ambient term",
-        sees: "Everything is pale, and the dark sides are one bluish grey.",
+        sees: book("Everything is pale, and the dark sides are one bluish grey."),
         says: "The surface reflects only R_a of the ambient light, in its own colour.",
         change: |parts| {
             parts.materials().for_each(|m| m.surface.ambient = DVec3::ONE);
@@ -83,7 +88,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "ambient-per-light",
         when: "the ambient term is added for each light",
-        sees: "Everything is too bright, the dark sides most of all.",
+        sees: book("Everything is too bright, the dark sides most of all."),
         says: "I_a belongs to no light: it stands before the loop, and counts once.",
         change: |parts| parts.scene.ambient_light *= 2.0,
         ..section::LIGHTS.mistake()
@@ -91,7 +96,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "first-light-only",
         when: "only the first light counts",
-        sees: "The right sides of the spheres have lost their bluish light.",
+        sees: book("The right sides of the spheres have lost their bluish light."),
         says: "The sum runs over all lights.",
         change: |parts| parts.scene.lights.truncate(1),
         ..section::LIGHTS.mistake()
@@ -99,7 +104,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "last-light-only",
         when: "only the last light counts",
-        sees: "Only the cool light is left, on the right sides.",
+        sees: book("Only the cool light is left, on the right sides."),
         says: "Add to the sum with `+=`: `=` forgets what was there before.",
         change: |parts| drop(parts.scene.lights.drain(..1)),
         ..section::LIGHTS.mistake()
@@ -107,7 +112,7 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake {
         name: "averaged",
         when: "the light is divided by the number of lights",
-        sees: "Everything that is lit is too dark.",
+        sees: book("Everything that is lit is too dark."),
         says: "Light adds up: two lamps are brighter than one.",
         change: |parts| {
             let count = parts.scene.lights.len() as f64;

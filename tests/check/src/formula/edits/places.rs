@@ -4,6 +4,35 @@ use super::{Ranked, Scope};
 use crate::formula::{Kind, Node, Of, Op};
 use std::f64::consts::PI;
 
+/// How far-fetched an operation with a number is, put in.
+const WITH: [(u8, Op, f64); 18] = [
+    (1, Op::Mul, 2.0),
+    (1, Op::Div, 2.0),
+    (1, Op::Pow, 2.0),
+    (1, Op::Max, 0.0),
+    (1, Op::Min, 1.0),
+    (1, Op::Add, 1.0),
+    (1, Op::Sub, 1.0),
+    (2, Op::Pow, 3.0),
+    (2, Op::Pow, 4.0),
+    (2, Op::Max, 1.0),
+    (2, Op::Min, 0.0),
+    (2, Op::Mul, 3.0),
+    (2, Op::Div, 3.0),
+    (2, Op::Mul, 4.0),
+    (2, Op::Div, 4.0),
+    // π and degrees, put in or left out.
+    (2, Op::Mul, 1.0 / PI),
+    (2, Op::Mul, 180.0 / PI),
+    (2, Op::Mul, PI / 180.0),
+];
+
+/// The axes of a vector in another order, and some of them taken twice.
+pub(super) const ORDERS: [[usize; 3]; 5] =
+    [[2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
+const TWICE: [[usize; 3]; 6] =
+    [[0, 1, 1], [0, 0, 2], [0, 1, 0], [0, 2, 2], [1, 1, 2], [2, 1, 2]];
+
 impl Scope<'_> {
     /// The node changed at its root.
     pub(super) fn here(&self, node: &Node) -> Vec<Ranked> {
@@ -26,31 +55,17 @@ impl Scope<'_> {
             let plain = ["i", "j", "radius", "radius'"];
             let is_plain = plain.contains(&&*self.line.name);
             all.push((u8::from(is_plain), one(Op::Neg)));
-            let likely = [
-                with(Op::Mul, 2.0),
-                with(Op::Div, 2.0),
-                with(Op::Pow, 2.0),
-                one(Op::Sqrt),
-                one(Op::Abs),
-                from(Op::Div, 1.0),
-                from(Op::Sub, 1.0),
-                with(Op::Max, 0.0),
-                with(Op::Min, 1.0),
-                with(Op::Add, 1.0),
-                with(Op::Sub, 1.0),
-            ];
-            all.extend(likely.map(|other| (1, other)));
-            let rest = Node::of(Op::Div, [node.clone(), with(Op::Add, 1.0)]);
-            let [cube, fourth] = [3.0, 4.0].map(|n| with(Op::Pow, n));
-            let bounds = [with(Op::Max, 1.0), with(Op::Min, 0.0)];
-            let unlikely = [cube, fourth, rest].into_iter().chain(bounds);
-            all.extend(unlikely.map(|other| (2, other)));
-            for by in [3.0, 4.0] {
-                all.extend([Op::Mul, Op::Div].map(|op| (2, with(op, by))));
+            for (rank, op, number) in WITH {
+                all.push((rank, with(op, number)));
             }
-            // π and degrees, put in or left out.
-            let angles = [1.0 / PI, 180.0 / PI, PI / 180.0];
-            all.extend(angles.map(|by| (2, with(Op::Mul, by))));
+            for op in [Op::Sqrt, Op::Abs] {
+                all.push((1, one(op)));
+            }
+            for op in [Op::Div, Op::Sub] {
+                all.push((1, from(op, 1.0)));
+            }
+            let rest = Node::of(Op::Div, [node.clone(), with(Op::Add, 1.0)]);
+            all.push((2, rest));
             for number in [0.0, 1.0] {
                 all.push((1, Node::Number(number)));
             }
@@ -74,41 +89,33 @@ impl Scope<'_> {
             let square = from(Op::Sub, 1.0)
                 .map(&|n| (n == node).then(|| with(Op::Pow, 2.0)));
             all.push((2, Node::of(Op::Sqrt, [square])));
-            all.extend([Op::Acos, Op::Cos, Op::Sin].map(|op| (2, one(op))));
+            for op in [Op::Acos, Op::Cos, Op::Sin] {
+                all.push((2, one(op)));
+            }
         }
         if kind == Some(Kind::Vector) {
             all.push((0, one(Op::Unit)));
-            let part = |axis: usize| one(Op::Part(axis));
             for (axis, sign) in
-                [0, 1, 2].into_iter().flat_map(|k| [(k, 1.0), (k, -1.0)])
+                [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)]
             {
                 let mut three = [0.0; 3];
                 three[axis] = sign;
                 all.push((2, Node::of(Op::Vector, three.map(Node::Number))));
             }
-            for axes in [[2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]] {
-                all.push((2, Node::of(Op::Vector, axes.map(part))));
+            // A channel may be taken for another one.
+            let is_colour = matches!(node, Node::Of(Op::Chosen, _));
+            let twice = if is_colour { &TWICE[..] } else { &[] };
+            let orders = ORDERS.iter().map(|axes| (2, axes));
+            for (rank, axes) in orders.chain(twice.iter().map(|axes| (1, axes))) {
+                let part = |axis: usize| one(Op::Part(axis));
+                all.push((rank, Node::of(Op::Vector, axes.map(part))));
             }
-        }
-        if kind == Some(Kind::Vector) {
             all.extend(self.reduced(node));
         }
         if self.line.of == Of::Pixel && matches!(node, Node::Name(_)) {
             // Whole numbers, too soon.
-            let half = with(Op::Add, 0.5);
-            all.extend(
-                [one(Op::Floor), Node::of(Op::Floor, [half])].map(|n| (1, n)),
-            );
-        }
-        if let Node::Of(Op::Chosen, _) = node
-            && kind == Some(Kind::Vector)
-        {
-            // A channel taken for another one.
-            let part = |axis: usize| one(Op::Part(axis));
-            for axes in
-                [[0, 1, 1], [0, 0, 2], [0, 1, 0], [0, 2, 2], [1, 1, 2], [2, 1, 2]]
-            {
-                all.push((1, Node::of(Op::Vector, axes.map(part))));
+            for whole in [node.clone(), with(Op::Add, 0.5)] {
+                all.push((1, Node::of(Op::Floor, [whole])));
             }
         }
         if let Node::Name(name) = node {

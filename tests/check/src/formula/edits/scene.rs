@@ -1,3 +1,4 @@
+use super::places::ORDERS;
 use super::{Edit, all_found};
 use crate::formula::{Change, Line, Node, Of, Op, Tree, Value};
 use glam::DVec3;
@@ -16,7 +17,7 @@ pub(super) fn given(line: &Line, k: usize, all: &mut Vec<Edit>) {
                 let signs = DVec3::new(sign(1), sign(2), sign(4));
                 push(which, (v * signs).into(), 0);
             }
-            for axes in [[2, 1, 0], [1, 0, 2], [0, 2, 1], [1, 2, 0], [2, 0, 1]] {
+            for axes in ORDERS {
                 push(which, DVec3::from_array(axes.map(|k| v[k])).into(), 0);
             }
         }

@@ -12,16 +12,21 @@ impl Scope<'_> {
         if !matches!(self.line.of, Of::Hit | Of::Light) {
             return vec![];
         }
-        let flat = |axis: usize| {
+        let mut all = vec![];
+        for axis in 0..3 {
             let mut three = parts(node);
+            all.push((2, three[axis].clone()));
             three[axis] = Node::Number(0.0);
-            Node::of(Op::Vector, three)
-        };
-        let numbers =
-            self.names(Kind::Scalar).filter(|_| matches!(node, Node::Name(_)));
-        let all = parts(node).into_iter().chain([0, 1, 2].map(flat)).chain(numbers);
-        let all = all.map(|other| (2, other));
-        all.chain(self.crossed(node)).chain(self.sums(node)).collect()
+            all.push((2, Node::of(Op::Vector, three)));
+        }
+        if matches!(node, Node::Name(_)) {
+            for number in self.names(Kind::Scalar) {
+                all.push((2, number));
+            }
+        }
+        all.extend(self.crossed(node));
+        all.extend(self.sums(node));
+        all
     }
 
     /// A sum of two directions, or of p and one, for a vector of a light, by its name
@@ -39,11 +44,13 @@ impl Scope<'_> {
             _ => false,
         };
         let all: Vec<_> = self.names(Kind::Vector).filter(is_one).collect();
-        let sum = |a: &Node, b: &Node| Node::of(Op::Add, [a.clone(), b.clone()]);
-        let pairs = all.iter().enumerate();
-        let pairs =
-            pairs.flat_map(|(k, a)| all[..k].iter().map(move |b| sum(b, a)));
-        pairs.map(|sum| (2, sum)).collect()
+        let mut sums = vec![];
+        for (k, a) in all.iter().enumerate() {
+            for b in &all[..k] {
+                sums.push((2, Node::of(Op::Add, [b.clone(), a.clone()])));
+            }
+        }
+        sums
     }
 
     /// A product of two vectors that is another product.
@@ -60,31 +67,37 @@ impl Scope<'_> {
 
     /// A product of two other vectors.
     pub(super) fn dots(&self) -> Vec<Ranked> {
-        let two = |a: &Node, b: &Node| Node::of(Op::Dot, [a.clone(), b.clone()]);
         let all: Vec<_> = self.names(Kind::Vector).collect();
-        let pairs = all.iter().enumerate();
-        let pairs =
-            pairs.flat_map(|(k, a)| all[k..].iter().map(move |b| two(a, b)));
-        pairs.map(|dot| (2, dot)).collect()
+        let mut dots = vec![];
+        for (k, a) in all.iter().enumerate() {
+            for b in &all[k..] {
+                dots.push((2, Node::of(Op::Dot, [a.clone(), b.clone()])));
+            }
+        }
+        dots
     }
 
     /// A number that is the length of a vector, or the square of another number of the
     /// same thing, or has that as a factor.
     pub(super) fn measured(&self, node: &Node) -> Vec<Ranked> {
-        let length = |name: Node| (2, Node::of(Op::Length, [name]));
-        let is_scalar = self.kind(node) == Some(Kind::Scalar);
-        let vectors = self.names(Kind::Vector).filter(|_| is_scalar);
-        let factors = self.names(Kind::Scalar).filter(|name| match name {
-            Node::Name(k) => self.tree.lines[*k].of == self.line.of,
-            _ => false,
-        });
-        let products = factors.flat_map(|name| {
-            let square = Node::of(Op::Pow, [name.clone(), Node::Number(2.0)]);
-            let two = [node.clone(), name];
-            let [a, b] = [Op::Mul, Op::Div].map(|op| Node::of(op, two.clone()));
-            [square, a, b].map(|other| (2, other))
-        });
-        let products = products.filter(|_| self.line.of != Of::Ray);
-        vectors.map(length).chain(products).collect()
+        let mut all = vec![];
+        if self.kind(node) == Some(Kind::Scalar) {
+            for vector in self.names(Kind::Vector) {
+                all.push((2, Node::of(Op::Length, [vector])));
+            }
+        }
+        if self.line.of == Of::Ray {
+            return all;
+        }
+        for name in self.names(Kind::Scalar) {
+            let Node::Name(k) = name else { continue };
+            if self.tree.lines[k].of == self.line.of {
+                all.push((2, Node::of(Op::Pow, [name.clone(), Node::Number(2.0)])));
+                for op in [Op::Mul, Op::Div] {
+                    all.push((2, Node::of(op, [node.clone(), name.clone()])));
+                }
+            }
+        }
+        all
     }
 }
