@@ -1,7 +1,7 @@
 use crate::apart;
 use crate::{Locked, Parts, Step, camera};
-use image::RgbImage;
 use image::imageops::{FilterType, resize, thumbnail};
+use image::{Rgb, RgbImage};
 
 /// Ways in which programs scale; another is the mean of the pixels that are covered.
 ///
@@ -35,8 +35,10 @@ pub(super) fn told(yours: &RgbImage, ours: &Locked) -> Option<String> {
         return None; // It is not worth to draw ours.
     }
     let parts = Parts::right(&camera(width, height));
-    let drawn = [1, 2, 4].map(|samples| parts.picture(step, samples));
-    all.iter().find(|scaled| is_nearer(yours, scaled, &drawn)).map(|_| {
+    let drawn = parts.picture(step, 1);
+    let pixel = |samples, (i, j)| parts.pixel(step, samples, i, j);
+    let is_it = |scaled: &&RgbImage| is_nearer(yours, scaled, &drawn, &pixel);
+    all.iter().find(is_it).map(|_| {
         format!(
             "Not right yet: it was scaled. It is the picture of {}, {w}×{h} pixels, made \
              into {width}×{height}. Draw it in that size, or leave it as it is.",
@@ -52,18 +54,26 @@ fn is_far(yours: &RgbImage, other: &RgbImage, one_of: usize) -> bool {
     yours.pixels().len() <= one_of * far
 }
 
-/// Whether the picture is much nearer to the one that was scaled than to each that was
-/// drawn, in the places where these differ.
-fn is_nearer(yours: &RgbImage, scaled: &RgbImage, drawn: &[RgbImage; 3]) -> bool {
-    let places = || {
-        let ours = drawn[0].pixels();
-        ours.zip(scaled.pixels()).map(|(ours, scaled)| 24 < apart(ours, scaled))
+/// Whether the picture is much nearer to the one that was scaled than to each that may be
+/// drawn, with more rays a pixel, too, in some of the places where these differ.
+fn is_nearer(
+    yours: &RgbImage,
+    scaled: &RgbImage,
+    drawn: &RgbImage,
+    pixel: &dyn Fn(u32, (u32, u32)) -> Rgb<u8>,
+) -> bool {
+    let places = drawn.enumerate_pixels().map(|(i, j, _)| (i, j));
+    let at = |all: &RgbImage, (i, j): (u32, u32)| *all.get_pixel(i, j);
+    let differs =
+        |place: &(u32, u32)| 24 < apart(&at(drawn, *place), &at(scaled, *place));
+    let places: Vec<_> = places.filter(differs).collect();
+    let places = || places.iter().step_by(places.len() / 4000 + 1).copied();
+    let off = |other: &dyn Fn((u32, u32)) -> Rgb<u8>| -> u64 {
+        places()
+            .map(|place| u64::from(apart(&at(yours, place), &other(place))))
+            .sum()
     };
-    let off = |other: &RgbImage| -> u64 {
-        let pairs = yours.pixels().zip(other.pixels()).zip(places());
-        let edges = pairs.filter(|(_, is_edge)| *is_edge);
-        edges.map(|((a, b), _)| u64::from(apart(a, b))).sum()
-    };
-    let least = drawn.iter().map(off).min().unwrap_or(0);
-    off(scaled) * 10 < least * 7
+    let least = [1, 2, 4].map(|samples| off(&|place| pixel(samples, place)));
+    let least = least.into_iter().min().unwrap_or(0);
+    off(&|place| at(scaled, place)) * 10 < least * 7
 }
