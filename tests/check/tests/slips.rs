@@ -318,6 +318,20 @@ fn a_plus_or_a_minus_within_a_product() {
 }
 
 #[test]
+fn a_sum_that_begins_with_something() {
+    let (camera, scene) = (camera(160, 90), step05_phong::scene());
+    let picture = render(&camera, 1, |ray| match seen(&scene.objects, ray) {
+        Some(point) => {
+            let right = terms(&scene, ray).map_or(DVec3::ZERO, |sum| sum.sum());
+            right + point.material.specular
+        }
+        None => direction_colour(ray),
+    });
+    let told = "E_s = R_s + (the sum of G over all lights)";
+    assert_picture_told(&picture, Step::Phong, "specular", told);
+}
+
+#[test]
 fn the_highlights_of_the_last_light_that_shines() {
     let (camera, scene) = (camera(160, 90), step05_phong::scene());
     let picture = render(&camera, 1, |ray| {

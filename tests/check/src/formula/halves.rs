@@ -36,11 +36,11 @@ impl Riddle<'_> {
         let evidence = self.evidence(tree, &telling, wrong);
         let mut numbers = vec![];
         let objects = || groups.iter().filter(|(key, _)| SKY < *key);
-        // Ambient light alone tells of its numbers best.
-        let is_dark = |(key, _): &&Group| key % 4 == 0;
-        let dark = objects().skip(3).find(is_dark).filter(|_| self.samples < 3);
         let most = 3_u32.div_ceil(self.samples) as usize;
-        for (key, group) in objects().take(most).chain(dark) {
+        // Ambient light alone tells of its numbers best.
+        let is_dark = |(key, _): &&Group| key % 4 == 0 && self.samples < 3;
+        let dark = objects().skip(most).filter(is_dark).take(3);
+        for (k, (key, group)) in objects().take(most).chain(dark).enumerate() {
             // One place of it: there, nothing else hides it.
             let reach = self.yours.width() / 12;
             let near = |all: &[Pixel], &(i, j): &Pixel| {
@@ -51,9 +51,15 @@ impl Riddle<'_> {
             let place = centre.map_or(vec![], |at| near(wrong, at));
             let mut its = self.groups(tree, &place).into_iter();
             let place = its.find(|(other, _)| other == key);
-            if let Some((_, place)) = place.filter(|(_, place)| 8 < place.len()) {
-                numbers
-                    .extend(solutions(&self.evidence(tree, &place, wrong), false));
+            let Some((_, place)) = place.filter(|(_, place)| 8 < place.len())
+            else {
+                continue;
+            };
+            let its = solutions(&self.evidence(tree, &place, wrong), false);
+            let is_told = most <= k && !its.is_empty();
+            numbers.extend(its);
+            if is_told {
+                break;
             }
         }
         let likely = edits.iter().filter(|edit| edit.rank < 2);
@@ -112,7 +118,8 @@ impl Riddle<'_> {
         if sky.len() < 60 || sky.len() * 4 < all.len() * 3 {
             return vec![];
         }
-        let evidence = Evidence::new(tree, self.yours, self.samples, &sky, &[]);
+        // There, one ray has the mean of all.
+        let evidence = Evidence::new(tree, self.yours, 1, &sky, &[]);
         let mut all = evidence.survivors(edits.iter().collect());
         if all.is_empty() {
             let numbers = solutions(&evidence, true);

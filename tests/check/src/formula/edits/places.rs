@@ -233,6 +233,11 @@ impl Scope<'_> {
                         all.push(of(0, Op::Alone(1)));
                         all.push(of(1, Op::Product));
                         all.push(of(1, Op::Most));
+                        // It begins with something.
+                        for name in self.names(Kind::Vector) {
+                            let sum = Node::of(op, nodes);
+                            all.push((2, Node::of(Op::Add, [name, sum])));
+                        }
                     }
                     Op::Chosen => {
                         all.push(of(1, Op::Alone(0)));
