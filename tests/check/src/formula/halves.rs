@@ -34,23 +34,38 @@ impl Riddle<'_> {
         let mut telling: Vec<_> = groups.iter().flat_map(some).collect();
         telling.extend(spread(wrong, telling.len(), 0));
         let evidence = self.evidence(tree, &telling, wrong);
-        let mut numbers = vec![];
+        let numbers = self.of_places(tree, &groups, wrong);
+        let likely = edits.iter().filter(|edit| edit.rank < 2);
+        let all = likely.chain(&numbers).collect();
+        // The first is nearly always one of the two, if any is.
+        let most = if tree.step == Step::Rays { 12 } else { 4 };
+        self.nearest(tree, best(&evidence, all, may_spoil), wrong, most)
+    }
+
+    /// The numbers of the scene that explain one place each, where one object is seen.
+    fn of_places(
+        &self,
+        tree: &Tree,
+        groups: &[Group],
+        wrong: &[Pixel],
+    ) -> Vec<Edit> {
+        let reach = self.yours.width() / 12;
+        let near = |all: &[Pixel], &(i, j): &Pixel| {
+            kept(all, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
+        };
         let objects = || groups.iter().filter(|(key, _)| SKY < *key);
         let most = 3_u32.div_ceil(self.samples) as usize;
         // Ambient light alone tells of its numbers best.
         let is_dark = |(key, _): &&Group| key % 4 == 0 && self.samples < 3;
         let dark = objects().skip(most).filter(is_dark).take(3);
+        let mut numbers = vec![];
         for (k, (key, group)) in objects().take(most).chain(dark).enumerate() {
             // One place of it: there, nothing else hides it.
-            let reach = self.yours.width() / 12;
-            let near = |all: &[Pixel], &(i, j): &Pixel| {
-                kept(all, &mut |(u, v)| i.abs_diff(u).max(j.abs_diff(v)) < reach)
-            };
             let centres = spread(group, 9, 0);
             let centre = centres.iter().max_by_key(|at| near(group, at).len());
             let place = centre.map_or(vec![], |at| near(wrong, at));
-            let mut its = self.groups(tree, &place).into_iter();
-            let place = its.find(|(other, _)| other == key);
+            let mut parts = self.groups(tree, &place).into_iter();
+            let place = parts.find(|(other, _)| other == key);
             let Some((_, place)) = place.filter(|(_, place)| 8 < place.len())
             else {
                 continue;
@@ -62,11 +77,7 @@ impl Riddle<'_> {
                 break;
             }
         }
-        let likely = edits.iter().filter(|edit| edit.rank < 2);
-        let all = likely.chain(&numbers).collect();
-        // The first is nearly always one of the two, if any is.
-        let most = if tree.step == Step::Rays { 12 } else { 4 };
-        self.nearest(tree, best(&evidence, all, may_spoil), wrong, most)
+        numbers
     }
 
     /// Those of some edits that bring the picture nearest, one of each line; more pixels

@@ -302,9 +302,9 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
 /// The table of a picture of which known mistakes explain every pixel: they know their
 /// stages. The others are right where the picture shows them.
 ///
-/// The first list is told; each of the others explains as much, and so do some formulas
-/// that are told where they lead to another file. Whether it has an object at all, whether the right pixels see one, and whether a light's part of the light is
-/// seen, is known.
+/// The first list is told; each of the others explains as much, and so do some formulas,
+/// which are told where they lead to another file. Whether it has an object at all, whether
+/// the right pixels see one, and whether a light's part of the light is seen, is known.
 pub(crate) fn of_mistakes(
     &Cause { step, fov, .. }: &Cause,
     causes: &[Vec<&Mistake>],
