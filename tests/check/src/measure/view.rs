@@ -118,8 +118,6 @@ pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
         if let Some(first) = first {
             some.retain(|view| *view != first);
             some.insert(0, first);
-            // Many outlines tell it for certain.
-            most -= usize::from(40 < mixed.len());
         } else if let Some(at) = some.iter().skip(2).position(|v| v.samples == 1) {
             // Nothing tells it: it may well be one.
             some.swap(2, 2 + at);
