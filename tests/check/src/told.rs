@@ -1,6 +1,6 @@
 use crate::case::Case;
 use crate::measure::{
-    Stage, Verdict, by_one, likely, of_mistakes, pixel, stages_beside,
+    Stage, Verdict, alternatives, by_one, of_mistakes, pixel, stages_beside,
 };
 use crate::{Cause, Found, Options, Step};
 use gallery::Parts;
@@ -40,7 +40,7 @@ impl Told {
                 let [yours, ours] =
                     [&cause, &right].map(|cause| objects(case, cause));
                 let others = match &found.causes[0][..] {
-                    [_] => likely(
+                    [_] => alternatives(
                         &case.yours.kept,
                         step,
                         &found.options(),

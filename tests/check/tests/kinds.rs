@@ -2,7 +2,7 @@
 
 use super::{locked, made, named, right};
 use ::check::{Answer, check, look};
-use gallery::{Step, camera, mistakes};
+use gallery::{Parts, Step, camera, mistakes};
 use image::imageops::{FilterType, crop_imm, overlay, resize};
 use image::{DynamicImage, ImageFormat};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};
@@ -41,6 +41,19 @@ fn scaled_and_cut_pictures_are_told() {
     let wrong = made(Step::Phong, &["no-exponent"], (240, 135), 1);
     let twice = resize(&wrong, 480, 270, FilterType::Nearest);
     assert_told(&twice, "Each pixel stands there 2×2 times");
+}
+
+/// What is nearly ours, scaled, is told from what was drawn so, of one ray or of many.
+#[test]
+fn what_was_drawn_in_another_size_was_not_scaled() {
+    for samples in [1, 2] {
+        let mut parts = Parts::right(&camera(480, 270));
+        parts.materials().for_each(|material| material.shininess += 1);
+        let picture = parts.picture(Step::Phong, samples);
+        let Answer { text, .. } = look(&picture, Some("step05_phong"), locked());
+        let words = "specular, warm     WRONG";
+        assert!(text.contains(words) && !text.contains("scaled"), "{text}");
+    }
 }
 
 #[test]

@@ -128,8 +128,8 @@ fn explained(
     if may_be_two { found.or_else(two) } else { found }
 }
 
-/// What is likely, and gives the picture of these options as a known mistake does.
-pub(crate) fn likely(
+/// Likely formulas that give a picture with these options, as a known mistake does.
+pub(crate) fn alternatives(
     yours: &RgbImage,
     step: Step,
     options: &Options,
