@@ -1,8 +1,9 @@
 use crate::case::Case;
 use crate::measure::{
     Stage, Verdict, alternatives, by_one, of_mistakes, pixel, stages_beside,
+    together,
 };
-use crate::{Cause, Found, Options, Step};
+use crate::{Cause, Found, Options, Step, formula};
 use gallery::Parts;
 use image::RgbImage;
 use std::fmt::Write;
@@ -39,15 +40,7 @@ impl Told {
                 let right = Cause { mistakes: vec![], ..cause.clone() };
                 let [yours, ours] =
                     [&cause, &right].map(|cause| objects(case, cause));
-                let others = match &found.causes[0][..] {
-                    [_] => alternatives(
-                        &case.yours.kept,
-                        step,
-                        &found.options(),
-                        &case.ours.picture,
-                    ),
-                    _ => vec![],
-                };
+                let others = others(case, &cause);
                 let stages = of_mistakes(
                     &cause,
                     &found.causes,
@@ -66,6 +59,22 @@ impl Told {
         text += &wrong.map_or(String::new(), first);
         Self { text, is_wrong: wrong.is_some(), options }
     }
+}
+
+/// The likely formulas that give as much as each of the mistakes of a cause.
+fn others(case: &Case, cause: &Cause) -> Vec<Vec<formula::Cause>> {
+    let Cause { step, samples, fov, .. } = *cause;
+    let (yours, ours) = (&case.yours.kept, &case.ours.picture);
+    let [one, two] = &cause.mistakes[..] else {
+        let options = Options { fov, samples };
+        return vec![alternatives(yours, step, &options, ours)];
+    };
+    let alone = [one, two].map(|mistake| {
+        let cause = Cause { mistakes: vec![mistake], ..*cause };
+        let picture = cause.parts(case.yours.size).picture(step, 1);
+        alternatives(&picture, step, &Options { fov, samples: 1 }, ours)
+    });
+    together(yours, step, &Options { fov, samples }, alone).into()
 }
 
 /// Whether the rays of some pixels meet something.

@@ -200,6 +200,15 @@ fn what_gives_the_same_picture_elsewhere_is_told_beside_a_name() {
     );
     let sky = "  sky                can't be told: either it or rays is wrong";
     assert!(text.contains(sky), "{text}");
+    // Of two mistakes, too.
+    let both = made(Step::Phong, &["normalised", "no-max"], SIZE, 1);
+    let text = told(
+        &both,
+        Some("step05_phong"),
+        &["V is normalised", "or else sky = 0.7 + 0.3 normalised("],
+    );
+    let sky = "  sky                can't be told: either it or rays is wrong";
+    assert!(text.contains(sky), "{text}");
     // An object shows which of them it is.
     let mistake = named("y-down").picture_in(Step::Phong, &camera(320, 180), 1);
     let text = told(&mistake, Some("step05_phong"), &["y points down"]);

@@ -5,6 +5,7 @@ use gallery::{Parts, Step, camera};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, Ray};
+use step02_sphere::{Roots, quadratic};
 use step05_phong::specular;
 use tests::some;
 
@@ -210,6 +211,50 @@ fn a_sky_that_is_another_tells_the_first_of_two_stages() {
         assert_wrong(&stages, "rays", "D_v = (0, (−1) h", &[name]);
         assert_wrong(&stages, name, swapped, &["rays"]);
     }
+}
+
+/// What may be what is wrong, as it gives the same picture, is not called right.
+#[test]
+fn no_stage_is_right_that_may_be_wrong_as_well() {
+    let is_open = |stages: &[Stage], name: &str| {
+        let verdict = &named(stages, name).verdict;
+        assert!(matches!(verdict, Verdict::Unknown(_)), "{name}: {stages:#?}");
+    };
+    // A bound of D leaves fewer hits.
+    let stages = of(Step::Phong, |parts| {
+        parts.quadratic = |a, b, c| match b * b - 4.0 * a * c < 1.0 {
+            true => Roots::None,
+            false => quadratic(a, b, c),
+        };
+    });
+    assert_wrong(&stages, "nearest", "no hit if D < 1", &[]);
+    is_open(&stages, "outlines");
+    let unit: fn(&Ray) -> DVec3 =
+        |ray| step01_rays::direction_colour(ray).normalize();
+    // A step that only passes on what another has computed.
+    let stages = of(Step::Rays, |parts| parts.miss = unit);
+    assert_wrong(&stages, "sky", "normalised(", &[]);
+    is_open(&stages, "sum, bytes, order");
+    // The same beside another slip.
+    let turned: fn(&Ray) -> DVec3 = |ray| {
+        let v = ray.direction;
+        0.7 + 0.3 * DVec3::new(v.y, v.x, -v.z)
+    };
+    let stages = of(Step::Rays, |parts| {
+        parts.miss = turned;
+        parts.camera.matrix.y_axis.y *= 0.5;
+    });
+    is_open(&stages, "sky");
+    // Of other rays, or of other numbers in the colours.
+    let stages = of(Step::Rays, |parts| {
+        parts.camera = Camera::new(320, 180, 44.6_f64.to_radians());
+        parts.miss = |ray| {
+            let v = ray.direction;
+            0.31 + 0.69 * DVec3::new(v.x, v.y, -v.z)
+        };
+    });
+    is_open(&stages, "rays");
+    is_open(&stages, "sky");
 }
 
 /// Where one thing is wrong in the dark, the ambient light tells it.

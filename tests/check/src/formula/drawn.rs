@@ -1,4 +1,4 @@
-use super::{Context, SOME, Tree, Values, edits};
+use super::{Context, Tree, Values, batch, edits};
 use crate::Step;
 use image::{Rgb, RgbImage};
 
@@ -19,7 +19,7 @@ pub fn by_formulas(
     let context = Context::plain(&tree);
     let mut picture = RgbImage::new(width, height);
     let all = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
-    for places in all.collect::<Vec<_>>().chunks(SOME) {
+    for places in all.collect::<Vec<_>>().chunks(batch(samples)) {
         let values = Values::at(&tree, places, samples);
         for ((i, j), pixel) in places.iter().zip(values.changed(&context).pixels())
         {

@@ -1,16 +1,21 @@
-use super::{Change, Context, Node, Of, Op, Tree, Value};
+use super::{Change, Context, Node, Of, Op, Pixel, Tree, Value};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// How many pixels are best evaluated at once, where there are many.
-pub(crate) const SOME: usize = 512;
+/// How many rays are best evaluated at once, where there are many.
+const SOME: usize = 512;
+
+/// How many pixels of `samples` × `samples` rays are best evaluated at once.
+pub(crate) fn batch(samples: u32) -> usize {
+    (SOME / samples.pow(2) as usize).max(1)
+}
 
 /// The values of the lines at some pixels; each is computed when it is asked for.
 #[derive(Clone, Debug)]
 pub(crate) struct Values {
-    /// Those of the first ray of each pixel, of the second, and so on.
+    /// In lists: of the first ray of each pixel, then of the second, and so on.
     known: Vec<Option<Value>>,
     rays: usize,
     pixels: usize,
@@ -23,10 +28,9 @@ pub(crate) struct Changed<'a> {
     own: Vec<OnceCell<Value>>,
 }
 
-/// Where an expression is evaluated: for which ray, and which object or light.
+/// Where an expression is evaluated: for which object or light.
 #[derive(Clone, Copy)]
 struct Here<'a> {
-    ray: usize,
     which: usize,
     lamp: Option<usize>,
     argument: &'a Value,
@@ -36,28 +40,30 @@ const ZERO: Value = Value::Scalar(0.0);
 
 impl Values {
     /// Those of pixels of `samples` × `samples` rays; of one ray, through the centre.
-    pub fn at(tree: &Tree, places: &[(u32, u32)], samples: u32) -> Self {
-        let rays = samples as usize * samples as usize;
-        let size = tree.given.len();
-        let mut known = Vec::with_capacity(rays * size);
-        let list = |of: &dyn Fn((u32, u32)) -> u32| match places {
-            [place] => Value::from(f64::from(of(*place))),
-            all => Value::Scalars(all.iter().map(|p| of(*p).into()).collect()),
-        };
-        let (i, j) = (list(&|place| place.0), list(&|place| place.1));
-        for ray in 0..rays as u32 {
-            let start = known.len();
-            known.extend_from_slice(&tree.given);
-            let [k_u, k_v] =
-                [ray % samples, ray / samples].map(|k| f64::from(k).into());
-            let own = [i.clone(), j.clone(), k_u, k_v];
-            // The tree has the centre.
-            let given = if samples == 1 { 2 } else { 4 };
-            for (slot, value) in tree.of_ray.iter().zip(own).take(given) {
-                known[start + slot] = Some(value);
+    pub fn at(tree: &Tree, places: &[Pixel], samples: u32) -> Self {
+        let rays = samples * samples;
+        let list = |of: &dyn Fn(u32, Pixel) -> u32| -> Value {
+            let all = || {
+                (0..rays).flat_map(|ray| places.iter().map(move |at| of(ray, *at)))
+            };
+            match (places, rays) {
+                ([place], 1) => f64::from(of(0, *place)).into(),
+                _ => Value::Scalars(all().map(f64::from).collect()),
             }
+        };
+        let own = [
+            list(&|_, place| place.0),
+            list(&|_, place| place.1),
+            list(&|ray, _| ray % samples),
+            list(&|ray, _| ray / samples),
+        ];
+        let mut known = tree.given.clone();
+        // The tree has the centre.
+        let given = if samples == 1 { 2 } else { 4 };
+        for (slot, value) in tree.of_ray.iter().zip(own).take(given) {
+            known[*slot] = Some(value);
         }
-        Self { known, rays, pixels: places.len() }
+        Self { known, rays: rays as usize, pixels: places.len() }
     }
 
     /// With all values known that the pixels need.
@@ -72,47 +78,43 @@ impl Values {
     pub fn changed<'a>(&'a self, context: &'a Context) -> Changed<'a> {
         let mut own = vec![];
         own.resize_with(self.known.len(), OnceCell::new);
-        let size = context.tree.given.len();
         for change in context.changes {
             let Change::Given(line, which, value) = change else { continue };
             let line = &context.tree.lines[*line];
-            for start in (line.start..own.len()).step_by(size) {
-                for (k, ours) in line.given.iter().enumerate() {
-                    own[start + k].get_or_init(|| ours.clone());
-                }
-                own[start + which] = value.clone().into();
+            for (k, ours) in line.given.iter().enumerate() {
+                own[line.start + k].get_or_init(|| ours.clone());
             }
+            own[line.start + which] = value.clone().into();
         }
         Changed { context, base: self, own }
+    }
+
+    /// How many rays there are.
+    fn all_rays(&self) -> usize {
+        self.rays * self.pixels
     }
 }
 
 impl Changed<'_> {
     /// The bytes of the pixels.
     pub fn pixels(&self) -> Vec<[u8; 3]> {
-        let value = self.name(self.context.tree.lines.len() - 1, 0, 0);
+        let value = self.name(self.context.tree.lines.len() - 1, 0);
         let byte = |v: DVec3| v.to_array().map(|channel| channel as u8);
         (0..self.base.pixels).map(|k| byte(value.vector(k))).collect()
     }
 
-    /// The values of a line for the first ray, and for an object or a light.
-    pub fn line(&self, line: usize, which: usize) -> &Value {
-        self.name(line, 0, which)
-    }
-
-    /// The values of a line for a ray; what there is one of has no other.
-    fn name(&self, name: usize, ray: usize, which: usize) -> &Value {
+    /// The values of a line, for an object or a light; what there is one of has no other.
+    pub fn name(&self, name: usize, which: usize) -> &Value {
         let context = self.context;
         let line = &context.tree.lines[name];
         let which = if which < line.count { which } else { 0 };
-        let ray = if line.of == Of::Pixel { 0 } else { ray };
-        let slot = ray * context.tree.given.len() + line.start + which;
+        let slot = line.start + which;
         let is_stale = context.is_stale(name, which);
         let base = self.base.known[slot].as_ref().filter(|_| !is_stale);
         base.unwrap_or_else(|| {
             self.own[slot].get_or_init(|| {
                 let lamp = context.lamp(name);
-                let here = Here { ray, which, lamp, argument: &ZERO };
+                let here = Here { which, lamp, argument: &ZERO };
                 let node = context.other(name).or(line.node.as_ref());
                 node.map_or(ZERO, |node| self.value(node, here).into_owned())
             })
@@ -129,7 +131,7 @@ impl Changed<'_> {
                     let is_lamp = line.of == Of::Light && line.node.is_none();
                     let lamp = here.lamp.filter(|_| is_lamp);
                     let which = lamp.unwrap_or(here.which);
-                    Cow::Borrowed(self.name(*name, here.ray, which))
+                    Cow::Borrowed(self.name(*name, which))
                 }
                 Node::Free(_) => Cow::Borrowed(&context.free),
                 _ => Cow::Borrowed(here.argument),
@@ -138,17 +140,18 @@ impl Changed<'_> {
         Cow::Owned(match (op, &nodes[..]) {
             (Op::Nearest, [Node::Name(order), margin]) => {
                 let margin = self.value(margin, here).scalar(0);
-                self.nearest(*order, margin, here.ray)
+                self.nearest(*order, margin)
             }
-            (Op::Chosen, [Node::Name(name)]) => self.chosen(*name, here.ray),
+            (Op::Chosen, [Node::Name(name)]) => self.chosen(*name),
             (
                 Op::Sum | Op::Product | Op::Most | Op::Alone(_),
                 [Node::Name(name)],
-            ) => self.total(*op, *name, here.ray),
-            (Op::Mean, [node]) if 1 < self.base.rays => self.mean(node, here),
+            ) => self.total(*op, *name),
+            (Op::Mean, [node]) if 1 < self.base.rays => {
+                self.mean(&self.value(node, here), 0)
+            }
             (Op::Last, [node]) => {
-                let (rays, ray) = (self.base.rays as f64, self.base.rays - 1);
-                self.value(node, Here { ray, ..here }).map(|x| x / rays)
+                self.mean(&self.value(node, here), self.base.rays - 1)
             }
             (Op::Call(line), [node]) => {
                 let argument = self.value(node, here);
@@ -182,20 +185,20 @@ impl Changed<'_> {
 
     /// Which object has the least number, of those that are met: each has to be less
     /// than the one before it and the margin.
-    fn nearest(&self, order: usize, margin: f64, ray: usize) -> Value {
+    fn nearest(&self, order: usize, margin: f64) -> Value {
         let tree = self.context.tree;
         let there = (0..tree.count(Of::Object)).filter(|k| self.context.has(*k));
-        let there = there.map(|k| (k as f64, self.name(tree.hit, ray, k), k));
+        let there = there.map(|k| (k as f64, self.name(tree.hit, k), k));
         let is_met = |t: &Value| t.uniform() != Some(f64::INFINITY);
         let met: Vec<_> = there
             .filter(|(_, t, _)| is_met(t))
-            .map(|(number, t, k)| (number, t, self.name(order, ray, k)))
+            .map(|(number, t, k)| (number, t, self.name(order, k)))
             .collect();
-        let one = |pixel: usize| {
+        let one = |ray: usize| {
             let mut best = (-1.0, f64::INFINITY);
             for (number, t, keys) in &met {
-                let key = keys.scalar(pixel);
-                if t.scalar(pixel) != f64::INFINITY
+                let key = keys.scalar(ray);
+                if t.scalar(ray) != f64::INFINITY
                     && (best.0 < 0.0 || key < best.1 + margin)
                 {
                     best = (*number, key);
@@ -203,35 +206,35 @@ impl Changed<'_> {
             }
             best.0
         };
-        match self.base.pixels {
+        match self.base.all_rays() {
             1 => one(0).into(),
             all => Value::Scalars((0..all).map(one).collect()),
         }
     }
 
     /// A number of the nearest object; that of the first where none is met.
-    fn chosen(&self, name: usize, ray: usize) -> Value {
-        let nearest = self.name(self.context.tree.nearest, ray, 0);
-        let object = |pixel: usize| {
-            let object = nearest.scalar(pixel).max(0.0) as usize;
-            self.name(name, ray, object)
+    fn chosen(&self, name: usize) -> Value {
+        let nearest = self.name(self.context.tree.nearest, 0);
+        let object = |ray: usize| {
+            let object = nearest.scalar(ray).max(0.0) as usize;
+            self.name(name, object)
         };
-        let all = 0..self.base.pixels;
+        let all = 0..self.base.all_rays();
         match (all.len(), object(0).is_vector()) {
             (1, _) => object(0).clone(),
-            (_, false) => Value::Scalars(
-                all.map(|pixel| object(pixel).scalar(pixel)).collect(),
-            ),
-            (_, true) => Value::Vectors(
-                all.map(|pixel| object(pixel).vector(pixel)).collect(),
-            ),
+            (_, false) => {
+                Value::Scalars(all.map(|ray| object(ray).scalar(ray)).collect())
+            }
+            (_, true) => {
+                Value::Vectors(all.map(|ray| object(ray).vector(ray)).collect())
+            }
         }
     }
 
     /// That of all lights together, or of one alone.
-    fn total(&self, op: Op, name: usize, ray: usize) -> Value {
+    fn total(&self, op: Op, name: usize) -> Value {
         let count = self.context.tree.lines[name].count;
-        let mut all = (0..count).map(|which| self.name(name, ray, which).clone());
+        let mut all = (0..count).map(|which| self.name(name, which).clone());
         let f: fn(f64, f64) -> f64 = match op {
             Op::Alone(which) => {
                 return all.nth(which.min(count - 1)).unwrap_or(ZERO);
@@ -243,16 +246,14 @@ impl Changed<'_> {
         all.reduce(|a, b| a.zip(&b, f)).unwrap_or(ZERO)
     }
 
-    /// That of all rays of a pixel.
-    fn mean(&self, node: &Node, here: Here) -> Value {
-        let rays = self.base.rays;
-        let all: Vec<_> =
-            (0..rays).map(|ray| self.value(node, Here { ray, ..here })).collect();
+    /// That of all rays of a pixel, from one of them on: their sum, by the number of all.
+    fn mean(&self, value: &Value, from: usize) -> Value {
+        let Values { rays, pixels, .. } = *self.base;
         let mean = |pixel: usize| {
-            let sum = all.iter().map(|value| value.vector(pixel)).sum::<DVec3>();
-            sum * (1.0 / rays as f64)
+            let its = (from..rays).map(|ray| value.vector(ray * pixels + pixel));
+            its.sum::<DVec3>() * (1.0 / rays as f64)
         };
-        match self.base.pixels {
+        match pixels {
             1 => mean(0).into(),
             all => Value::Vectors((0..all).map(mean).collect()),
         }

@@ -1,6 +1,6 @@
 use super::{
-    Change, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, SOME, Tree, Value,
-    Where, edits, kept, misses, solved, spread, unknowns,
+    Change, Edit, Evidence, Kind, Node, Of, Op, Pixel, Place, Tree, Value, Where,
+    batch, edits, kept, misses, solved, spread, unknowns,
 };
 use crate::measure::{number, vector};
 use crate::{Step, each, sort};
@@ -54,7 +54,7 @@ impl Riddle<'_> {
             let some = |places: &[Pixel]| {
                 Some(kept(places, &mut |place| !self.is_right(place)))
             };
-            each(places.chunks(SOME).collect(), some).concat()
+            each(places.chunks(batch(1)).collect(), some).concat()
         };
         let wrong = differing(&many);
         if many.len() < 20 * wrong.len() { wrong } else { differing(self.places) }
@@ -105,7 +105,10 @@ impl Riddle<'_> {
     ) -> Vec<Cause> {
         let evidence = self.evidence(tree, wrong, wrong);
         edits.retain(|edit| is_thorough || edit.rank < 2);
-        let found = evidence.survivors(edits).into_iter();
+        let found = evidence.survivors(edits);
+        let others = elsewhere(tree, &found);
+        let others = evidence.survivors(others.iter().collect());
+        let found = found.iter().chain(&others);
         let mut all: Vec<_> = found.map(|edit| cause(tree, edit)).collect();
         let is_likely = |cause: &&Cause| cause.rank < 2;
         let is_unlikely = all.iter().find(is_likely).is_none();
@@ -216,19 +219,39 @@ impl Riddle<'_> {
                 }
                 continue;
             }
-            let is_apart = |edit: &&Edit| {
-                let is_other = |one: &Change| {
-                    first.changes.iter().all(|other| one.is_apart(other))
-                };
-                edit.changes.iter().all(is_other)
+            let second = self.beside(&changed, &edits, &first, &rest, k == 0);
+            let Some(its) = second.first().filter(|second| second.of != first.of)
+            else {
+                continue;
             };
-            let others = edits.iter().filter(is_apart).collect();
-            let second = self.single(&changed, others, &rest, k == 0);
-            if second.first().is_some_and(|second| second.of != first.of) {
-                return Some(vec![vec![first], second]);
+            // What explains as much as the first, with the second in its place.
+            let changed = tree.with(&its.changes);
+            let rest = self.wrong(&changed);
+            let mut firsts = self.beside(&changed, &edits, its, &rest, false);
+            if firsts.iter().all(|one| one.of != first.of) {
+                firsts.insert(0, first);
             }
+            return Some(vec![firsts, second]);
         }
         None
+    }
+
+    /// Single things that explain every pixel beside another one, which is in the tree.
+    fn beside(
+        &self,
+        tree: &Tree,
+        edits: &[Edit],
+        other: &Cause,
+        wrong: &[Pixel],
+        is_thorough: bool,
+    ) -> Vec<Cause> {
+        let is_apart = |edit: &&Edit| {
+            let is_other =
+                |one: &Change| other.changes.iter().all(|two| one.is_apart(two));
+            edit.changes.iter().all(is_other)
+        };
+        let edits = edits.iter().filter(is_apart).collect();
+        self.single(tree, edits, wrong, is_thorough)
     }
 }
 
@@ -255,6 +278,36 @@ pub(super) fn solutions(evidence: &Evidence, has_formulas: bool) -> Vec<Edit> {
         let rank = if is_put_in { 2 } else { u8::from(!is_scene) };
         Some(Edit { changes: vec![change], rank, says: None, line: unknown.line })
     })
+}
+
+/// What the first of some edits do to their lines, done to all others: where one line only
+/// passes on what another one has computed, a picture can't tell which it is.
+fn elsewhere(tree: &Tree, edits: &[&Edit]) -> Vec<Edit> {
+    let mut all = vec![];
+    for edit in edits.iter().take(3) {
+        let [Change::Line(line, other)] = &edit.changes[..] else { continue };
+        let of = &tree.lines[*line];
+        let Some(ours) = &of.node else { continue };
+        if !other.any(&|node| node == ours) || edit.says.is_some() {
+            continue;
+        }
+        for (k, one) in tree.lines.iter().enumerate() {
+            let is_other = k != *line && one.is_needed && one.kind == of.kind;
+            let node = one.node.as_ref().filter(|_| is_other && !one.is_function);
+            let Some(node) = node else { continue };
+            let put_in = |part: &Node| (part == ours).then(|| node.clone());
+            let node = other.map(&put_in);
+            // It can use only what stands above it, and is of the same thing.
+            let is_known = |name: usize| {
+                name < k && [Of::Ray, one.of].contains(&tree.lines[name].of)
+            };
+            if !node.any(&|n| matches!(n, Node::Name(name) if !is_known(*name))) {
+                let changes = vec![Change::Line(k, node)];
+                all.push(Edit { changes, rank: 3, says: None, line: k });
+            }
+        }
+    }
+    all
 }
 
 /// An expression with the value in the place of the unknown.

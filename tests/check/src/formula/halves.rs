@@ -2,8 +2,8 @@
 
 use super::explain::{cause, solutions};
 use super::{
-    Cause, Change, Context, Edit, Evidence, Part, Pixel, Riddle, SOME, Tree,
-    Values, kept, spread,
+    Cause, Change, Context, Edit, Evidence, Part, Pixel, Riddle, Tree, Values,
+    batch, kept, spread,
 };
 use crate::measure::sky;
 use crate::{Step, each, sort};
@@ -146,7 +146,7 @@ impl Riddle<'_> {
     fn left(&self, tree: &Tree, some: &[Pixel]) -> [usize; 2] {
         let context = Context::plain(tree);
         let (mut bits, mut missed) = (0, 0);
-        for places in some.chunks(SOME) {
+        for places in some.chunks(batch(self.samples)) {
             let values = Values::at(tree, places, self.samples);
             let pixels = values.changed(&context).pixels();
             for (&(i, j), pixel) in places.iter().zip(pixels) {
@@ -164,15 +164,15 @@ impl Riddle<'_> {
         let (context, diffuse) = (Context::plain(tree), tree.find("I_d"));
         let diffuse = diffuse.filter(|line| tree.lines[*line].is_needed);
         let mut groups: Vec<Group> = vec![];
-        for places in few.chunks(SOME) {
+        for places in few.chunks(batch(1)) {
             let values = Values::at(tree, places, 1);
             let values = values.changed(&context);
             for (k, place) in places.iter().enumerate() {
-                let object = values.line(tree.nearest, 0).scalar(k);
+                let object = values.name(tree.nearest, 0).scalar(k);
                 let mut key = (1.0 + object) as usize;
                 for light in 0..2 {
                     let is_lit =
-                        |line| values.line(line, light).vector(k) != DVec3::ZERO;
+                        |line| values.name(line, light).vector(k) != DVec3::ZERO;
                     key = 2 * key + usize::from(diffuse.is_some_and(is_lit));
                 }
                 match groups.iter_mut().find(|(other, _)| *other == key) {

@@ -17,7 +17,7 @@ mod value;
 pub(crate) use context::{Change, Context};
 pub use drawn::by_formulas;
 pub(crate) use edits::{Edit, edits};
-pub(crate) use eval::{Changed, SOME, Values};
+pub(crate) use eval::{Changed, Values, batch};
 pub(crate) use explain::{Cause, Riddle};
 pub(crate) use node::{Kind, Node, Op};
 pub(crate) use numbers::{Where, solved, unknowns};

@@ -1,4 +1,4 @@
-use super::{Change, Context, Edit, Of, SOME, Tree, Value, Values};
+use super::{Change, Context, Edit, Of, Tree, Value, Values, batch};
 use crate::{apart, at_once, each};
 use image::{Rgb, RgbImage};
 
@@ -59,7 +59,8 @@ impl<'a> Evidence<'a> {
         let telling = kept(&spread(&kept(wrong, &mut is_even), 200, 3), &mut tells);
         let is_enough = 6 < telling.len();
         // One by one first: a value of one ray needs no list.
-        let parts = [(4, 2, 1), (8, 4, SOME), (24, 16, SOME), (360, 240, SOME)];
+        let all = batch(1);
+        let parts = [(4, 2, 1), (8, 4, all), (24, 16, all), (360, 240, all)];
         let parts = parts.map(|(some, others, size)| {
             // All rays of most pixels decide.
             let is_quick = is_enough && some < 100;
@@ -168,7 +169,7 @@ pub(crate) fn misses(
         Some(kept(places, &mut is_missed))
     };
     // All processors look at some each, as long as too few are found.
-    let some = SOME / samples.min(8) as usize;
+    let some = batch(samples);
     let mut wrong = vec![];
     for places in places.chunks(at_once() * some) {
         for these in each(places.chunks(some).collect(), missed) {

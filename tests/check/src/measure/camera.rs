@@ -11,8 +11,8 @@ use step01_rays::Ray;
 pub(super) enum Told {
     /// The camera: the numbers of it, theirs and ours.
     Rays(Vec<String>),
-    /// The camera or the colour of the sky: the objects are where neither sees them.
-    Either(Vec<String>),
+    /// The camera or the colour of the sky, and why it can't be told which.
+    Either(&'static str, Vec<String>),
     /// The colour of the sky alone, for the objects are where our rays see them, but for
     /// so many pixels.
     Sky(Vec<String>, usize),
@@ -52,14 +52,24 @@ pub(super) fn read(yours: &RgbImage, step: Step, seen: &[Seen]) -> Option<Told> 
         others * 60 < seen.len() && 8.0 < shift(&sky, &ours, (width, height));
     let objects = few().filter(is_object).count();
     let is_else = objects < 8 * few().filter(is_elsewhere).count();
-    let (told, whose): (fn(_, _) -> Told, _) = match (step, is_ours, is_else) {
-        (Step::Rays, ..) | (_, false, false) => (|all, _| Told::Rays(all), "your"),
-        (_, true, _) => (Told::Sky, "by the sky's colours,"),
-        _ => (|all, _| Told::Either(all), "by the sky's colours,"),
+    let is_even = is_even(&sky, &ours);
+    let told = match (step, is_ours, is_else) {
+        (Step::Rays, ..) if is_even => |all, _| Told::Either(EVEN, all),
+        (Step::Rays, ..) | (_, false, false) => |all, _| Told::Rays(all),
+        (_, true, _) => Told::Sky,
+        _ => |all, _| Told::Either(NEITHER, all),
     };
+    let is_camera = matches!(told(vec![], 0), Told::Rays(_));
+    let whose = if is_camera { "your" } else { "by the sky's colours," };
     let numbers = differences(&sky, &ours, whose);
     (is_sky && !numbers.is_empty()).then(|| told(numbers, others))
 }
+
+const NEITHER: &str = "the objects are where neither our rays see them nor those that the \
+                       sky's colours tell";
+
+const EVEN: &str = "other rays give this sky, and so do other numbers than 0.7 and 0.3 in its \
+                    colours";
 
 /// So far off, in parts of V that one byte may be off, a pixel may be of a sky.
 const NEAR: f64 = 1.5;
@@ -75,6 +85,17 @@ fn shift(sky: &Sky, ours: &DMat3, (width, height): (u32, u32)) -> f64 {
         off.length() / ours.x_axis.x
     };
     quarters.map(shift).into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// Whether x and y of other rays are those of ours, so many times as large and moved by
+/// the same: as other numbers in the colours of the sky would have it.
+fn is_even(sky: &Sky, ours: &DMat3) -> bool {
+    let times = sky.matrix.x_axis.x / ours.x_axis.x;
+    let by = sky.matrix.z_axis - times * ours.z_axis;
+    let far = 0.02 + 5.0 * sky.errors[2];
+    (sky.matrix.y_axis.y / ours.y_axis.y - times).abs() < 0.02 * times.abs()
+        && (by.x - by.y).abs() < far
+        && far < by.x.abs()
 }
 
 /// Whether the colours of a sky are those of our rays, but so many times as bright: then

@@ -1,6 +1,6 @@
 //! What a picture tells of the program that drew it, stage after stage.
 
-use crate::formula::{Cause, Pixel, Riddle, Tree, kept};
+use crate::formula::{Cause, Pixel, Riddle, Tree, kept, misses};
 use crate::fov::is_option;
 use crate::view::View;
 use crate::{Options, Section, Step};
@@ -141,6 +141,28 @@ pub(crate) fn alternatives(
     let mut all = found.map_or(vec![], |(_, groups)| groups.concat());
     all.retain(|cause| cause.rank == 0);
     all
+}
+
+/// Of two things done otherwise, for each of which there are several formulas, those that
+/// explain a picture with one of the others.
+pub(crate) fn together(
+    yours: &RgbImage,
+    step: Step,
+    &Options { fov, samples }: &Options,
+    [mut firsts, mut seconds]: [Vec<Cause>; 2],
+) -> [Vec<Cause>; 2] {
+    let tree = Tree::new(step, yours.dimensions(), fov, samples);
+    let places = view::places(yours, None);
+    let few = places.len() * samples.pow(2) as usize / 24_000 + 1;
+    let few: Vec<_> = places.into_iter().step_by(few).collect();
+    let fits = |one: &Cause, two: &Cause| {
+        let tree = tree.with(&one.changes).with(&two.changes);
+        misses(&tree, yours, samples, &few, 0).is_empty()
+    };
+    let both = firsts.clone();
+    firsts.retain(|one| seconds.iter().any(|two| fits(one, two)));
+    seconds.retain(|two| both.iter().any(|one| fits(one, two)));
+    [firsts, seconds]
 }
 
 /// Asks what explains a picture with these options; `ours` is our picture without any.

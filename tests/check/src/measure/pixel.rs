@@ -28,7 +28,7 @@ pub(crate) fn pixel(
         let line = tree.find(name).filter(|k| tree.lines[*k].is_needed);
         let all = line.map_or(0, |line| tree.lines[line].count);
         let line = line.unwrap_or(0);
-        (0..all).map(|k| values.line(line, k).vector(0)).collect()
+        (0..all).map(|k| values.name(line, k).vector(0)).collect()
     };
     let direction = vectors("V").first().copied().unwrap_or_default();
     let mut text = format!(

@@ -3,7 +3,7 @@ use super::table::{blank, row};
 use super::view::{is_blurred, mixed, views};
 use super::words::percent;
 use super::{Stage, Verdict, camera};
-use crate::formula::{Changed, Context, Pixel, SOME, Tree, Values};
+use crate::formula::{Changed, Context, Pixel, Tree, Values, batch};
 use crate::{Step, apart, each};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
@@ -66,10 +66,10 @@ pub(super) fn stages(
                     stage.verdict = Verdict::Unknown(why);
                 }
             }
-            Some(camera::Told::Either(numbers)) => {
-                let why = "the objects are where neither our rays see them nor those \
-                           that the sky's colours tell";
-                put(&mut stages, "rays", Verdict::Unknown(why.to_owned()), numbers);
+            Some(camera::Told::Either(why, numbers)) => {
+                let why = || Verdict::Unknown(why.to_owned());
+                put(&mut stages, "rays", why(), numbers);
+                put(&mut stages, "sky", why(), vec![]);
             }
             Some(camera::Told::Sky(numbers, others)) => {
                 let why = "the objects are where our rays see them".to_owned();
@@ -158,7 +158,7 @@ fn seen(tree: &Tree, yours: &RgbImage, places: &[(u32, u32)]) -> Vec<Seen> {
         ["nearest", "sky", "I_a", "I_d", "G", "d", "l", "n"].map(needed);
     let seen = |values: &Changed, k: usize, place: Pixel, ours: [u8; 3]| {
         let of = |line: Option<usize>, which: usize| {
-            let value = line.map(|line| values.line(line, which));
+            let value = line.map(|line| values.name(line, which));
             value.map_or(DVec3::ZERO, |value| value.vector(k))
         };
         let object = if nearest.is_some() { of(nearest, 0).x } else { -1.0 };
@@ -187,7 +187,7 @@ fn seen(tree: &Tree, yours: &RgbImage, places: &[(u32, u32)]) -> Vec<Seen> {
         let its = its.map(|(k, (place, ours))| seen(&values, k, place, ours));
         Some(its.collect::<Vec<_>>())
     };
-    each(places.chunks(SOME).collect(), some).concat()
+    each(places.chunks(batch(1)).collect(), some).concat()
 }
 
 /// Tells the outlines; false where they are not right.

@@ -1,8 +1,8 @@
 use super::Verdict;
 use super::table::Row;
 use super::view::places;
-use crate::Options;
-use crate::formula::{Change, Context, Node, Op, SOME, Tree, Values};
+use crate::formula::{Change, Context, Node, Op, Pixel, Tree, Values, batch};
+use crate::{Options, each};
 use image::RgbImage;
 
 /// Right where the picture would be another one if the stage were; else it can't be
@@ -18,7 +18,7 @@ pub(super) fn verdict(
     let places: Vec<_> = places.iter().step_by(step).copied().collect();
     let changes = other(tree, row);
     let contexts = [Context::plain(tree), Context::new(tree, &changes, 0.0.into())];
-    let is_shown = places.chunks(SOME).any(|places| {
+    let is_shown = places.chunks(batch(view.samples)).any(|places| {
         let values = Values::at(tree, places, view.samples);
         let [ours, other] =
             contexts.each_ref().map(|its| values.changed(its).pixels());
@@ -28,6 +28,23 @@ pub(super) fn verdict(
         false => hidden(),
         true => Verdict::Right,
     }
+}
+
+/// Whether the rays of some pixels meet something.
+pub(super) fn hits(tree: &Tree, yours: &RgbImage) -> Vec<bool> {
+    let context = Context::plain(tree);
+    let places = places(yours, None);
+    let places: Vec<_> =
+        places.iter().step_by(places.len() / 30_000 + 1).copied().collect();
+    let hits = |places: &[Pixel]| {
+        let values = Values::at(tree, places, 1);
+        let values = values.changed(&context);
+        let nearest = values.name(tree.nearest, 0);
+        Some(
+            (0..places.len()).map(|k| 0.0 <= nearest.scalar(k)).collect::<Vec<_>>(),
+        )
+    };
+    each(places.chunks(batch(1)).collect(), hits).concat()
 }
 
 /// The picture would be the same if the stage were wrong.

@@ -160,13 +160,13 @@ fn is_of(cause: &formula::Cause, row: &Row) -> bool {
 /// The table of a picture of which every pixel is explained.
 pub(super) fn explained(
     view: &Options,
-    tree: &Tree,
+    right: &Tree,
     yours: &RgbImage,
     groups: &[Vec<formula::Cause>],
 ) -> Vec<Stage> {
     let changes: Vec<_> =
         groups.iter().flat_map(|group| group[0].changes.iter().cloned()).collect();
-    let tree = tree.with(&changes);
+    let tree = right.with(&changes);
     let mut stages =
         blank(tree.step, |row| shown::verdict(&tree, row, view, yours));
     let looked_at = match view.is_whole(yours) {
@@ -177,8 +177,23 @@ pub(super) fn explained(
         tell(&mut stages, group, looked_at);
         tell_point(&mut stages, group, &tree);
     }
+    let is_hit = |tree: &Tree| shown::hits(tree, yours);
+    doubt_outlines(&mut stages, || is_hit(&tree) != is_hit(right));
     tell_fov(&mut stages, view.fov);
     stages
+}
+
+/// No outlines are right where what is wrong at nearest makes other pixels hits.
+fn doubt_outlines(stages: &mut [Stage], is_other: impl FnOnce() -> bool) {
+    let is = |stage: &Stage, name: &str, verdict: &Verdict| {
+        stage.name == name && stage.verdict == *verdict
+    };
+    let is_near = stages.iter().any(|s| is(s, "nearest", &Verdict::Wrong));
+    let outlines = stages.iter_mut().find(|s| is(s, "outlines", &Verdict::Right));
+    if let Some(outlines) = outlines.filter(|_| is_near && is_other()) {
+        let why = "what is told at nearest changes them, too";
+        outlines.verdict = Verdict::Unknown(why.to_owned());
+    }
 }
 
 /// Tells that right rays are those of a field of view that is not the course's.
@@ -302,13 +317,14 @@ fn stage_of(step: Step, mistake: &Mistake, has_outlines: bool) -> &'static str {
 /// The table of a picture of which known mistakes explain every pixel: they know their
 /// stages. The others are right where the picture shows them.
 ///
-/// The first list is told; each of the others explains as much, and so do some formulas,
-/// which are told where they lead to another file. Whether it has an object at all, whether
-/// the right pixels see one, and whether a light's part of the light is seen, is known.
+/// The first list is told; each of the others explains as much, and so do some formulas of
+/// each of its mistakes, which are told where they lead to another file. Whether it has an
+/// object at all, whether the right pixels see one, and whether a light's part of the light
+/// is seen, is known.
 pub(crate) fn of_mistakes(
     &Cause { step, fov, .. }: &Cause,
     causes: &[Vec<&Mistake>],
-    formulas: &[formula::Cause],
+    formulas: &[Vec<formula::Cause>],
     has_objects: bool,
     has_outlines: bool,
     is_shown: impl Fn(&str, usize) -> bool,
@@ -329,39 +345,42 @@ pub(crate) fn of_mistakes(
             its.verdict = Verdict::Unknown(why);
         }
     }
-    for mistake in first {
+    let is_told = |path: &str| {
+        causes.iter().flatten().any(|mistake| mistake.section.path() == path)
+    };
+    let mut doubts = vec![];
+    for (which, mistake) in first.iter().enumerate() {
         let stage = stage_of(step, mistake, has_outlines);
+        let is_other = |one: &&formula::Cause| !is_told(&one.place.section.path());
+        let others = formulas.get(which).into_iter().flatten().filter(is_other);
+        let others: Vec<_> = others.take(4).collect();
         for (k, its) in
             stages.iter_mut().filter(|its| row(its).stage == stage).enumerate()
         {
             (its.verdict, its.section) = (Verdict::Wrong, mistake.section);
-            let told = format!("it is what you get when {}", mistake.when);
-            its.numbers.push(if k == 0 {
-                told
+            if k == 0 {
+                its.numbers
+                    .push(format!("it is what you get when {}", mistake.when));
+                let told =
+                    others.iter().map(|other| format!("or else {}", other.told));
+                its.numbers.extend(told);
+                doubts.push((others.clone(), its.name));
             } else {
-                "as the warm light's".to_owned()
-            });
+                its.numbers.push("as the warm light's".to_owned());
+            }
             if stage == "nearest" && Step::Nearest < step {
                 its.numbers.push(POINT.to_owned());
             }
         }
     }
-    let is_told = |path: &str| {
-        causes.iter().flatten().any(|mistake| mistake.section.path() == path)
-    };
-    let is_other = |one: &&formula::Cause| !is_told(&one.place.section.path());
-    let others: Vec<_> = formulas.iter().filter(is_other).take(4).collect();
-    let is_wrong = |stage: &&mut Stage| stage.verdict == Verdict::Wrong;
-    if let Some(first) = stages.iter_mut().find(is_wrong) {
-        let told = others.iter().map(|other| format!("or else {}", other.told));
-        first.numbers.extend(told);
-        let name = first.name;
+    for (others, name) in doubts {
         doubt(&mut stages, &others, name);
     }
     let is_t = |s: &Stage| s.name == "nearest" && s.verdict == Verdict::Wrong;
     if stages.iter().any(is_t) {
         unknown_point(&mut stages);
     }
+    doubt_outlines(&mut stages, || !has_outlines);
     let is_hidden = |its: &&mut Stage| {
         let Row { stage, light, .. } = row(its);
         its.verdict == Verdict::Right && !is_shown(stage, light.unwrap_or(0))
