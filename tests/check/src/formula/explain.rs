@@ -37,8 +37,9 @@ pub(crate) struct Riddle<'a> {
 impl Riddle<'_> {
     /// Many of the pixels, evenly.
     fn many(&self) -> Vec<Pixel> {
+        let rays = self.places.len() * self.samples.pow(2).max(4) as usize;
         // An odd number, as the rows are even: not the same columns again and again.
-        let step = (self.places.len() / 30_000) | 1;
+        let step = (rays / 120_000) | 1;
         self.places.iter().step_by(step).copied().collect()
     }
 
@@ -105,11 +106,7 @@ impl Riddle<'_> {
     ) -> Vec<Cause> {
         let evidence = self.evidence(tree, wrong, wrong);
         edits.retain(|edit| is_thorough || edit.rank < 2);
-        let found = evidence.survivors(edits);
-        let others = elsewhere(tree, &found);
-        let others = evidence.survivors(others.iter().collect());
-        let found = found.iter().chain(&others);
-        let mut all: Vec<_> = found.map(|edit| cause(tree, edit)).collect();
+        let mut all = survivors(&evidence, edits);
         let is_likely = |cause: &&Cause| cause.rank < 2;
         let is_unlikely = all.iter().find(is_likely).is_none();
         let is_shape = all.iter().filter(is_likely).all(|cause| {
@@ -145,24 +142,15 @@ impl Riddle<'_> {
             let rank = 2 * usize::from(cause.rank) + usize::from(cause.is_formula);
             [rank, cause.told.chars().count()]
         });
-        let missed = |cause: &Cause, places: &[Pixel], most: usize| {
-            let tree = tree.with(&cause.changes);
-            misses(&tree, self.yours, self.samples, places, most)
-        };
-        // The first has to explain all pixels, the others very many.
-        let rays =
-            self.places.len() * (self.samples * self.samples).max(4) as usize;
-        let few = self.places.iter().step_by(rays / 24_000 + 1);
-        let few: Vec<_> = few.copied().collect();
         let mut wrong = vec![];
         // Where much is black or white, many seem to explain it: what the first of them
         // do not explain tells the others.
         let first = all.iter().take(60).enumerate().position(|(k, cause)| {
-            if !missed(cause, &wrong, 0).is_empty() {
+            if !self.missed(tree, cause, &wrong, 0).is_empty() {
                 return false;
             }
             let most = if k < 6 { 2000 } else { 0 };
-            let missed = missed(cause, self.places, most);
+            let missed = self.missed(tree, cause, self.places, most);
             if k < 6 {
                 wrong.extend(missed.iter().step_by(missed.len() / 60 + 1));
             }
@@ -170,19 +158,40 @@ impl Riddle<'_> {
         });
         let Some(first) = first else { return Err(wrong) };
         all.drain(..first);
+        self.thin(tree, all);
+        Ok(())
+    }
+
+    /// The pixels, at most so many, that a cause does not explain.
+    fn missed(
+        &self,
+        tree: &Tree,
+        cause: &Cause,
+        places: &[Pixel],
+        most: usize,
+    ) -> Vec<Pixel> {
+        let tree = tree.with(&cause.changes);
+        misses(&tree, self.yours, self.samples, places, most)
+    }
+
+    /// Keeps, beside the first of some causes, those that explain very many pixels, too, and
+    /// one of each line.
+    fn thin(&self, tree: &Tree, all: &mut Vec<Cause>) {
+        let rays = self.places.len() * self.samples.pow(2).max(4) as usize;
+        let few = self.places.iter().step_by(rays / 24_000 + 1);
+        let few: Vec<_> = few.copied().collect();
         let (mut told, mut tried) = (vec![], 0);
         all.retain(|cause| {
             if 24 <= tried || told.contains(&cause.of) {
                 return false;
             }
             tried += 1;
-            let fits = tried == 1 || missed(cause, &few, 0).is_empty();
+            let fits = tried == 1 || self.missed(tree, cause, &few, 0).is_empty();
             if fits {
                 told.push(cause.of.clone());
             }
             fits
         });
-        Ok(())
     }
 
     /// The things, one in each group, that explain every pixel together: none where
@@ -219,40 +228,40 @@ impl Riddle<'_> {
                 }
                 continue;
             }
-            let second = self.beside(&changed, &edits, &first, &rest, k == 0);
+            let others = apart(&edits, &first);
+            let second = self.single(&changed, others, &rest, k == 0);
             let Some(its) = second.first().filter(|second| second.of != first.of)
             else {
                 continue;
             };
-            // What explains as much as the first, with the second in its place.
+            // What explains as much as the first, beside the second.
             let changed = tree.with(&its.changes);
             let rest = self.wrong(&changed);
-            let mut firsts = self.beside(&changed, &edits, its, &rest, false);
-            if firsts.iter().all(|one| one.of != first.of) {
-                firsts.insert(0, first);
-            }
+            let evidence = self.evidence(&changed, &rest, &rest);
+            let mut others = apart(&edits, its);
+            others.retain(|edit| edit.rank < 2);
+            let mut firsts = vec![first];
+            firsts.extend(survivors(&evidence, others));
+            self.thin(&changed, &mut firsts);
             return Some(vec![firsts, second]);
         }
         None
     }
+}
 
-    /// Single things that explain every pixel beside another one, which is in the tree.
-    fn beside(
-        &self,
-        tree: &Tree,
-        edits: &[Edit],
-        other: &Cause,
-        wrong: &[Pixel],
-        is_thorough: bool,
-    ) -> Vec<Cause> {
-        let is_apart = |edit: &&Edit| {
-            let is_other =
-                |one: &Change| other.changes.iter().all(|two| one.is_apart(two));
-            edit.changes.iter().all(is_other)
-        };
-        let edits = edits.iter().filter(is_apart).collect();
-        self.single(tree, edits, wrong, is_thorough)
-    }
+/// Those of some edits that are of something else than a cause.
+fn apart<'e>(edits: &'e [Edit], cause: &Cause) -> Vec<&'e Edit> {
+    let is_other = |one: &Change| cause.changes.iter().all(|two| one.is_apart(two));
+    edits.iter().filter(|edit| edit.changes.iter().all(is_other)).collect()
+}
+
+/// Those of some edits that explain all pixels of the evidence, and what else does the same.
+fn survivors(evidence: &Evidence, edits: Vec<&Edit>) -> Vec<Cause> {
+    let tree = evidence.tree;
+    let found = evidence.survivors(edits);
+    let others = elsewhere(tree, &found);
+    let others = evidence.survivors(others.iter().collect());
+    found.iter().chain(&others).map(|edit| cause(tree, edit)).collect()
 }
 
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.

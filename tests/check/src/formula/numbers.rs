@@ -289,21 +289,21 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         let sum = |x| cost(evidence, few, unknown, x, DVec3::INFINITY).x;
         let start = sum(ours);
         let mut rated: Vec<_> = others.iter().map(|x| (sum(*x), *x)).collect();
-        rated.retain(|(cost, _)| *cost < 0.95 * start);
+        rated.retain(|(cost, _)| *cost < 0.9 * start);
         sort(&mut rated, |(cost, _)| [*cost as usize, 0]);
-        rated.truncate(if is_shape { 30 } else { 6 });
+        rated.truncate(if is_shape { 20 } else { 6 });
         others = rated.into_iter().map(|(_, x)| x).collect();
     }
     let mut shapes = vec![];
     for x in others {
-        let enough = if is_shape { start } else { best.cost };
+        let enough = if is_shape { 0.8 * start } else { best.cost };
         let cost = cost(evidence, more, unknown, x, enough);
-        if is_shape && cost.cmplt(start).all() {
+        if is_shape && cost.cmplt(0.8 * start).all() {
             shapes.push(Best { cost, x });
         }
         best.take(cost, x);
     }
-    if (0.85 * start).cmplt(best.cost).all() {
+    if (0.8 * start).cmplt(best.cost).all() {
         return None;
     }
     refine(evidence, more, unknown, &mut best, 0.35);

@@ -40,17 +40,20 @@ pub(super) fn stages(
     step: Step,
     places: &[(u32, u32)],
 ) -> Vec<Stage> {
-    let places: Vec<_> =
-        places.iter().step_by(places.len() / 60_000 + 1).copied().collect();
+    let some = |count: usize| -> Vec<_> {
+        places.iter().step_by(places.len() / count + 1).copied().collect()
+    };
     let views = views(yours, mixed(yours).is_some());
+    let few = some(6000);
     let read =
         views.iter().filter(|view| view.samples == views[0].samples).map(|view| {
             let tree = Tree::new(step, yours.dimensions(), view.fov, 1);
-            let seen = seen(&tree, yours, &places);
-            (agreeing(&seen), view.fov, tree, seen)
+            (agreeing(&seen(&tree, yours, &few)), view.fov, tree)
         });
     let best = read.max_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((share, fov, tree, seen)) = best else { return vec![] };
+    let Some((_, fov, tree)) = best else { return vec![] };
+    let seen = seen(&tree, yours, &some(60_000));
+    let share = agreeing(&seen);
     let why = "nothing that is known explains enough of the picture";
     let mut stages = blank(step, |_| Verdict::Unknown(why.to_owned()));
     let Some(share) = (share.is_finite() && 0.0 <= share).then_some(share) else {
