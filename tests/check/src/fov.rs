@@ -28,6 +28,10 @@ pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
         let upright = 2.0 * (tan * height / width).atan();
         let others = [upright, tan.atan(), 2.0 * tan];
         all.extend(others.map(|fov| fov.to_degrees().round()));
+        // And whole degrees that were taken for radians.
+        let is_near =
+            |fov: &f64| ((fov / 2.0).tan().abs() / tan - 1.0).abs() < 0.003;
+        all.extend((1..180).map(f64::from).filter(is_near));
     }
     all.retain(|fov| *fov != FOV && 0.0 < *fov && *fov < 180.0);
     all.dedup();

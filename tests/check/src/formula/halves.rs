@@ -21,14 +21,12 @@ impl Riddle<'_> {
         let few = spread(self.places, 1000, 0);
         let sky = self.of_sky(tree, edits, &few);
         if !sky.is_empty() {
-            return self.nearest(tree, sky.iter().take(8).collect(), wrong, 3);
+            let sky = sky.iter().take(8).map(|edit| (edit, 0)).collect();
+            return self.nearest(tree, sky, wrong, 3);
         }
         // Where little is right, that is by chance.
         let right = kept(&few, &mut |place| self.is_right(place)).len();
         let may_spoil = 10 * right < few.len();
-        if may_spoil && 1 < self.samples {
-            return vec![]; // Not worth the wait.
-        }
         let groups = self.groups(tree, &spread(wrong, 2000, 0));
         let some = |(_, all): &Group| spread(all, 24, 0);
         let mut telling: Vec<_> = groups.iter().flat_map(some).collect();
@@ -39,7 +37,17 @@ impl Riddle<'_> {
         let all = likely.chain(&numbers).collect();
         // The first is nearly always one of the two, if any is.
         let most = if tree.step == Step::Rays { 12 } else { 4 };
-        self.nearest(tree, best(&evidence, all, may_spoil), wrong, most)
+        let group = |place: &Pixel| {
+            let its = groups.iter().position(|(_, all)| all.contains(place));
+            its.unwrap_or(groups.len())
+        };
+        let groups = evidence.parts[3]
+            .wrong
+            .iter()
+            .map(|(all, _)| all.iter().map(group).collect::<Vec<_>>());
+        let groups = groups.collect::<Vec<_>>().concat();
+        let best = best(&evidence, all, may_spoil, &groups);
+        self.nearest(tree, best, wrong, most)
     }
 
     /// The numbers of the scene that explain one place each, where one object is seen.
@@ -81,32 +89,37 @@ impl Riddle<'_> {
     }
 
     /// Those of some edits that bring the picture nearest, one of each line; more pixels
-    /// tell which they are.
+    /// tell which they are. Each comes with how many pixels it mends in groups of which it
+    /// mends all.
     fn nearest(
         &self,
         tree: &Tree,
-        all: Vec<&Edit>,
+        all: Vec<(&Edit, usize)>,
         wrong: &[Pixel],
         most: usize,
     ) -> Vec<Cause> {
         let rays = (self.samples * self.samples) as usize;
         let mut some = spread(wrong, 1800 / rays, 0);
         some.extend(spread(self.places, 400 / rays, 0));
-        let rated = |edit: &Edit| {
+        let rated = |(edit, whole): (&Edit, usize)| {
             let half = cause(tree, edit);
-            let left = self.left(&tree.with(&edit.changes), &some);
-            Some((left, half, edit.line))
+            let [far, missed] = self.left(&tree.with(&edit.changes), &some);
+            Some(([far, missed, MANY - whole], half, edit.line))
         };
         let mut all = each(all, rated);
         let (mut lines, mut halves) = (vec![], vec![]);
-        // What leaves the least; the second is what mends the most.
+        let is_whole = all.iter().any(|([.., left], ..)| left + 24 <= MANY);
+        // What leaves the least, what mends whole groups, what mends the most.
+        let order = if is_whole { [2, 0, 1] } else { [0, 1, 2] };
         for k in 0..all.len().min(most) {
-            let of = usize::from(k == 1);
+            let of = order.get(k).copied().unwrap_or(0);
             sort(&mut all, |(left, half, line)| {
                 let told = half.told.chars().count();
                 let is_taken = usize::from(lines.contains(line));
                 // A little nearer is so by chance.
-                let left = left[of] + left[of] / 20 * usize::from(half.rank);
+                let rank = usize::from(half.rank);
+                let left =
+                    left[of] + if of < 2 { left[of] / 20 * rank } else { rank };
                 [is_taken << 30 | left, told]
             });
             let (_, half, line) = all.remove(0);
@@ -211,12 +224,17 @@ fn counted(yours: u8, off: usize) -> usize {
     if matches!(yours, 0 | 255) { off / 4 } else { off }
 }
 
+/// More pixels than are looked at.
+const MANY: usize = 1 << 20;
+
 /// What becomes of the wrong pixels with an edit.
 struct Rated {
     /// Which it is.
     edit: usize,
     /// How many it mends.
     mended: usize,
+    /// Those of them that are in groups of which it mends all.
+    whole: usize,
     /// How far they all still are.
     far: usize,
     after: Vec<[u8; 3]>,
@@ -228,6 +246,7 @@ impl Rated {
         evidence: &Evidence,
         may_spoil: bool,
         part: &Part,
+        groups: &[usize],
         edit: usize,
         changes: &[Change],
     ) -> Option<Self> {
@@ -244,10 +263,18 @@ impl Rated {
             return None;
         }
         let (mut mended, mut far, mut after) = (0, 0, vec![]);
+        // Of each group, how many it mends, and how many it does not.
+        let mut both = vec![[0; 2]; groups.iter().max().map_or(0, |most| most + 1)];
         for (places, values) in &part.wrong {
             for (place, p) in places.iter().zip(values.changed(&context).pixels()) {
-                mended += usize::from(evidence.is_right(part, *place, p));
+                let is_right = evidence.is_right(part, *place, p);
+                mended += usize::from(is_right);
                 let yours = evidence.pixel(*place);
+                // Bytes at an end are right by chance.
+                let is_clear = yours.iter().all(|byte| !matches!(byte, 0 | 255));
+                if let Some(group) = groups.get(after.len()).filter(|_| is_clear) {
+                    both[*group][usize::from(!is_right)] += 1;
+                }
                 for k in 0..3 {
                     let off = usize::from(yours[k].abs_diff(p[k]));
                     far += counted(yours[k], off);
@@ -255,7 +282,10 @@ impl Rated {
                 after.push(p);
             }
         }
-        Some(Self { edit, mended, far, after })
+        let whole =
+            both.iter().filter(|[right, wrong]| 5 < *right && 8 * wrong < *right);
+        let whole = whole.map(|[right, _]| right).sum();
+        Some(Self { edit, mended, whole, far, after })
     }
 }
 
@@ -263,7 +293,7 @@ impl Rated {
 fn firsts<'e>(evidence: &Evidence, edits: &'e [Edit]) -> Vec<&'e Edit> {
     let few = &evidence.parts[1];
     let rated = |edit: &'e Edit| {
-        let rated = Rated::of(evidence, true, few, 0, &edit.changes)?;
+        let rated = Rated::of(evidence, true, few, &[], 0, &edit.changes)?;
         let hash = |hash: usize, byte: &u8| {
             (hash ^ usize::from(*byte)).wrapping_mul(16_777_619)
         };
@@ -295,28 +325,35 @@ fn best<'e>(
     evidence: &Evidence,
     edits: Vec<&'e Edit>,
     may_spoil: bool,
-) -> Vec<&'e Edit> {
+    groups: &[usize],
+) -> Vec<(&'e Edit, usize)> {
     let [_, few, more, most] = &evidence.parts;
-    let rated = |part: &Part, all: Vec<usize>| {
-        let one =
-            |k: usize| Rated::of(evidence, may_spoil, part, k, &edits[k].changes);
+    let rated = |part: &Part, groups: &[usize], all: Vec<usize>| {
+        let one = |k: usize| {
+            Rated::of(evidence, may_spoil, part, groups, k, &edits[k].changes)
+        };
         each(all, one)
     };
-    let same = |part: &Part| Rated::of(evidence, may_spoil, part, 0, &[]);
+    let same = |part: &Part| Rated::of(evidence, may_spoil, part, &[], 0, &[]);
     let (Some(few_same), Some(most_same)) = (same(few), same(most)) else {
         return vec![];
     };
     // Most change none of a few pixels, or spoil them.
-    let mut all = rated(few, (0..edits.len()).collect());
+    let mut all = rated(few, &[], (0..edits.len()).collect());
     all.retain(|one| 0 < one.mended || one.far < few_same.far);
     let all = all.iter().map(|one| one.edit).collect();
     // Some seem good to few pixels; many tell.
-    let some = first(&edits, &mut rated(more, all), 120, 3);
-    let mut all = rated(most, some);
+    let some = first(&edits, &mut rated(more, &[], all), 120, 3);
+    let mut all = rated(most, groups, some);
     all.retain(|one| {
-        most_same.after.len() / 16 < one.mended || 3 * one.far < 2 * most_same.far
+        most_same.after.len() / 16 < one.mended
+            || 0 < one.whole
+            || 3 * one.far < 2 * most_same.far
     });
-    first(&edits, &mut all, 22, 2).into_iter().map(|k| edits[k]).collect()
+    let first = first(&edits, &mut all, 22, 2).into_iter();
+    let whole =
+        |k: usize| all.iter().find(|one| one.edit == k).map_or(0, |one| one.whole);
+    first.map(|k| (edits[k], whole(k))).collect()
 }
 
 /// The first of those that mend most and of those that bring nearest, in their order; of
@@ -328,10 +365,14 @@ fn first(
     alike: usize,
 ) -> Vec<usize> {
     let mut first = vec![];
-    for by_far in [false, true] {
+    for by in 0..3 {
         sort(all, |one| {
             let mended = usize::MAX - one.mended;
-            if by_far { [one.far, mended] } else { [mended, one.far] }
+            match by {
+                0 => [mended, one.far],
+                1 => [one.far, mended],
+                _ => [usize::MAX - one.whole, mended],
+            }
         });
         let mut taken = vec![];
         for one in &*all {

@@ -304,7 +304,11 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         best.take(cost, x);
     }
     if (0.8 * start).cmplt(best.cost).all() {
-        return None;
+        // A number of the rays moves outlines at once, be it nearly right.
+        if evidence.tree.lines[unknown.line].of != Of::Ray || unknown.is_colour {
+            return None;
+        }
+        refine(evidence, more, unknown, &mut best, 0.02);
     }
     refine(evidence, more, unknown, &mut best, 0.35);
     // A small sphere is found from near by alone.

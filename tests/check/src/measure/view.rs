@@ -97,7 +97,8 @@ pub(super) fn views(yours: &RgbImage, is_smooth: bool) -> Vec<Options> {
 /// too much.
 pub(super) fn likely(yours: &RgbImage, step: Step) -> Vec<Options> {
     let mixed = mixed(yours);
-    let all = views(yours, mixed.is_some());
+    // Blurred edges may be of samples that are too far apart.
+    let all = views(yours, mixed.is_some() || is_blurred(yours));
     let mixed = mixed.unwrap_or_default();
     let mut likely = vec![];
     for of_fov in all.chunk_by(|a, b| a.fov == b.fov) {

@@ -61,6 +61,7 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         all.push(Edit { changes, rank: 0, says: None, line: columns });
     }
     last_samples(tree, all);
+    weights(tree, all);
     samples_in_bytes(tree, all);
     steps(tree, all);
     if let Some(node) = &tree.lines[byte].node {
@@ -178,6 +179,33 @@ fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
         let changes = changes.into_iter().flatten().collect();
         all.push(Edit { changes, rank: 1, says: Some(says), line: i });
     }
+}
+
+/// The sum of the samples divided by another number than that of all, and samples that are
+/// a whole pixel apart: in a picture of several rays a pixel.
+fn weights(tree: &Tree, all: &mut Vec<Edit>) {
+    let Some([mean, offset, samples]) = all_found(tree, ["M", "offset", "samples"])
+    else {
+        return;
+    };
+    let side = tree.lines[samples].given[0].scalar(0);
+    let Some(node) = tree.lines[mean].node.clone().filter(|_| 1.0 < side) else {
+        return;
+    };
+    let of = |op: Op, a: Node, b: f64| Node::of(op, [a, Node::Number(b)]);
+    for (by, what) in
+        [(1.0, "not divided"), (side, "divided by"), (2.0 * side, "divided by")]
+    {
+        let changes =
+            vec![Change::Line(mean, of(Op::Mul, node.clone(), side * side / by))];
+        let by = if by == 1.0 { String::new() } else { format!(" {by}") };
+        let says = format!("the sum of {side} × {side} samples is {what}{by}");
+        all.push(Edit { changes, rank: 0, says: Some(says), line: mean });
+    }
+    let apart = of(Op::Add, Node::Argument, 0.5 - side / 2.0);
+    let says = format!("the {side} × {side} samples of a pixel are a pixel apart");
+    let changes = vec![Change::Line(offset, apart)];
+    all.push(Edit { changes, rank: 0, says: Some(says), line: offset });
 }
 
 /// Bytes of each sample, and their mean: in a picture of several rays a pixel.

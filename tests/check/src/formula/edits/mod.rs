@@ -44,11 +44,27 @@ pub(crate) fn edits(tree: &Tree) -> Vec<Edit> {
         // Lines that only pass on what another has computed.
         let name = &*tree.lines[edit.line].name;
         let is_alias = ["i'", "j'", "v''", "S", "order", "M"].contains(&name)
-            || ["I", "I'"].contains(&name) && edit.rank == 1;
+            || name == "I'" && edit.rank == 1
+            || name == "I" && edit.rank == 1 && !is_of_sum(tree, edit);
         edit.rank += u8::from(is_alias && edit.says.is_none());
     }
     sort(&mut all, |edit| [usize::from(edit.rank), 0]);
     all
+}
+
+/// Whether an edit of a sum is of the whole, or takes one of its terms for another.
+fn is_of_sum(tree: &Tree, edit: &Edit) -> bool {
+    let (Some(ours), [Change::Line(_, other)]) =
+        (&tree.lines[edit.line].node, &edit.changes[..])
+    else {
+        return false;
+    };
+    let is_term = |node: &Node| match node {
+        Node::Name(name) => ours.has(*name),
+        Node::Of(op, _) => *op == Op::Add,
+        _ => false,
+    };
+    other.any(&|node| node == ours) || !other.any(&|node| !is_term(node))
 }
 
 /// The places of some lines, where there are all of them.

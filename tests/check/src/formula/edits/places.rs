@@ -204,6 +204,9 @@ impl Scope<'_> {
                 if op == Op::Dot && self.line.of == Of::Light {
                     all.extend(self.dots());
                 }
+                if op == Op::Dot {
+                    all.extend(self.without_a_part(a, b));
+                }
                 let is_vector = |n: &Node| self.kind(n) == Some(Kind::Vector);
                 if matches!(op, Op::Add | Op::Sub) && is_vector(a) && is_vector(b) {
                     let unit = |n: &Node| Node::of(Op::Unit, [n.clone()]);

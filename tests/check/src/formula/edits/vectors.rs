@@ -20,6 +20,7 @@ impl Scope<'_> {
             all.push((2, Node::of(Op::Vector, three)));
         }
         if matches!(node, Node::Name(_)) {
+            all.push((1, Node::of(Op::Length, [node.clone()])));
             for number in self.names(Kind::Scalar) {
                 all.push((2, number));
             }
@@ -63,6 +64,15 @@ impl Scope<'_> {
             }
             _ => vec![],
         }
+    }
+
+    /// A product of two vectors from which a part is missing.
+    pub(super) fn without_a_part(&self, a: &Node, b: &Node) -> Vec<Ranked> {
+        let (a, b) = (parts(a), parts(b));
+        let product =
+            |axis: usize| Node::of(Op::Mul, [a[axis].clone(), b[axis].clone()]);
+        let two = |[x, y]: [usize; 2]| Node::of(Op::Add, [product(x), product(y)]);
+        [[1, 2], [0, 2], [0, 1]].map(|axes| (1, two(axes))).into()
     }
 
     /// A product of two other vectors.
