@@ -296,14 +296,16 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     }
     let mut shapes = vec![];
     for x in others {
-        let enough = if is_shape { 0.8 * start } else { best.cost };
+        let enough = if is_shape { 0.5 * start } else { best.cost };
         let cost = cost(evidence, more, unknown, x, enough);
-        if is_shape && cost.cmplt(0.8 * start).all() {
+        if is_shape && cost.cmplt(0.5 * start).all() {
             shapes.push(Best { cost, x });
         }
         best.take(cost, x);
     }
-    if (0.8 * start).cmplt(best.cost).all() {
+    // These leads have been wrong ones, of some thousand pictures.
+    let is_lost = |best: &Best, share: f64| (share * start).cmplt(best.cost).all();
+    if is_lost(&best, if is_shape { 0.5 } else { 0.8 }) {
         // A number of the rays moves outlines at once, be it nearly right.
         if evidence.tree.lines[unknown.line].of != Of::Ray || unknown.is_colour {
             return None;
@@ -311,6 +313,9 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         refine(evidence, more, unknown, &mut best, 0.02);
     }
     refine(evidence, more, unknown, &mut best, 0.35);
+    if is_lost(&best, 0.5) {
+        return None;
+    }
     // A small sphere is found from near by alone.
     for mut other in near(&shapes) {
         if best.cost == DVec3::ZERO {
