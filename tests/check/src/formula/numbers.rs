@@ -242,19 +242,28 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let name = &*evidence.tree.lines[unknown.line].name;
     let is_shape = ["x_0", "y_0", "z_0", "radius''"].contains(&name);
     let some = [-1.0, 0.0, 0.5, 2.0].map(|k| k * ours);
-    let more = [0.3, -1.0, 6.0, -6.0].map(|k| ours + k);
+    let far = if name == "radius''" { 1.0 } else { 6.0 };
+    let more = [0.3, -1.0, far, -far].map(|k| ours + k);
     let some: Vec<_> = some.into_iter().chain(more).collect();
     let [fewest, few, more, most] = evidence.parts.each_ref();
-    let unreached = |known: &Known| unreached(evidence, &known.1, unknown, &some);
-    // A sphere changes some of what is wrong wherever it goes; another number all of it,
-    // but for what is wrong by a rounding.
+    let unreached = |known: &Known, some: &[DVec3]| {
+        unreached(evidence, &known.1, unknown, some)
+    };
     let mut left = 0;
     let is_hopeful = match is_shape {
+        // A sphere changes some of what is wrong by not being there, or most of it elsewhere.
         true => {
-            few.wrong.iter().any(|known| unreached(known) * 4 <= known.0.len() * 3)
+            let gone = if name == "radius''" { 0.0 } else { 1e9 };
+            let gone = [DVec3::splat(gone)];
+            more.wrong.iter().all(|known| {
+                let all = known.0.len();
+                5 * unreached(known, &gone) <= 4 * all
+                    || 5 * unreached(known, &some) <= all
+            })
         }
+        // Another number changes all of it, but for what is wrong by a rounding.
         false => fewest.wrong.iter().chain(&more.wrong).all(|known| {
-            left += unreached(known);
+            left += unreached(known, &some);
             left <= 1 + known.0.len() / 8
         }),
     };
@@ -330,13 +339,20 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     }
     let centre = best.x;
     best.cost = cost(evidence, most, unknown, best.x, DVec3::INFINITY);
+    // A bound parts the pixels: no slope leads to it.
+    let is_bound =
+        matches!(&unknown.place, Where::Formula(node) if has_bound(node));
+    let many = most.all().map(|known| known.0.len()).sum::<usize>() as f64;
+    if many * if is_shape || is_bound { 2.0 } else { 0.7 } < best.cost.max_element()
+    {
+        return None;
+    }
     // Where it can't be seen, many places are alike for few pixels.
     for one in shapes.iter().filter(|one| one.cost == DVec3::ZERO) {
         best.take(cost(evidence, most, unknown, one.x, best.cost), one.x);
     }
     refine(evidence, most, unknown, &mut best, if is_shape { 0.2 } else { 0.04 });
-    // A bound parts the pixels: no slope leads to it.
-    if matches!(&unknown.place, Where::Formula(node) if has_bound(node)) {
+    if is_bound {
         refine(evidence, most, unknown, &mut best, 0.35);
     }
     if is_shape && best.cost != DVec3::ZERO {
