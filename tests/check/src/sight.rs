@@ -1,6 +1,6 @@
 use crate::apart;
 use crate::view::View;
-use crate::{Parts, Step, camera};
+use crate::{Parts, Step, camera, each};
 use image::{Rgb, RgbImage};
 use std::fmt::Write;
 
@@ -50,20 +50,27 @@ fn objects(yours: &View, ours: &RgbImage, step: Step) -> String {
     let ((width, height), stride) = (yours.size, yours.stride);
     let parts = Parts::right(&camera(width, height));
     let names = parts.objects(step).iter().map(|object| object.material.name);
-    let mut found: Vec<_> =
-        names.chain(["the sky"]).map(|name| (name, 0, 0, 0)).collect();
-    for ((i, j, yours), ours) in yours.kept.enumerate_pixels().zip(ours.pixels()) {
-        let (i, j) = (i * stride, j * stride);
-        let point = parts.seen(step, &parts.camera.ray(i.into(), j.into()));
-        let name = point.map_or("the sky", |point| point.material.name);
-        for (_, all, wrong, lighter) in found.iter_mut().filter(|it| it.0 == name) {
-            *all += 1;
-            *wrong += i64::from(yours != ours);
-            *lighter += sum(yours) - sum(ours);
+    let names: Vec<_> = names.chain(["the sky"]).collect();
+    // Of each: how many pixels see it, how many of them differ, by how much in all.
+    let row = |j: u32| {
+        let mut found = vec![[0; 3]; names.len()];
+        for i in 0..yours.kept.width() {
+            let (a, b) = (yours.kept.get_pixel(i, j), ours.get_pixel(i, j));
+            let ray = parts.camera.ray((i * stride).into(), (j * stride).into());
+            let point = parts.seen(step, &ray);
+            let name = point.map_or("the sky", |point| point.material.name);
+            let counts = [1, i64::from(a != b), sum(a) - sum(b)];
+            if let Some(k) = names.iter().position(|other| *other == name) {
+                (0..3).for_each(|which| found[k][which] += counts[which]);
+            }
         }
-    }
+        Some(found)
+    };
+    let rows = each((0..yours.kept.height()).collect(), row);
     let (mut wrong, mut right) = (vec![], vec![]);
-    for (name, all, differ, lighter) in found {
+    for (k, name) in names.into_iter().enumerate() {
+        let total = |which: usize| rows.iter().map(|row| row[k][which]).sum();
+        let [all, differ, lighter]: [i64; 3] = [0, 1, 2].map(total);
         match (all, differ) {
             (0, _) => {}
             (_, 0) => right.push(name),

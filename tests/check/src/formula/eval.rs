@@ -1,8 +1,9 @@
 use super::{Change, Context, Node, Of, Op, Pixel, Tree, Value};
 use glam::DVec3;
 use std::borrow::Cow;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::ops::{Add, Div, Mul, Sub};
+use std::sync::atomic::Ordering;
 
 /// How many rays are best evaluated at once, where there are many.
 const SOME: usize = 512;
@@ -26,6 +27,8 @@ pub(crate) struct Changed<'a> {
     context: &'a Context<'a>,
     base: &'a Values,
     own: Vec<OnceCell<Value>>,
+    /// How many values have been computed, and lists of them.
+    work: Cell<usize>,
 }
 
 /// Where an expression is evaluated: for which object or light.
@@ -37,6 +40,9 @@ struct Here<'a> {
 }
 
 const ZERO: Value = Value::Scalar(0.0);
+
+/// As many values cost as much as making the list for them.
+const LIST: usize = 40;
 
 impl Values {
     /// Those of pixels of `samples` × `samples` rays; of one ray, through the centre.
@@ -86,7 +92,7 @@ impl Values {
             }
             own[line.start + which] = value.clone().into();
         }
-        Changed { context, base: self, own }
+        Changed { context, base: self, own, work: Cell::new(1) }
     }
 
     /// How many rays there are.
@@ -98,7 +104,9 @@ impl Values {
 impl Changed<'_> {
     /// The bytes of the pixels.
     pub fn pixels(&self) -> Vec<[u8; 3]> {
-        let value = self.name(self.context.tree.lines.len() - 1, 0);
+        let tree = self.context.tree;
+        let value = self.name(tree.lines.len() - 1, 0);
+        tree.work.fetch_add(self.work.get(), Ordering::Relaxed);
         let byte = |v: DVec3| v.to_array().map(|channel| channel as u8);
         (0..self.base.pixels).map(|k| byte(value.vector(k))).collect()
     }
@@ -113,6 +121,7 @@ impl Changed<'_> {
         let base = self.base.known[slot].as_ref().filter(|_| !is_stale);
         base.unwrap_or_else(|| {
             self.own[slot].get_or_init(|| {
+                self.work.set(self.work.get() + LIST + self.base.all_rays());
                 let lamp = context.lamp(name);
                 let here = Here { which, lamp, argument: &ZERO };
                 let node = context.other(name).or(line.node.as_ref());

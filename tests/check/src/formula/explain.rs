@@ -6,6 +6,11 @@ use crate::measure::{number, vector};
 use crate::{Step, each, sort};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
+use std::sync::atomic::Ordering;
+
+/// So much work is enough for one picture: about half a second of two processors. It is
+/// counted, not timed, so that an answer is the same on every machine.
+const ENOUGH: usize = 250_000_000;
 
 /// Something that is done otherwise than in the lecture, and explains a picture.
 #[derive(Clone, Debug)]
@@ -217,6 +222,9 @@ impl Riddle<'_> {
         let edits = edits(tree);
         let halves = self.halves(tree, &edits, &wrong);
         for (k, first) in halves.into_iter().enumerate() {
+            if ENOUGH < tree.work.load(Ordering::Relaxed) {
+                return None; // Not worth the wait.
+            }
             let changed = tree.with(&first.changes);
             let rest = self.wrong(&changed);
             if rest.is_empty() {
@@ -267,7 +275,9 @@ fn survivors(evidence: &Evidence, edits: Vec<&Edit>) -> Vec<Cause> {
 /// The numbers that explain all pixels of the evidence: those of the scene, or all.
 fn numbers(evidence: &Evidence, has_formulas: bool) -> Vec<Cause> {
     let all = solutions(evidence, has_formulas);
-    all.iter().map(|edit| cause(evidence.tree, edit)).collect()
+    let others = elsewhere(evidence.tree, &all.iter().collect::<Vec<_>>());
+    let others = evidence.survivors(others.iter().collect());
+    all.iter().chain(others).map(|edit| cause(evidence.tree, edit)).collect()
 }
 
 /// The same, as edits.

@@ -1,5 +1,5 @@
 use super::{Change, Context, Edit, Of, Tree, Value, Values, batch};
-use crate::{apart, at_once, each};
+use crate::{apart, each};
 use image::{Rgb, RgbImage};
 
 /// Column and row of a pixel.
@@ -45,7 +45,7 @@ impl<'a> Evidence<'a> {
         right: &[Pixel],
     ) -> Self {
         let context = Context::plain(tree);
-        let many = 1 + samples as usize * samples as usize / 4;
+        let many = (samples as usize).pow(2).div_ceil(2);
         let values = |places: &[Pixel], samples: u32| {
             Values::at(tree, places, samples).filled(&context)
         };
@@ -171,7 +171,7 @@ pub(crate) fn misses(
     // All processors look at some each, as long as too few are found.
     let some = batch(samples);
     let mut wrong = vec![];
-    for places in places.chunks(at_once() * some) {
+    for places in places.chunks(8 * some) {
         for these in each(places.chunks(some).collect(), missed) {
             wrong.extend(these);
         }

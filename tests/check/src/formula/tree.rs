@@ -1,6 +1,7 @@
 use super::{Change, Kind, Node, Op, Value, parse};
 use crate::{Named, Parts, Section, Step, camera, section};
 use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
 use step03_nearest::Object;
 use step05_phong::Light;
 
@@ -23,6 +24,8 @@ pub(crate) struct Tree {
     pub always: Vec<Change>,
     /// The names of its objects.
     objects: Vec<&'static str>,
+    /// What it has cost so far to evaluate the lines, of this tree and of those made from it.
+    pub work: Arc<AtomicUsize>,
 }
 
 /// One formula, or one number of the scene or of a ray.
@@ -115,6 +118,7 @@ impl Tree {
             nearest: 0,
             always: vec![],
             objects: vec![],
+            work: Arc::default(),
         };
         tree.give(size, fov, samples);
         let mut heading = self::heading("ray | rays | CAMERA | ");

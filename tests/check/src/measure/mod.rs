@@ -5,6 +5,8 @@ use crate::fov::is_option;
 use crate::view::View;
 use crate::{Options, Section, Step};
 use image::RgbImage;
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
 
 mod least;
 mod sky;
@@ -97,8 +99,9 @@ fn explained(
     may_be_two: bool,
 ) -> Option<(Vec<Stage>, Options)> {
     let views = view::likely(yours, step);
+    let work = Arc::default();
     let riddle = |view: &Options, ask: Ask| {
-        let (tree, groups) = asked(yours, step, places, view, ours, ask)?;
+        let (tree, groups) = asked(yours, step, places, view, ours, &work, ask)?;
         Some((table::explained(view, &tree, yours, &groups), *view))
     };
     let whole = View::whole(yours.clone());
@@ -117,7 +120,7 @@ fn explained(
         // second number of samples is less likely, and takes longer.
         let is_first = k == 0 || views[k - 1].fov != view.fov;
         let is_likely = *is_given && (is_first || view.samples == 1);
-        let is_thorough = is_likely && off == least;
+        let is_thorough = may_be_two && is_likely && off == least;
         // One thing explains no picture that is much nearer to other options.
         let is_near = *off < least + 4;
         let ask = |riddle: Riddle, tree: &Tree| riddle.explained(tree, is_thorough);
@@ -136,10 +139,12 @@ pub(crate) fn alternatives(
     ours: &RgbImage,
 ) -> Vec<Cause> {
     let places = view::places(yours, None);
+    let places: Vec<_> = places.into_iter().step_by(5).collect();
     let ask = |riddle: Riddle, tree: &Tree| riddle.explained(tree, false);
-    let found = asked(yours, step, &places, options, Some(ours), &ask);
+    let work = Arc::default();
+    let found = asked(yours, step, &places, options, Some(ours), &work, &ask);
     let mut all = found.map_or(vec![], |(_, groups)| groups.concat());
-    all.retain(|cause| cause.rank == 0);
+    all.retain(|cause| cause.rank < 2);
     all
 }
 
@@ -172,6 +177,7 @@ fn asked(
     places: &[(u32, u32)],
     options: &Options,
     ours: Option<&RgbImage>,
+    work: &Arc<AtomicUsize>,
     ask: Ask,
 ) -> Option<(Tree, Groups)> {
     let (size, samples) = (yours.dimensions(), options.samples);
@@ -184,7 +190,8 @@ fn asked(
         Some(ours) => *ours.get_pixel(i, j),
         None => parts.pixel(step, samples, i, j),
     };
-    let tree = Tree::new(step, size, options.fov, samples);
+    let mut tree = Tree::new(step, size, options.fov, samples);
+    tree.work = work.clone();
     // Spread by the golden ratio.
     let share = u32::MAX / options.one_of(yours);
     let mut at = 0_u32;

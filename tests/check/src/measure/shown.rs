@@ -35,7 +35,7 @@ pub(super) fn hits(tree: &Tree, yours: &RgbImage) -> Vec<bool> {
     let context = Context::plain(tree);
     let places = places(yours, None);
     let places: Vec<_> =
-        places.iter().step_by(places.len() / 30_000 + 1).copied().collect();
+        places.iter().step_by(places.len() / 8000 + 1).copied().collect();
     let hits = |places: &[Pixel]| {
         let values = Values::at(tree, places, 1);
         let values = values.changed(&context);

@@ -1,7 +1,7 @@
 use super::Black;
 use crate::fov::{FOV, fields_of_view, likeliest};
 use crate::view::{View, scattered};
-use crate::{Options, Step, key, sort};
+use crate::{Options, Step, each, key, sort};
 use image::RgbImage;
 
 /// As many rays as are cast at most to explain a picture: four for each pixel of 640×360.
@@ -26,7 +26,8 @@ impl Options {
         let differs = |&(i, j): &(u32, u32)| {
             *yours.get_pixel(i, j) != parts.pixel(step, samples, i, j)
         };
-        scattered(yours, 3000).into_iter().filter(differs).count()
+        let count = |some: &[_]| Some(some.iter().filter(|at| differs(at)).count());
+        each(scattered(yours, 3000).chunks(500).collect(), count).iter().sum()
     }
 
     /// How far the shares of the sky in some pixels, which are mixed of it and an object,

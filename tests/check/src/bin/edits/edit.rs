@@ -15,7 +15,7 @@ pub struct Change {
 }
 
 /// What `check` has to tell.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     /// The stage that is wrong, and others that may be called so, too.
     pub stages: Vec<String>,

@@ -68,10 +68,14 @@ pub fn judged(
 fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
     let table = stages(text);
     let first = text.lines().next().unwrap_or_default();
-    if let Some(lie) = excuse(edit, text).or_else(|| lie(edit, &table)) {
+    let exact: Vec<_> = names.iter().filter(|name| name.is_exact()).collect();
+    // What gives every pixel is another cause, and no lie.
+    let is_exact = !exact.is_empty() || text.contains("in every pixel, ");
+    let lie = excuse(edit, text).or_else(|| missed(edit, &table));
+    let wrong = || invented(edit, &table).filter(|_| !is_exact);
+    if let Some(lie) = lie.or_else(wrong) {
         return (Kind::Wrong, lie);
     }
-    let exact: Vec<_> = names.iter().filter(|name| name.is_exact()).collect();
     if exact.iter().any(|name| name.leads_to(&edit.changes)) {
         return (Kind::Named, told(&exact));
     }
@@ -84,6 +88,7 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
                 && told.points_at(fault, &edit.changes)
         }) || (fault.is_in("size") || first.contains("it is grey"))
             && fault.words.iter().any(|word| text.contains(word))
+            || is_beside(edit, fault, text)
     };
     let all: Vec<_> = wrong().flat_map(|told| told.numbers.clone()).collect();
     if edit.faults.iter().all(|fault| is_told(&fault)) {
@@ -91,9 +96,24 @@ fn verdict(edit: &Edit, names: &[Name], text: &str) -> (Kind, String) {
     }
     match edit.faults.iter().any(|fault| is_found(&fault)) {
         true => (Kind::Stage, all.join("; ")),
-        false if exact.is_empty() => (Kind::Nothing, first.to_owned()),
+        false if !is_exact => (Kind::Nothing, first.to_owned()),
+        false if exact.is_empty() => (Kind::Elsewhere, all.join("; ")),
         false => (Kind::Elsewhere, told(&exact)),
     }
+}
+
+/// Whether it is told beside the table: as an angle, or as highlights that are missing.
+fn is_beside(edit: &Edit, fault: &Fault, text: &str) -> bool {
+    let mut its = edit.changes.iter().zip(&edit.faults);
+    let its = its.find(|(_, other)| *other == fault);
+    let Some(path) = its.map(|(change, _)| change.path()) else { return false };
+    let is_in = |line: &str| match line {
+        _ if line.contains("look at what becomes of θ") => {
+            ["camera.rs", "program.rs"].iter().any(|file| path.ends_with(file))
+        }
+        _ => line.starts_with("No highlight is in it") && line.contains(&path),
+    };
+    text.lines().any(is_in)
 }
 
 fn told(names: &[&Name]) -> String {
@@ -106,22 +126,33 @@ fn excuse(edit: &Edit, text: &str) -> Option<String> {
         |stage| edit.faults.iter().all(|fault: &Fault| fault.is_in(stage));
     let told = |words: &str| text.contains(words).then(|| format!("says: {words}"));
     let rounding = || told("That is rounding").filter(|_| !is_only("bytes"));
-    told("Right but for").filter(|_| !is_only("size")).or_else(rounding)
+    let is_angle = |fault: &Fault| is_beside(edit, fault, text);
+    let is_told = is_only("size") || edit.faults.iter().all(is_angle);
+    told("Right but for").filter(|_| !is_told).or_else(rounding)
 }
 
-/// What the table says that is not so.
-fn lie(edit: &Edit, table: &[Told]) -> Option<String> {
+/// A stage that the table calls wrong, and that is not.
+fn invented(edit: &Edit, table: &[Told]) -> Option<String> {
     let is_fault = |told: &Told| {
         edit.faults.iter().any(|fault| told.is_about(fault, &edit.changes))
     };
     let wrong =
         table.iter().find(|told| told.verdict == "WRONG" && !is_fault(told));
-    if let Some(Told { stage, numbers, .. }) = wrong {
-        return Some(format!("calls {stage} wrong: {}", numbers.join("; ")));
-    }
+    wrong.map(|Told { stage, numbers, .. }| {
+        format!("calls {stage} wrong: {}", numbers.join("; "))
+    })
+}
+
+/// A stage that the table calls right, and that is not.
+fn missed(edit: &Edit, table: &[Told]) -> Option<String> {
     let is_missed = |fault: &&Fault| {
         let mut its = table.iter().filter(|told| told.is_of(fault)).peekable();
-        its.peek().is_some() && its.all(|told| told.verdict == "right")
+        let is_told = |told: &Told| {
+            told.verdict == "WRONG" && told.points_at(fault, &edit.changes)
+        };
+        its.peek().is_some()
+            && its.all(|told| told.verdict == "right")
+            && !table.iter().any(is_told)
     };
     let missed = edit.faults.iter().find(is_missed)?;
     Some(format!("calls {} right", missed.stages.join(" and ")))
