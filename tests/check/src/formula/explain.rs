@@ -10,7 +10,7 @@ use std::sync::atomic::Ordering;
 
 /// So much work is enough for one picture: about half a second of two processors. It is
 /// counted, not timed, so that an answer is the same on every machine.
-const ENOUGH: usize = 250_000_000;
+const ENOUGH: usize = 320_000_000;
 
 /// Something that is done otherwise than in the lecture, and explains a picture.
 #[derive(Clone, Debug)]
@@ -222,7 +222,8 @@ impl Riddle<'_> {
         let edits = edits(tree);
         let halves = self.halves(tree, &edits, &wrong);
         for (k, first) in halves.into_iter().enumerate() {
-            if ENOUGH < tree.work.load(Ordering::Relaxed) {
+            let work = tree.work.load(Ordering::Relaxed);
+            if ENOUGH < work {
                 return None; // Not worth the wait.
             }
             let changed = tree.with(&first.changes);
@@ -237,7 +238,8 @@ impl Riddle<'_> {
                 continue;
             }
             let others = apart(&edits, &first);
-            let second = self.single(&changed, others, &rest, k == 0);
+            let is_thorough = k == 0 && 4 * work < 3 * ENOUGH;
+            let second = self.single(&changed, others, &rest, is_thorough);
             let Some(its) = second.first().filter(|second| second.of != first.of)
             else {
                 continue;
