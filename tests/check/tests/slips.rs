@@ -499,7 +499,7 @@ fn one_number_for_all_that_there_are() {
         Step::Nearest,
         |parts| parts.miss = |_| DVec3::ZERO,
         "s",
-        "I = 0 if nearest < 0, else I",
+        "seen = 0 if nearest < 0, else I",
     );
     // As the slide has it.
     assert_told(

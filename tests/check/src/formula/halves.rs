@@ -104,22 +104,20 @@ impl Riddle<'_> {
         let rated = |(edit, whole): (&Edit, usize)| {
             let half = cause(tree, edit);
             let [far, missed] = self.left(&tree.with(&edit.changes), &some);
-            Some(([far, missed, MANY - whole], half, edit.line))
+            let far_of_whole = if whole == 0 { far + MANY } else { far };
+            Some(([far_of_whole, far, missed], half, edit.line))
         };
         let mut all = each(all, rated);
         let (mut lines, mut halves) = (vec![], vec![]);
-        let is_whole = all.iter().any(|([.., left], ..)| left + 24 <= MANY);
-        // What leaves the least, what mends whole groups, what mends the most.
-        let order = if is_whole { [2, 0, 1] } else { [0, 1, 2] };
+        // What mends whole groups, what leaves the least, what mends the most.
+        let order = [0, 1, 0, 2];
         for k in 0..all.len().min(most) {
-            let of = order.get(k).copied().unwrap_or(0);
+            let of = order[k % order.len()];
             sort(&mut all, |(left, half, line)| {
                 let told = half.told.chars().count();
                 let is_taken = usize::from(lines.contains(line));
                 // A little nearer is so by chance.
-                let rank = usize::from(half.rank);
-                let left =
-                    left[of] + if of < 2 { left[of] / 20 * rank } else { rank };
+                let left = left[of] + left[of] / 20 * usize::from(half.rank);
                 [is_taken << 30 | left, told]
             });
             let (_, half, line) = all.remove(0);
@@ -224,8 +222,8 @@ fn counted(yours: u8, off: usize) -> usize {
     if matches!(yours, 0 | 255) { off / 4 } else { off }
 }
 
-/// More pixels than are looked at.
-const MANY: usize = 1 << 20;
+/// Farther than all pixels are together.
+const MANY: usize = 1 << 24;
 
 /// What becomes of the wrong pixels with an edit.
 struct Rated {

@@ -343,8 +343,7 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
     let is_bound =
         matches!(&unknown.place, Where::Formula(node) if has_bound(node));
     let many = most.all().map(|known| known.0.len()).sum::<usize>() as f64;
-    if many * if is_shape || is_bound { 2.0 } else { 0.7 } < best.cost.max_element()
-    {
+    if many * if is_bound { 6.0 } else { 4.0 } < best.cost.max_element() {
         return None;
     }
     // Where it can't be seen, many places are alike for few pixels.

@@ -5,10 +5,12 @@ impl Tree {
     /// A line as a formula, as the book writes it.
     pub fn told(&self, line: usize, node: &Node, free: Option<&Value>) -> String {
         let name = shown(&self.lines[line].name);
-        let text = Print { tree: self, free }.at(node, 0);
+        let argument = if name == "offset" { "k" } else { "d" };
+        let text = Print { tree: self, free, argument }.at(node, 0);
         match &*self.lines[line].name {
             "fade" => format!("divisor = {text}"),
             "order" => format!("nearest by {text}"),
+            "I'" => format!("seen = {text}"),
             _ => format!("{name} = {text}"),
         }
     }
@@ -22,6 +24,8 @@ pub(crate) fn shown(name: &str) -> String {
 struct Print<'a> {
     tree: &'a Tree,
     free: Option<&'a Value>,
+    /// The letter for the argument of a line that has one.
+    argument: &'static str,
 }
 
 impl Print<'_> {
@@ -45,7 +49,7 @@ impl Print<'_> {
                     Some(v) => negative(number(v.scalar(0)), level),
                     None => "?".to_owned(),
                 },
-                _ => "d".to_owned(),
+                _ => self.argument.to_owned(),
             };
         };
         let (text, own) = self.operation(*op, nodes);

@@ -163,10 +163,13 @@ pub(super) fn is_blurred(yours: &RgbImage) -> bool {
         for i in 3..yours.width() {
             let at = |k: u32| yours.get_pixel(i - k, j);
             let steps = [0, 1, 2].map(|k| crate::apart(at(k), at(k + 1)));
-            let is_edge = 40 < crate::apart(at(0), at(3));
-            let is_step = steps.iter().any(|step| 40 < *step);
-            sharp += u32::from(is_edge && is_step);
-            wide += u32::from(is_edge && !is_step && steps.iter().all(|s| 8 < *s));
+            let all = u32::from(crate::apart(at(0), at(3)));
+            let is_most = |share: u32| {
+                steps.iter().any(|step| share * all < 10 * u32::from(*step))
+            };
+            sharp += u32::from(40 < all && is_most(8));
+            let is_slope = !is_most(6) && steps.iter().all(|step| 8 < *step);
+            wide += u32::from(40 < all && is_slope);
         }
     }
     sharp + 20 < wide

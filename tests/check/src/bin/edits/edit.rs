@@ -128,7 +128,8 @@ fn edit(block: &str, step: Step, file: &str) -> Result<Edit, String> {
     };
     let (stages, words) = told.split_once(':').ok_or(format!("no : in {block}"))?;
     let list = |text: &str, mark| {
-        text.split(mark).map(|one: &str| one.trim().to_owned()).collect()
+        let all = text.split(mark).map(|one: &str| one.trim().to_owned());
+        all.filter(|one| !one.is_empty()).collect()
     };
     let fault = Fault { stages: list(stages, '/'), words: list(words, '|') };
     let options = marked(block, "$").join(" ");

@@ -204,7 +204,7 @@ impl Scope<'_> {
                 if op == Op::Dot && self.line.of == Of::Light {
                     all.extend(self.dots());
                 }
-                if op == Op::Dot {
+                if op == Op::Dot && self.line.of == Of::Object {
                     all.extend(self.without_a_part(a, b));
                 }
                 let is_vector = |n: &Node| self.kind(n) == Some(Kind::Vector);
