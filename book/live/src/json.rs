@@ -25,6 +25,13 @@ impl From<f64> for Json {
     }
 }
 
+/// What prints an f64 is large; a module that has none of them does without it.
+impl From<u32> for Json {
+    fn from(number: u32) -> Self {
+        Self(number.to_string())
+    }
+}
+
 impl From<bool> for Json {
     fn from(is_so: bool) -> Self {
         Self(is_so.to_string())

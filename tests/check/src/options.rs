@@ -1,4 +1,5 @@
 use crate::fov::FOV;
+use crate::measure::number;
 use crate::{Cause, Step};
 use std::fmt::Write;
 
@@ -51,9 +52,11 @@ pub(crate) fn options(
     if fov != FOV {
         let _ = writeln!(
             text,
-            "Its field of view is {fov}°, and that of the locked picture {FOV}°: --fov \
-             {FOV} gives that. If you gave no such option, look at what becomes of θ, \
-             in camera.rs and program.rs."
+            "Its field of view is {}°, and that of the locked picture {1}°: --fov \
+             {1} gives that. If you gave no such option, look at what becomes of θ, \
+             in camera.rs and program.rs.",
+            number(fov),
+            number(FOV)
         );
     }
     text

@@ -1,4 +1,5 @@
 use crate::fov::FOV;
+use crate::measure::number;
 use crate::recognise::ROUNDING;
 use crate::{Found, Mistake, Rest};
 use std::fmt::Write;
@@ -31,6 +32,7 @@ pub(crate) fn verdict(found: &Found) -> String {
         let _ = writeln!(text, "You get the same picture when {when} ({pages}).");
     }
     if let Some(fov) = found.same_fov {
+        let fov = number(fov);
         let _ = writeln!(text, "You get the same picture with --fov {fov}.");
     }
     text

@@ -77,11 +77,11 @@ fn missing<'a>(names: impl IntoIterator<Item = &'a str>) -> Answer {
 /// An answer for the page.
 fn said(answer: check::Answer) -> Answer {
     let mut fields =
-        vec![("code", f64::from(answer.code).into()), ("text", answer.text.into())];
+        vec![("code", u32::from(answer.code).into()), ("text", answer.text.into())];
     let mut pixels = vec![];
     if let Some(difference) = answer.difference {
         let (width, height) = difference.dimensions();
-        let size = [width, height].map(|side| Json::from(f64::from(side)));
+        let size = [width, height].map(Json::from);
         fields.push(("size", Json::list(size)));
         pixels = live::rgba(&difference);
     }

@@ -76,6 +76,6 @@ pub fn draw(name: &str) -> Answer {
     // As the programs have it: π/3 is another number in its last digit.
     let camera = Camera::new(columns, rows, 60_f64.to_radians());
     let pixels = PICTURES[k](&camera, 1).into_raw();
-    let size = json::Json::list(SIZE.map(|side| f64::from(side).into()));
+    let size = json::Json::list(SIZE.map(json::Json::from));
     Answer { text: json::object([("size", size)]), pixels }
 }

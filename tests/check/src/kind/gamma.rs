@@ -1,4 +1,5 @@
 use crate::Locked;
+use crate::measure::number;
 use image::RgbImage;
 
 /// Says whether every byte is that of ours to some power, or by the curve of sRGB, both
@@ -18,15 +19,19 @@ pub(super) fn told(yours: &RgbImage, ours: &Locked) -> Option<String> {
     } else if (power - 1.0).abs() < 0.02 || !is(&|x: f64| x.powf(power)) {
         return None;
     } else if power < 1.0 {
-        format!("to the power 1/{:.2}", 1.0 / power)
+        format!("to the power 1/{}", hundredths(1.0 / power))
     } else {
-        format!("to the power {power:.2}")
+        format!("to the power {}", hundredths(power))
     };
     Some(format!(
         "Not right yet: its bytes are those of the picture of {} {how}: that is gamma, and here \
          round(255 I) is what is wanted.",
         ours.name
     ))
+}
+
+fn hundredths(x: f64) -> String {
+    number((100.0 * x).round() / 100.0)
 }
 
 /// For each byte of ours that is often there, what stands in its place, both from 0 to

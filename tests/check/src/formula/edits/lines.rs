@@ -1,5 +1,6 @@
 use super::{Edit, all_found};
 use crate::formula::{Change, Node, Op, Tree, shown};
+use crate::measure::number;
 
 /// Two names taken for each other in all lines after theirs.
 fn swapped(tree: &Tree, k: usize, l: usize) -> Vec<Change> {
@@ -31,9 +32,9 @@ pub(super) fn rays(tree: &Tree, all: &mut Vec<Edit>) {
         };
         let changes = vec![Change::Line(i, line(i)), Change::Line(j, line(j))];
         let says = format!(
-            "i and j are too large by {by}, as if V_0 were another pixel's"
-        )
-        .replace('-', "−");
+            "i and j are too large by {}, as if V_0 were another pixel's",
+            number(by)
+        );
         all.push(Edit { changes, rank: 0, says: Some(says), line: i });
     }
     if let (Some(v), Some(d_u), Some(d_v), Some(v_0), Some(x), Some(y)) = (
@@ -160,13 +161,14 @@ fn last_samples(tree: &Tree, all: &mut Vec<Edit>) {
     let (Some(i), Some(j), Some(mean)) = (i, j, mean) else {
         return;
     };
-    for side in [2.0, 3.0, 4.0] {
-        let offset = Node::Number(0.5 - 0.5 / side);
+    for side in [2, 3, 4] {
+        let rays = f64::from(side);
+        let offset = Node::Number(0.5 - 0.5 / rays);
         let other = |line: usize, op: Op, by: Node| {
             let node = tree.lines[line].node.clone();
             Some(Change::Line(line, Node::of(op, [node?, by])))
         };
-        let weight = Node::Number(1.0 / (side * side));
+        let weight = Node::Number(1.0 / (rays * rays));
         let changes = [
             other(i, Op::Add, offset.clone()),
             other(j, Op::Add, offset),
@@ -192,18 +194,20 @@ fn weights(tree: &Tree, all: &mut Vec<Edit>) {
     let Some(node) = tree.lines[mean].node.clone().filter(|_| 1.0 < side) else {
         return;
     };
+    let shown = number(side);
     let of = |op: Op, a: Node, b: f64| Node::of(op, [a, Node::Number(b)]);
     for (by, what) in
-        [(1.0, "not divided"), (side, "divided by"), (2.0 * side, "divided by")]
+        [(1.0, "not divided"), (side, "divided by "), (2.0 * side, "divided by ")]
     {
         let changes =
             vec![Change::Line(mean, of(Op::Mul, node.clone(), side * side / by))];
-        let by = if by == 1.0 { String::new() } else { format!(" {by}") };
-        let says = format!("the sum of {side} × {side} samples is {what}{by}");
+        let by = if by == 1.0 { String::new() } else { number(by) };
+        let says = format!("the sum of {shown} × {shown} samples is {what}{by}");
         all.push(Edit { changes, rank: 0, says: Some(says), line: mean });
     }
     let apart = of(Op::Add, Node::Argument, 0.5 - side / 2.0);
-    let says = format!("the {side} × {side} samples of a pixel are a pixel apart");
+    let says =
+        format!("the {shown} × {shown} samples of a pixel are a pixel apart");
     let changes = vec![Change::Line(offset, apart)];
     all.push(Edit { changes, rank: 0, says: Some(says), line: offset });
 }
