@@ -5,6 +5,7 @@ use ::check::{Answer, look};
 use gallery::{Mistake, Parts, Step, camera, mistakes};
 use glam::DVec3;
 use image::{Rgb, RgbImage, imageops};
+use rayon::ThreadPoolBuilder;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 use step01_rays::Camera;
@@ -369,6 +370,21 @@ fn options_and_a_slip_that_no_list_has_are_both_told() {
         let there = [&yours, &right].map(|all| all[(i, j)].0.map(u32::from));
         assert_eq!([[r, g, b], ours], there, "{text}");
     }
+}
+
+/// Work is counted, not timed; and what is looked at does not depend on who looks.
+#[test]
+fn an_answer_is_the_same_on_one_thread_and_on_many() {
+    let mut parts = Parts::right(&camera(320, 180));
+    parts.reflect = |l, n| n.cross(l);
+    parts.normal = |sphere, p| (p - sphere.centre).cross(DVec3::X);
+    let yours = parts.picture(Step::Phong, 2);
+    let on = |threads: usize| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().expect("threads");
+        pool.install(|| asked(&yours, Some("step05_phong")))
+    };
+    assert_eq!(on(1), on(3));
 }
 
 #[test]

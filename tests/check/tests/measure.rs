@@ -188,6 +188,18 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     assert_wrong(&stages, both[0], "r = n·l n − l", &["rays", both[1]]);
 }
 
+/// One of the two mends every pixel that no light reaches, and few others.
+#[test]
+fn what_mends_whole_groups_is_the_first_of_two() {
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.ambient_light =
+            DVec3::splat(parts.scene.ambient_light.length());
+        parts.attenuation = |fade, d| fade.a + fade.b * d + fade.c * d;
+    });
+    assert_wrong(&stages, "ambient", "I_a = R_a |L_a|", &["attenuation"]);
+    assert_wrong(&stages, "attenuation", "a + b d + c d", &["ambient"]);
+}
+
 /// The sky tells the one of two that it shows, whatever becomes of the objects; or both.
 #[test]
 fn a_sky_that_is_another_tells_the_first_of_two_stages() {

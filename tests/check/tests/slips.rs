@@ -83,6 +83,64 @@ fn a_part_that_is_forgotten() {
         "attenuation",
         "d = |w_z|",
     );
+    // Of v · v, too, where it is written out.
+    assert_told(
+        Step::Nearest,
+        |parts| {
+            parts.coefficients = |sphere, ray| {
+                let (_, b, c) = sphere.coefficients(ray);
+                let v = ray.direction;
+                (v.x * v.x + v.z * v.z, b, c)
+            };
+        },
+        "outlines",
+        "a = v_x² + v_z²",
+    );
+}
+
+#[test]
+fn an_angle_that_is_nearly_right_and_a_light_of_one_brightness() {
+    assert_told(
+        Step::Nearest,
+        |parts| parts.camera = Camera::new(160, 90, 60.0 * 3.14 / 180.0),
+        "rays",
+        "θ = fov · 3.14 / 180",
+    );
+    assert_told(
+        Step::Diffuse,
+        |parts| {
+            let light = parts.scene.ambient_light.length();
+            parts.scene.ambient_light = DVec3::splat(light);
+        },
+        "ambient",
+        "I_a = R_a |L_a|",
+    );
+}
+
+#[test]
+fn samples_by_another_weight_and_a_pixel_apart() {
+    let (camera, scene) = (camera(320, 180), step05_phong::scene());
+    let colour = |ray: &Ray| {
+        terms(&scene, ray)
+            .map_or_else(|| direction_colour(ray), |terms| terms.sum())
+    };
+    let bright = render(&camera, 3, |ray| 1.5 * colour(ray));
+    let told = "the sum of 3 × 3 samples is divided by 6";
+    assert_picture_told(&bright, Step::Phong, "sum", told);
+    let wide = render(&camera, 1, |ray| {
+        let offsets = [-1.0, 0.0, 1.0];
+        let (d_u, d_v) = (camera.matrix.x_axis, camera.matrix.y_axis);
+        let mut sum = DVec3::ZERO;
+        for v in offsets {
+            for u in offsets {
+                let direction = ray.direction + u * d_u + v * d_v;
+                sum += colour(&Ray { direction, ..*ray });
+            }
+        }
+        sum / 9.0
+    });
+    let told = "the 3 × 3 samples of a pixel are a pixel apart";
+    assert_picture_told(&wide, Step::Phong, "rays", told);
 }
 
 #[test]
