@@ -376,9 +376,9 @@ fn options_and_a_slip_that_no_list_has_are_both_told() {
 #[test]
 fn an_answer_is_the_same_on_one_thread_and_on_many() {
     let mut parts = Parts::right(&camera(320, 180));
-    parts.reflect = |l, n| n.cross(l);
-    parts.normal = |sphere, p| (p - sphere.centre).cross(DVec3::X);
-    let yours = parts.picture(Step::Phong, 2);
+    parts.scene.ambient_light = DVec3::splat(parts.scene.ambient_light.length());
+    parts.attenuation = |fade, d| fade.a + fade.b * d + fade.c * d;
+    let yours = parts.picture(Step::Phong, 1);
     let on = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads);
         let pool = pool.build().expect("threads");
