@@ -101,7 +101,7 @@ fn a_part_that_is_forgotten() {
 #[test]
 fn an_angle_that_is_nearly_right_and_a_light_of_one_brightness() {
     // No candidate among the numbers is nearer than ours is already.
-    let camera = Camera::new(640, 360, 60.0 * 3.14 / 180.0);
+    let camera = Camera::new(640, 360, 60.0 * 314.0 / 18_000.0);
     let yours = Parts::right(&camera).picture(Step::Phong, 1);
     assert_picture_told(&yours, Step::Phong, "rays", "θ = fov · 3.14 / 180");
     assert_told(
