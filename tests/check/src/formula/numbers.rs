@@ -312,7 +312,8 @@ pub(crate) fn solved(evidence: &Evidence, unknown: &Unknown) -> Option<DVec3> {
         }
         best.take(cost, x);
     }
-    // These leads have been wrong ones, of some thousand pictures.
+    // Of 800 numbers that were found, a sphere's was at a quarter of this cost by then, and
+    // another's at three quarters at most.
     let is_lost = |best: &Best, share: f64| (share * start).cmplt(best.cost).all();
     if is_lost(&best, if is_shape { 0.5 } else { 0.8 }) {
         // A number of the rays moves outlines at once, be it nearly right.

@@ -2,7 +2,7 @@ use glam::DVec3;
 
 /// A number as the book prints it: few digits, more for small ones, and a true minus.
 ///
-/// By whole numbers: what prints an f64 is 10 KB of the page's module.
+/// By whole numbers: what prints an f64 is 7 KB of the page's module, packed.
 pub(crate) fn number(x: f64) -> String {
     let digits = match x.abs() {
         size if size < 0.02 => 5,
