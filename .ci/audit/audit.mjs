@@ -45,6 +45,10 @@ async function look(width, colorScheme) {
     if (isPrint && colorScheme === 'dark') continue;
     views += 1;
     await tab.goto(home + page, { waitUntil: 'load' });
+    // A few that an earlier page has shown are there already.
+    const early = await tab.evaluate(() => [...document.images].filter(picture =>
+      picture.naturalWidth && 5 * innerHeight < picture.getBoundingClientRect().top).length);
+    if (8 < early && !isPrint) fault(`loads ${early} pictures before they come near the view`);
     // Everything folded away is looked at as well, and pictures are not left for later.
     await tab.evaluate(async () => {
       document.querySelectorAll('details').forEach(box => { box.open = true; });
@@ -62,8 +66,11 @@ async function look(width, colorScheme) {
     // Colours do not depend on the width, and nothing else on dark.
     const isDark = colorScheme === 'dark';
     if (width < 1280 && (isDark || isPrint)) continue;
-    // What scrolls sideways has been found.
+    // All is laid out, and what scrolls sideways has been found.
     await tab.waitForSelector('main[data-ready]');
+    const later = await tab.evaluate(() => [...document.querySelectorAll('main *')].filter(part =>
+      part.checkVisibility() && !part.checkVisibility({ contentVisibilityAuto: true })).length);
+    if (later) fault(`leaves ${later} elements blank that are far from the view`);
     await tab.evaluate(axe);
     const { violations } = await tab.evaluate(options => window.axe.run(options), {
       preload: false,

@@ -104,12 +104,6 @@ function whenNear(elements, near) {
     }
 }
 
-// Pictures load when they come into view. From a folder that saves nothing, so there all are
-// loaded at once, and none is missing on paper.
-if (location.protocol === "file:") {
-    for (const picture of document.querySelectorAll("img[loading=lazy]")) picture.loading = "eager";
-}
-
 // Code: colours, when it comes into view, and a button that copies a listing.
 {
     const colour = async code => { await script(highlighter); hljs.highlightBlock(code); };
@@ -136,10 +130,35 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
+// Works through a list some milliseconds at a time, a few elements at once, so that the page
+// answers meanwhile. Returns what stops it.
+function little(list, work, done) {
+    const all = [...list];
+    let due;
+    const some = () => {
+        const end = performance.now() + 5;
+        while (all.length && performance.now() < end) work(all.splice(0, 4));
+        if (all.length) due = setTimeout(some);
+        else done();
+    };
+    due = setTimeout(some);
+    return () => clearTimeout(due);
+}
+
+// What is far below waits until the page is shown; then it is laid out as well, so that all of
+// it is there for whoever takes a picture of the page or jumps to its end.
+const laidOut = new Promise(done => {
+    const main = document.querySelector("main");
+    const show = few => {
+        for (const part of few) part.style.contentVisibility = "visible";
+        main.getBoundingClientRect();
+    };
+    addEventListener("load", () => little(document.querySelectorAll("main > *, .formula"), show, done));
+});
+
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
-    // What is far away is laid out when it is measured, and only then; so this goes on for some
-    // milliseconds at a time, and measures a few before it changes one of them.
+    // What is measured is laid out; so a few are measured before one of them is changed.
     const main = document.querySelector("main");
     const range = document.createRange();
     const isWide = box => {
@@ -147,30 +166,24 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
         range.selectNodeContents(box.firstElementChild);
         return range.getBoundingClientRect().right > box.getBoundingClientRect().right + 0.5;
     };
-    let due;
-    const some = boxes => {
-        const end = performance.now() + 5;
-        while (boxes.length && performance.now() < end) {
-            const few = boxes.splice(0, 4);
-            const wide = few.map(isWide);
-            few.forEach((box, k) => {
-                if (wide[k]) box.tabIndex = 0;
-                else box.removeAttribute("tabindex");
-            });
-        }
-        if (boxes.length) due = setTimeout(some, 0, boxes);
-        else main.dataset.ready = "";
+    const measure = few => {
+        const wide = few.map(isWide);
+        few.forEach((box, k) => {
+            if (wide[k]) box.tabIndex = 0;
+            else box.removeAttribute("tabindex");
+        });
     };
-    const all = selector => [...document.querySelectorAll(selector)];
-    const now = () => some([...all("pre, .table-wrapper, .stage"), ...all(".formula")]);
+    let stop = () => {};
     const later = () => {
-        clearTimeout(due);
+        stop();
         delete main.dataset.ready;
-        due = setTimeout(now);
+        stop = little(document.querySelectorAll("pre, .table-wrapper, .stage, .formula"), measure, () => { main.dataset.ready = ""; });
     };
-    addEventListener("load", later);
-    addEventListener("resize", later);
-    document.fonts?.addEventListener("loadingdone", later);
+    laidOut.then(() => {
+        later();
+        addEventListener("resize", later);
+        document.fonts?.addEventListener("loadingdone", later);
+    });
 }
 
 // The arrow keys turn to the chapters before and after.
