@@ -21,12 +21,12 @@ pub(crate) fn fields_of_view(yours: &View) -> Vec<f64> {
         all.extend(
             [1.0, 2.0, 10.0, 100.0].map(|unit| (degrees * unit).round() / unit),
         );
-        // Those that give this one with a mistake: θ from top to bottom, θ for θ/2, and θ/2
-        // for its tangent.
+        // Those that give this one with a mistake: θ from top to bottom, θ for θ/2, half the
+        // tangent of θ, and θ/2 for its tangent.
         let [width, height] =
             [yours.size.0, yours.size.1].map(|k| f64::from(k - 1));
         let upright = 2.0 * (tan * height / width).atan();
-        let others = [upright, tan.atan(), 2.0 * tan];
+        let others = [upright, tan.atan(), (2.0 * tan).atan(), 2.0 * tan];
         all.extend(others.map(|fov| fov.to_degrees().round()));
         // And whole degrees that were taken for radians.
         let is_near =

@@ -221,6 +221,12 @@ fn another_field_of_view_is_told_as_an_option() {
     let text = look(&twice, Some("step05_phong"), locked()).text;
     assert!(text.contains(named("full-angle").when), "{text}");
     assert!(text.contains("You get the same picture with --fov 120."), "{text}");
+    // A mistake with the tangent of the option's angle.
+    let camera = Camera::new(200, 150, 75_f64.to_radians());
+    let half = named("half-tangent").picture_in(Step::Phong, &camera, 1);
+    let text = look(&half, Some("step05_phong"), locked()).text;
+    assert!(text.contains(named("half-tangent").when), "{text}");
+    assert!(text.contains("Its field of view is 75°"), "{text}");
     // At 90° the tangent is 1, as where the angle is left out: a second mistake is not
     // needed.
     let (wide, wrong) =

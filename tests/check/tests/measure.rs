@@ -6,7 +6,7 @@ use glam::DVec3;
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, Ray};
 use step02_sphere::{Roots, quadratic};
-use step05_phong::specular;
+use step05_phong::{reflect, specular};
 use tests::some;
 
 /// The stages of a picture that some parts draw in step 5 at 320×180.
@@ -198,6 +198,26 @@ fn what_mends_whole_groups_is_the_first_of_two() {
     });
     assert_wrong(&stages, "ambient", "I_a = R_a |L_a|", &["attenuation"]);
     assert_wrong(&stages, "attenuation", "a + b d + c d", &["ambient"]);
+}
+
+/// What no light reaches has one colour all over, wherever the lights are.
+#[test]
+fn what_is_dark_tells_the_first_of_two_stages() {
+    let its = ["diffuse, warm", "diffuse, cool", "specular, warm"];
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.ambient_light *= 0.1;
+        parts.scene.lights[0].point.position.x = 4.0;
+    });
+    assert_wrong(&stages, "ambient", "L_a is (0.032, 0.032, 0.042)", &its);
+    assert_wrong(&stages, its[0], "the warm light is at (4, 5, −2)", &["ambient"]);
+    // The dark colour of another object is another object.
+    let stages = of(Step::Phong, |parts| {
+        parts.scene.objects[4].sphere.centre.z *= -1.0;
+        parts.reflect = |l, n| reflect(n, l);
+    });
+    let both = ["specular, warm", "specular, cool"];
+    assert_wrong(&stages, "outlines", "sphere is at (0.3, 0.4, −4)", &both);
+    assert_wrong(&stages, both[0], "r = 2 l·n l − n", &["outlines", both[1]]);
 }
 
 /// The sky tells the one of two that it shows, whatever becomes of the objects; or both.

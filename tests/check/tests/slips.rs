@@ -214,6 +214,27 @@ fn bytes_of_numbers_from_minus_one_and_whole_numbers_divided() {
         "specular",
         "n = floor((n of the nearest) / 4)",
     );
+    assert_told(
+        Step::Phong,
+        |parts| parts.materials().for_each(|material| material.shininess /= 10),
+        "specular",
+        "n = floor((n of the nearest) / 10)",
+    );
+}
+
+#[test]
+fn colours_that_are_what_the_highlights_leave() {
+    assert_told(
+        Step::Phong,
+        |parts| {
+            for material in parts.materials() {
+                material.surface.ambient *= 1.0 - material.specular;
+                material.surface.diffuse *= 1.0 - material.specular;
+            }
+        },
+        "colours",
+        "colour (1 − R_s)",
+    );
 }
 
 #[test]

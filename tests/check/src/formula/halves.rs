@@ -24,6 +24,11 @@ impl Riddle<'_> {
             let sky = sky.iter().take(8).map(|edit| (edit, 0)).collect();
             return self.nearest(tree, sky, wrong, 3);
         }
+        let dark = self.of_dark(tree, edits);
+        if !dark.is_empty() {
+            let dark = dark.iter().map(|edit| (edit, 0)).collect();
+            return self.nearest(tree, dark, wrong, 3);
+        }
         // Where little is right, that is by chance.
         let right = kept(&few, &mut |place| self.is_right(place)).len();
         let may_spoil = 10 * right < few.len();
@@ -133,9 +138,7 @@ impl Riddle<'_> {
     /// another than ours.
     fn of_sky(&self, tree: &Tree, edits: &[Edit], few: &[Pixel]) -> Vec<Edit> {
         // What is sky in both.
-        let all = self.groups(tree, &sky(self.yours, few)).into_iter();
-        let all = all.filter(|(key, _)| *key <= SKY);
-        let all: Vec<_> = all.flat_map(|(_, all)| all).collect();
+        let all = self.sees_none(tree, &sky(self.yours, few));
         let sky = kept(&all, &mut |place| !self.is_right(place));
         if sky.len() < 60 || sky.len() * 4 < all.len() * 3 {
             return vec![];
@@ -169,9 +172,20 @@ impl Riddle<'_> {
         [bits, missed]
     }
 
+    /// Those of some pixels that see no object.
+    pub(super) fn sees_none(&self, tree: &Tree, few: &[Pixel]) -> Vec<Pixel> {
+        let mut none = vec![];
+        for (key, its) in self.groups(tree, few) {
+            if key <= SKY {
+                none.extend(its);
+            }
+        }
+        none
+    }
+
     /// Some of the wrong pixels, by the object that is seen and the lights that reach it;
     /// the largest group first.
-    fn groups(&self, tree: &Tree, few: &[Pixel]) -> Vec<Group> {
+    pub(super) fn groups(&self, tree: &Tree, few: &[Pixel]) -> Vec<Group> {
         let (context, diffuse) = (Context::plain(tree), tree.find("I_d"));
         let diffuse = diffuse.filter(|line| tree.lines[*line].is_needed);
         let mut groups: Vec<Group> = vec![];
@@ -199,7 +213,7 @@ impl Riddle<'_> {
 
 /// Pixels that see one object which the same lights reach, and what tells these: 0 and 1
 /// for the lights in its last two bits.
-type Group = (usize, Vec<Pixel>);
+pub(super) type Group = (usize, Vec<Pixel>);
 
 /// The last key of what sees no object.
 const SKY: usize = 3;

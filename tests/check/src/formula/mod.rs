@@ -1,6 +1,7 @@
 //! The lecture's formulas as data, and what becomes of a picture where one is changed.
 
 mod context;
+mod dark;
 mod drawn;
 mod edits;
 mod eval;

@@ -102,7 +102,7 @@ fn whole(tree: &Tree, byte: usize, all: &mut Vec<Edit>) {
     let n = n.filter(|(_, line)| line.is_needed);
     if let Some((n, node)) = n.and_then(|(n, line)| Some((n, line.node.as_ref()?)))
     {
-        for k in [3.0, 4.0, 8.0] {
+        for k in [3.0, 4.0, 5.0, 8.0, 10.0] {
             push(n, of(Op::Div, node.clone(), k));
         }
     }

@@ -106,7 +106,7 @@ pub(super) fn scenes(tree: &Tree, all: &mut Vec<Edit>) {
     }
 }
 
-/// One object's shape or material for all.
+/// One object's shape or material for all; and colours that are darker the more they shine.
 fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) {
     let last = tree.count(Of::Object) - 1;
     for k in [0, last] {
@@ -138,6 +138,16 @@ fn materials(tree: &Tree, push: &mut impl FnMut(&str, u8, Vec<Change>, String)) 
             };
             push(line, 1, changes, says);
         }
+    }
+    if let Some([line, g]) = all_found(tree, ["colour'", "g"])
+        && let Some(ours) = &tree.lines[line].node
+    {
+        let shine = Node::of(Op::Chosen, [Node::Name(g)]);
+        let rest = Node::of(Op::Sub, [Node::Number(1.0), shine]);
+        let node = Node::of(Op::Mul, [ours.clone(), rest]);
+        let says =
+            "R_a and R_d are what R_s leaves of the colour: colour (1 − R_s)";
+        push("colour'", 1, vec![Change::Line(line, node)], says.to_owned());
     }
 }
 
