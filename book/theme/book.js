@@ -156,6 +156,14 @@ const laidOut = new Promise(done => {
     addEventListener("load", () => little(document.querySelectorAll("main > *, .formula"), show, done));
 });
 
+// Pictures load when they come near the view. From a folder, where that saves little, those of
+// a page that has not very many of them load then as well.
+laidOut.then(() => {
+    const later = document.querySelectorAll("img[loading=lazy]");
+    if (location.protocol !== "file:" || 40 < later.length) return;
+    for (const picture of later) picture.loading = "eager";
+});
+
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
 {
     // What is measured is laid out; so a few are measured before one of them is changed.
