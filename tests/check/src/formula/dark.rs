@@ -8,7 +8,7 @@ use super::{
 use image::RgbImage;
 
 impl Riddle<'_> {
-    /// The edits, or else the numbers, that explain what no light reaches in a picture, where
+    /// The edits and the numbers that explain what no light reaches in a picture, where
     /// that is another colour than ours. There an object has one colour all over, whatever
     /// becomes of the lights.
     pub fn of_dark(&self, tree: &Tree, edits: &[Edit]) -> Vec<Edit> {
