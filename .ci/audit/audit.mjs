@@ -45,10 +45,6 @@ async function look(width, colorScheme) {
     if (isPrint && colorScheme === 'dark') continue;
     views += 1;
     await tab.goto(home + page, { waitUntil: 'load' });
-    // A chapter's few may be there already; where there are many, they wait.
-    const early = await tab.evaluate(() => [...document.images].filter(picture =>
-      picture.naturalWidth && 5 * innerHeight < picture.getBoundingClientRect().top).length);
-    if (40 < early && !isPrint) fault(`loads ${early} pictures before they come near the view`);
     // Everything folded away is looked at as well, and pictures are not left for later.
     await tab.evaluate(async () => {
       document.querySelectorAll('details').forEach(box => { box.open = true; });

@@ -104,6 +104,12 @@ function whenNear(elements, near) {
     }
 }
 
+// Pictures load when they come into view. From a folder that saves nothing, so there all are
+// loaded at once, and none is missing on paper.
+if (location.protocol === "file:") {
+    for (const picture of document.querySelectorAll("img[loading=lazy]")) picture.loading = "eager";
+}
+
 // Code: colours, when it comes into view, and a button that copies a listing.
 {
     const colour = async code => { await script(highlighter); hljs.highlightBlock(code); };
@@ -154,14 +160,6 @@ const laidOut = new Promise(done => {
         main.getBoundingClientRect();
     };
     addEventListener("load", () => little(document.querySelectorAll("main > *, .formula"), show, done));
-});
-
-// Pictures load when they come near the view. From a folder, where that saves little, those of
-// a page that has not very many of them load then as well.
-laidOut.then(() => {
-    const later = document.querySelectorAll("img[loading=lazy]");
-    if (location.protocol !== "file:" || 40 < later.length) return;
-    for (const picture of later) picture.loading = "eager";
 });
 
 // What scrolls sideways takes the focus, so that the keyboard can scroll it.
