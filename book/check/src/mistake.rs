@@ -1,0 +1,98 @@
+use crate::Step;
+
+/// What a reader may get wrong: a place of a file, and what is written there instead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mistake {
+    /// What is wrong, in words.
+    pub title: &'static str,
+    /// The file, seen from the root of the workspace.
+    pub file: String,
+    /// What stands there; blanks at the beginning of a line do not count.
+    pub old: String,
+    /// What is written instead.
+    pub new: String,
+    /// What the book says, where it shows the mistake.
+    pub shown: Option<Shown>,
+}
+
+/// What the book says of a mistake that it shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// The name of its picture: lower-case words with `-` between them.
+    pub name: &'static str,
+    /// How it comes about or what is right, in one sentence.
+    pub why: &'static str,
+    /// The heading of its section, in the chapter of its step.
+    pub section: &'static str,
+    /// What its picture shows, in one sentence.
+    pub sees: &'static str,
+}
+
+/// The lists, and the folder of the files in each, if it is one.
+const LISTS: [(&str, &str); 6] = [
+    ("steps/step01_rays/src/", include_str!("../mistakes/step01_rays.txt")),
+    ("steps/step02_sphere/src/", include_str!("../mistakes/step02_sphere.txt")),
+    ("steps/step03_nearest/src/", include_str!("../mistakes/step03_nearest.txt")),
+    ("steps/step04_diffuse/src/", include_str!("../mistakes/step04_diffuse.txt")),
+    ("steps/step05_phong/src/", include_str!("../mistakes/step05_phong.txt")),
+    ("", include_str!("../mistakes/exercises.txt")),
+];
+
+/// All mistakes, in the order of the lists.
+pub fn mistakes() -> Vec<Mistake> {
+    let mut mistakes = vec![];
+    for (folder, list) in LISTS {
+        let mut file = String::new();
+        for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
+            match block.strip_prefix("@ ") {
+                Some(path) => file = format!("{folder}{path}"),
+                None => mistakes.extend(mistake(&file, block)),
+            }
+        }
+    }
+    mistakes
+}
+
+/// The mistake that a block of a list tells.
+fn mistake(file: &str, block: &'static str) -> Option<Mistake> {
+    let (title, rest) = block.split_once('\n')?;
+    let marked = |mark: char| {
+        let lines = rest.lines().filter_map(move |line| line.strip_prefix(mark));
+        lines.map(|line| line.strip_prefix(' ').unwrap_or(line))
+    };
+    let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
+    let one = |mark| marked(mark).next().unwrap_or_default();
+    let shown = marked('!').next().map(|name| Shown {
+        name,
+        why: one('?'),
+        section: one('/'),
+        sees: one('"'),
+    });
+    let file = file.to_owned();
+    Some(Mistake { title, file, old: text('-'), new: text('+'), shown })
+}
+
+impl Mistake {
+    /// The first step whose program it is in.
+    pub fn step(&self) -> Option<Step> {
+        Step::ALL.into_iter().find(|step| self.file.contains(step.name()))
+    }
+
+    /// What stands there, each line after a `-`, and what is written instead, after `+`.
+    pub fn diff(&self) -> String {
+        let old = self.old.lines().map(|line| format!("- {line}"));
+        let new = self.new.lines().map(|line| format!("+ {line}"));
+        old.chain(new).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The text of its file with the mistake in it, if its place is there once.
+    pub fn applied(&self, text: &str) -> Option<String> {
+        let bare = |text: &str| {
+            let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
+            lines.join("\n")
+        };
+        let (text, old) = (bare(text), bare(&self.old));
+        let is_once = text.matches(&old).count() == 1;
+        is_once.then(|| text.replace(&old, &self.new))
+    }
+}

@@ -1,0 +1,60 @@
+use image::codecs::png::PngDecoder;
+use image::{ColorType, DynamicImage, ImageDecoder, Limits, RgbImage};
+use std::io::{BufRead, Seek};
+
+/// The most columns and the most rows: as many as the programs of the steps draw.
+const MOST: u32 = 16384;
+
+/// The most memory that a picture may take, 16384×4096 pixels of 16 bits.
+const MEMORY: u64 = 1 << 29;
+
+/// The picture in a PNG file and what is to be said of the file, in whole lines; or half
+/// a sentence that says why it can't be read.
+///
+/// The size is looked at before anything is read, so that no file fills the memory.
+pub fn read(mut file: impl BufRead + Seek) -> Result<(RgbImage, String), String> {
+    if let Some(other) = other_format(&mut file)? {
+        return Err(format!("is {other}"));
+    }
+    let damaged = |error| format!("is a damaged PNG file: {error}");
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MEMORY);
+    let mut decoder =
+        PngDecoder::with_limits(file, limits.clone()).map_err(damaged)?;
+    let ((width, height), colour) = (decoder.dimensions(), decoder.color_type());
+    if MOST < width || MOST < height || MEMORY < decoder.total_bytes() {
+        return Err(format!("is {width}×{height} pixels, which is too large"));
+    }
+    decoder.set_limits(limits).map_err(damaged)?;
+    let picture = DynamicImage::from_decoder(decoder).map_err(damaged)?;
+    let mut notes = String::new();
+    if matches!(colour, ColorType::L8 | ColorType::La8 | ColorType::L16) {
+        notes +=
+            "The file is grey: it has one number a pixel, and ours has three.\n";
+    }
+    if 8 * u16::from(colour.channel_count()) < colour.bits_per_pixel() {
+        notes += "The file has 16 bits a channel; they were rounded to 8.\n";
+    }
+    if colour.has_alpha() {
+        let alpha = picture.to_rgba8();
+        if alpha.pixels().any(|pixel| pixel[3] != 255) {
+            notes += "Some of its pixels are transparent; that was left out.\n";
+        }
+    }
+    Ok((picture.into_rgb8(), notes))
+}
+
+/// What a file is, by its first bytes, if it is not a PNG file.
+fn other_format(file: &mut impl BufRead) -> Result<Option<&'static str>, String> {
+    let start =
+        file.fill_buf().map_err(|error| format!("can't be read: {error}"))?;
+    Ok(match start {
+        [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1A, b'\n', ..] => None,
+        [0xFF, 0xD8, ..] => Some("a JPEG, which has lost details; save it as PNG"),
+        [b'G', b'I', b'F', ..] => {
+            Some("a GIF, which has few colours; save it as PNG")
+        }
+        [] => Some("not a PNG file: it is empty"),
+        _ => Some("not a PNG file"),
+    })
+}

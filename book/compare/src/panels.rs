@@ -1,0 +1,151 @@
+use crate::apart;
+use crate::label::{self, write};
+use image::{GenericImage, Rgb, RgbImage};
+
+const BRIGHTER: Rgb<u8> = Rgb([255, 140, 0]);
+const DARKER: Rgb<u8> = Rgb([60, 140, 255]);
+const WHITE: Rgb<u8> = Rgb([255; 3]);
+
+/// As wide as the longest label, at least.
+const WIDTH: u32 = 23 * label::SIZE.0;
+
+/// Two pictures and where they differ, side by side, with their names above.
+///
+/// In the third panel pixels that are equal are a dark grey; the others are orange where
+/// the first picture is brighter, else blue, the brighter the farther apart, and so are
+/// those that only one of them has. A pixel that is alone there has a frame around it.
+pub fn panels(
+    [(name, first), (other, second)]: [(&str, &RgbImage); 2],
+) -> RgbImage {
+    let width = first.width().max(second.width()).max(WIDTH);
+    let height = first.height().max(second.height());
+    let top = label::SIZE.1;
+    let mut panels = RgbImage::new(3 * width, top + height);
+    write(&mut panels, 2, name, WHITE);
+    write(&mut panels, width + 2, other, WHITE);
+    let x = write(&mut panels, 2 * width + 2, name, WHITE);
+    let x = write(&mut panels, x, "brighter", BRIGHTER);
+    write(&mut panels, x, "darker", DARKER);
+    // They fit: the panels are as large as the larger of them.
+    let _ = panels.copy_from(first, 0, top);
+    let _ = panels.copy_from(second, width, top);
+    let _ = panels.copy_from(&compared(first, second), 2 * width, top);
+    panels
+}
+
+/// The third panel.
+fn compared(first: &RgbImage, second: &RgbImage) -> RgbImage {
+    let width = first.width().max(second.width());
+    let height = first.height().max(second.height());
+    let at = |i, j| [first, second].map(|one| one.get_pixel_checked(i, j));
+    let colour = |i, j| match at(i, j) {
+        [Some(a), Some(b)] => difference(a, b),
+        [Some(_), None] => BRIGHTER,
+        [None, Some(_)] => DARKER,
+        [None, None] => Rgb([0; 3]),
+    };
+    let mut panel = RgbImage::from_fn(width, height, colour);
+    let lonely = lonely(&panel);
+    // Where very many are alone, frames would hide more than they show.
+    if lonely.len() < 300 {
+        lonely.into_iter().for_each(|place| frame(&mut panel, place));
+    }
+    panel
+}
+
+/// The colour that tells how two others differ.
+fn difference(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
+    let sum =
+        |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
+    let strength = 120 + u32::from(apart(a, b)) * 135 / 255;
+    let part = |c: u8| (u32::from(c) * strength / 255) as u8;
+    match (a == b, sum(a) < sum(b)) {
+        (true, _) => Rgb([(sum(b) / 18) as u8; 3]),
+        (false, true) => Rgb(DARKER.0.map(part)),
+        (false, false) => Rgb(BRIGHTER.0.map(part)),
+    }
+}
+
+/// Whether a pixel of the third panel is one that differs.
+fn differs(pixel: &Rgb<u8>) -> bool {
+    pixel.0 != [pixel[0]; 3]
+}
+
+/// The places that differ where at most two others do, five pixels around.
+fn lonely(panel: &RgbImage) -> Vec<(u32, u32)> {
+    let is_lonely = |&(i, j, _): &(u32, u32, &Rgb<u8>)| {
+        let rows = j.saturating_sub(5)..(j + 6).min(panel.height());
+        let columns = i.saturating_sub(5)..(i + 6).min(panel.width());
+        let around = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
+        let mut others = around.filter(|&(i, j)| differs(panel.get_pixel(i, j)));
+        others.nth(3).is_none()
+    };
+    let places = panel.enumerate_pixels().filter(|(.., pixel)| differs(pixel));
+    places.filter(is_lonely).map(|(i, j, _)| (i, j)).collect()
+}
+
+/// Draws a square around a place, but for where it would hide a difference.
+fn frame(panel: &mut RgbImage, (i, j): (u32, u32)) {
+    let side = || (0..11).map(|k| (k, 0)).chain((0..11).map(|k| (k, 10)));
+    for (k, l) in side().chain(side().map(|(k, l)| (l, k))) {
+        let place = (i + k).checked_sub(5).zip((j + l).checked_sub(5));
+        let pixel = place.and_then(|(i, j)| panel.get_pixel_mut_checked(i, j));
+        if let Some(pixel) = pixel.filter(|pixel| !differs(pixel)) {
+            *pixel = WHITE;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The third panel of two pictures.
+    fn third(first: &RgbImage, second: &RgbImage) -> RgbImage {
+        let panels = panels([("new", first), ("locked", second)]);
+        let (x, width) =
+            (panels.width() / 3 * 2, first.width().max(second.width()));
+        let height = panels.height() - label::SIZE.1;
+        image::imageops::crop_imm(&panels, x, label::SIZE.1, width, height)
+            .to_image()
+    }
+
+    #[test]
+    fn a_single_pixel_has_a_frame_and_tells_whether_it_is_brighter() {
+        let locked = RgbImage::from_pixel(40, 30, Rgb([90, 90, 90]));
+        for (byte, most) in [(91, 0), (89, 2)] {
+            let mut new = locked.clone();
+            new.put_pixel(20, 10, Rgb([90, byte, 90]));
+            let panel = third(&new, &locked);
+            let differ = panel.enumerate_pixels().filter(|(.., p)| differs(p));
+            let differ: Vec<_> = differ.map(|(i, j, p)| (i, j, p.0)).collect();
+            assert_eq!(differ.len(), 1);
+            let (i, j, colour) = differ[0];
+            assert_eq!((i, j), (20, 10));
+            assert_eq!(colour.iter().max(), Some(&colour[most]));
+            assert_eq!(panel.pixels().filter(|p| **p == WHITE).count(), 40);
+        }
+        assert!(third(&locked, &locked).pixels().all(|p| *p == Rgb([15; 3])));
+    }
+
+    #[test]
+    fn what_only_one_of_them_has_is_marked() {
+        let (tall, wide) = (RgbImage::new(2, 3), RgbImage::new(4, 1));
+        for (first, second) in [(&tall, &wide), (&wide, &tall)] {
+            for (i, j, pixel) in third(first, second).enumerate_pixels() {
+                assert_eq!(differs(pixel), (i < 2) != (j < 1), "{i}, {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_letter_of_the_labels_is_there() {
+        for word in ["yours", "ours", "locked", "new", "brighter", "darker"] {
+            for letter in word.chars() {
+                let mut panel = RgbImage::new(20, 20);
+                write(&mut panel, 0, &letter.to_string(), WHITE);
+                assert!(panel.pixels().any(|p| *p == WHITE), "{letter}");
+            }
+        }
+    }
+}

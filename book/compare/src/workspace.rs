@@ -1,0 +1,23 @@
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The folder of the course, even if it was moved since this program was built.
+///
+/// It is looked for upwards from the package that Cargo runs, then from the current
+/// folder and from the program.
+pub fn workspace() -> PathBuf {
+    let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
+    let found = starts.iter().flatten().find_map(|start| upwards(start));
+    let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    found.unwrap_or(compiled).to_owned()
+}
+
+fn upwards(start: &Path) -> Option<&Path> {
+    let has = |folder: &Path| {
+        ["Cargo.toml", "steps", "tests/snapshots"]
+            .iter()
+            .all(|name| folder.join(name).exists())
+    };
+    start.ancestors().find(|folder| has(folder))
+}

@@ -1,5 +1,0 @@
-//! Writes the gallery's appendix of the book to standard output.
-
-fn main() {
-    print!("{}", check::appendix());
-}
