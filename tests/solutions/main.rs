@@ -1,0 +1,100 @@
+//! The mathematics of the exercises' solutions; and that the book has each of them.
+
+mod fast;
+mod step01;
+mod step02;
+mod step03;
+mod step04;
+mod step05;
+
+use compare::Difference;
+use exercises::*;
+use glam::DVec3;
+use std::fs;
+use step01_rays::Ray;
+use tests::{camera, here, locked};
+
+/// The rays through all pixels of the camera.
+fn rays_of_camera() -> impl Iterator<Item = Ray> {
+    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
+    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+}
+
+/// The unit vector at `angle` from the y axis.
+fn from_angle(angle: f64) -> DVec3 {
+    DVec3::new(angle.sin(), angle.cos(), 0.0)
+}
+
+/// The names of what is in the folder `path` of the workspace.
+fn files(path: &str) -> impl Iterator<Item = String> {
+    let files = fs::read_dir(here().join("..").join(path)).expect(path).flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    names.filter(|name| !name.starts_with('.'))
+}
+
+#[test]
+fn what_draws_a_step_in_another_way_draws_its_picture() {
+    let ways: [(_, Picture); 6] = [
+        ("step01_rays", step01_starter::picture),
+        ("step02_sphere", step02_starter::picture),
+        ("step03_nearest", step03_starter::picture),
+        ("step04_diffuse", step04_starter::picture),
+        ("step05_phong", step05_starter::picture),
+        ("step05_phong", exercises::fast::picture),
+    ];
+    for (name, picture) in ways {
+        let difference = Difference::between(&locked(name), &picture(&camera(), 1));
+        assert!(difference.is_none(), "{name}: {}", difference.unwrap());
+    }
+}
+
+#[test]
+fn no_exercise_is_forgotten() {
+    let text =
+        |path: &str| fs::read_to_string(here().join("..").join(path)).expect(path);
+    let mut missing = vec![];
+    let last = text("book/chapters/where_next.md");
+    for step in files("steps") {
+        let chapter = text(&format!("book/chapters/{step}.md")) + &last;
+        let pages = text("book/chapters/solutions.md") + &chapter;
+        let folder = format!("steps/{step}/examples");
+        for file in files(&folder) {
+            let name = file.trim_end_matches(".rs");
+            // These draw a picture of the step, or part of it.
+            let is_drawn = name.ends_with("_starter")
+                || ["directions", "fast", "terms"].contains(&name)
+                || exercises::PICTURES.iter().any(|(known, _)| *known == name);
+            let listing = format!("{{{{#include ../../{folder}/{file}");
+            for (is_there, place) in [
+                (is_drawn, "book/exercises"),
+                (chapter.contains(&format!("`examples/{file}`")), "its chapter"),
+                (pages.contains(&listing), "solutions.md"),
+            ] {
+                if !is_there {
+                    missing.push(format!("{folder}/{file} is not in {place}"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
+fn where_our_program_looks_at_a_picture_the_page_does() {
+    let mut asked = 0;
+    for file in files("book/chapters").filter(|file| is_chapter(file)) {
+        let path = here().join("../book/chapters").join(&file);
+        let text = fs::read_to_string(path).expect("a chapter");
+        let asks = text.split("cargo run --bin check -- ../ray-casting/").skip(1);
+        for name in asks.filter_map(|rest| rest.split_once(".png")) {
+            let form = format!("{{{{#check {}}}}}", name.0);
+            assert!(name.0 == "fast" || text.contains(&form), "{file}: no {form}");
+            asked += 1;
+        }
+    }
+    assert!(15 < asked, "{asked}");
+}
+
+fn is_chapter(file: &str) -> bool {
+    file.starts_with("step0") || file == "where_next.md"
+}
