@@ -1,8 +1,8 @@
-use crate::Difference;
-use crate::panels::panels;
+use compare::{Difference, panels};
 use image::{ImageFormat, RgbImage};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, assert_binary_snapshot};
+use std::panic::{catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::{env, fs, io::Cursor};
 
@@ -13,29 +13,62 @@ pub fn locked(name: &str) -> RgbImage {
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
 
-/// Fails unless every pixel of `picture` is that of the locked picture `name`.
-///
-/// Then it says how they differ, and writes a picture of the difference to the
-/// target folder.
-pub fn assert_locked(name: &'static str, picture: &RgbImage) {
-    let mut png = Cursor::new(Vec::new());
-    picture
-        .write_to(&mut png, ImageFormat::Png)
-        .expect("a picture in memory can be encoded");
-    let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(here().join("snapshots"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.set_comparator(Box::new(Pixels { name }));
-    settings
-        .bind(|| assert_binary_snapshot!(&format!("{name}.png"), png.into_inner()));
+/// Pictures that are compared with their snapshots, one after the other; those that
+/// differ are told together.
+#[derive(Default)]
+pub struct Locking {
+    changed: Vec<String>,
+    count: usize,
+}
+
+impl Locking {
+    /// Compares every pixel of `picture` with the locked picture `name`.
+    ///
+    /// Where they differ, it says how, in one sentence, and writes a picture of the
+    /// difference to the target folder.
+    pub fn assert(&mut self, name: &str, picture: &RgbImage) {
+        let mut png = Cursor::new(Vec::new());
+        picture
+            .write_to(&mut png, ImageFormat::Png)
+            .expect("a picture in memory can be encoded");
+        let mut settings = Settings::clone_current();
+        settings.set_snapshot_path(here().join("snapshots"));
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.set_comparator(Box::new(Pixels { name: name.to_owned() }));
+        let assert =
+            || assert_binary_snapshot!(&format!("{name}.png"), png.into_inner());
+        // insta panics; its sentence would hide ours.
+        let hook = take_hook();
+        set_hook(Box::new(|_| {}));
+        let asserted = settings.bind(|| catch_unwind(assert));
+        set_hook(hook);
+        self.count += 1;
+        if asserted.is_err() {
+            self.changed.push(name.to_owned());
+        }
+    }
+
+    /// Fails if there is a picture that differs.
+    pub fn finish(self) {
+        let Self { changed, count } = self;
+        assert!(
+            changed.is_empty(),
+            "{} of {count} pictures changed: {}.\nEach stands beside the locked one and \
+             the difference in {}. Look at them. Are they meant to change? Then \
+             `INSTA_UPDATE=always cargo test` locks them anew.",
+            changed.len(),
+            changed.join(", "),
+            differences().display()
+        );
+    }
 }
 
 /// Compares decoded pixels, so that the same picture from another PNG encoder is
 /// the same.
 #[derive(Clone)]
 struct Pixels {
-    name: &'static str,
+    name: String,
 }
 
 impl Comparator for Pixels {
@@ -46,21 +79,11 @@ impl Comparator for Pixels {
         let Some(difference) = Difference::between(&locked, &new) else {
             return true;
         };
-        let path = target().join("differences").join(format!("{}.png", self.name));
-        let saved = fs::create_dir_all(path.with_file_name(""))
-            .map_err(Into::into)
-            .and_then(|()| {
-                panels([("new", &new), ("locked", &locked)]).save(&path)
-            });
-        eprintln!("{}: {difference}.", self.name);
-        match saved {
-            Ok(()) => eprintln!(
-                "New, locked and difference side by side: {}",
-                path.display()
-            ),
-            Err(error) => {
-                eprintln!("No difference picture at {}: {error}", path.display())
-            }
+        println!("{}: {difference}.", self.name);
+        let path = differences().join(format!("{}.png", self.name));
+        let panels = panels([("new", &new), ("locked", &locked)]);
+        if let Err(error) = panels.save(&path) {
+            println!("{}: {error}", path.display());
         }
         false
     }
@@ -77,10 +100,16 @@ fn decoded(snapshot: &insta::Snapshot) -> Option<RgbImage> {
     Some(image::load_from_memory(png).ok()?.to_rgb8())
 }
 
+/// The folder of the pictures of differences.
+fn differences() -> PathBuf {
+    let folder = target().join("differences");
+    fs::create_dir_all(&folder).expect("a folder in the target folder");
+    folder
+}
+
 /// The folder of these tests, which may have moved since they were compiled.
 pub fn here() -> PathBuf {
-    let package = env::var("CARGO_MANIFEST_DIR").map_or("..".into(), PathBuf::from);
-    package.join("../tests")
+    env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs the tests").into()
 }
 
 /// The target folder, marked by Cargo, in which this test program lies.

@@ -1,5 +1,6 @@
 use crate::locked::{here, locked, target};
-use crate::{Difference, refusals};
+use crate::refusals;
+use compare::Difference;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;

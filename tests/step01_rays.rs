@@ -9,18 +9,13 @@ use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use step01_rays::{AspectRatio, Camera, Ray, Row, picture, render};
-use tests::{Program, assert_locked, assert_program, camera};
+use tests::{Program, assert_program, camera};
 
 /// Fields of view in degrees, from narrow to wide.
 const ANGLES: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];
 
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * (1.0 + a.abs())
-}
-
-#[test]
-fn the_picture_is_locked() {
-    assert_locked("step01_rays", &picture(&camera(), 1));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use step04_diffuse::{
     Attenuation, COOL, Object, PointLight, Ray, Sphere, Surface, WARM, ambient,
     colour, diffuse, normal, objects, picture, scene, seen,
 };
-use tests::{assert_locked, assert_program, camera, point, rays, unit};
+use tests::{assert_program, camera, point, rays, unit};
 
 const GREY: Surface =
     Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
@@ -18,11 +18,6 @@ fn light(a: f64, b: f64, c: f64) -> PointLight {
         diffuse: DVec3::new(1.0, 0.5, 0.25),
         attenuation: Attenuation { a, b, c },
     }
-}
-
-#[test]
-fn the_picture_is_locked() {
-    assert_locked("step04_diffuse", &picture(&camera(), 1));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `fast` draws, to the byte, what `render` draws with `colour`.
 
-use crate::step05::fast::draw;
+use exercises::fast::draw;
 use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};

@@ -1,20 +1,8 @@
-#[path = "../../steps/step01_rays/examples/gradient.rs"]
-pub mod gradient;
-#[path = "../../steps/step01_rays/examples/graticule.rs"]
-pub mod graticule;
-#[path = "../../steps/step01_rays/examples/look_at.rs"]
-pub mod look_at;
-#[path = "../../steps/step01_rays/examples/panorama.rs"]
-pub mod panorama;
-#[path = "../../steps/step01_rays/examples/rings.rs"]
-pub mod rings;
-#[path = "../../steps/step01_rays/examples/step01_starter.rs"]
-pub mod step01_starter;
-
+use exercises::*;
 use glam::DVec3;
 use image::Rgb;
-use look_at::look_at;
-use panorama::{direction, panoramic};
+use exercises::look_at::look_at;
+use exercises::panorama::{direction, panoramic};
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 use step01_rays::Camera;

@@ -1,24 +1,9 @@
-#[path = "../../steps/step05_phong/examples/fast.rs"]
-pub mod fast;
-#[path = "../../steps/step05_phong/examples/glass.rs"]
-pub mod glass;
-#[path = "../../steps/step05_phong/examples/halfway.rs"]
-pub mod halfway;
-#[path = "../../steps/step05_phong/examples/marbles.rs"]
-pub mod marbles;
-#[path = "../../steps/step05_phong/examples/mirror.rs"]
-pub mod mirror;
-#[path = "../../steps/step05_phong/examples/step05_starter.rs"]
-pub mod step05_starter;
-#[path = "../../steps/step05_phong/examples/terms.rs"]
-pub mod terms;
-
-use crate::step04::shadows;
+use exercises::*;
 use crate::{from_angle, rays_of_camera};
 use glam::{DMat3, DVec3};
-use glass::Glass;
+use exercises::glass::Glass;
 use image::{Rgb, RgbImage};
-use mirror::Mirror;
+use exercises::mirror::Mirror;
 use proptest::prelude::*;
 use step05_phong::*;
 use tests::{camera, locked, unit};
@@ -67,39 +52,6 @@ fn four_times_the_exponent_gives_about_the_same_highlight() {
 }
 
 // mirror
-
-/// The shadows of rays that start on the surface itself.
-pub fn speckled(camera: &Camera, samples: u32) -> RgbImage {
-    let scene = scene();
-    render(camera, samples, |ray| {
-        let Some(point) = seen(&scene.objects, ray) else {
-            return direction_colour(ray);
-        };
-        let bare = Point { n: DVec3::ZERO, ..point };
-        let hidden = |q: DVec3| mirror::hidden(&scene.objects, &bare, q);
-        let mut lights = scene.lights.clone();
-        lights.retain(|light| !hidden(light.point.position));
-        phong(ray, &point, scene.ambient_light, &lights).sum()
-    })
-}
-
-/// The program before it has mirrors: shadows alone.
-pub fn shadowed(camera: &Camera, samples: u32) -> RgbImage {
-    let scene = mirror::mirrors();
-    render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
-}
-
-/// The white sphere: the picture from column 53 and row 231 on, four times as large.
-pub fn close_up() -> RgbImage {
-    let (whole, corner) = (camera(), DVec3::new(53.0, 231.0, 1.0));
-    let part = DMat3::from_cols(DVec3::X / 4.0, DVec3::Y / 4.0, corner);
-    mirror::picture(&Camera { matrix: whole.matrix * part, ..whole }, 2)
-}
-
-/// The picture of the last page, larger and smoother.
-pub fn goodbye() -> RgbImage {
-    mirror::picture(&Camera::new(1280, 720, 60_f64.to_radians()), 2)
-}
 
 #[test]
 fn at_the_depth_limit_mirrors_show_their_own_colour() {

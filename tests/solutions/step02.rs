@@ -1,19 +1,9 @@
-#[path = "../../steps/step02_sphere/examples/disc.rs"]
-pub mod disc;
-#[path = "../../steps/step02_sphere/examples/lens.rs"]
-pub mod lens;
-#[path = "../../steps/step02_sphere/examples/plane.rs"]
-pub mod plane;
-#[path = "../../steps/step02_sphere/examples/quadric.rs"]
-pub mod quadric;
-#[path = "../../steps/step02_sphere/examples/step02_starter.rs"]
-pub mod step02_starter;
-
+use exercises::*;
 use glam::{DMat3, DVec3};
-use lens::{Interval, inside_all};
-use plane::Plane;
+use exercises::lens::{Interval, inside_all};
+use exercises::plane::Plane;
 use proptest::prelude::*;
-use quadric::Quadric;
+use exercises::quadric::Quadric;
 use step02_sphere::{Ray, Roots, Sphere};
 use tests::{camera, point, rays, unit};
 

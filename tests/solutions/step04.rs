@@ -1,20 +1,4 @@
-#[path = "../../steps/step04_diffuse/examples/gamma.rs"]
-pub mod gamma;
-#[path = "../../steps/step04_diffuse/examples/normals.rs"]
-pub mod normals;
-#[path = "../../steps/step04_diffuse/examples/plaster.rs"]
-pub mod plaster;
-#[path = "../../steps/step04_diffuse/examples/shadows.rs"]
-pub mod shadows;
-#[path = "../../steps/step04_diffuse/examples/snowman.rs"]
-pub mod snowman;
-#[path = "../../steps/step04_diffuse/examples/spot.rs"]
-pub mod spot;
-#[path = "../../steps/step04_diffuse/examples/step04_starter.rs"]
-pub mod step04_starter;
-#[path = "../../steps/step04_diffuse/examples/sun.rs"]
-pub mod sun;
-
+use exercises::*;
 use crate::{from_angle, rays_of_camera};
 use glam::DVec3;
 use image::Rgb;

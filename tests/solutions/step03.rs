@@ -1,19 +1,7 @@
-#[path = "../../steps/step03_nearest/examples/all_hits.rs"]
-pub mod all_hits;
-#[path = "../../steps/step03_nearest/examples/depth.rs"]
-pub mod depth;
-#[path = "../../steps/step03_nearest/examples/jitter.rs"]
-pub mod jitter;
-#[path = "../../steps/step03_nearest/examples/many.rs"]
-pub mod many;
-#[path = "../../steps/step03_nearest/examples/my_scene.rs"]
-pub mod my_scene;
-#[path = "../../steps/step03_nearest/examples/step03_starter.rs"]
-pub mod step03_starter;
-
+use exercises::*;
 use crate::rays_of_camera;
 use glam::DVec3;
-use many::Tree;
+use exercises::many::Tree;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
 use step02_sphere::Roots;

@@ -1,0 +1,110 @@
+//! The steps' examples as a library: what is drawn on the way and the solutions of the
+//! exercises. This is the only place that reaches into their folders; who wants to draw
+//! one of them takes it from here.
+
+#![allow(dead_code, reason = "the main of an example runs as a program only")]
+#![allow(clippy::duplicate_mod, reason = "`fast` has `many` in it")]
+#![allow(
+    missing_docs,
+    reason = "each is a program, and says at its top what it draws"
+)]
+
+use image::RgbImage;
+use step01_rays::Camera;
+
+#[path = "../../steps/step03_nearest/examples/all_hits.rs"]
+pub mod all_hits;
+#[path = "../../steps/step03_nearest/examples/depth.rs"]
+pub mod depth;
+#[path = "../../steps/step02_sphere/examples/disc.rs"]
+pub mod disc;
+#[path = "../../steps/step05_phong/examples/fast.rs"]
+pub mod fast;
+#[path = "../../steps/step04_diffuse/examples/gamma.rs"]
+pub mod gamma;
+#[path = "../../steps/step05_phong/examples/glass.rs"]
+pub mod glass;
+#[path = "../../steps/step01_rays/examples/gradient.rs"]
+pub mod gradient;
+#[path = "../../steps/step01_rays/examples/graticule.rs"]
+pub mod graticule;
+#[path = "../../steps/step05_phong/examples/halfway.rs"]
+pub mod halfway;
+#[path = "../../steps/step03_nearest/examples/jitter.rs"]
+pub mod jitter;
+#[path = "../../steps/step02_sphere/examples/lens.rs"]
+pub mod lens;
+#[path = "../../steps/step01_rays/examples/look_at.rs"]
+pub mod look_at;
+#[path = "../../steps/step03_nearest/examples/many.rs"]
+pub mod many;
+#[path = "../../steps/step05_phong/examples/marbles.rs"]
+pub mod marbles;
+#[path = "../../steps/step05_phong/examples/mirror.rs"]
+pub mod mirror;
+#[path = "../../steps/step03_nearest/examples/my_scene.rs"]
+pub mod my_scene;
+#[path = "../../steps/step04_diffuse/examples/normals.rs"]
+pub mod normals;
+#[path = "../../steps/step01_rays/examples/panorama.rs"]
+pub mod panorama;
+#[path = "../../steps/step02_sphere/examples/plane.rs"]
+pub mod plane;
+#[path = "../../steps/step04_diffuse/examples/plaster.rs"]
+pub mod plaster;
+#[path = "../../steps/step02_sphere/examples/quadric.rs"]
+pub mod quadric;
+#[path = "../../steps/step01_rays/examples/rings.rs"]
+pub mod rings;
+#[path = "../../steps/step04_diffuse/examples/shadows.rs"]
+pub mod shadows;
+#[path = "../../steps/step04_diffuse/examples/snowman.rs"]
+pub mod snowman;
+#[path = "../../steps/step04_diffuse/examples/spot.rs"]
+pub mod spot;
+#[path = "../../steps/step01_rays/examples/step01_starter.rs"]
+pub mod step01_starter;
+#[path = "../../steps/step02_sphere/examples/step02_starter.rs"]
+pub mod step02_starter;
+#[path = "../../steps/step03_nearest/examples/step03_starter.rs"]
+pub mod step03_starter;
+#[path = "../../steps/step04_diffuse/examples/step04_starter.rs"]
+pub mod step04_starter;
+#[path = "../../steps/step05_phong/examples/step05_starter.rs"]
+pub mod step05_starter;
+#[path = "../../steps/step04_diffuse/examples/sun.rs"]
+pub mod sun;
+#[path = "../../steps/step05_phong/examples/terms.rs"]
+pub mod terms;
+
+/// Draws a picture for a camera, with so many rays a pixel each way.
+pub type Picture = fn(&Camera, u32) -> RgbImage;
+
+/// The pictures by their names, in the order of the chapters.
+pub const PICTURES: &[(&str, Picture)] = &[
+    ("gradient", |_, _| gradient::picture()),
+    ("graticule", graticule::picture),
+    ("look_at", look_at::picture),
+    ("panorama", panorama::picture),
+    ("rings", rings::picture),
+    ("disc", |camera, _| disc::picture(camera)),
+    ("lens", lens::picture),
+    ("plane", plane::picture),
+    ("quadric", quadric::picture),
+    ("all_hits", all_hits::picture),
+    ("depth", depth::picture),
+    ("jitter", jitter::picture),
+    ("many", many::picture),
+    ("my_scene", my_scene::picture),
+    ("gamma", gamma::picture),
+    ("normals", normals::picture),
+    ("plaster", plaster::picture),
+    ("shadows", shadows::picture),
+    ("snowman", snowman::picture),
+    ("spot", spot::picture),
+    ("sun", sun::picture),
+    ("glass", glass::picture),
+    ("halfway", halfway::picture),
+    ("marbles", marbles::picture),
+    ("mirror", mirror::picture),
+];

@@ -1,0 +1,74 @@
+//! The locked pictures, of the steps, the exercises, the chapters and the cover: what is
+//! tested before all else.
+
+use exercises::{mirror, terms};
+use glam::{DMat3, DVec3};
+use image::RgbImage;
+use step01_rays::Camera;
+use step05_phong::*;
+use tests::{Locking, camera};
+
+#[test]
+fn the_pictures_are_locked() {
+    let mut locking = Locking::default();
+    let steps: [(_, exercises::Picture); 5] = [
+        ("step01_rays", step01_rays::picture),
+        ("step02_sphere", step02_sphere::picture),
+        ("step03_nearest", step03_nearest::picture),
+        ("step04_diffuse", step04_diffuse::picture),
+        ("step05_phong", step05_phong::picture),
+    ];
+    for (name, picture) in steps.iter().chain(exercises::PICTURES) {
+        locking.assert(name, &picture(&camera(), 1));
+    }
+    let term = |term| terms::picture(&camera(), term);
+    locking.assert("step05_ambient", &term(|phong| phong.ambient));
+    locking.assert("step05_diffuse", &term(|phong| phong.diffuse));
+    locking.assert("step05_specular", &term(|phong| phong.specular));
+    locking.assert("slide_matrix", &step01_rays::picture(&slide_matrix(), 1));
+    locking.assert("speckled", &speckled());
+    locking.assert("shadowed", &shadowed());
+    locking.assert("close_up", &mirror::picture(&close_up(), 2));
+    let large = Camera::new(1280, 720, 60_f64.to_radians());
+    locking.assert("cover", &step05_phong::picture(&large, 4));
+    locking.assert("goodbye", &mirror::picture(&large, 2));
+    locking.finish();
+}
+
+/// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.
+fn slide_matrix() -> Camera {
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
+}
+
+/// The shadows of rays that start on the surface itself.
+fn speckled() -> RgbImage {
+    let scene = scene();
+    render(&camera(), 1, |ray| {
+        let Some(point) = seen(&scene.objects, ray) else {
+            return direction_colour(ray);
+        };
+        let bare = Point { n: DVec3::ZERO, ..point };
+        let hidden = |q: DVec3| mirror::hidden(&scene.objects, &bare, q);
+        let mut lights = scene.lights.clone();
+        lights.retain(|light| !hidden(light.point.position));
+        phong(ray, &point, scene.ambient_light, &lights).sum()
+    })
+}
+
+/// The program before it has mirrors: shadows alone.
+fn shadowed() -> RgbImage {
+    let scene = mirror::mirrors();
+    render(&camera(), 1, |ray| mirror::colour(&scene, ray, 0))
+}
+
+/// The white sphere: what is seen from column 53 and row 231 on, four times as large.
+fn close_up() -> Camera {
+    let (whole, corner) = (camera(), DVec3::new(53.0, 231.0, 1.0));
+    let part = DMat3::from_cols(DVec3::X / 4.0, DVec3::Y / 4.0, corner);
+    Camera { matrix: whole.matrix * part, ..whole }
+}
