@@ -25,7 +25,7 @@ fn the_pictures_are_locked() {
     locking.assert("step05_ambient", &term(|phong| phong.ambient));
     locking.assert("step05_diffuse", &term(|phong| phong.diffuse));
     locking.assert("step05_specular", &term(|phong| phong.specular));
-    locking.assert("slide_matrix", &step01_rays::picture(&slide_matrix(), 1));
+    locking.assert("slide_matrix", &step05_phong::picture(&slide_matrix(), 1));
     locking.assert("speckled", &speckled());
     locking.assert("shadowed", &shadowed());
     locking.assert("close_up", &mirror::picture(&close_up(), 2));

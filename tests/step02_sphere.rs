@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
-use step02_sphere::{Ray, Roots, Sphere, picture, quadratic};
-use tests::{assert_program, camera, point, rays};
+use step02_sphere::{Ray, Roots, Sphere, quadratic};
+use tests::{assert_program, point, rays};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 

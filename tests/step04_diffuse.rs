@@ -4,9 +4,9 @@ use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step04_diffuse::{
     Attenuation, COOL, Object, PointLight, Ray, Sphere, Surface, WARM, ambient,
-    colour, diffuse, normal, objects, picture, scene, seen,
+    colour, diffuse, normal, objects, scene, seen,
 };
-use tests::{assert_program, camera, point, rays, unit};
+use tests::{assert_program, point, rays, unit};
 
 const GREY: Surface =
     Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };

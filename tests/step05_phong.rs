@@ -4,8 +4,7 @@ use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
     Attenuation, Light, Material, Phong, Point, PointLight, Ray, Surface, ambient,
-    colour, diffuse, objects, phong, picture, reflect, scene, seen, specular,
-    terms,
+    colour, diffuse, objects, phong, reflect, scene, seen, specular, terms,
 };
 use tests::{assert_program, camera, point, unit};
 

@@ -1,8 +1,8 @@
+use exercises::look_at::look_at;
+use exercises::panorama::{direction, panoramic};
 use exercises::*;
 use glam::DVec3;
 use image::Rgb;
-use exercises::look_at::look_at;
-use exercises::panorama::{direction, panoramic};
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 use step01_rays::Camera;

@@ -1,9 +1,9 @@
-use exercises::*;
-use glam::{DMat3, DVec3};
 use exercises::lens::{Interval, inside_all};
 use exercises::plane::Plane;
-use proptest::prelude::*;
 use exercises::quadric::Quadric;
+use exercises::*;
+use glam::{DMat3, DVec3};
+use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere};
 use tests::{camera, point, rays, unit};
 

@@ -1,7 +1,7 @@
-use exercises::*;
 use crate::rays_of_camera;
-use glam::DVec3;
 use exercises::many::Tree;
+use exercises::*;
+use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
 use step02_sphere::Roots;

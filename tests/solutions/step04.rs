@@ -1,5 +1,5 @@
-use exercises::*;
 use crate::{from_angle, rays_of_camera};
+use exercises::*;
 use glam::DVec3;
 use image::Rgb;
 use proptest::prelude::*;

@@ -1,9 +1,9 @@
-use exercises::*;
 use crate::{from_angle, rays_of_camera};
-use glam::{DMat3, DVec3};
 use exercises::glass::Glass;
-use image::{Rgb, RgbImage};
 use exercises::mirror::Mirror;
+use exercises::*;
+use glam::DVec3;
+use image::{Rgb, RgbImage};
 use proptest::prelude::*;
 use step05_phong::*;
 use tests::{camera, locked, unit};
