@@ -3,7 +3,6 @@
 
 mod check;
 mod module;
-mod moved;
 
 use live::{Knob, LIVE, Live, Sight};
 use module::{Code, Module, checked_in};
