@@ -97,7 +97,7 @@ fn is_shown(case: &Case, cause: &Cause, stage: &str, light: usize) -> bool {
         ("attenuation", _) => {
             scene.lights.iter_mut().for_each(|one| one.point.attenuation.a *= 1.3);
         }
-        ("diffuse", Some(light)) => light.point.diffuse *= 0.7,
+        ("diffuse", Some(light)) => light.point_light.diffuse *= 0.7,
         ("specular", Some(light)) => light.specular *= 0.7,
         _ => return true,
     }

@@ -93,7 +93,8 @@ fn the_weights_of_the_lights_are_read() {
     for step in some([Step::Diffuse, Step::Phong], 2) {
         let stages = of(step, |parts| parts.scene.ambient_light *= 0.5);
         assert_wrong(&stages, "ambient", "I_a = R_a L_a / 2", &[]);
-        let stages = of(step, |parts| parts.scene.lights[1].point.diffuse *= 0.5);
+        let stages =
+            of(step, |parts| parts.scene.lights[1].point_light.diffuse *= 0.5);
         assert_wrong(&stages, "diffuse, cool", "(0.225, 0.3, 0.5)", &[]);
     }
     let stages = of(Step::Phong, |parts| parts.scene.lights[0].specular *= 2.0);
@@ -103,11 +104,11 @@ fn the_weights_of_the_lights_are_read() {
 #[test]
 fn a_light_and_its_fading_are_read() {
     let stages = of(Step::Phong, |parts| {
-        parts.scene.lights[1].point.attenuation.c = 0.002;
+        parts.scene.lights[1].point_light.attenuation.c = 0.002;
     });
     assert_wrong(&stages, "attenuation", "c in a + bd + cd² is 0.002", &[]);
     let stages = of(Step::Phong, |parts| {
-        parts.scene.lights[0].point.position.z = 2.0;
+        parts.scene.lights[0].point_light.position.z = 2.0;
     });
     assert_wrong(&stages, "diffuse, warm", "(−4, 5, 2)", &["diffuse, cool"]);
 }
@@ -141,7 +142,7 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     assert_wrong(&stages, "rays", "D_v = (0, (−2) h / rows", &["ambient"]);
     assert_wrong(&stages, "ambient", "(0.42, 0.32, 0.32)", &["rays"]);
     let stages = of(Step::Diffuse, |parts| {
-        parts.scene.lights[0].point.attenuation.a = 7.0;
+        parts.scene.lights[0].point_light.attenuation.a = 7.0;
         for material in parts.materials() {
             material.surface.ambient *= material.surface.ambient;
         }
@@ -159,7 +160,7 @@ fn two_stages_are_told_separately_where_they_hide_each_other() {
     // What mends no pixel, beside what is white anyway.
     let stages = of(Step::Phong, |parts| {
         parts.seen_from = |light, p| {
-            let (l, d) = light.seen_from(p);
+            let (l, d) = light.direction_from(p);
             (l, d * d)
         };
         for material in parts.materials() {
@@ -206,14 +207,14 @@ fn what_is_dark_tells_the_first_of_two_stages() {
     let its = ["diffuse, warm", "diffuse, cool", "specular, warm"];
     let stages = of(Step::Phong, |parts| {
         parts.scene.ambient_light *= 0.1;
-        parts.scene.lights[0].point.position.x = 4.0;
+        parts.scene.lights[0].point_light.position.x = 4.0;
     });
     assert_wrong(&stages, "ambient", "L_a is (0.032, 0.032, 0.042)", &its);
     assert_wrong(&stages, its[0], "the warm light is at (4, 5, −2)", &["ambient"]);
     // The dark colour of another object is another object.
     let stages = of(Step::Phong, |parts| {
         parts.scene.objects[4].sphere.centre.z *= -1.0;
-        parts.reflect = |l, n| reflect(n, l);
+        parts.reflect = |l, n| reflect(l, n);
     });
     let both = ["specular, warm", "specular, cool"];
     assert_wrong(&stages, "outlines", "sphere is at (0.3, 0.4, −4)", &both);
@@ -314,7 +315,7 @@ fn a_wrong_t_leaves_the_point_open() {
 #[test]
 fn what_one_number_explains_needs_no_second_one() {
     let stages = of(Step::Diffuse, |parts| {
-        parts.scene.lights[1].point.position.y = 22.0;
+        parts.scene.lights[1].point_light.position.y = 22.0;
     });
     assert_wrong(&stages, "diffuse, cool", "(5.5, 22, −11.5)", &[]);
 }

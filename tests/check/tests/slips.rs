@@ -10,7 +10,8 @@ use step01_rays::{Camera, Ray};
 use step02_sphere::Roots;
 use step04_diffuse::{Surface, diffuse};
 use step05_phong::{
-    Phong, Point, direction_colour, reflect, render, seen, specular, terms,
+    Phong, SurfacePoint, direction_colour, reflect, render, specular, terms,
+    visible_point,
 };
 
 /// Asserts that one slip is told as this formula, in its own stage and in no other.
@@ -275,7 +276,7 @@ fn two_numbers_of_a_light_and_a_margin_of_the_nearest() {
     assert_told(
         Step::Diffuse,
         |parts| {
-            let fade = &mut parts.scene.lights[0].point.attenuation;
+            let fade = &mut parts.scene.lights[0].point_light.attenuation;
             (fade.a, fade.b) = (fade.b, fade.a);
         },
         "attenuation",
@@ -397,13 +398,14 @@ fn a_plus_or_a_minus_within_a_product() {
 #[test]
 fn a_sum_that_begins_with_something() {
     let (camera, scene) = (camera(160, 90), step05_phong::scene());
-    let picture = render(&camera, 1, |ray| match seen(&scene.objects, ray) {
-        Some(point) => {
-            let right = terms(&scene, ray).map_or(DVec3::ZERO, |sum| sum.sum());
-            right + point.material.specular
-        }
-        None => direction_colour(ray),
-    });
+    let picture =
+        render(&camera, 1, |ray| match visible_point(&scene.objects, ray) {
+            Some(point) => {
+                let right = terms(&scene, ray).map_or(DVec3::ZERO, |sum| sum.sum());
+                right + point.material.specular
+            }
+            None => direction_colour(ray),
+        });
     let told = "E_s = R_s + (the sum of G over all lights)";
     assert_picture_told(&picture, Step::Phong, "specular", told);
 }
@@ -413,14 +415,16 @@ fn the_highlights_of_the_last_light_that_shines() {
     let (camera, scene) = (camera(160, 90), step05_phong::scene());
     let picture = render(&camera, 1, |ray| {
         let mut last = DVec3::ZERO;
-        let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
+        let Some(SurfacePoint { p, n, material }) =
+            visible_point(&scene.objects, ray)
+        else {
             return direction_colour(ray);
         };
         let v = -ray.direction.normalize();
         for light in &scene.lights {
-            let (l, d) = light.point.seen_from(p);
+            let (l, d) = light.point_light.direction_from(p);
             if 0.0 < n.dot(l) {
-                last = specular(reflect(l, n), v, d, material, light);
+                last = specular(reflect(n, l), v, d, material, light);
             }
         }
         let sum = terms(&scene, ray)
@@ -504,7 +508,9 @@ fn a_sphere_that_few_pixels_show() {
 fn one_light_twice() {
     assert_told(
         Step::Diffuse,
-        |parts| parts.scene.lights[1].point = parts.scene.lights[0].point,
+        |parts| {
+            parts.scene.lights[1].point_light = parts.scene.lights[0].point_light
+        },
         "diffuse, cool",
         "of the warm one (steps/step04_diffuse/src/scene.rs)",
     );
