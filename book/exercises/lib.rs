@@ -56,6 +56,8 @@ pub mod plaster;
 pub mod quadric;
 #[path = "../../steps/step01_rays/examples/rings.rs"]
 pub mod rings;
+#[path = "../../steps/step01_rays/examples/row.rs"]
+pub mod row;
 #[path = "../../steps/step04_diffuse/examples/shadows.rs"]
 pub mod shadows;
 #[path = "../../steps/step04_diffuse/examples/snowman.rs"]
