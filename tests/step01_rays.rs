@@ -1,9 +1,10 @@
 //! Step 1: the rays, the camera, the render loop and the program around the
 //! picture.
 
-use exercises::row::Row;
+use exercises::row;
 use glam::{DVec2, DVec3};
 use image::{Rgb, RgbImage};
+use row::Row;
 use std::collections::HashSet;
 use std::fs;
 use std::io::{BufRead, BufReader};
