@@ -22,7 +22,7 @@ const fn section(step: Step, file: &'static str, heading: &'static str) -> Secti
 
 pub const RAY: Section = section(Rays, "ray.rs", "A ray");
 pub const CAMERA: Section = section(Rays, "camera.rs", "The camera");
-pub const BYTES: Section = section(Rays, "colour.rs", "From rays to a picture");
+pub const BYTES: Section = section(Rays, "rgb8.rs", "From rays to a picture");
 pub const RENDER: Section = section(Rays, "render.rs", "Render");
 pub const DIRECTIONS: Section =
     section(Rays, "picture.rs", "The direction as a colour");
@@ -38,7 +38,7 @@ pub const SCENE: Section = section(Nearest, "objects.rs", "The scene");
 pub const NEAREST: Section = section(Nearest, "nearest.rs", "The nearest hit");
 pub const FLAT: Section = section(Nearest, "picture.rs", "A colour for every ray");
 pub const SURFACE: Section = section(Diffuse, "surface.rs", "Colours are vectors");
-pub const NORMAL: Section = section(Diffuse, "point.rs", "The normal");
+pub const NORMAL: Section = section(Diffuse, "surface_point.rs", "The normal");
 pub const AMBIENT: Section = section(Diffuse, "ambient.rs", "Ambient light");
 pub const LAMBERT: Section = section(Diffuse, "diffuse.rs", "Facing away");
 pub const ATTENUATION: Section = section(Diffuse, "light.rs", "Attenuation");
