@@ -7,7 +7,7 @@ use crate::picture::LAZY;
 
 /// A page with all that it needs to be shown; `files` are those of the book.
 pub fn finished(html: &str, files: &Files) -> String {
-    let html = listed(&faced(&styled(html, files)));
+    let html = scrolled(&listed(&faced(&styled(html, files))));
     let Some(at) = html.find("<main") else { return html };
     let (head, text) = html.split_at(at);
     head.to_owned() + &text.replacen(LAZY, " fetchpriority=\"high\"", 1)
@@ -57,6 +57,18 @@ fn listed(html: &str) -> String {
     html.replace(&within, title).replace("</li></li>", "</li>")
 }
 
+/// The page, in which what may scroll sideways takes the focus, so that the keyboard
+/// can scroll it.
+fn scrolled(html: &str) -> String {
+    let mut html = html.to_owned();
+    for start in ["<pre", "<div class=\"table-wrapper\"", "<span class=\"formula\""]
+    {
+        let whole = format!("{start}>");
+        html = html.replace(&whole, &format!("{start} tabindex=\"0\">"));
+    }
+    html
+}
+
 #[test]
 fn styles_and_the_first_picture_come_at_once() {
     let css = "@font-face { src: url(\"literata.woff2\"); }\n";
@@ -68,7 +80,7 @@ fn styles_and_the_first_picture_come_at_once() {
          <script>\nconst faces = [\"literata\", \"source-sans\"];\n</script>\n</head>\n\
          <li class=\"chapter-item expanded \"><li class=\"part-title\">B</li></li>\n\
          <main><img src=\"c.png\"{LAZY}><img src=\"d.png\"{LAZY}>\
-         <math></math></main>",
+         <pre></pre><math></math></main>",
         link("fonts/fonts.css"),
         link("a.css"),
     );
@@ -80,7 +92,8 @@ fn styles_and_the_first_picture_come_at_once() {
     );
     let title = "\n<li class=\"part-title\">B</li>\n";
     let faces = "\"course-math\", \"jetbrains-mono\"];";
-    for part in [style, &pictures, title, faces] {
+    let code = "<pre tabindex=\"0\"></pre>";
+    for part in [style, &pictures, title, faces, code] {
         assert!(page.contains(part), "no {part} in {page}");
     }
 }
