@@ -1,5 +1,5 @@
 use crate::markdown::{self, directive};
-use crate::{check, details, figure, formula, listing, numbers, picture};
+use crate::{check, details, figure, formula, listing, mistakes, numbers, picture};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -139,6 +139,7 @@ impl Chapter<'_> {
         Some(match (kind, words.trim()) {
             ("figure", name) => figure::html(name),
             ("check", name) => check::html(name, self.workspace),
+            ("mistakes", step) => mistakes::html(step, self.workspace),
             ("listing", words) => listing::moving(words, &mut self.listings),
             ("by-hand", test) => Ok(by_hand(test)),
             ("rust", words) => markdown::inline(words).map(|words| {

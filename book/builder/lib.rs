@@ -14,6 +14,7 @@
 //!   from code; with `live` behind it, it *answers*: its *controls* turn the knobs of `live`,
 //!   and where its pixels can be asked, *this pixel* tells the way to the three bytes;
 //! - a *box* (`predict`, `hints`, `aside` … `end`) is opened by its reader;
+//! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
 //!   was worked out above it, and `rust` tells what a week of Rust does not.
 //!
@@ -33,12 +34,12 @@ mod controls;
 mod details;
 mod figure;
 mod listing;
+mod mistakes;
 mod picture;
 mod this_pixel;
 
 mod chapter;
 
-mod gallery;
 mod module;
 mod pictures;
 

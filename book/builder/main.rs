@@ -25,7 +25,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
-    let (folder, site) = book::build(&gallery::workspace())?;
+    let (folder, site) = book::build(&compare::workspace())?;
     say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
         site.chapters().len(),

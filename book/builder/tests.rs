@@ -2,7 +2,7 @@
 
 use crate::chapter::expand;
 use crate::{Files, Page, Site, links, print, this_pixel, values};
-use gallery::workspace;
+use compare::workspace;
 
 const RAY: &str = "../../steps/step01_rays/src/ray.rs";
 const SKY: &str = "../../tests/snapshots/step01_rays.snap.png";

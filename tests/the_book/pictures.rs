@@ -1,9 +1,9 @@
-//! Every picture in the book is a locked one, or one that the gallery of mistakes or what
-//! answers draws, in every pixel.
+//! Every picture in the book is a locked one, or one of those of the mistakes that are
+//! checked in, or what answers as it is printed, in every pixel.
 
 use super::assert_none;
 use super::built::{BOOK, files};
-use gallery::mistakes;
+use image::imageops::thumbnail;
 use image::{DynamicImage, RgbImage, RgbaImage};
 use live::{LIVE, Live, Sight};
 use std::collections::HashMap;
@@ -21,15 +21,21 @@ fn printed(live: &Live) -> Option<(String, RgbImage)> {
 
 #[test]
 fn every_picture_is_locked_or_drawn_by_our_code() {
-    let shown = mistakes().flat_map(|one| one.shown().map(move |shown| (one, shown)));
-    let drawn = shown.map(|(mistake, (step, name))| (name, mistake.show(step)));
-    let drawn = drawn.chain(LIVE.into_iter().filter_map(printed));
-    let mut right: HashMap<_, _> = drawn.collect();
+    let small = check::Step::ALL.into_iter().map(|step| {
+        let picture = thumbnail(&step.picture(&live::camera(), 1), 320, 180);
+        (format!("{}-small", step.name()), picture)
+    });
+    let printed = LIVE.into_iter().filter_map(printed);
+    let mut right: HashMap<_, _> = small.chain(printed).collect();
     let decoded =
         |png: &[u8]| Some(image::load_from_memory(png).ok()?.to_rgb8());
+    for (file, png) in files("book/check/mistakes/pictures").0 {
+        let name = file.strip_suffix(".png").map(|name| format!("mistake-{name}"));
+        right.extend(name.zip(decoded(&png)));
+    }
     for (file, png) in files("tests/snapshots").0 {
-        let locked = file.strip_suffix(".snap.png").zip(decoded(&png));
-        right.extend(locked.map(|(name, picture)| (name.to_owned(), picture)));
+        let name = file.strip_suffix(".snap.png").map(str::to_owned);
+        right.extend(name.zip(decoded(&png)));
     }
     let mut faults = vec![];
     for page in BOOK.chapters() {

@@ -5,7 +5,7 @@ use super::built::{BOOK, files};
 use super::listing::Listing;
 use super::own_scene;
 use book::Files;
-use gallery::workspace;
+use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
 

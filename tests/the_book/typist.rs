@@ -3,7 +3,7 @@ use super::reading::Asked;
 use super::typed::Typed;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
-use gallery::workspace;
+use compare::workspace;
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::env::consts::EXE_SUFFIX;

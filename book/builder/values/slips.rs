@@ -2,13 +2,12 @@
 
 use super::Value;
 use super::measure::{
-    UNGATED, ahead, both, camera, discriminant, grouped, mistake, pixels, short,
-    tenths,
+    UNGATED, ahead, both, camera, discriminant, grouped, pixels, short, tenths,
 };
-use ::gallery::Parts;
 use glam::DVec3;
+use live::Row;
 use std::f64::consts::FRAC_PI_3;
-use step01_rays::{Camera, Row};
+use step01_rays::Camera;
 use step02_sphere::SPHERE;
 use step05_phong::reflect;
 
@@ -79,9 +78,12 @@ fn upright() -> f64 {
 
 /// The camera with the matrix on the slide "A Basic 3D Camera Matrix".
 fn slide() -> Camera {
-    let mut parts = Parts::right(&camera());
-    (mistake("slide-matrix").change)(&mut parts);
-    parts.camera
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
 }
 
 /// The y of V_0.
@@ -115,5 +117,5 @@ fn twice(i: f64) -> f64 {
 fn behind() -> (f64, f64) {
     let (n, v) = (DVec3::Y, DVec3::new(-0.8, 0.6, 0.0));
     let l = DVec3::new(4.0, -3.0, 0.0).normalize();
-    (n.dot(l), reflect(l, n).dot(v))
+    (n.dot(l), reflect(n, l).dot(v))
 }

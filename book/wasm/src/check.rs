@@ -1,0 +1,71 @@
+use crate::pictures::{NAMES, SIZE};
+use ::check::{Locked, Step};
+use image::RgbImage;
+use live::Answer;
+use live::json::{self, Json};
+use std::cell::RefCell;
+use std::io::Cursor;
+
+thread_local! {
+    /// The pictures that were drawn for us, in the order of their names.
+    static OURS: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
+}
+
+/// What `check` says of a PNG file, to the words `NAME FILE`: the name of the picture
+/// that it should be, or `*` where the file's name tells it, and the file's name. The
+/// pixels are those of the difference.
+///
+/// Or else the names of pictures of ours to [`keep`] before it can be said: the one that
+/// it should be and those of the steps, or all where it may be any.
+pub fn check(words: &str, file: &[u8]) -> Answer {
+    let (name, called) = words.split_once(' ').unwrap_or((words, ""));
+    let name = match name {
+        "*" => check::by_file(called, NAMES.into_iter()),
+        name => Some(name),
+    };
+    OURS.with_borrow(|ours| {
+        let may_be = |known: &str| {
+            name.is_none_or(|name| name == known) || Step::named(known).is_some()
+        };
+        let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
+        let missing = NAMES.into_iter().filter(|one| may_be(one) && !is_kept(one));
+        let missing: Vec<_> = missing.map(Json::from).collect();
+        if missing.is_empty() {
+            return said(check::check(Cursor::new(file), called, name, ours));
+        }
+        let text = json::object([("draw", Json::list(missing.into_iter()))]);
+        Answer { text, pixels: vec![] }
+    })
+}
+
+/// Keeps a picture of ours: red, green and blue of each pixel.
+///
+/// # Panics
+///
+/// Panics where it has another size: then it is of another module than this, and would be
+/// asked for again and again.
+pub fn keep(name: &str, pixels: &[u8]) -> Answer {
+    let [columns, rows] = SIZE;
+    let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
+    let picture = picture.expect("all pixels of a picture of ours");
+    let place = |name: &str| NAMES.iter().position(|known| *known == name);
+    OURS.with_borrow_mut(|ours| {
+        let at = ours.partition_point(|one| place(&one.name) < place(name));
+        ours.insert(at, Locked { name: name.to_owned(), picture });
+    });
+    Answer { text: "{}".to_owned(), pixels: vec![] }
+}
+
+/// An answer for the page.
+fn said(answer: check::Answer) -> Answer {
+    let mut fields =
+        vec![("code", u32::from(answer.code).into()), ("text", answer.text.into())];
+    let mut pixels = vec![];
+    if let Some(difference) = answer.difference {
+        let (width, height) = difference.dimensions();
+        let size = [width, height].map(Json::from);
+        fields.push(("size", Json::list(size)));
+        pixels = live::rgba(&difference);
+    }
+    Answer { text: json::object(fields), pixels }
+}

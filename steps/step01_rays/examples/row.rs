@@ -1,0 +1,33 @@
+//! The row of rays in a flat world: prints its directions.
+
+use glam::{DMat2, DVec2};
+use std::f64::consts::FRAC_PI_3;
+
+/// A row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
+pub struct Row {
+    /// [D V_0]: the step from one direction to the next, and the first direction.
+    pub matrix: DMat2,
+}
+
+impl Row {
+    /// A row of `h_res` rays, of which the outermost enclose the angle `field_of_view`,
+    /// θ, in radians.
+    pub fn new(h_res: u32, field_of_view: f64) -> Self {
+        let tan = (field_of_view / 2.0).tan();
+        let d = DVec2::new(2.0 * tan / f64::from(h_res - 1), 0.0);
+        let v_0 = DVec2::new(-tan, 1.0);
+        Self { matrix: DMat2::from_cols(d, v_0) }
+    }
+
+    /// The direction V_i = [D V_0] (i, 1)ᵀ; i runs from 0 to hRes − 1.
+    pub fn direction(&self, i: f64) -> DVec2 {
+        self.matrix * DVec2::new(i, 1.0)
+    }
+}
+
+fn main() {
+    let row = Row::new(7, FRAC_PI_3);
+    for i in 0..7 {
+        println!("V_{i} = {:.4}", row.direction(f64::from(i)));
+    }
+}
