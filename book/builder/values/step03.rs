@@ -1,7 +1,7 @@
 //! The numbers of chapter 3.
 
 use super::Value;
-use super::worked::{both, camera, counted, pixels, short, tenths, vector};
+use super::measure::{both, camera, counted, pixels, short, tenths, vector};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
