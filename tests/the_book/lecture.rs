@@ -1,54 +1,50 @@
-//! Every slide of the lecture is in its map, and the code and the tests that the
-//! map names exist.
+//! Every slide of the lecture has a home in the book.
 
-use super::built::{BOOK, files};
-use super::item::Items;
-use super::source::SOURCE;
-use super::table::rows;
+use super::built::BOOK;
 use super::{assert_found, assert_none};
-use book::{Files, Site};
-use std::sync::LazyLock;
+use book::Site;
 
-const PAGE: &str = "lecture.html";
+/// A table of the slides: their titles, what they say, and their homes.
+const SLIDES: &str = include_str!("slides.md");
 
-static TESTS: LazyLock<Files> = LazyLock::new(|| files("tests"));
-
-/// Each name in the map that stands for nothing, each slide whose code no test holds,
-/// and each slide that a page speaks of and that is not in the map.
-fn faults(book: &Site, source: &Files, tests: &Files) -> Vec<String> {
-    let items = Items::of(source);
-    let rows: Vec<_> = book.pages.get(PAGE).into_iter().flat_map(rows).collect();
-    let mut titles = vec![];
+/// Each slide whose home is not in the book, and each that a page speaks of and the
+/// table does not have.
+fn faults(book: &Site, slides: &str) -> Vec<String> {
+    let rows = slides.lines().filter(|line| line.starts_with('|')).skip(2);
+    let rows: Vec<_> = rows.map(cells).collect();
     let mut faults = vec![];
-    for row in rows {
-        let Some(title) = row.text("Slide") else { continue };
-        titles.push(title.replace('’', "'"));
-        let at = row.at();
-        let (codes, names) = (row.codes("In the code"), row.codes("Test"));
-        for name in codes.iter().filter(|name| !items.has(name)) {
-            faults.push(format!("The code has no {name}, which {at} names."));
-        }
-        for name in names.iter().filter(|name| !has_test(tests, name)) {
-            faults.push(format!("There is no test {name}, which {at} names."));
-        }
-        if names.is_empty() && !codes.is_empty() {
-            faults.push(format!("No test holds the code of the slide at {at}."));
+    for [title, says, home] in &rows {
+        if *home != "—" && !is_there(book, home) {
+            faults.push(format!("The book has no {home}, for {title}: {says}."));
         }
     }
     // "Ambient Term" is "Phong Reflection Model: Ambient Term".
     let is_known = |slide: &str| {
         let end = format!(": {slide}");
-        titles.iter().any(|title| title == slide || title.ends_with(&end))
+        rows.iter().any(|[title, ..]| *title == slide || title.ends_with(&end))
     };
     for page in book.chapters() {
         for slide in quoted(&page.text).iter().filter(|slide| !is_known(slide)) {
-            faults.push(format!(
-                "The map has no slide {slide:?}, see {}.",
-                page.name
-            ));
+            let name = &page.name;
+            faults
+                .push(format!("{name} has a slide {slide:?}, slides.md has not."));
         }
     }
     faults
+}
+
+/// The title, what it says and the home in a row of the table.
+fn cells(row: &str) -> [&str; 3] {
+    let cells: Vec<_> = row.trim_matches(['|', ' ']).split(" | ").collect();
+    cells.try_into().unwrap_or_else(|_| panic!("not three cells: {row}"))
+}
+
+/// Whether the book has a page of this name, or something with this id.
+fn is_there(book: &Site, home: &str) -> bool {
+    book.chapters().iter().any(|page| {
+        page.name.strip_suffix(".html") == Some(home)
+            || page.elements.iter().any(|one| one.get("id") == Some(home))
+    })
 }
 
 /// The titles in a text: slide "A", slides "B" and "C".
@@ -67,45 +63,22 @@ fn quoted(text: &str) -> Vec<String> {
     titles
 }
 
-/// Whether there is a test `name`, such as `step02_sphere::a_ray_misses`.
-fn has_test(tests: &Files, name: &str) -> bool {
-    let Some((file, function)) = name.split_once("::") else { return false };
-    let Some(text) = tests.text(&format!("{file}.rs")) else { return false };
-    text.split("#[test]")
-        .skip(1)
-        .any(|test| test.trim_start().starts_with(&format!("fn {function}(")))
+#[test]
+fn every_slide_has_a_home() {
+    assert_none(&faults(&BOOK, SLIDES));
 }
 
 #[test]
-fn every_slide_is_in_the_map_and_every_name_exists() {
-    assert_none(&faults(&BOOK, &SOURCE, &TESTS));
+fn a_slide_without_a_home_is_found() {
+    let slides = SLIDES.replace("| figure-ray |", "| figure-way |");
+    assert_found(&faults(&BOOK, &slides), &["no figure-way, for Rays: A point"]);
 }
 
 #[test]
-fn a_slide_that_is_not_in_the_map_is_found() {
-    let book = BOOK.with(PAGE, "<td>Field of View</td>", "<td>Fields of View</td>");
-    let words = ["no slide \"Field of View\"", "step01_rays.html"];
-    assert_found(&faults(&book, &SOURCE, &TESTS), &words);
+fn a_slide_that_is_not_in_the_table_is_found() {
     for text in ["Slide “A”", "the slides “Rays” and “A”", "/// (slide \"A\")"]
     {
         let book = BOOK.with_html(&format!("<p>{text}</p>"));
-        let words = ["no slide \"A\"", "step01_rays.html"];
-        assert_found(&faults(&book, &SOURCE, &TESTS), &words);
+        assert_found(&faults(&book, SLIDES), &["step01_rays.html", "slide \"A\""]);
     }
-}
-
-#[test]
-fn a_name_that_stands_for_nothing_is_found() {
-    let book = BOOK.with(PAGE, "<code>Ray::<wbr>at</code>", "<code>Ray::of</code>");
-    assert_found(&faults(&book, &SOURCE, &TESTS), &["no Ray::of", "line ", PAGE]);
-    let book = BOOK.with(PAGE, "every_<wbr>ray_<wbr>starts", "every_ray_ends");
-    assert_found(
-        &faults(&book, &SOURCE, &TESTS),
-        &["no test step01_rays::every_ray_ends_at_c", PAGE],
-    );
-    let tests = TESTS.with("step01_rays.rs", "#[test]\nfn r_of_t", "fn r_of_t");
-    assert_found(
-        &faults(&BOOK, &SOURCE, &tests),
-        &["no test step01_rays::r_of_t_is_s", PAGE],
-    );
 }

@@ -19,8 +19,6 @@ mod face;
 mod locked;
 mod markup;
 
-mod table;
-
 mod by_hand;
 mod item;
 mod lecture;
