@@ -7,9 +7,7 @@ mod mirror;
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use mirror::{Mirror, colour, mirrors};
-use step05_phong::{
-    Camera, Light, Object, Scene, Sphere, render, run,
-};
+use step05_phong::{Camera, Light, Object, Scene, Sphere, render, run};
 
 /// The scene of the mirrors, and on its ground as many marbles as find room.
 pub fn crowd() -> Scene<Mirror, Light> {
@@ -52,7 +50,11 @@ fn material(k: usize, scene: &Scene<Mirror, Light>) -> Mirror {
 /// The camera of the course, lifted and tilted.
 fn from_above(camera: &Camera) -> Camera {
     let tilt = DMat3::from_rotation_x(-0.3);
-    Camera { centre: DVec3::new(0.0, 2.2, 0.8), matrix: tilt * camera.matrix, ..*camera }
+    Camera {
+        centre: DVec3::new(0.0, 2.2, 0.8),
+        matrix: tilt * camera.matrix,
+        ..*camera
+    }
 }
 
 /// The picture: a ray may meet ten mirrors, one after the other.
