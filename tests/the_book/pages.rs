@@ -87,3 +87,18 @@ fn letters(css: &str, family: &str) -> Vec<[u32; 2]> {
         })
         .collect()
 }
+
+#[test]
+fn every_slide_has_a_home() {
+    let rows = include_str!("slides.md").lines().filter(|line| line.starts_with('|'));
+    let homeless = rows.skip(2).filter(|row| {
+        let home = row.trim_matches(['|', ' ']).rsplit(" | ").next().unwrap_or_default();
+        let is_there = |page: &book::Page| {
+            page.name.strip_suffix(".html") == Some(home)
+                || page.all("[id]").iter().any(|one| one.attr("id") == Some(home))
+        };
+        home != "—" && !BOOK.pages.values().any(is_there)
+    });
+    let homeless: Vec<_> = homeless.map(|row| format!("No home: {row}")).collect();
+    assert_none(&homeless);
+}
