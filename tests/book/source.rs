@@ -16,9 +16,11 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     for (path, bytes) in files("steps").0 {
         source.0.insert(format!("steps/{path}"), bytes);
     }
-    for path in ["Cargo.toml", ".rustfmt.toml"] {
-        let bytes = fs::read(workspace().join(path));
-        source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
+    for path in ["book/reader/Cargo.toml", ".rustfmt.toml"] {
+        let bytes =
+            fs::read(workspace().join(path)).expect("a file of the workspace");
+        let path = path.strip_prefix("book/reader/").unwrap_or(path);
+        source.0.insert(path.to_string(), bytes);
     }
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
@@ -79,12 +81,29 @@ fn wrong_files(book: &Site, source: &Files) -> Vec<String> {
 const PAGE: &str = "step01_rays.html";
 const RAY: &str = "steps/step01_rays/src/ray.rs";
 const FIGURE: &str =
-    r#"data-path="steps/step01_rays/src/ray.rs" data-lines="1-17""#;
+    r#"data-path="steps/step01_rays/src/ray.rs" data-lines="1-22""#;
 
 /// Fails unless one listing of `book` is wrong, and the sentence holds these words.
 #[track_caller]
 fn found(book: &Site, words: &[&str]) {
     assert_found(&wrong_listings(book, &SOURCE), words);
+}
+
+/// The first line of the reader's manifest, but for its members, that ours has not.
+fn line_of_another_workspace(manifest: &str) -> Option<&str> {
+    let ours = fs::read_to_string(workspace().join("Cargo.toml"));
+    let ours = ours.expect("the manifest of the workspace");
+    let is_ours = |line: &&str| ours.lines().any(|one| one == *line);
+    let mut others = manifest.lines().filter(|line| !is_ours(line));
+    others.find(|line| !line.starts_with("members = "))
+}
+
+#[test]
+fn what_the_reader_depends_on_is_what_we_do() {
+    let manifest = SOURCE.text("Cargo.toml").expect("the manifest of a reader");
+    assert_eq!(line_of_another_workspace(manifest), None);
+    let other = manifest.replace("rayon = \"1.11\"", "rayon = \"1.10\"");
+    assert_eq!(line_of_another_workspace(&other), Some("rayon = \"1.10\""));
 }
 
 #[test]
@@ -101,18 +120,18 @@ fn every_line_of_every_file_stands_in_its_chapter_once() {
 fn a_changed_line_is_found() {
     let (old, new) = ("self.start + t", "self.start - t");
     let shown = "self.start - t * self.direction";
-    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "Line 15", shown]);
+    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "Line 20", shown]);
     let source = SOURCE.with(RAY, old, new);
-    let words = [PAGE, RAY, "Line 15", shown];
+    let words = [PAGE, RAY, "Line 20", shown];
     assert_found(&wrong_listings(&BOOK, &source), &words);
 }
 
 #[test]
 fn a_missing_line_is_found() {
     let line = "    /// S, the point where the ray starts.\n";
-    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 6", "pub start: DVec3"]);
+    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 12", "pub start: DVec3"]);
     let source = SOURCE.with(RAY, "use glam", "use std::fmt;\nuse glam");
-    let words = ["Line 18 of", RAY, "0 times", PAGE];
+    let words = ["Line 23 of", RAY, "0 times", PAGE];
     assert_found(&wrong_files(&BOOK, &source), &words);
 }
 
@@ -120,7 +139,7 @@ fn a_missing_line_is_found() {
 fn a_line_too_many_is_found() {
     let end = "self.start + t * self.direction\n    }\n}";
     let book = BOOK.with(PAGE, end, &format!("{end}\n// The end"));
-    found(&book, &[PAGE, "Line 18", "None", "// The end"]);
+    found(&book, &[PAGE, "Line 23", "None", "// The end"]);
 }
 
 #[test]
@@ -148,9 +167,9 @@ fn a_listing_that_stands_twice_or_in_another_chapter_is_found() {
 #[test]
 fn a_wrong_place_is_found() {
     let with_lines =
-        |lines| BOOK.with(PAGE, FIGURE, &FIGURE.replace("1-17", lines));
-    found(&with_lines("2-17"), &["caption", PAGE, "lines 2–17 of 17"]);
-    found(&with_lines("1-18"), &[PAGE, "1-18", RAY, "has 17"]);
+        |lines| BOOK.with(PAGE, FIGURE, &FIGURE.replace("1-22", lines));
+    found(&with_lines("2-22"), &["caption", PAGE, "lines 2–22 of 22"]);
+    found(&with_lines("1-23"), &[PAGE, "1-23", RAY, "has 22"]);
 }
 
 #[test]

@@ -70,9 +70,9 @@ impl Riddle<'_> {
         let most = 3_u32.div_ceil(self.samples) as usize;
         // Ambient light alone tells of its numbers best.
         let is_dark = |(key, _): &&Group| key % 4 == 0 && self.samples < 3;
-        let dark = OBJECTS.skip(most).filter(is_dark).take(3);
+        let dark = objects().skip(most).filter(is_dark).take(3);
         let mut numbers = vec![];
-        for (k, (key, group)) in OBJECTS.take(most).chain(dark).enumerate() {
+        for (k, (key, group)) in objects().take(most).chain(dark).enumerate() {
             // One place of it: there, nothing else hides it.
             let centres = spread(group, 9, 0);
             let centre = centres.iter().max_by_key(|at| near(group, at).len());

@@ -318,20 +318,20 @@ impl Tree {
         self.put(
             "P",
             Of::Light,
-            of(&|l| l.point.position.into()),
+            of(&|l| l.point_light.position.into()),
             lamps("diffuse"),
         );
         self.put(
             "L_d",
             Of::Light,
-            of(&|l| l.point.diffuse.into()),
+            of(&|l| l.point_light.diffuse.into()),
             lamps("diffuse"),
         );
         self.put("L_s", Of::Light, of(&|l| l.specular.into()), materials);
         let fade = lamps("attenuation");
-        self.put("a'", Of::Light, of(&|l| l.point.attenuation.a.into()), fade);
-        self.put("b'", Of::Light, of(&|l| l.point.attenuation.b.into()), fade);
-        self.put("c'", Of::Light, of(&|l| l.point.attenuation.c.into()), fade);
+        self.put("a'", Of::Light, of(&|l| l.point_light.attenuation.a.into()), fade);
+        self.put("b'", Of::Light, of(&|l| l.point_light.attenuation.b.into()), fade);
+        self.put("c'", Of::Light, of(&|l| l.point_light.attenuation.c.into()), fade);
         let l_a = vec![parts.scene.ambient_light.into()];
         self.put("L_a", Of::Ray, l_a, lamps("ambient"));
     }

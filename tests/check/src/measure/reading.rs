@@ -202,11 +202,11 @@ fn outlines(
 ) -> bool {
     let objects = || seen.iter().filter(|s| s.object.is_some());
     let lost = |s: &&Seen| s.yours == s.sky && s.ours != s.sky;
-    let missing = OBJECTS.filter(lost).count();
+    let missing = objects().filter(lost).count();
     let extra: Vec<_> =
         seen.iter().filter(|s| s.object.is_none() && !s.is_right()).collect();
     let far = extra.iter().filter(|s| 6 < apart(&s.yours, &s.ours)).count();
-    let (all, sky) = (OBJECTS.count(), seen.len() - OBJECTS.count());
+    let (all, sky) = (objects().count(), seen.len() - objects().count());
     if extra.is_empty() && missing * 500 <= all && 0 < all {
         put(stages, "outlines", outlined(missing), vec![]);
         return true;
@@ -231,7 +231,7 @@ fn outlines(
             ));
         }
         for object in 0..tree.count(crate::formula::Of::Object) {
-            let its = || OBJECTS.filter(|s| s.object == Some(object));
+            let its = || objects().filter(|s| s.object == Some(object));
             let gone = its().filter(lost).count();
             if 0 < gone {
                 let share = percent(gone, its().count());

@@ -30,7 +30,7 @@ impl View {
                 _ => return Err(format!("{pair:?}")),
             }
         }
-        let camera = Camera::new(width, aspect.v_res(width)?, fov.to_radians());
+        let camera = Camera::new(width, aspect.v_res(width), fov.to_radians());
         Ok(Self { camera, samples })
     }
 
