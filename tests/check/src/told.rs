@@ -95,7 +95,10 @@ fn is_shown(case: &Case, cause: &Cause, stage: &str, light: usize) -> bool {
     match (stage, scene.lights.get_mut(light)) {
         ("ambient", _) => scene.ambient_light *= 0.8,
         ("attenuation", _) => {
-            scene.lights.iter_mut().for_each(|one| one.point_light.attenuation.a *= 1.3);
+            scene
+                .lights
+                .iter_mut()
+                .for_each(|one| one.point_light.attenuation.a *= 1.3);
         }
         ("diffuse", Some(light)) => light.point_light.diffuse *= 0.7,
         ("specular", Some(light)) => light.specular *= 0.7,

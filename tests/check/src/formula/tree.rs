@@ -329,9 +329,24 @@ impl Tree {
         );
         self.put("L_s", Of::Light, of(&|l| l.specular.into()), materials);
         let fade = lamps("attenuation");
-        self.put("a'", Of::Light, of(&|l| l.point_light.attenuation.a.into()), fade);
-        self.put("b'", Of::Light, of(&|l| l.point_light.attenuation.b.into()), fade);
-        self.put("c'", Of::Light, of(&|l| l.point_light.attenuation.c.into()), fade);
+        self.put(
+            "a'",
+            Of::Light,
+            of(&|l| l.point_light.attenuation.a.into()),
+            fade,
+        );
+        self.put(
+            "b'",
+            Of::Light,
+            of(&|l| l.point_light.attenuation.b.into()),
+            fade,
+        );
+        self.put(
+            "c'",
+            Of::Light,
+            of(&|l| l.point_light.attenuation.c.into()),
+            fade,
+        );
         let l_a = vec![parts.scene.ambient_light.into()];
         self.put("L_a", Of::Ray, l_a, lamps("ambient"));
     }
