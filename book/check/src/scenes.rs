@@ -1,5 +1,6 @@
 use crate::Step;
 use glam::DVec3;
+use step01_rays::rgb8;
 use step05_phong::{
     Light, Material, Object, PointLight, Ray, Scene, Sphere, Surface,
 };
@@ -38,7 +39,7 @@ impl Scenes {
     pub fn right() -> Self {
         Self {
             sphere: step02_sphere::SPHERE,
-            flat: step03_nearest::objects().into(),
+            flat: step03_nearest::OBJECTS.into(),
             matt: step04_diffuse::scene(),
             shiny: step05_phong::scene(),
         }
@@ -53,7 +54,7 @@ impl Scenes {
             Step::Diffuse => step04_diffuse::colour(&self.matt, ray),
             Step::Phong => step05_phong::colour(&self.shiny, ray),
         };
-        (255.0 * colour + 0.5).to_array().map(|channel| channel as u8)
+        rgb8(colour).0
     }
 
     /// The spheres of a step.
@@ -96,6 +97,6 @@ impl Scenes {
     /// Changes a light, in each scene.
     pub fn set_light(&mut self, k: usize, change: impl Fn(&mut PointLight)) {
         change(&mut self.matt.lights[k]);
-        change(&mut self.shiny.lights[k].point);
+        change(&mut self.shiny.lights[k].point_light);
     }
 }
