@@ -2,8 +2,8 @@
 //! see it, an id stands for one thing, and the faces of the book have its letters.
 
 use super::assert_none;
-use super::built::BOOK;
-use book::text;
+use super::built::book;
+use ::book::{all, text};
 use std::collections::HashSet;
 
 /// What is only there when a directive or a formula was not expanded.
@@ -15,7 +15,8 @@ fn nothing_is_left_unexpanded() {
         let left = LEFTOVERS.into_iter().filter(|left| text.contains(left));
         left.map(|left| format!("{left} is left in {page}.")).collect::<Vec<_>>()
     };
-    let pages = BOOK.pages.values().flat_map(|page| {
+    let book = book();
+    let pages = book.pages.values().flat_map(|page| {
         page.all("body").into_iter().flat_map(|body| left(&page.name, &text(body)))
     });
     assert_none(&pages.collect::<Vec<_>>());
@@ -23,15 +24,15 @@ fn nothing_is_left_unexpanded() {
 
 #[test]
 fn every_picture_and_drawing_has_words_and_every_id_is_one() {
-    let mut faults = vec![];
-    for page in BOOK.pages.values() {
+    let (book, mut faults) = (book(), vec![]);
+    for page in book.pages.values() {
         for img in page.all("img") {
             if img.attr("alt").is_none_or(|alt| alt.trim().is_empty()) {
                 faults.push(format!("The picture at {} has no words.", page.at(img)));
             }
         }
         for svg in page.all("figure svg") {
-            let titles = book::all(svg, "title");
+            let titles = all(svg, "title");
             if titles.iter().all(|title| text(*title).trim().is_empty()) {
                 faults.push(format!("The drawing at {} has no title.", page.at(svg)));
             }
@@ -52,8 +53,8 @@ const ANYWHERE: [char; 6] = ['ᵀ', 'ⁿ', 'ₛ', '○', '●', '\u{200b}'];
 
 #[test]
 fn each_letter_has_its_face() {
-    let css = BOOK.files.text("fonts/fonts.css").expect("the faces");
-    let mut faults = vec![];
+    let (book, mut faults) = (book(), vec![]);
+    let css = book.files.text("fonts/fonts.css").expect("the faces");
     for (family, selector) in FACES {
         let letters = letters(css, family);
         let has = |c: char| {
@@ -61,7 +62,7 @@ fn each_letter_has_its_face() {
                 || ANYWHERE.contains(&c)
                 || letters.iter().any(|&[a, b]| (a..=b).contains(&u32::from(c)))
         };
-        for page in BOOK.pages.values() {
+        for page in book.pages.values() {
             for one in page.all(selector) {
                 if let Some(c) = text(one).chars().find(|&c| !has(c)) {
                     faults.push(format!("No {family} has the {c:?} at {}.", page.at(one)));

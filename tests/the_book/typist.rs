@@ -3,14 +3,14 @@ use super::reading::Asked;
 use super::typed::Typed;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
-use compare::workspace;
+use compare::{Difference, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::env::consts::EXE_SUFFIX;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tests::{Difference, locked, target};
+use tests::{locked, target};
 
 /// The crates, in the order in which a reader writes them.
 pub const STEPS: [&str; 5] = [
