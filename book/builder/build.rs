@@ -1,7 +1,9 @@
 use crate::{Files, Page, Site, chapter, links, picture, pictures, print, styles};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{
+    IntoParallelIterator, IntoParallelRefIterator, ParallelIterator,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -23,7 +23,9 @@ fn named(page: &Page) -> BTreeMap<String, String> {
         if ["h1", "h2", "h3", "h4"].contains(&element.value().name()) {
             text.clear();
         }
-        let id = element.attr("id").and_then(|id| id.strip_prefix("by-hand-"));
+        let label =
+            Some(element).filter(|one| one.attr("class") == Some("by-hand"));
+        let id = label.and_then(|one| one.attr("id")?.strip_prefix("by-hand-"));
         if let Some(name) = id {
             named.insert(name.to_owned(), take(&mut text));
         }
@@ -48,12 +50,13 @@ fn shown(text: &str) -> Vec<f64> {
     numbers
 }
 
-/// The numbers with a point in a test, but for those in a `let`, which are given, and for
-/// a tolerance such as 5e-5.
+/// The numbers with a point in a test, but for those in a `let`, which are given, those in
+/// a product, which are the formula's, and a tolerance such as 5e-5.
 fn asserted(test: &str) -> Vec<f64> {
+    let test = test.replace(" * ", "*");
     let statements = test.split(';').filter(|one| !one.trim().starts_with("let "));
     let words = statements.flat_map(|one| {
-        one.split(|c: char| !c.is_ascii_alphanumeric() && !"-._".contains(c))
+        one.split(|c: char| !c.is_ascii_alphanumeric() && !"-._*".contains(c))
     });
     let numbers = words.filter(|word| word.contains('.') && !word.contains('e'));
     numbers.filter_map(|word| word.parse().ok()).collect()
@@ -79,12 +82,14 @@ fn every_number_by_hand_is_tested() {
                 continue;
             };
             let shown = shown(&text);
-            let wrong = asserted(body).into_iter().filter(|one| !shown.contains(one));
+            let wrong =
+                asserted(body).into_iter().filter(|one| !shown.contains(one));
             faults.extend(wrong.map(|number| {
                 format!("{at}: {page}#by-hand-{name} has no {number} above it.")
             }));
         }
-        let lost = named.keys().map(|name| format!("{page} names no test: {name}."));
+        let lost =
+            named.keys().map(|name| format!("{page} names no test: {name}."));
         faults.extend(lost);
     }
     assert_none(&faults);

@@ -7,8 +7,8 @@ use super::own_scene;
 use super::reading::{Asked, Event, events};
 use super::source::SOURCE;
 use super::typist::{STEPS, State, Typist};
-use anyhow::{Context, Result, ensure};
 use ::book::Page;
+use anyhow::{Context, Result, ensure};
 use std::collections::BTreeMap;
 use tests::is_thorough;
 

@@ -21,15 +21,19 @@ pub const STEPS: [&str; 5] = [
     "step05_phong",
 ];
 
-/// The manifest of the states, which lacks some of what they take. What is not for them
-/// brings the features with which the book's builder takes the rest, as in its manifest:
-/// so nothing is compiled once more.
+/// The manifest of the states; with the features of the book's builder, so that nothing is
+/// compiled once more.
 const STATES: &str = "
     package = { name = \"states\", edition.workspace = true }
     [dependencies]
-    tempfile = \"3\"
-    tracing-attributes = \"0.1\"
     clap = { workspace = true, features = [\"env\", \"wrap_help\"] }
+    glam.workspace = true
+    image.workspace = true
+    rayon.workspace = true
+    step01_rays.workspace = true
+    step02_sphere.workspace = true
+    step03_nearest.workspace = true
+    step04_diffuse.workspace = true
 ";
 
 /// A crate as a page shows it at some place, under a name of its own.
@@ -112,7 +116,8 @@ impl Typist {
             bail!("it does not print {line:?}, but {text:?}");
         }
         let drawn = self.pictures()?;
-        let draws = asked.words[1] == "run" && asked.words.iter().all(|word| word != "--help");
+        let draws = asked.words[1] == "run"
+            && asked.words.iter().all(|word| word != "--help");
         ensure!(draws && !asked.is_refused || drawn.is_empty(), "it draws");
         ensure!(
             !draws || asked.is_refused || !drawn.is_empty(),
@@ -136,11 +141,7 @@ impl Typist {
             }
             lib += &format!("mod {name};\n");
         }
-        let taken = ["glam", "image", "indicatif", "rayon"].iter().chain(&STEPS);
-        let taken = taken.map(|name| format!("{name}.workspace = true\n"));
-        let taken: String = taken.collect();
-        let manifest = format!("{STATES}{taken}");
-        self.save("steps/states/Cargo.toml", &manifest)?;
+        self.save("steps/states/Cargo.toml", STATES)?;
         self.save("steps/states/src/lib.rs", &lib)?;
         let mut cargo = self.cargo(&["build", "-p", "states"]);
         build(cargo.args(["--config", "profile.dev.package.states.opt-level=0"]))

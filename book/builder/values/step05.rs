@@ -1,8 +1,8 @@
 //! The numbers of chapter 5.
 
 use super::Value;
-use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
 use super::measure::{UNGATED, camera, rgb, short, tenths, vector};
+use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
 use step05_phong::picture;
 
 pub const VALUES: &[Value] = &[
