@@ -71,14 +71,21 @@ fn our_folder(workspace: &Path, url: Option<&str>) -> String {
 /// What is done to a page that mdBook has written.
 fn finish(page: &mut Page, files: &Files) -> Result<()> {
     // mdBook puts the title of a part into an item of its own, and HTML has no such item.
-    let empty: Vec<_> = page.all("li:empty").iter().map(|li| li.id()).collect();
-    empty.into_iter().for_each(|li| page.remove(li));
+    page.change("li:empty", |_| String::new());
     match page.name.as_str() {
         "toc.html" => return Ok(()),
         "print.html" => print::arrange(page)?,
         _ => {}
     }
     styles::inline(page, files)?;
+    // What may scroll sideways takes the focus, so that the keyboard can scroll it.
+    for (selector, tag) in
+        [("pre", "<pre"), (".table-wrapper", "<div"), (".formula", "<span")]
+    {
+        page.change(&format!("main {selector}"), |html| {
+            html.replacen(tag, &format!("{tag} tabindex=\"0\""), 1)
+        });
+    }
     // The first picture does not wait.
     if let Some(first) = page.all("main img").first() {
         let (first, html) = (first.id(), first.html());

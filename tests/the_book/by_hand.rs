@@ -58,7 +58,12 @@ fn asserted(test: &str) -> Vec<f64> {
     let words = statements.flat_map(|one| {
         one.split(|c: char| !c.is_ascii_alphanumeric() && !"-._*".contains(c))
     });
-    let numbers = words.filter(|word| word.contains('.') && !word.contains('e'));
+    let is_number = |word: &&str| {
+        word.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit())
+            && word.contains('.')
+            && !word.contains('e')
+    };
+    let numbers = words.filter(is_number);
     numbers.filter_map(|word| word.parse().ok()).collect()
 }
 
