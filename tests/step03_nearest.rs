@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
-use step03_nearest::{Object, Ray, Sphere, nearest, objects};
+use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 use tests::{assert_program, camera, point, rays, sphere};
 
 const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
@@ -50,7 +50,7 @@ fn spheres_behind_and_missed_do_not_count() {
 
 #[test]
 fn the_scene_tests_what_it_should() {
-    let spheres = objects().map(|object| object.sphere);
+    let spheres = OBJECTS.map(|object| object.sphere);
     let [red, ground, golden, blue, green, teal, white, salmon, cream] =
         [0, 1, 2, 3, 4, 5, 6, 7, 8];
     let numbered = numbered(&spheres);

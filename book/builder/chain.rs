@@ -16,7 +16,7 @@ const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
     let spheres =
-        if name.starts_with("step02") { &["red"] } else { &live::OBJECTS[..] };
+        if name.starts_with("step02") { &["red"] } else { &live::NAMES[..] };
     let rows: Vec<_> = spheres.iter().enumerate().map(row).collect();
     let lines: Vec<_> =
         TEXT.lines().filter_map(|line| of_step(name, line)).collect();

@@ -61,6 +61,8 @@ pub mod plaster;
 pub mod quadric;
 #[path = "../../steps/step01_rays/examples/rings.rs"]
 pub mod rings;
+#[path = "../../steps/step01_rays/examples/row.rs"]
+pub mod row;
 #[path = "../../steps/step04_diffuse/examples/shadows.rs"]
 pub mod shadows;
 #[path = "../../steps/step04_diffuse/examples/snowman.rs"]
@@ -108,6 +110,7 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("snowman", snowman::picture),
     ("spot", spot::picture),
     ("sun", sun::picture),
+    ("crowd", crowd::picture),
     ("glass", glass::picture),
     ("halfway", halfway::picture),
     ("marbles", marbles::picture),

@@ -4,8 +4,8 @@ use super::worked::camera;
 use glam::DVec3;
 use std::sync::LazyLock;
 use step05_phong::{
-    Light, Material, Object, Phong, Point, Ray, Scene, diffuse, nearest, reflect,
-    scene, seen, specular, terms,
+    Light, Material, Object, Phong, Ray, Scene, SurfacePoint, diffuse, nearest,
+    reflect, scene, specular, terms, visible_point,
 };
 
 pub static SCENE: LazyLock<Scene<Material, Light>> = LazyLock::new(scene);
@@ -41,7 +41,7 @@ pub fn cool() -> Lit {
 
 /// A point that a pixel sees, and one light as it falls there.
 pub struct Lit {
-    pub point: Point<'static, Material>,
+    pub point: SurfacePoint<'static, Material>,
     pub l: DVec3,
     pub d: f64,
     pub r: DVec3,
@@ -59,12 +59,12 @@ pub struct Lit {
 /// What a light of the scene does to what a pixel sees.
 pub fn lit((i, j): (u32, u32), light: usize) -> Lit {
     let ray = camera().ray(i.into(), j.into());
-    let point = seen(&SCENE.objects, &ray).expect(SEES);
+    let point = visible_point(&SCENE.objects, &ray).expect(SEES);
     let (material, light) = (point.material, &SCENE.lights[light]);
-    let (l, d) = light.point.seen_from(point.p);
-    let (r, v) = (reflect(l, point.n), -ray.direction.normalize());
+    let (l, d) = light.point_light.direction_from(point.p);
+    let (r, v) = (reflect(point.n, l), -ray.direction.normalize());
     let (cosine, alignment) = (point.n.dot(l), r.dot(v));
-    let diffuse = diffuse(point.n, l, d, &material.surface, &light.point);
+    let diffuse = diffuse(point.n, l, d, &material.surface, &light.point_light);
     let specular = specular(r, v, d, material, light);
     Lit { point, l, d, r, v, cosine, alignment, diffuse, specular }
 }

@@ -5,7 +5,7 @@ use super::worked::{both, camera, counted, pixels, short, tenths};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
-use step03_nearest::{Hit, Object, Ray, Sphere, nearest, objects};
+use step03_nearest::{Hit, OBJECTS, Object, Ray, Sphere, nearest};
 
 pub const VALUES: &[Value] = &[
     ("step03-tests", || counted(|_| SCENE.len())),
@@ -58,7 +58,7 @@ pub const VALUES: &[Value] = &[
 
 /// The objects of the scene, each of which says its place in the list.
 static SCENE: LazyLock<Vec<Object<usize>>> = LazyLock::new(|| {
-    let objects = objects().into_iter().enumerate();
+    let objects = OBJECTS.into_iter().enumerate();
     objects.map(|(place, o)| Object { sphere: o.sphere, material: place }).collect()
 });
 

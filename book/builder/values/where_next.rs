@@ -4,7 +4,9 @@ use super::Value;
 use super::worked::{count, counted, short, vector};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
-use step04_diffuse::{Object, PointLight, Ray, Sphere, objects, scene, seen};
+use step04_diffuse::{
+    OBJECTS, Object, PointLight, Ray, Sphere, scene, visible_point,
+};
 
 pub const VALUES: &[Value] = &[
     ("next-basis-x", || vector(basis().x_axis)),
@@ -13,11 +15,11 @@ pub const VALUES: &[Value] = &[
     ("next-depth-9", || depth(0.9)),
     ("next-depth-5", || depth(0.5)),
     ("next-critical", || format!("{:.0}", (1.0_f64 / 1.5).asin().to_degrees())),
-    ("next-tests", || counted(|_| objects().len())),
+    ("next-tests", || counted(|_| OBJECTS.len())),
     ("next-tests-many", || counted(|_| 1000)),
     ("next-roots", || counted(roots)),
     ("next-wasted", || {
-        let asked = count(|_| objects().len()) as f64;
+        let asked = count(|_| OBJECTS.len()) as f64;
         format!("{:.0}", 100.0 * (1.0 - count(roots) as f64 / asked))
     }),
     ("next-lamps", || counted(|ray| lamps(ray).len())),
@@ -37,21 +39,21 @@ fn depth(part: f64) -> String {
 /// How many spheres of the scene the line of a ray meets.
 fn roots(ray: &Ray) -> usize {
     let meets = |object: &&Object<_>| object.sphere.intersect(ray) != Roots::None;
-    objects().iter().filter(meets).count()
+    OBJECTS.iter().filter(meets).count()
 }
 
 /// The cosine between n and l for each lamp, at the point that a ray sees.
 fn lamps(ray: &Ray) -> Vec<f64> {
     let scene = scene();
-    let Some(point) = seen(&scene.objects, ray) else { return vec![] };
-    let cosine = |light: &PointLight| point.n.dot(light.seen_from(point.p).0);
+    let Some(point) = visible_point(&scene.objects, ray) else { return vec![] };
+    let cosine = |light: &PointLight| point.n.dot(light.direction_from(point.p).0);
     scene.lights.iter().map(cosine).collect()
 }
 
 /// The basis x', y', z' of a camera at (4, 2, 0) that looks at the middle of the
 /// largest sphere, as columns.
 fn basis() -> DMat3 {
-    let Sphere { centre, .. } = objects()[0].sphere;
+    let Sphere { centre, .. } = OBJECTS[0].sphere;
     let z = (DVec3::new(4.0, 2.0, 0.0) - centre).normalize();
     let x = DVec3::Y.cross(z).normalize();
     DMat3::from_cols(x, z.cross(x), z)

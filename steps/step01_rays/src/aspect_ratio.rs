@@ -1,3 +1,5 @@
+use std::str::FromStr;
+
 /// The shape of a picture, such as 16:9 (slide "Quick Aside about Aspect Ratios").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AspectRatio {
@@ -8,15 +10,22 @@ pub struct AspectRatio {
 }
 
 impl AspectRatio {
-    /// vRes, the number of rows that makes the pixels square, to the nearest row.
-    ///
-    /// An error is a sentence: the ratio leaves no row, or more than 16384.
-    pub fn v_res(&self, h_res: u32) -> Result<u32, String> {
-        let Self { width, height } = self;
-        let rows = (f64::from(h_res) * height / width).round();
-        let is_allowed = (1.0..=16384.0).contains(&rows);
-        is_allowed.then_some(rows as u32).ok_or(format!(
-            "{width}:{height} gives {h_res} columns {rows} rows; allowed are 1 to 16384"
-        ))
+    /// vRes, the rows that make the pixels square: to the nearest row, and at least 1.
+    pub fn v_res(&self, h_res: u32) -> u32 {
+        let rows = f64::from(h_res) * self.height / self.width;
+        rows.round().max(1.0) as u32
+    }
+}
+
+impl FromStr for AspectRatio {
+    type Err = &'static str;
+    /// Reads W:H; a picture may be up to four times as high as wide.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.split_once(':').map(|(w, h)| (w.parse(), h.parse())) {
+            Some((Ok(w), Ok(h))) if 0.0 < h && 0.25 <= w / h => {
+                Ok(Self { width: w, height: h })
+            }
+            _ => Err("allowed is W:H, two numbers above 0, down to 1:4"),
+        }
     }
 }

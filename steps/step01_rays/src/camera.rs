@@ -2,6 +2,10 @@ use crate::Ray;
 use glam::{DMat3, DVec3};
 
 /// A pinhole camera and its matrix (slide "A Basic 3D Camera Matrix").
+/// ```
+/// let camera = step01_rays::Camera::new(3, 3, 90_f64.to_radians());
+/// assert_eq!(camera.ray(1.0, 1.0).direction, glam::DVec3::NEG_Z);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// C, the centre of projection: every ray starts here.
@@ -18,7 +22,10 @@ impl Camera {
     /// A camera at the origin that looks along −z with y up; its pixels are square.
     ///
     /// Its outermost columns enclose the angle `field_of_view`, θ, in radians.
+    /// # Panics
+    /// Where it has fewer than two columns, or no row.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
+        assert!(2 <= h_res && 1 <= v_res, "{h_res}×{v_res} pixels have no angle");
         let tan = (field_of_view / 2.0).tan();
         let (columns, rows) = (f64::from(h_res - 1), f64::from(v_res - 1));
         let d_u = DVec3::new(2.0 * tan / columns, 0.0, 0.0);

@@ -6,17 +6,16 @@ pub use ray::Ray;
 mod camera;
 pub use camera::Camera;
 
-mod colour;
 mod render;
+mod rgb8;
 pub use render::render;
+pub use rgb8::rgb8;
 
 mod picture;
 pub use picture::{direction_colour, picture};
 
 mod aspect_ratio;
-mod row;
 pub use aspect_ratio::AspectRatio;
-pub use row::Row;
 
 mod program;
 pub use program::run;

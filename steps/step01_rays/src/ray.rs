@@ -1,6 +1,11 @@
 use glam::DVec3;
 
 /// A ray r(t) = S + tV: a starting point and a vector (slide "Rays").
+/// ```
+/// use glam::DVec3;
+/// let ray = step01_rays::Ray { start: DVec3::X, direction: DVec3::NEG_Z };
+/// assert_eq!(ray.at(2.0), DVec3::new(1.0, 0.0, -2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// S, the point where the ray starts.

@@ -1,5 +1,4 @@
 //! Draws step 2: one sphere in front of step 1's picture.
-
 fn main() {
     step02_sphere::run(env!("CARGO_PKG_NAME"), step02_sphere::picture);
 }

@@ -10,7 +10,18 @@ pub enum Roots {
 }
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
+///
+/// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
+/// are lost. pbrt and kurbo find the other root first, and this one as c/a divided by
+/// that; with 64 bits, the lecture's form gives the same picture.
+/// ```
+/// use step02_sphere::{Roots, quadratic};
+/// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
+/// ```
+/// # Panics
+/// Where a is not above 0.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
+    assert!(0.0 < a, "a = {a} is not above 0");
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
         Roots::None

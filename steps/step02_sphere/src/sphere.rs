@@ -2,6 +2,10 @@ use crate::{Ray, Roots, quadratic};
 use glam::DVec3;
 
 /// A sphere, all points at the same distance from its centre (slide "The Sphere").
+/// ```
+/// let ahead = step02_sphere::Camera::new(3, 3, 1.0).ray(1.0, 1.0);
+/// assert_eq!(step02_sphere::SPHERE.intersect(&ahead).first_hit(), Some(4.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// (x₀, y₀, z₀), the centre.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, Object, Ray, direction_colour, objects, render, run};
+use step03_nearest::{Camera, OBJECTS, Object, Ray, direction_colour, render, run};
 
 /// The mean colour of all objects that `ray` hits, or else its own direction.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
@@ -18,8 +18,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 
 /// The picture: the objects of the scene, through each other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let objects = objects();
-    render(camera, samples, |ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&OBJECTS, ray))
 }
 
 fn main() {

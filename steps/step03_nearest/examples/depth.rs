@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, Object, Ray, nearest, objects, render, run};
+use step03_nearest::{Camera, OBJECTS, Object, Ray, nearest, render, run};
 
 /// The distance from the start of `ray` to its nearest hit, t |V|.
 pub fn distance(objects: &[Object<DVec3>], ray: &Ray) -> Option<f64> {
@@ -18,8 +18,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 
 /// The picture: the scene of step 3, measured.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let objects = objects();
-    render(camera, samples, |ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&OBJECTS, ray))
 }
 
 fn main() {

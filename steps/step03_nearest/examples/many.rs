@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 use image::RgbImage;
 use std::f64::consts::PI;
 use step03_nearest::{
-    Camera, Hit, Object, Ray, Sphere, direction_colour, nearest, objects, render,
+    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, nearest, render,
     run,
 };
 
@@ -138,7 +138,7 @@ pub fn sunflower() -> Vec<Object<DVec3>> {
 
 /// The colour of sphere `k`: from teal inside to blue outside, in three shades.
 fn petal(k: u32) -> DVec3 {
-    let [red, _, golden, blue, _, teal, white, ..] = objects();
+    let [red, _, golden, blue, _, teal, white, ..] = OBJECTS;
     let stops = [teal, white, golden, red, blue].map(|object| object.material);
     let out = 4.0 * f64::from(k) / 1000.0;
     let stop = out as usize;

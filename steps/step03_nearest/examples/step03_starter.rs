@@ -3,7 +3,7 @@
 use glam::DVec3;
 use image::RgbImage;
 use step03_nearest::{
-    Camera, Object, Ray, direction_colour, nearest, objects, render, run,
+    Camera, OBJECTS, Object, Ray, direction_colour, nearest, render, run,
 };
 
 /// The colour that `ray` sees: the nearest object's, or else its own direction.
@@ -16,8 +16,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let objects = objects();
-    render(camera, samples, |ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&OBJECTS, ray))
 }
 
 fn main() {

@@ -5,7 +5,7 @@ pub use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
 mod object;
 mod objects;
 pub use object::Object;
-pub use objects::objects;
+pub use objects::OBJECTS;
 
 mod nearest;
 mod picture;

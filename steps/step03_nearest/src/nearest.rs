@@ -10,14 +10,19 @@ pub struct Hit<'a, M> {
 }
 
 /// The hit with the smallest t above 0, or None where `ray` misses all `objects`.
+/// ```
+/// use step03_nearest::{Camera, OBJECTS, nearest};
+/// let ray = Camera::new(640, 360, 60_f64.to_radians()).ray(195.0, 237.0);
+/// assert_eq!(nearest(&OBJECTS, &ray).map(|hit| hit.object), Some(&OBJECTS[0]));
+/// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
-    let mut nearest: Option<Hit<M>> = None;
+    let mut best: Option<Hit<M>> = None;
     for object in objects {
         if let Some(t) = object.sphere.intersect(ray).first_hit()
-            && nearest.as_ref().is_none_or(|hit| t < hit.t)
+            && best.as_ref().is_none_or(|hit| t < hit.t)
         {
-            nearest = Some(Hit { t, object });
+            best = Some(Hit { t, object });
         }
     }
-    nearest
+    best
 }

@@ -1,4 +1,4 @@
-use crate::{Camera, Object, Ray, direction_colour, nearest, objects, render};
+use crate::{Camera, OBJECTS, Object, Ray, direction_colour, nearest, render};
 use glam::DVec3;
 use image::RgbImage;
 
@@ -12,6 +12,5 @@ pub fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
 
 /// The picture of step 3: the objects of the scene, each in its flat colour.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let objects = objects();
-    render(camera, samples, |ray| colour(&objects, ray))
+    render(camera, samples, |ray| colour(&OBJECTS, ray))
 }

@@ -20,12 +20,11 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     let side = f64::from(samples);
-    let centre = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    let offsets: Vec<f64> = (0..samples).map(centre).collect();
-    RgbImage::from_par_fn(camera.h_res, camera.v_res, |i, j| {
+    let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+    RgbImage::from_fn(camera.h_res, camera.v_res, |i, j| {
         let mut sum = DVec3::ZERO;
-        for v in &offsets {
-            for u in &offsets {
+        for v in (0..samples).map(offset) {
+            for u in (0..samples).map(offset) {
                 let ray = camera.ray(f64::from(i) + u, f64::from(j) + v);
                 sum += colour(&scene, &ray);
             }

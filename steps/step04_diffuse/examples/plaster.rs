@@ -1,18 +1,18 @@
 //! The scene of step 4 in plaster: a first try at its light.
 
 use image::RgbImage;
-use step04_diffuse::{Camera, direction_colour, render, run, scene, seen};
+use step04_diffuse::{Camera, direction_colour, render, run, scene, visible_point};
 
 /// The picture: the light that reaches each point, as white plaster shows it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     render(camera, samples, |ray| {
-        let Some(point) = seen(&scene.objects, ray) else {
+        let Some(point) = visible_point(&scene.objects, ray) else {
             return direction_colour(ray);
         };
         let mut intensity = scene.ambient_light;
         for light in &scene.lights {
-            let (l, d) = light.seen_from(point.p);
+            let (l, d) = light.direction_from(point.p);
             let cosine = l.dot(point.n);
             intensity += cosine * light.diffuse / light.attenuation.at(d);
         }

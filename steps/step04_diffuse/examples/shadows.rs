@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, Object, Point, PointLight, Ray, Scene, Surface, ambient, diffuse,
-    direction_colour, nearest, render, run, scene, seen,
+    Camera, Object, PointLight, Ray, Scene, Surface, SurfacePoint, ambient,
+    diffuse, direction_colour, nearest, render, run, scene, visible_point,
 };
 
 /// How far above the surface a ray to a light starts.
@@ -16,7 +16,7 @@ pub const OFFSET: f64 = 1e-9;
 /// Says whether one of the `objects` stands between `point` and a light at `q`.
 ///
 /// V leads from the start to the light, so the light is at t = 1.
-pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
+pub fn hidden<M>(objects: &[Object<M>], point: &SurfacePoint<M>, q: DVec3) -> bool {
     let start = point.p + OFFSET * point.n;
     let to_light = Ray { start, direction: q - start };
     nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
@@ -24,15 +24,15 @@ pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
 
 /// The colour that `ray` sees.
 fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    let mut intensity = ambient(point.material, scene.ambient_light);
     for light in &scene.lights {
         if hidden(&scene.objects, &point, light.position) {
             continue;
         }
-        let (l, d) = light.seen_from(point.p);
+        let (l, d) = light.direction_from(point.p);
         intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity

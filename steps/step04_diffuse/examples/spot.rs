@@ -3,15 +3,15 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Attenuation, Camera, Point, PointLight, Ray, Scene, Surface, ambient, diffuse,
-    direction_colour, render, run, scene, seen,
+    Attenuation, Camera, PointLight, Ray, Scene, Surface, SurfacePoint, ambient,
+    diffuse, direction_colour, render, run, scene, visible_point,
 };
 
 /// A point light that shines into a cone only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLight {
     /// Its position, L_d and attenuation.
-    pub point: PointLight,
+    pub point_light: PointLight,
     /// e, the unit vector along the axis of the cone, away from the light.
     pub axis: DVec3,
     /// Up to this angle from the axis the light is whole, in radians.
@@ -47,20 +47,21 @@ pub fn night() -> Scene<Surface, SpotLight> {
 fn spot(position: [f64; 3], target: [f64; 3], diffuse: [f64; 3]) -> SpotLight {
     let [position, target, diffuse] = [position, target, diffuse].map(DVec3::from);
     let attenuation = Attenuation { a: 0.5, b: 0.0, c: 0.01 };
-    let point = PointLight { position, diffuse, attenuation };
+    let point_light = PointLight { position, diffuse, attenuation };
     let (inner, outer) = (8_f64.to_radians(), 20_f64.to_radians());
-    SpotLight { point, axis: (target - position).normalize(), inner, outer }
+    SpotLight { point_light, axis: (target - position).normalize(), inner, outer }
 }
 
 /// The colour that `ray` sees.
 fn colour(scene: &Scene<Surface, SpotLight>, ray: &Ray) -> DVec3 {
-    let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
+    let Some(SurfacePoint { p, n, material }) = visible_point(&scene.objects, ray)
+    else {
         return NIGHT * direction_colour(ray);
     };
-    let mut intensity = ambient(material.ambient, scene.ambient_light);
+    let mut intensity = ambient(material, scene.ambient_light);
     for light in &scene.lights {
-        let (l, d) = light.point.seen_from(p);
-        intensity += light.cone(l) * diffuse(n, l, d, material, &light.point);
+        let (l, d) = light.point_light.direction_from(p);
+        intensity += light.cone(l) * diffuse(n, l, d, material, &light.point_light);
     }
     intensity
 }

@@ -4,17 +4,17 @@ use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
     Camera, PointLight, Ray, Scene, Surface, ambient, diffuse, direction_colour,
-    render, run, scene, seen,
+    render, run, scene, visible_point,
 };
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
 fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    let mut intensity = ambient(point.material, scene.ambient_light);
     for light in &scene.lights {
-        let (l, d) = light.seen_from(point.p);
+        let (l, d) = light.direction_from(point.p);
         intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity

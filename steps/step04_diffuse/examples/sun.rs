@@ -4,7 +4,7 @@ use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
     COOL, Camera, PointLight, Ray, Scene, Surface, ambient, diffuse,
-    direction_colour, render, run, scene, seen,
+    direction_colour, render, run, scene, visible_point,
 };
 
 /// A light so far away that it shines from the same side everywhere, and as bright.
@@ -32,13 +32,13 @@ impl Sun {
 
 /// The colour that `ray` sees.
 fn colour(scene: &Scene<Surface, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material.ambient, scene.ambient_light);
+    let mut intensity = ambient(point.material, scene.ambient_light);
     intensity += sun.diffuse(point.n, point.material);
     for light in &scene.lights {
-        let (l, d) = light.seen_from(point.p);
+        let (l, d) = light.direction_from(point.p);
         intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity

@@ -1,7 +1,7 @@
 use crate::{PointLight, Surface};
 use glam::DVec3;
 
-/// I_d = R_d / (a + bd + cd²) · max(l·n, 0) · L_d (slide "Diffuse Term").
+/// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
 ///
 /// `n` and `l` are unit vectors, to the outside and to the light; that is `d` away.
 pub fn diffuse(
@@ -11,5 +11,5 @@ pub fn diffuse(
     surface: &Surface,
     light: &PointLight,
 ) -> DVec3 {
-    surface.diffuse / light.attenuation.at(d) * l.dot(n).max(0.0) * light.diffuse
+    surface.diffuse / light.attenuation.at(d) * n.dot(l).max(0.0) * light.diffuse
 }

@@ -1,12 +1,12 @@
 //! Step 4, stage 3 of the lecture: ambient and diffuse light.
 
 pub use step03_nearest::{
-    Camera, Hit, Object, Ray, Sphere, direction_colour, nearest, objects, render,
+    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, nearest, render,
     run,
 };
 
-mod point;
-pub use point::{Point, normal, seen};
+mod surface_point;
+pub use surface_point::{SurfacePoint, normal, visible_point};
 
 mod ambient;
 mod surface;
@@ -16,7 +16,7 @@ pub use surface::Surface;
 mod light;
 mod scene;
 pub use light::{Attenuation, PointLight};
-pub use scene::{COOL, Scene, WARM, scene};
+pub use scene::{AMBIENT, COOL, Scene, WARM, scene};
 
 mod diffuse;
 mod picture;

@@ -30,10 +30,9 @@ pub struct PointLight {
 }
 
 impl PointLight {
-    /// The unit vector l from the point `p` to the light, and the distance d.
-    pub fn seen_from(&self, p: DVec3) -> (DVec3, f64) {
-        let to_light = self.position - p;
-        let d = to_light.length();
-        (to_light.normalize(), d)
+    /// The unit vector l from the point `p` to the light (along x if they are one), and
+    /// the distance d.
+    pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
+        (self.position - p).normalize_and_length()
     }
 }

@@ -1,4 +1,4 @@
-use crate::{Attenuation, Object, PointLight, Surface, objects};
+use crate::{Attenuation, OBJECTS, Object, PointLight, Surface};
 use glam::DVec3;
 
 /// What there is to see, and the light to see it in.
@@ -11,6 +11,9 @@ pub struct Scene<M, L> {
     /// The lights that have a place, of the kind `L`.
     pub lights: Vec<L>,
 }
+
+/// L_a of the course's scene, a little blue.
+pub const AMBIENT: DVec3 = DVec3::new(0.32, 0.32, 0.42);
 
 /// The warm light, up on the left, in front of the objects.
 pub const WARM: PointLight = PointLight {
@@ -33,8 +36,8 @@ pub fn scene() -> Scene<Surface, PointLight> {
         material: Surface::of(material),
     };
     Scene {
-        objects: objects().map(matt).into(),
-        ambient_light: DVec3::new(0.32, 0.32, 0.42),
+        objects: OBJECTS.map(matt).into(),
+        ambient_light: AMBIENT,
         lights: vec![WARM, COOL],
     }
 }

@@ -88,7 +88,7 @@ fn cube(count: u32) -> Vec<Sphere> {
 
 /// The spheres, of the materials of the locked scene in turn, in one white light.
 fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
-    let point = PointLight {
+    let point_light = PointLight {
         position: DVec3::new(3.0, 4.0, 0.0),
         diffuse: DVec3::ONE,
         attenuation: Attenuation { a: 1.0, b: 0.0, c: 1.0 / 64.0 },
@@ -100,7 +100,7 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
         objects: objects
             .map(|(sphere, material)| Object { sphere, material })
             .collect(),
-        lights: vec![Light { point, specular: DVec3::ONE }],
+        lights: vec![Light { point_light, specular: DVec3::ONE }],
         ..scene
     }
 }

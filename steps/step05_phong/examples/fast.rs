@@ -93,23 +93,24 @@ impl<S: Simd> Packet<'_, S> {
         let &Self(simd, start, v, a, scene) = self;
         let Object { sphere, material } = &scene.objects[object];
         let (r_d, r_s) = (material.surface.diffuse, material.specular);
-        let [zero, one, tiny] = [0.0, 1.0, 1e-300].map(|x| simd.splat_f64x8(x));
+        let [zero, one] = [0.0, 1.0].map(|x| simd.splat_f64x8(x));
         let p: Vectors<S> = from_fn(|k| start[k] + t * v[k]);
         let n = from_fn(|k| (p[k] - sphere.centre[k]) / sphere.radius);
         let eye = v.map(|v| -(v * (1.0 / a.sqrt())));
         let (mut i_d, mut i_s) = ([zero; 3], [zero; 3]);
-        for Light { point, specular } in &scene.lights {
-            let to_light = from_fn(|k| point.position[k] - p[k]);
+        for Light { point_light, specular } in &scene.lights {
+            let to_light = from_fn(|k| point_light.position[k] - p[k]);
             let d = dot(to_light, to_light).sqrt();
             let l = to_light.map(|x| x * (1.0 / d));
-            let fade = point.attenuation;
+            let fade = point_light.attenuation;
             let fade = fade.a + fade.b * d + fade.c * d * d;
             let cosine = dot(l, n);
-            if (cosine.simd_le(zero) & fade.simd_gt(tiny)).all_true() {
+            if cosine.simd_le(zero).all_true() {
                 continue; // The terms of this light are 0.
             }
             let max = cosine.max_precise(0.0);
-            i_d = from_fn(|k| i_d[k] + r_d[k] / fade * max * point.diffuse[k]);
+            i_d =
+                from_fn(|k| i_d[k] + r_d[k] / fade * max * point_light.diffuse[k]);
             let r_v = dot(from_fn(|k| 2.0 * cosine * n[k] - l[k]), eye);
             let shines = cosine.simd_gt(zero) & r_v.simd_gt(zero);
             if shines.any_true() {
@@ -118,7 +119,7 @@ impl<S: Simd> Packet<'_, S> {
                 i_s = from_fn(|k| i_s[k] + shines.select(term(k), zero));
             }
         }
-        let i_a = ambient(material.surface.ambient, scene.ambient_light);
+        let i_a = ambient(&material.surface, scene.ambient_light);
         from_fn(|k| i_a[k] + i_d[k] + i_s[k])
     }
 
@@ -166,9 +167,9 @@ fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
             }
         }
     }
-    let weight = 1.0 / (offsets.len() * offsets.len()) as f64;
+    let count = (offsets.len() * offsets.len()) as f64;
     for (sum, pixels) in sums.iter().zip(row.chunks_mut(24)) {
-        let bytes = sum.map(|i| (255.0 * (i * weight) + 0.5).max_precise(0.0));
+        let bytes = sum.map(|i| (255.0 * (i / count) + 0.5).max_precise(0.0));
         let [r, g, b] = bytes.map(|byte| byte.min(255.0).floor());
         let colours = (r + 256.0 * g + 65536.0 * b).to_array();
         for (pixel, colour) in pixels.chunks_exact_mut(3).zip(colours) {

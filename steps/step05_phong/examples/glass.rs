@@ -4,8 +4,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
-    Camera, Light, Material, Object, Point, Ray, Scene, direction_colour, objects,
-    phong, reflect, render, run, scene, seen,
+    Camera, Light, Material, OBJECTS, Object, Ray, Scene, SurfacePoint,
+    direction_colour, phong, reflect, render, run, scene, visible_point,
 };
 
 /// A material that may be glass.
@@ -18,7 +18,7 @@ pub struct Glass {
 
 /// The scene of step 5, its red and its white object of glass with this index.
 pub fn glasses(index: f64) -> Scene<Glass, Light> {
-    let [red, .., white, _, _] = objects();
+    let [red, .., white, _, _] = OBJECTS;
     let Scene { objects, ambient_light, lights } = scene();
     let glass = |Object { sphere, material }| {
         let index = [red.sphere, white.sphere].contains(&sphere).then_some(index);
@@ -52,7 +52,11 @@ pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
 }
 
 /// Says whether something not of glass stands between `point` and a light at `q`.
-pub fn hidden(objects: &[Object<Glass>], point: &Point<Glass>, q: DVec3) -> bool {
+pub fn hidden(
+    objects: &[Object<Glass>],
+    point: &SurfacePoint<Glass>,
+    q: DVec3,
+) -> bool {
     let start = point.p + OFFSET * point.n;
     let to_light = Ray { start, direction: q - start };
     objects.iter().any(|Object { sphere, material }| {
@@ -63,13 +67,16 @@ pub fn hidden(objects: &[Object<Glass>], point: &Point<Glass>, q: DVec3) -> bool
 
 /// The colour that `ray` sees by way of at most `depth` surfaces of glass.
 pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
     let mut lights = scene.lights.clone();
-    lights.retain(|light| !hidden(&scene.objects, &point, light.point.position));
-    let Point { p, n, material: Glass { material, index } } = point;
-    let terms = phong(ray, &Point { p, n, material }, scene.ambient_light, &lights);
+    lights.retain(|light| {
+        !hidden(&scene.objects, &point, light.point_light.position)
+    });
+    let SurfacePoint { p, n, material: Glass { material, index } } = point;
+    let terms =
+        phong(&SurfacePoint { p, n, material }, ray, scene.ambient_light, &lights);
     let Some(index) = *index else { return terms.sum() };
     if depth == 0 {
         return DVec3::ZERO;
@@ -82,14 +89,14 @@ pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
 /// that a ray from there sees.
 pub fn through_glass<M>(
     ray: &Ray,
-    point: &Point<M>,
+    point: &SurfacePoint<M>,
     index: f64,
     next: impl Fn(&Ray) -> DVec3,
 ) -> DVec3 {
     let (v, p, n) = (ray.direction, point.p, point.n);
     // A ray that leaves the glass meets its surface from within: turn n to face it.
     let (n, ratio) = if v.dot(n) < 0.0 { (n, 1.0 / index) } else { (-n, index) };
-    let mirrored = next(&Ray { start: p + OFFSET * n, direction: reflect(-v, n) });
+    let mirrored = next(&Ray { start: p + OFFSET * n, direction: reflect(n, -v) });
     let Some(bent) = refract(v, n, ratio) else { return mirrored };
     let refracted = next(&Ray { start: p - OFFSET * n, direction: bent });
     let part = fresnel(v, bent, n, ratio);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
     Camera, Light, Material, Ray, Scene, direction_colour, phong, render, run,
-    scene, seen,
+    scene, visible_point,
 };
 
 /// h, the unit vector halfway between the unit vectors `l` and `v`, which are not
@@ -26,20 +26,20 @@ pub fn specular(
     material: &Material,
     light: &Light,
 ) -> DVec3 {
-    material.specular / light.point.attenuation.at(d)
+    material.specular / light.point_light.attenuation.at(d)
         * n.dot(h).max(0.0).powi(4 * material.shininess)
         * light.specular
 }
 
 /// The colour that `ray` sees: this step's, but for the highlights.
 fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut terms = phong(ray, &point, scene.ambient_light, &scene.lights);
+    let mut terms = phong(&point, ray, scene.ambient_light, &scene.lights);
     terms.specular = DVec3::ZERO;
     for light in &scene.lights {
-        let (l, d) = light.point.seen_from(point.p);
+        let (l, d) = light.point_light.direction_from(point.p);
         if 0.0 < point.n.dot(l) {
             let h = halfway(l, -ray.direction.normalize());
             terms.specular += specular(point.n, h, d, point.material, light);

@@ -4,15 +4,15 @@
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
-    Camera, Light, Material, Object, Point, Ray, Scene, direction_colour, nearest,
-    phong, reflect, render, run, scene, seen,
+    Camera, Light, Material, Object, Ray, Scene, SurfacePoint, direction_colour,
+    nearest, phong, reflect, render, run, scene, visible_point,
 };
 
 /// How far above a surface a ray starts, so that it does not meet that surface again.
 const OFFSET: f64 = 1e-9;
 
 /// Says whether one of the `objects` stands between `point` and a light at `q`.
-pub fn hidden<M>(objects: &[Object<M>], point: &Point<M>, q: DVec3) -> bool {
+pub fn hidden<M>(objects: &[Object<M>], point: &SurfacePoint<M>, q: DVec3) -> bool {
     let start = point.p + OFFSET * point.n;
     let to_light = Ray { start, direction: q - start };
     nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
@@ -41,15 +41,18 @@ pub fn mirrors() -> Scene<Mirror, Light> {
 
 /// The colour that `ray` sees by way of at most `depth` mirrors.
 pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
     let mut lights = scene.lights.clone();
-    lights.retain(|light| !hidden(&scene.objects, &point, light.point.position));
-    let Point { p, n, material: Mirror { material, k } } = point;
-    let terms = phong(ray, &Point { p, n, material }, scene.ambient_light, &lights);
+    lights.retain(|light| {
+        !hidden(&scene.objects, &point, light.point_light.position)
+    });
+    let SurfacePoint { p, n, material: Mirror { material, k } } = point;
+    let terms =
+        phong(&SurfacePoint { p, n, material }, ray, scene.ambient_light, &lights);
     if 0.0 < *k && 0 < depth {
-        let direction = reflect(-ray.direction, n);
+        let direction = reflect(n, -ray.direction);
         let mirrored = Ray { start: p + OFFSET * n, direction };
         return (1.0 - k) * (terms.ambient + terms.diffuse)
             + k * colour(scene, &mirrored, depth - 1)

@@ -4,15 +4,15 @@ use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
     Camera, Light, Material, Ray, Scene, direction_colour, phong, render, run,
-    scene, seen,
+    scene, visible_point,
 };
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
 fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
-    let Some(point) = seen(&scene.objects, ray) else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    phong(ray, &point, scene.ambient_light, &scene.lights).sum()
+    phong(&point, ray, scene.ambient_light, &scene.lights).sum()
 }
 
 /// The picture: the colour of every ray.

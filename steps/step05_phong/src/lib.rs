@@ -1,9 +1,9 @@
 //! Step 5, stage 3 of the lecture: specular light and the whole Phong sum.
 
 pub use step04_diffuse::{
-    Attenuation, COOL, Camera, Hit, Object, Point, PointLight, Ray, Scene, Sphere,
-    Surface, WARM, ambient, diffuse, direction_colour, nearest, normal, objects,
-    render, run, seen,
+    AMBIENT, Attenuation, COOL, Camera, Hit, OBJECTS, Object, PointLight, Ray,
+    Scene, Sphere, Surface, SurfacePoint, WARM, ambient, diffuse, direction_colour,
+    nearest, normal, render, run, visible_point,
 };
 
 mod reflect;

@@ -5,7 +5,7 @@ use glam::DVec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// Its position, L_d and attenuation.
-    pub point: PointLight,
+    pub point_light: PointLight,
     /// L_s, its intensity in highlights; 0 or more each for red, green and blue.
     pub specular: DVec3,
 }

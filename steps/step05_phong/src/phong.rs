@@ -1,4 +1,6 @@
-use crate::{Light, Material, Point, Ray, ambient, diffuse, reflect, specular};
+use crate::{
+    Light, Material, Ray, SurfacePoint, ambient, diffuse, reflect, specular,
+};
 use glam::DVec3;
 
 /// The three terms of the light that leaves a point, each summed over all lights.
@@ -22,25 +24,32 @@ impl Phong {
 /// The light that comes back along `ray` from `point` (slide "Phong Lighting").
 ///
 /// A light behind the surface gives no highlight.
+/// ```
+/// use step05_phong::{Camera, phong, scene, visible_point};
+/// let (scene, ray) = (scene(), Camera::new(3, 3, 1.0).ray(1.0, 1.0));
+/// let point = visible_point(&scene.objects, &ray).expect("the red sphere");
+/// let terms = phong(&point, &ray, scene.ambient_light, &[]);
+/// assert_eq!(terms.sum(), terms.ambient);
+/// ```
 pub fn phong(
+    point: &SurfacePoint<Material>,
     ray: &Ray,
-    point: &Point<Material>,
     ambient_light: DVec3,
     lights: &[Light],
 ) -> Phong {
-    let Point { p, n, material } = *point;
+    let SurfacePoint { p, n, material } = *point;
     let v = -ray.direction.normalize();
-    let mut sum = Phong {
-        ambient: ambient(material.surface.ambient, ambient_light),
+    let mut terms = Phong {
+        ambient: ambient(&material.surface, ambient_light),
         diffuse: DVec3::ZERO,
         specular: DVec3::ZERO,
     };
     for light in lights {
-        let (l, d) = light.point.seen_from(p);
-        sum.diffuse += diffuse(n, l, d, &material.surface, &light.point);
+        let (l, d) = light.point_light.direction_from(p);
+        terms.diffuse += diffuse(n, l, d, &material.surface, &light.point_light);
         if 0.0 < n.dot(l) {
-            sum.specular += specular(reflect(l, n), v, d, material, light);
+            terms.specular += specular(reflect(n, l), v, d, material, light);
         }
     }
-    sum
+    terms
 }

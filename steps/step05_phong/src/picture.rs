@@ -1,14 +1,14 @@
 use crate::{
     Camera, Light, Material, Phong, Ray, Scene, direction_colour, phong, render,
-    scene, seen,
+    scene, visible_point,
 };
 use glam::DVec3;
 use image::RgbImage;
 
 /// The terms of the light that comes back along `ray`, None where it meets nothing.
 pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Phong> {
-    let point = seen(&scene.objects, ray)?;
-    Some(phong(ray, &point, scene.ambient_light, &scene.lights))
+    let point = visible_point(&scene.objects, ray)?;
+    Some(phong(&point, ray, scene.ambient_light, &scene.lights))
 }
 
 /// The colour that `ray` sees: the sum of the terms, or else its own direction.

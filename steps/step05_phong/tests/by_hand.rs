@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
-use step05_phong::{COOL, Camera, Ray, WARM, reflect, scene, seen, terms};
+use step05_phong::{COOL, Camera, Ray, WARM, reflect, scene, terms, visible_point};
 
 fn through_the_pixel() -> Ray {
     Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0)
@@ -15,11 +15,11 @@ fn near(found: DVec3, printed: [f64; 3]) {
 #[test]
 fn reflections_of_a_pixel() {
     let scene = scene();
-    let point = seen(&scene.objects, &through_the_pixel()).unwrap();
-    let (l, _) = WARM.seen_from(point.p);
-    near(reflect(l, point.n), [0.8559, -0.2195, -0.4683]);
-    let (l, _) = COOL.seen_from(point.p);
-    near(reflect(l, point.n), [-0.3498, -0.0657, 0.9345]);
+    let point = visible_point(&scene.objects, &through_the_pixel()).unwrap();
+    let (l, _) = WARM.direction_from(point.p);
+    near(reflect(point.n, l), [0.8559, -0.2195, -0.4683]);
+    let (l, _) = COOL.direction_from(point.p);
+    near(reflect(point.n, l), [-0.3498, -0.0657, 0.9345]);
 }
 
 #[test]

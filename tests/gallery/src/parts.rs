@@ -6,7 +6,7 @@ use step01_rays::{Camera, Ray, direction_colour};
 use step02_sphere::{Roots, SPHERE, Sphere, quadratic};
 use step03_nearest::{Hit, Object};
 use step04_diffuse::{
-    Attenuation, Point, PointLight, Scene, Surface, ambient, diffuse, normal,
+    Attenuation, PointLight, Scene, Surface, SurfacePoint, ambient, diffuse, normal,
 };
 use step05_phong::{Light, Material, Phong, reflect, specular};
 
@@ -76,7 +76,7 @@ impl Parts {
             nearest: |hits| hits.min_by(|a, b| a.t.total_cmp(&b.t)),
             point: Ray::at,
             normal,
-            seen_from: PointLight::seen_from,
+            seen_from: PointLight::direction_from,
             attenuation: Attenuation::at,
             diffuse,
             to_eye: |ray| -ray.direction.normalize(),
@@ -98,11 +98,7 @@ impl Parts {
     pub fn picture(&self, step: Step, samples: u32) -> RgbImage {
         let pixel = |i, j| self.pixel(step, samples, i, j);
         let Camera { h_res, v_res, .. } = self.camera;
-        match cfg!(target_arch = "wasm32") {
-            // A page has one thread here, and need not load what shares work among many.
-            true => RgbImage::from_fn(h_res, v_res, pixel),
-            false => RgbImage::from_par_fn(h_res, v_res, pixel),
-        }
+        RgbImage::from_fn(h_res, v_res, pixel)
     }
 
     /// One pixel of that picture: the mean of the rays through it, as `render` takes it.
@@ -141,7 +137,7 @@ impl Parts {
     }
 
     /// The point that `ray` sees of them.
-    pub fn seen(&self, step: Step, ray: &Ray) -> Option<Point<'_, Named>> {
+    pub fn seen(&self, step: Step, ray: &Ray) -> Option<SurfacePoint<'_, Named>> {
         let mut hits = self.objects(step).iter().filter_map(|object| {
             let (a, b, c) = (self.coefficients)(&object.sphere, ray);
             let t = (self.first_hit)((self.quadratic)(a, b, c))?;
@@ -150,27 +146,28 @@ impl Parts {
         let hit = (self.nearest)(&mut hits)?;
         let p = (self.point)(ray, hit.t);
         let n = (self.normal)(&hit.object.sphere, p);
-        Some(Point { p, n, material: &hit.object.material })
+        Some(SurfacePoint { p, n, material: &hit.object.material })
     }
 
     /// The terms of the light at `point`; in step 4 the specular one is 0.
-    fn terms(&self, step: Step, ray: &Ray, point: &Point<Named>) -> Phong {
-        let Point { p, n, material: Named { material, .. } } = point;
+    fn terms(&self, step: Step, ray: &Ray, point: &SurfacePoint<Named>) -> Phong {
+        let SurfacePoint { p, n, material: Named { material, .. } } = point;
         let (n, v) = (*n, (self.to_eye)(ray));
         let mut sum = Phong {
-            ambient: ambient(material.surface.ambient, self.scene.ambient_light),
+            ambient: ambient(&material.surface, self.scene.ambient_light),
             diffuse: DVec3::ZERO,
             specular: DVec3::ZERO,
         };
         for light in &self.scene.lights {
-            let (l, d) = (self.seen_from)(&light.point, *p);
+            let (l, d) = (self.seen_from)(&light.point_light, *p);
             // The divisor, whatever it is, as a light's own: `diffuse` divides by it.
-            let a = (self.attenuation)(&light.point.attenuation, d);
+            let a = (self.attenuation)(&light.point_light.attenuation, d);
             let attenuation = Attenuation { a, b: 0.0, c: 0.0 };
-            let point = PointLight { attenuation, ..light.point };
-            sum.diffuse += (self.diffuse)(n, l, d, &material.surface, &point);
+            let point_light = PointLight { attenuation, ..light.point_light };
+            sum.diffuse += (self.diffuse)(n, l, d, &material.surface, &point_light);
             if step == Step::Phong && (self.lit)(n, l) {
-                let (r, light) = ((self.reflect)(l, n), Light { point, ..*light });
+                let (r, light) =
+                    ((self.reflect)(l, n), Light { point_light, ..*light });
                 sum.specular += (self.specular)(r, v, d, material, &light);
             }
         }

@@ -1,8 +1,8 @@
 use super::Figure;
+use crate::Row;
 use crate::live::{Handle, Knob, Live, Sight, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
-use step01_rays::Row;
 
 /// The row of rays in 2D, with V_0 and D.
 pub const ROW: Live = Live {

@@ -44,6 +44,6 @@ fn mistake(values: &[f64]) -> &'static Mistake {
 /// The camera of these values.
 fn camera(values: &[f64]) -> Result<Camera, String> {
     let columns = values[3] as u32;
-    let rows = AspectRatio { width: 16.0, height: 9.0 }.v_res(columns)?;
+    let rows = AspectRatio { width: 16.0, height: 9.0 }.v_res(columns);
     Ok(Camera::new(columns, rows, values[2].to_radians()))
 }

@@ -10,7 +10,7 @@ mod step03;
 mod step04;
 mod step05;
 
-pub use chain::OBJECTS;
+pub use chain::NAMES;
 pub use mistakes::MISTAKES;
 pub use step01::STEP01;
 pub use step02::STEP02;

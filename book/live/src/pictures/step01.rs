@@ -33,7 +33,7 @@ const SHAPES: [[f64; 2]; 4] = [[4.0, 3.0], [16.0, 9.0], [2.35, 1.0], [2.59, 1.0]
 pub fn camera(values: &[f64]) -> Result<Camera, String> {
     let &[degrees, shape, columns] = values else { return Err(String::new()) };
     let [width, height] = SHAPES[shape as usize];
-    let rows = AspectRatio { width, height }.v_res(columns as u32)?;
+    let rows = AspectRatio { width, height }.v_res(columns as u32);
     Ok(Camera::new(columns as u32, rows, degrees.to_radians()))
 }
 

@@ -39,7 +39,7 @@ pub(crate) const ALL: &[Mistake] = &[
         says: "l is position − p: from the surface to the light.",
         change: |parts| {
             parts.seen_from = |light, p| {
-                let (l, d) = light.seen_from(p);
+                let (l, d) = light.direction_from(p);
                 (-l, d)
             };
         },
@@ -52,7 +52,7 @@ pub(crate) const ALL: &[Mistake] = &[
         says: "l·n is a cosine only where both are of length 1: divide l by d.",
         change: |parts| {
             parts.seen_from = |light, p| {
-                let (l, d) = light.seen_from(p);
+                let (l, d) = light.direction_from(p);
                 (l * d, d)
             };
         },
@@ -67,7 +67,7 @@ pub(crate) const ALL: &[Mistake] = &[
         says: "A point light is at one place: l is position − p.",
         change: |parts| {
             parts.seen_from = |light, p| {
-                let (_, d) = light.seen_from(p);
+                let (_, d) = light.direction_from(p);
                 (light.position.normalize(), d)
             };
         },
@@ -82,7 +82,7 @@ pub(crate) const ALL: &[Mistake] = &[
         says: "d lies between the point and the light, in a + bd + cd².",
         change: |parts| {
             parts.seen_from = |light, p| {
-                let (l, _) = PointLight::seen_from(light, p);
+                let (l, _) = PointLight::direction_from(light, p);
                 (l, p.length())
             };
         },

@@ -11,7 +11,7 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: book("There are no highlights."),
         says: "r is 2(n·l)n − l, and v is −V: both lead away from the surface. The `reflect` of \
          GLSL has the other sign, as its l flies in.",
-        change: |parts| parts.reflect = |l, n| -reflect(l, n),
+        change: |parts| parts.reflect = |l, n| -reflect(n, l),
         ..section::REFLECT.mistake()
     },
     Mistake {
@@ -28,8 +28,8 @@ pub(crate) const ALL: &[Mistake] = &[
         sees: book(
             "The highlights are gone from the middle; faint ones are at the rims.",
         ),
-        says: "`reflect(l, n)` takes l first: it is l that is mirrored, in n.",
-        change: |parts| parts.reflect = |l, n| reflect(n, l),
+        says: "`reflect(n, l)` takes l first: it is l that is mirrored, in n.",
+        change: |parts| parts.reflect = |l, n| reflect(l, n),
         ..section::REFLECT.mistake()
     },
     Mistake {
@@ -85,8 +85,8 @@ pub(crate) const ALL: &[Mistake] = &[
         change: |parts| {
             parts.specular = |r, v, d, material, light| {
                 let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
-                let point = PointLight { attenuation, ..light.point };
-                specular(r, v, d, material, &Light { point, ..*light })
+                let point_light = PointLight { attenuation, ..light.point_light };
+                specular(r, v, d, material, &Light { point_light, ..*light })
             };
         },
         ..section::SPECULAR.mistake()

@@ -117,7 +117,7 @@ pub(crate) const ALL: &[Mistake] = &[
         change: |parts| {
             let count = parts.scene.lights.len() as f64;
             for light in &mut parts.scene.lights {
-                light.point.diffuse /= count;
+                light.point_light.diffuse /= count;
                 light.specular /= count;
             }
         },

@@ -1,9 +1,9 @@
 use crate::{Object, Ray, Sphere, nearest};
 use glam::DVec3;
 
-/// A point of an object that a ray sees.
+/// A point on the surface of an object, with all that its light depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<'a, M> {
+pub struct SurfacePoint<'a, M> {
     /// p, where it is.
     pub p: DVec3,
     /// n, the unit normal there.
@@ -18,9 +18,12 @@ pub fn normal(sphere: &Sphere, p: DVec3) -> DVec3 {
 }
 
 /// The point at which `ray` meets the nearest object, None where it misses all.
-pub fn seen<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Point<'a, M>> {
+pub fn visible_point<'a, M>(
+    objects: &'a [Object<M>],
+    ray: &Ray,
+) -> Option<SurfacePoint<'a, M>> {
     let hit = nearest(objects, ray)?;
     let p = ray.at(hit.t);
     let n = normal(&hit.object.sphere, p);
-    Some(Point { p, n, material: &hit.object.material })
+    Some(SurfacePoint { p, n, material: &hit.object.material })
 }

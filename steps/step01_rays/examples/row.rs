@@ -1,7 +1,9 @@
-use glam::{DMat2, DVec2};
+//! The row of rays in a flat world: prints its directions.
 
-/// One row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
-#[derive(Clone, Copy, Debug, PartialEq)]
+use glam::{DMat2, DVec2};
+use std::f64::consts::FRAC_PI_3;
+
+/// A row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
 pub struct Row {
     /// [D V_0]: the step from one direction to the next, and the first direction.
     pub matrix: DMat2,
@@ -20,5 +22,12 @@ impl Row {
     /// The direction V_i = [D V_0] (i, 1)ᵀ; i runs from 0 to hRes − 1.
     pub fn direction(&self, i: f64) -> DVec2 {
         self.matrix * DVec2::new(i, 1.0)
+    }
+}
+
+fn main() {
+    let row = Row::new(7, FRAC_PI_3);
+    for i in 0..7 {
+        println!("V_{i} = {:.4}", row.direction(f64::from(i)));
     }
 }
