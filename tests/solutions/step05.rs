@@ -99,7 +99,7 @@ fn nothing_mirrors_itself() {
 fn the_marbles_lie_on_the_ground_and_side_by_side() {
     let objects = crowd::crowd().objects;
     let (ground, marbles) = (objects[1].sphere, &objects[9..]);
-    assert_eq!(marbles.len(), 318);
+    assert_eq!(marbles.len(), 417);
     let gap = |one: &Sphere, other: &Sphere| {
         one.centre.distance(other.centre) - one.radius - other.radius
     };

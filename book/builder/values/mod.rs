@@ -1,13 +1,13 @@
 //! The numbers of the chapters, computed when the book is built.
 
 mod lit;
+mod next;
 mod slips;
 mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
-mod where_next;
 mod worked;
 
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ static KNOWN: LazyLock<BTreeMap<&str, LazyLock<String>>> = LazyLock::new(|| {
         step04::VALUES,
         step05::VALUES,
         slips::VALUES,
-        where_next::VALUES,
+        next::VALUES,
     ];
     let values = lists.into_iter().flatten();
     values.map(|&(name, value)| (name, LazyLock::new(value))).collect()
