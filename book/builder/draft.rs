@@ -1,5 +1,7 @@
 use crate::markdown::{self, directive};
-use crate::{boxes, check, excerpt, figure, formula, number, picture, values};
+use crate::{
+    boxes, check, excerpt, figure, formula, mistakes, number, picture, values,
+};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
@@ -148,7 +150,7 @@ impl Draft<'_> {
         }
     }
 
-    /// A paragraph: a figure, a form, the name of a test, the edge of a box, pictures,
+    /// A paragraph: a figure, a form, the mistakes of a step, the name of a test, the edge of a box, pictures,
     /// or text.
     fn paragraph(&mut self, events: &Events, range: &Range<usize>) -> Part {
         let (kind, words) =
@@ -157,6 +159,7 @@ impl Draft<'_> {
         Part::Block(match (kind, &pictures[..]) {
             ("figure", _) => figure::html(words.trim()),
             ("check", _) => check::html(words.trim(), self.workspace),
+            ("mistakes", _) => mistakes::html(words.trim(), self.workspace),
             ("listing", _) => excerpt::moving(words.trim(), &mut self.shown),
             ("by-hand", _) => Ok(by_hand(words.trim())),
             ("rust", _) => markdown::inline(words).map(|words| new_rust(&words)),

@@ -1,7 +1,7 @@
 use live::{Knob, Live, Sight, escape, italic};
 use std::collections::BTreeSet;
 
-/// The ranges, switches and lists below what is live, for what no handle of it turns.
+/// The ranges and switches below what is live, for what no handle of it turns.
 ///
 /// They are hidden where no script can answer, and are there from the first where one
 /// will, to be turned as soon as it can; see book/theme/live.js.
@@ -64,10 +64,9 @@ fn is_switch(knob: &Knob) -> bool {
 
 /// The knob number `k` as it is set in the printed book.
 fn label(live: &Live, k: usize, knob: &Knob) -> String {
-    let (class, input) = match knob.list {
-        Some(list) => ("list", select(knob, list)),
-        None if is_switch(knob) => ("switch", switch(knob)),
-        None => ("range", range(knob)),
+    let (class, input) = match is_switch(knob) {
+        true => ("switch", switch(knob)),
+        false => ("range", range(knob)),
     };
     let first = live.handles.first().map_or("", |handle| {
         let [across, _] = handle.knobs;
@@ -108,20 +107,4 @@ fn range(knob: &Knob) -> String {
 fn switch(knob: &Knob) -> String {
     let checked = if knob.value == 1.0 { " checked" } else { "" };
     format!("<input type=\"checkbox\"{checked}>")
-}
-
-/// A choice among many, in their groups.
-fn select(knob: &Knob, list: fn(usize) -> [&'static str; 2]) -> String {
-    let all: Vec<_> = (0..=knob.range[1] as usize).map(|k| (k, list(k))).collect();
-    let groups = all.chunk_by(|(_, [a, _]), (_, [b, _])| a == b).map(|group| {
-        let options: String = group
-            .iter()
-            .map(|(k, [_, name])| {
-                format!("<option value=\"{k}\">{}</option>", escape(name))
-            })
-            .collect();
-        let (_, [label, _]) = group[0];
-        format!("<optgroup label=\"{}\">{options}</optgroup>", escape(label))
-    });
-    format!("<select>{}</select>", groups.collect::<String>())
 }

@@ -38,7 +38,7 @@ fn run(Options { open, question }: Options) -> Result<()> {
 fn build(open: bool) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
-    let (folder, site) = book::build(&gallery::workspace().join("book"))?;
+    let (folder, site) = book::build(&compare::workspace().join("book"))?;
     say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
         site.chapters().len(),

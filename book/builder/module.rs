@@ -10,7 +10,7 @@ const MODULES: [&str; 3] = ["live", "check", "pictures"];
 /// from the file system may load scripts, and nothing else. Returns the scripts' names.
 pub fn write(workspace: &Path, folder: &Path) -> Result<Vec<String>> {
     let script = |name: &str| {
-        let module = workspace.join(format!("book/live/{name}.wasm"));
+        let module = workspace.join(format!("book/wasm/{name}.wasm"));
         let bytes = fs::read(&module)
             .with_context(|| format!("{} can't be read", module.display()))?;
         let script =

@@ -33,6 +33,12 @@ impl Picture {
         Self { alt: alt.join(" "), source, caption }
     }
 
+    /// A picture without a caption.
+    pub fn plain(alt: &str, source: &str) -> Self {
+        let (alt, source) = (alt.to_owned(), source.to_owned());
+        Self { alt, source, caption: String::new() }
+    }
+
     /// What answers where this picture is: what is called `name`, or has the name of
     /// its file.
     fn live(&self, name: &str) -> Result<&'static Live, String> {

@@ -1,10 +1,10 @@
 use crate::files::{CHAPTERS, Files};
-use crate::{gallery, module};
-use anyhow::{Context, Result, anyhow};
+use crate::module;
+use anyhow::{Context, Result};
+use check::Step;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
-use image::{DynamicImage, RgbImage, RgbaImage, load_from_memory};
-use live::Sight;
+use image::{RgbImage, load_from_memory};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,12 +13,14 @@ use std::path::Path;
 /// What the file of a picture ends with that has half the size, for a small screen.
 pub const HALF: &str = "-half.png";
 
+/// What the file of a step's picture ends with that is as small as those of mistakes.
+pub const SMALL: &str = "-small.png";
+
 /// A wider picture has one of half the size beside it.
 const WIDE: u32 = 1000;
 
 /// Writes what the chapters show and what the pages load beside the chapters: the locked
-/// snapshots, the gallery of mistakes, what is seen first of them live, and the modules.
-/// Removes all else.
+/// snapshots, those of the mistakes, and the modules. Removes all else.
 ///
 /// A file that is right already is left alone, so that a watching program is not
 /// woken.
@@ -26,9 +28,11 @@ pub fn write(workspace: &Path) -> Result<()> {
     let folder = workspace.join(CHAPTERS).join("pictures");
     fs::create_dir_all(&folder)
         .with_context(|| format!("{} can't be made", folder.display()))?;
-    let mut names = gallery::draw(&folder)?;
     let old = Files::read(&folder)?.0;
-    let mut pictures = BTreeMap::from([("mistakes.png".to_owned(), mistakes()?)]);
+    let mistakes = Files::read(&workspace.join("book/check/mistakes/pictures"))?.0;
+    let mistakes = mistakes.into_iter();
+    let mut pictures: BTreeMap<_, _> =
+        mistakes.map(|(name, bytes)| (format!("mistake-{name}"), bytes)).collect();
     let locked = Files::read(&workspace.join("tests/snapshots"))?.0;
     let packed = locked.par_iter().filter_map(|(name, bytes)| {
         let name = name.strip_suffix(".snap.png")?;
@@ -36,6 +40,12 @@ pub fn write(workspace: &Path) -> Result<()> {
         Some(files.with_context(|| format!("the locked picture {name}")))
     });
     pictures.extend(packed.collect::<Result<Vec<_>>>()?.concat());
+    for name in Step::ALL.map(Step::name) {
+        let picture = decoded(&locked[&format!("{name}.snap.png")])?;
+        let small = png(&thumbnail(&picture, 320, 180))?;
+        pictures.insert(format!("{name}{SMALL}"), small);
+    }
+    let mut names = vec![];
     for (name, bytes) in pictures {
         if old.get(&name) != Some(&bytes) {
             fs::write(folder.join(&name), bytes).with_context(|| name.clone())?;
@@ -47,18 +57,6 @@ pub fn write(workspace: &Path) -> Result<()> {
         fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
     }
     Ok(())
-}
-
-/// What the gallery shows before its reader chooses.
-fn mistakes() -> Result<Vec<u8>> {
-    let live = live::find("mistakes").context("the live mistakes")?;
-    match (live.sight)(&live.values()) {
-        Sight::Picture { size: [width, height], pixels } => {
-            let picture = RgbaImage::from_raw(width, height, pixels);
-            png(&DynamicImage::from(picture.context("too few pixels")?).into_rgb8())
-        }
-        Sight::Drawing(_) => Err(anyhow!("the live mistakes are no picture")),
-    }
 }
 
 /// The files of a locked picture, packed for a page, and of its half if it is wide; the

@@ -6,7 +6,7 @@ use crate::{Files, values};
 
 /// The workspace of these tests is this project itself.
 fn chapter(markdown: &str) -> Chapter {
-    expand(markdown, &::gallery::workspace())
+    expand(markdown, &::compare::workspace())
 }
 
 /// Asserts that the only fault is on `line` and that it is told in these words.
@@ -176,7 +176,7 @@ fn unused(chapters: &str) -> Vec<String> {
 
 #[test]
 fn every_figure_and_every_value_is_used() {
-    let folder = ::gallery::workspace().join(CHAPTERS);
+    let folder = ::compare::workspace().join(CHAPTERS);
     let files = Files::read(&folder).expect("the chapters can be read");
     let texts = files.texts(".md").map(|(_, text)| text);
     let chapters: String = texts.chain([crate::chain::TEXT]).collect();

@@ -133,13 +133,13 @@ function liven(figure, module) {
     const knobs = about.values.map((_, k) => {
         const label = controls.querySelector(`[data-knob="${k}"]`);
         if (!label) return null;
-        const [input, output] = [label.querySelector("input, select"), label.querySelector("b")];
+        const [input, output] = [label.querySelector("input"), label.querySelector("b")];
         const isSwitch = input.type === "checkbox";
         input.addEventListener("input", () => {
             values = values.with(k, Number(isSwitch ? input.checked : input.value));
             later("show", () => request("show"));
         });
-        return { label, input, output, isSwitch, isList: input.tagName === "SELECT", group: label.dataset.group };
+        return { label, input, output, isSwitch, group: label.dataset.group };
     });
     // Where knobs are of several things, those of one are to be seen: of what was touched last.
     const choice = controls.querySelector(".choice select");
@@ -233,7 +233,6 @@ function liven(figure, module) {
             knob.label.hidden = !answer.shown[k] || knob.group !== choice?.value;
             if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
             knob.input.value = values[k];
-            if (knob.isList) return;
             knob.input.setAttribute("aria-valuetext", answer.texts[k]);
             write(knob.output, answer.texts[k]);
         });

@@ -2,26 +2,19 @@
 
 use super::MEND;
 use super::module::{Code, checked_in};
-use ::check::{Locked, locked};
-use ::module::{NAMES, SUMS, answer, draw, sum};
-use gallery::{Step, camera, mistakes};
+use ::check::{camera, names};
 use image::{ImageFormat, RgbImage};
 use live::Answer;
 use std::io::Cursor;
 use std::thread;
-use tests::some;
+use tests::{locked, some};
+use wasm::{NAMES, answer, draw};
 
 /// The bytes of a PNG file.
 fn png(picture: &RgbImage) -> Vec<u8> {
     let mut bytes = Cursor::new(vec![]);
     picture.write_to(&mut bytes, ImageFormat::Png).expect("it can be encoded");
     bytes.into_inner()
-}
-
-/// A small picture of a step with a mistake of the gallery in it.
-fn wrong(name: &str, step: Step) -> RgbImage {
-    let known = mistakes().find(|mistake| mistake.name == name);
-    known.expect("it is in the gallery").picture_in(step, &camera(16, 9), 1)
 }
 
 /// What there is to say of a file once the pictures are drawn that it takes, as
@@ -52,8 +45,8 @@ fn told(
 fn ours(request: &str, file: &[u8]) -> (Answer, Vec<String>) {
     let check = |request: &str, file: &[u8]| Some(answer(request, file));
     let draw = |request: &str| {
-        let picture = locked(request.strip_prefix("draw ")?).ok()?;
-        Some(Answer { pixels: picture.into_raw(), ..Answer::default() })
+        let pixels = locked(request.strip_prefix("draw ")?).into_raw();
+        Some(Answer { pixels, ..Answer::default() })
     };
     let anew = || told(check, draw, request, file).expect("it never fails");
     thread::scope(|scope| scope.spawn(anew).join()).expect("no panic")
@@ -61,13 +54,13 @@ fn ours(request: &str, file: &[u8]) -> (Answer, Vec<String>) {
 
 #[test]
 fn the_module_says_what_check_says() {
-    let right = png(&locked("gradient").expect("it can be read"));
-    let mistake = png(&wrong("bgr", Step::Rays));
+    let right = png(&locked("gradient"));
+    let small = png(&step03_nearest::picture(&camera(16, 9), 1));
     let cut = &right[..1000];
     let code = Code::new(&checked_in("check"));
     let mut pictures = Code::new(&checked_in("pictures")).start();
     let cases = [
-        ("check * step01_rays.png", &mistake[..], "Not right yet"),
+        ("check step03_nearest a.png", &small[..], "16×9"),
         ("check gradient a.png", &right, "Right: this is the picture"),
         ("check step01_rays notes 1.txt", b"my notes", "notes 1.txt is not a PNG"),
         ("check step01_rays a.png", b"", "it is empty"),
@@ -85,39 +78,24 @@ fn the_module_says_what_check_says() {
         let text = theirs.as_ref().map(|(answer, _)| &answer.text);
         assert!(theirs.as_ref() == Some(&ours), "{request}: {text:?}\n{MEND}");
     }
-    // Of all pictures it asks for the one that this may be.
-    let mut check = code.start();
-    let rays = locked("step01_rays").expect("it can be read");
-    check.answer("drawn step01_rays", &rays);
-    let asks = check.answer("check step01_rays a.png", &right);
-    let asks = asks.map(|answer| answer.text);
-    assert_eq!(asks.as_deref(), Some(r#"{"draw":["gradient"]}"#), "{MEND}");
 }
 
 #[test]
-fn a_picture_of_another_name_is_told_and_no_more_are_drawn() {
-    let mut picture = locked("many").expect("it can be read");
-    let (said, drawn) = ours("check depth a.png", &png(&picture));
-    let says = "this is the picture of many, not of depth";
+fn one_exercise_and_the_steps_are_drawn() {
+    let (said, drawn) = ours("check depth a.png", &png(&locked("step03_nearest")));
+    let says = "this is the picture of step03_nearest, not of depth";
     assert!(said.text.contains(says), "{}", said.text);
-    assert_eq!(drawn, ["depth", "many"]);
-
-    picture.put_pixel(7, 0, [1, 2, 3].into());
-    let (said, drawn) = ours("check depth a.png", &png(&picture));
-    let says = "this is not the picture of depth";
-    assert!(said.text.contains(says), "{}", said.text);
-    assert_eq!(drawn, ["depth"]);
+    assert_eq!(drawn.len(), 6, "{drawn:?}");
 }
 
 #[test]
 fn what_it_compares_with_is_locked() {
-    let locked = Locked::all().expect("the pictures can be read");
-    assert_eq!(NAMES, locked.iter().map(|one| &one.name).collect::<Vec<_>>());
-    for (Locked { name, picture }, told) in locked.iter().zip(SUMS) {
-        let its = sum(picture.as_raw());
-        assert_eq!(its, *told, "pictures.rs has to tell {its} of {name}");
-    }
-    for Locked { name, picture } in some(locked, 5) {
-        assert!(draw(&name).pixels == *picture, "{name}");
+    let mut known = NAMES.to_vec();
+    known.sort();
+    let mut locked = names();
+    locked.sort();
+    assert_eq!(known, locked);
+    for name in some(NAMES, 5) {
+        assert!(draw(name).pixels == *tests::locked(name), "{name}");
     }
 }

@@ -3,7 +3,6 @@
 
 mod check;
 mod module;
-mod moved;
 
 use live::{Knob, LIVE, Live, Sight};
 use module::{Code, Module, checked_in};
@@ -13,8 +12,8 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use tests::is_thorough;
 
 /// What mends a module that is not ours.
-const MEND: &str = "book/live/*.wasm are not what book/live says: `cargo run -p live \
-                    --bin module` compiles them anew";
+const MEND: &str = "book/wasm/*.wasm are not what our code says: `cargo run -p wasm` \
+                    compiles them anew";
 
 fn ours() -> Module {
     Code::new(&checked_in("live")).start()
@@ -230,5 +229,5 @@ fn a_module_that_is_not_ours_is_found() {
     let at = bytes.windows(words.len()).position(|part| part == words);
     bytes[at.expect("a text of ours")] ^= 1;
     let told = fault(&mut Code::new(&bytes).start(), "about ray").expect("a fault");
-    assert!(told.contains("cargo run -p live --bin module"), "{told}");
+    assert!(told.contains("cargo run -p wasm"), "{told}");
 }

@@ -1,4 +1,4 @@
-use gallery::workspace;
+use compare::workspace;
 use live::Answer;
 use std::fs;
 use wasmi::{
@@ -8,7 +8,7 @@ use wasmi::{
 
 /// The module `name`, as it is checked in.
 pub fn checked_in(name: &str) -> Vec<u8> {
-    let path = workspace().join(format!("book/live/{name}.wasm"));
+    let path = workspace().join(format!("book/wasm/{name}.wasm"));
     fs::read(path).expect("the module can be read")
 }
 

@@ -1,5 +1,5 @@
 use book::{Files, Page, Site};
-use gallery::workspace;
+use compare::workspace;
 use std::sync::LazyLock;
 
 /// Our book, built now.

@@ -1,21 +1,28 @@
-//! Every picture in the book is a locked one, or one that the gallery of mistakes or what
-//! answers draws, in every pixel.
+//! Every picture in the book is a locked one, or one of those of the mistakes that are
+//! checked in, or what answers as it is printed, in every pixel.
 
 use super::built::{BOOK, files};
 use super::{assert_found, assert_none};
 use book::{Files, Site};
-use gallery::mistakes;
+use image::imageops::thumbnail;
 use image::{DynamicImage, RgbImage, RgbaImage};
 use live::{LIVE, Live, Sight};
 use std::{collections::HashMap, sync::LazyLock};
 
-/// What the gallery draws, and what answers as it is printed, by the names of the
-/// pictures.
+/// What is checked in of mistakes, the steps' own pictures as small, and what answers as
+/// it is printed, by the names of the pictures.
 static DRAWN: LazyLock<HashMap<String, RgbImage>> = LazyLock::new(|| {
-    let shown =
-        mistakes().flat_map(|one| one.shown().map(move |shown| (one, shown)));
-    let gallery = shown.map(|(mistake, (step, name))| (name, mistake.show(step)));
-    gallery.chain(LIVE.into_iter().filter_map(printed)).collect()
+    let mistakes = files("book/check/mistakes/pictures").0.into_iter();
+    let mistakes = mistakes.filter_map(|(name, png)| {
+        let name = name.strip_suffix(".png")?;
+        Some((format!("mistake-{name}"), decoded(Some(&png))?))
+    });
+    let small = check::Step::ALL.into_iter().map(|step| {
+        let picture = thumbnail(&step.picture(&live::camera(), 1), 320, 180);
+        (format!("{}-small", step.name()), picture)
+    });
+    let printed = LIVE.into_iter().filter_map(printed);
+    mistakes.chain(small).chain(printed).collect()
 });
 
 /// The name of what answers, and its picture as it is printed, if it is one.
@@ -29,10 +36,14 @@ fn printed(live: &Live) -> Option<(String, RgbImage)> {
     Some((live.name.to_owned(), DynamicImage::from(picture).to_rgb8()))
 }
 
+fn decoded(png: Option<&Vec<u8>>) -> Option<RgbImage> {
+    Some(image::load_from_memory(png?).ok()?.to_rgb8())
+}
+
 static SNAPSHOTS: LazyLock<Files> = LazyLock::new(|| files("tests/snapshots"));
 
-/// Each picture in a chapter that is not the snapshot of its name, nor what the gallery
-/// draws.
+/// Each picture in a chapter that is not the snapshot of its name, nor what is checked
+/// in of a mistake.
 fn faults(book: &Site, snapshots: &Files) -> Vec<String> {
     let mut faults = vec![];
     for page in book.chapters() {
@@ -40,9 +51,6 @@ fn faults(book: &Site, snapshots: &Files) -> Vec<String> {
             let source = img.get("src").unwrap_or_default();
             let name = source.rsplit('/').next().unwrap_or_default();
             let name = name.trim_end_matches(".png");
-            let decoded = |png: Option<&Vec<u8>>| {
-                Some(image::load_from_memory(png?).ok()?.to_rgb8())
-            };
             let shown = decoded(book.files.0.get(source));
             let snapshot = format!("{name}.snap.png");
             let what = match (decoded(snapshots.0.get(&snapshot)), DRAWN.get(name))

@@ -5,7 +5,7 @@ use super::listing::Listing;
 use super::own_scene;
 use super::{assert_found, assert_none};
 use book::{Files, Page, Site};
-use gallery::workspace;
+use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
 

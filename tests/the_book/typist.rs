@@ -2,7 +2,7 @@ use super::listing::Listing;
 use super::reading::Asked;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
-use gallery::workspace;
+use compare::workspace;
 use image::RgbImage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::env::consts::EXE_SUFFIX;

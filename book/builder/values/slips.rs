@@ -2,10 +2,8 @@
 
 use super::Value;
 use super::worked::{
-    UNGATED, ahead, both, camera, discriminant, grouped, mistake, pixels, short,
-    tenths,
+    UNGATED, ahead, both, camera, discriminant, grouped, pixels, short, tenths,
 };
-use ::gallery::Parts;
 use glam::DVec3;
 use live::Row;
 use std::f64::consts::FRAC_PI_3;
@@ -80,9 +78,12 @@ fn upright() -> f64 {
 
 /// The camera with the matrix on the slide "A Basic 3D Camera Matrix".
 fn slide() -> Camera {
-    let mut parts = Parts::right(&camera());
-    (mistake("slide-matrix").change)(&mut parts);
-    parts.camera
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
 }
 
 /// The y of V_0.

@@ -1,12 +1,15 @@
 //! What the values of several chapters share.
 
-use ::gallery::{Difference, Mistake, mistakes};
+use compare::Difference;
 use glam::DVec3;
 pub use live::{camera, discriminant, roots};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
-use step05_phong::{Ray, picture};
+use step05_phong::{
+    Point, Ray, colour, direction_colour, picture, reflect, render, scene, seen,
+    specular,
+};
 
 /// A ray along −z that starts at (x, 0, z).
 pub fn ahead(x: f64, z: f64) -> Ray {
@@ -38,16 +41,24 @@ pub fn both(sphere: &Sphere, ray: &Ray) -> String {
     roots(sphere, ray).map(short).join(" and ")
 }
 
-/// The mistake `name` of the gallery.
-pub fn mistake(name: &str) -> &'static Mistake {
-    let mut found = mistakes().filter(|mistake| mistake.name == name);
-    found.next().unwrap_or_else(|| panic!("the gallery has no mistake {name}"))
-}
-
 /// Without the test of n·l: how many pixels of the final picture change, and by how
 /// much at most.
 pub static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
-    let wrong = mistake("no-gate").picture(&camera(), 1);
+    let scene = scene();
+    let wrong = render(&camera(), 1, |ray| {
+        let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
+            return direction_colour(ray);
+        };
+        let mut sum = colour(&scene, ray);
+        let v = -ray.direction.normalize();
+        for light in &scene.lights {
+            let (l, d) = light.point.seen_from(p);
+            if n.dot(l) <= 0.0 {
+                sum += specular(reflect(l, n), v, d, material, light);
+            }
+        }
+        sum
+    });
     match Difference::between(&picture(&camera(), 1), &wrong) {
         Some(Difference::Pixels { count, largest, .. }) => (count, largest),
         _ => (0, 0),

@@ -18,8 +18,9 @@ pub struct Mistake {
 /// What the book says of a mistake that it shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
-    /// The name of its picture: lower-case words with `-` between them.
-    pub name: &'static str,
+    /// The name of each picture, lower-case words with `-` between them, and the step
+    /// that is drawn with the mistake in it: after `! name`, or else that of its file.
+    pub pictures: Vec<(&'static str, Step)>,
     /// How it comes about or what is right, in one sentence.
     pub why: &'static str,
     /// The heading of its section, in the chapter of its step.
@@ -62,8 +63,15 @@ fn mistake(file: &str, block: &'static str) -> Option<Mistake> {
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let one = |mark| marked(mark).next().unwrap_or_default();
-    let shown = marked('!').next().map(|name| Shown {
-        name,
+    let own = Step::of(file);
+    let pictures =
+        marked('!').filter_map(|picture| match picture.split_once(' ') {
+            Some((name, step)) => Some((name, Step::of(step)?)),
+            None => Some((picture, own?)),
+        });
+    let pictures: Vec<_> = pictures.collect();
+    let shown = (!pictures.is_empty()).then(|| Shown {
+        pictures,
         why: one('?'),
         section: one('/'),
         sees: one('"'),
@@ -75,7 +83,17 @@ fn mistake(file: &str, block: &'static str) -> Option<Mistake> {
 impl Mistake {
     /// The first step whose program it is in.
     pub fn step(&self) -> Option<Step> {
-        Step::ALL.into_iter().find(|step| self.file.contains(step.name()))
+        Step::of(&self.file)
+    }
+
+    /// Where the section of a mistake that the book shows is in the built book:
+    /// `step01_rays.html#the-camera`.
+    pub fn page(&self) -> Option<String> {
+        let id = self.shown.as_ref()?.section.chars().filter_map(|c| match c {
+            ' ' => Some('-'),
+            _ => c.is_alphanumeric().then(|| c.to_ascii_lowercase()),
+        });
+        Some(format!("{}.html#{}", self.step()?.name(), id.collect::<String>()))
     }
 
     /// What stands there, each line after a `-`, and what is written instead, after `+`.

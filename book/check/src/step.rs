@@ -47,6 +47,11 @@ impl Step {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }
 
+    /// The step whose folder or file a path leads to.
+    pub fn of(path: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|step| path.contains(step.name()))
+    }
+
     /// Its right picture.
     pub fn picture(self, camera: &Camera, samples: u32) -> RgbImage {
         let picture: fn(&Camera, u32) -> RgbImage = match self {

@@ -31,7 +31,7 @@ mod scene;
 pub use scene::own_scene;
 
 /// Everything that answers.
-pub const LIVE: [&Live; 17] = [
+pub const LIVE: [&Live; 16] = [
     &figures::RAY,
     &figures::ROW,
     &figures::FRUSTUM,
@@ -47,7 +47,6 @@ pub const LIVE: [&Live; 17] = [
     &pictures::STEP03,
     &pictures::STEP04,
     &pictures::STEP05,
-    &pictures::MISTAKES,
     &scene::OWN_SCENE,
 ];
 

@@ -43,8 +43,6 @@ pub struct Knob {
     pub steps: f64,
     /// What the values 0, 1, 2, … are called, where they are no numbers.
     pub choices: &'static [&'static str],
-    /// The group and the name of each of its values 0, 1, 2, …, where they are many.
-    pub list: Option<fn(usize) -> [&'static str; 2]>,
     /// Whether, at these values, the page has a range or a switch for it.
     pub is_shown: fn(&[f64]) -> bool,
     /// What it belongs to, where a page shows the knobs of one thing at a time.
@@ -99,7 +97,6 @@ impl Knob {
             range,
             steps,
             choices: &[],
-            list: None,
             is_shown: |_| true,
             group: "",
         }
@@ -120,22 +117,9 @@ impl Knob {
             range,
             steps: 1.0,
             choices,
-            list: None,
             is_shown: |_| true,
             group: "",
         }
-    }
-
-    /// One of many, each with the group and the name that `list` gives.
-    pub const fn list(
-        words: &'static str,
-        value: f64,
-        count: usize,
-        list: fn(usize) -> [&'static str; 2],
-    ) -> Self {
-        let range = [0.0, (count - 1) as f64];
-        let knob = Self::new(["", words, ""], value, range, 1.0);
-        Self { list: Some(list), ..knob }
     }
 
     /// The same number, which the page leaves as it is.
@@ -157,10 +141,6 @@ impl Knob {
 
     /// A value as the page writes it.
     pub fn text(&self, value: f64) -> String {
-        if let Some(list) = self.list {
-            let [_, name] = list(value as usize);
-            return name.to_string();
-        }
         let choice = self.choices.get(value as usize);
         choice
             .map_or_else(|| number(value) + self.unit, |choice| choice.to_string())

@@ -2,7 +2,6 @@
 
 pub(crate) mod asked;
 mod chain;
-mod mistakes;
 mod polish;
 pub mod step01;
 mod step02;
@@ -11,17 +10,11 @@ mod step04;
 mod step05;
 
 pub use chain::NAMES;
-pub use mistakes::MISTAKES;
 pub use step01::STEP01;
 pub use step02::STEP02;
 pub use step03::STEP03;
 pub use step04::STEP04;
 pub use step05::STEP05;
-
-#[cfg(target_arch = "wasm32")]
-#[path = "../../../../steps/step05_phong/examples/fast.rs"]
-#[allow(dead_code, reason = "the main of an example runs as a program only")]
-mod fast;
 
 use crate::Sight;
 use glam::DVec3;
@@ -40,7 +33,12 @@ pub(crate) fn picture(
 /// a dragged picture has to follow; the tests compare what it draws with `colour`.
 pub(crate) fn lit(camera: &Camera, scene: &Scene<Material, Light>) -> Sight {
     #[cfg(target_arch = "wasm32")]
-    return shown(&fast::draw(fearless_simd::Level::new(), camera, 1, scene));
+    return shown(&exercises::fast::draw(
+        fearless_simd::Level::new(),
+        camera,
+        1,
+        scene,
+    ));
     #[cfg(not(target_arch = "wasm32"))]
     picture(camera, |ray| step05_phong::colour(scene, ray))
 }

@@ -1,7 +1,7 @@
-//! Compiles the package `module` for the browser, once for what answers in the pages,
-//! once for `check` and once for the pictures that it compares with, and writes
-//! `book/live/live.wasm`, `check.wasm` and `pictures.wasm`. They are checked in: who
-//! builds the book needs no second target.
+//! Compiles this package for the browser, once for what answers in the pages, once for
+//! `check` and once for the pictures that it compares with, and writes `live.wasm`,
+//! `check.wasm` and `pictures.wasm` beside it. They are checked in: who builds the book
+//! needs no second target.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -38,9 +38,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     MODULES.into_iter().try_for_each(compile)
 }
 
-/// Compiles the package `module` with one of its features.
+/// Compiles the package with one of its features.
 fn compile((feature, flags): (&str, &str)) -> Result<(), Box<dyn Error>> {
-    let folder = env::current_dir()?.join("target/module");
+    let folder = env::current_dir()?.join("target/wasm");
     let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     // No path of this machine stands in what is checked in.
     let own = sources().into_iter();
@@ -48,7 +48,7 @@ fn compile((feature, flags): (&str, &str)) -> Result<(), Box<dyn Error>> {
     let flags = flags.split_whitespace().map(str::to_owned).chain(own);
     let flags: Vec<_> = flags.collect();
     let status = Command::new(cargo)
-        .args(["rustc", "--package", "module", "--lib", "--profile", "module"])
+        .args(["rustc", "--package", "wasm", "--lib", "--profile", "wasm"])
         .args(["--no-default-features", "--features", feature])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
         .arg(&folder)
@@ -64,8 +64,8 @@ fn compile((feature, flags): (&str, &str)) -> Result<(), Box<dyn Error>> {
     if !status.success() {
         return Err(format!("the module {feature} does not compile").into());
     }
-    let module = folder.join(TARGET).join("module/module.wasm");
-    let path = format!("book/live/{feature}.wasm");
+    let module = folder.join(TARGET).join("wasm/wasm.wasm");
+    let path = format!("book/wasm/{feature}.wasm");
     let bytes = fs::copy(module, &path)?;
     println!("{path}: {bytes} bytes");
     Ok(())

@@ -1,5 +1,5 @@
-use crate::pictures::{NAMES, SIZE, SUMS};
-use ::check::Locked;
+use crate::pictures::{NAMES, SIZE};
+use ::check::{Locked, Step};
 use image::RgbImage;
 use live::Answer;
 use live::json::{self, Json};
@@ -15,39 +15,27 @@ thread_local! {
 /// that it should be, or `*` where the file's name tells it, and the file's name. The
 /// pixels are those of the difference.
 ///
-/// Or else the names of pictures of ours to [`keep`] before it can be said. Each takes a
-/// while to be drawn: they are asked for only where they matter.
+/// Or else the names of pictures of ours to [`keep`] before it can be said: the one that
+/// it should be and those of the steps, or all where it may be any.
 pub fn check(words: &str, file: &[u8]) -> Answer {
     let (name, called) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
-        "*" => check::by_file(called, NAMES.iter().copied()),
+        "*" => check::by_file(called, NAMES.into_iter()),
         name => Some(name),
     };
     OURS.with_borrow(|ours| {
-        let is_missing = |name: &&str| !ours.iter().any(|one| one.name == *name);
-        let its = NAMES.iter().copied().find(|known| Some(*known) == name);
-        if let Some(its) = its.filter(is_missing) {
-            return missing([its]);
+        let may_be = |known: &str| {
+            name.is_none_or(|name| name == known) || Step::named(known).is_some()
+        };
+        let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
+        let missing = NAMES.into_iter().filter(|one| may_be(one) && !is_kept(one));
+        let missing: Vec<_> = missing.map(Json::from).collect();
+        if missing.is_empty() {
+            return said(check::check(Cursor::new(file), called, name, ours));
         }
-        if let Ok(yours) = check::picture(Cursor::new(file)) {
-            let sum = yours.map(|yours| sum(yours.as_raw()));
-            let may_be = |k: &usize| its.is_none() || Some(SUMS[*k]) == sum;
-            let others = (0..NAMES.len()).filter(may_be).map(|k| NAMES[k]);
-            let mut others = others.filter(is_missing).peekable();
-            if others.peek().is_some() {
-                return missing(others);
-            }
-        }
-        said(check::check(Cursor::new(file), called, name, ours))
+        let text = json::object([("draw", Json::list(missing.into_iter()))]);
+        Answer { text, pixels: vec![] }
     })
-}
-
-/// A number that hardly any two pictures share: the remainder by 2¹⁶ of their bytes, as
-/// digits of a number to the base 31.
-pub fn sum(pixels: &[u8]) -> u16 {
-    let add =
-        |sum: u16, byte: &u8| sum.wrapping_mul(31).wrapping_add((*byte).into());
-    pixels.iter().fold(0, add)
 }
 
 /// Keeps a picture of ours: red, green and blue of each pixel.
@@ -66,12 +54,6 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
         ours.insert(at, Locked { name: name.to_owned(), picture });
     });
     Answer { text: "{}".to_owned(), pixels: vec![] }
-}
-
-/// Asks for pictures of ours.
-fn missing<'a>(names: impl IntoIterator<Item = &'a str>) -> Answer {
-    let names = Json::list(names.into_iter().map(Json::from));
-    Answer { text: json::object([("draw", names)]), pixels: vec![] }
 }
 
 /// An answer for the page.

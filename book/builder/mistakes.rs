@@ -1,0 +1,129 @@
+use crate::markdown::inline;
+use crate::picture::Picture;
+use crate::pictures::SMALL;
+use check::{Mistake, Shown, Step, mistakes};
+use live::escape;
+use std::path::Path;
+
+/// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
+/// shown in the picture of that step, and then each with its picture, ours, where they
+/// differ, the diff, and what is to be said of it.
+pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
+    let step = Step::named(name).ok_or(format!("there is no step {name}"))?;
+    let all = mistakes();
+    let shown = all.iter().filter_map(|mistake| {
+        let shown = mistake.shown.as_ref()?;
+        let (picture, of) = shown.pictures.first()?;
+        (*of == step).then_some(Entry { mistake, shown, name: picture, step })
+    });
+    let entries: Vec<_> = shown.collect();
+    let mut text = format!(
+        "<div class=\"contacts\" style=\"--items: {}\">\n\n",
+        entries.len()
+    );
+    for entry in &entries {
+        text += &entry.small(workspace)?;
+    }
+    text += "\n</div>\n";
+    for entry in &entries {
+        text += &entry.whole(workspace)?;
+    }
+    Ok(text)
+}
+
+/// A mistake in the picture of a step.
+struct Entry<'a> {
+    mistake: &'a Mistake,
+    shown: &'a Shown,
+    name: &'a str,
+    step: Step,
+}
+
+impl Entry<'_> {
+    /// Its place on the contact sheet, which leads to the rest.
+    fn small(&self, workspace: &Path) -> Result<String, String> {
+        let picture = self.picture(&self.shown.sees.replace('`', ""));
+        let picture = picture.html(workspace)?;
+        Ok(format!("- [{picture} {}](#{})\n", self.title(), self.name))
+    }
+
+    fn whole(&self, workspace: &Path) -> Result<String, String> {
+        let Self { mistake, shown, name, step } = self;
+        let ours = format!("pictures/{}{SMALL}", step.name());
+        let ours = Picture::plain("The right picture.", &ours).html(workspace)?;
+        let alt =
+            format!("The picture of step {} with this mistake.", step.number());
+        let wrong = self.picture(&alt).html(workspace)?;
+        let own = mistake.step().ok_or("a mistake that is shown is in a step")?;
+        let page = mistake.page().unwrap_or_default().replace(".html", ".md");
+        let words = format!("{} {}", shown.sees, shown.why);
+        Ok(format!(
+            "\n### {} {{#{name}}}\n\n\
+             <div class=\"panels\">\
+             <figure>{wrong}<figcaption>What you get.</figcaption></figure>\
+             <figure>{ours}<figcaption>What it should be.</figcaption></figure>\
+             <figure><span class=\"differ\" role=\"img\" aria-label=\"The difference.\">\
+             {}{}</span><figcaption>Where they differ.</figcaption></figure>\
+             </div>\n\n{}\n\n{} Go back to [step {}, “{}”]({page}).\n",
+            self.title(),
+            hidden(&wrong),
+            hidden(&ours),
+            diff(mistake),
+            inline(&formulas(&words))?,
+            own.number(),
+            shown.section,
+        ))
+    }
+
+    fn picture(&self, alt: &str) -> Picture {
+        Picture::plain(alt, &format!("pictures/mistake-{}.png", self.name))
+    }
+
+    /// With a capital letter, unless it begins with a symbol.
+    fn title(&self) -> String {
+        let title = self.mistake.title;
+        let word = title.split(' ').next().unwrap_or_default();
+        let is_word =
+            1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
+        match title.split_at_checked(1) {
+            Some((first, rest)) if is_word => first.to_uppercase() + rest,
+            _ => title.to_owned(),
+        }
+    }
+}
+
+/// The same picture, of which a screen reader says nothing.
+fn hidden(img: &str) -> String {
+    let alt = img.split("alt=\"").nth(1).and_then(|rest| rest.split('"').next());
+    img.replace(&format!("alt=\"{}\"", alt.unwrap_or_default()), "alt=\"\"")
+}
+
+/// What stands in the file, and what is written instead.
+fn diff(mistake: &Mistake) -> String {
+    let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
+    let lines = |tag: &str, sign: &str, text: &str| {
+        let lines = text.lines().map(|line| {
+            format!("<{tag}>{sign} {}</{tag}>\n", escape(line.trim_end()))
+        });
+        lines.collect::<String>()
+    };
+    format!(
+        "<figure class=\"diff\"><figcaption>{}</figcaption><pre>{}{}</pre></figure>",
+        escape(path),
+        lines("del", "−", &mistake.old),
+        lines("ins", "+", &mistake.new),
+    )
+}
+
+/// With symbols such as D_u as formulas.
+fn formulas(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let is_symbol =
+        |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');
+    let formula = |(k, letter): (usize, &char)| match *letter {
+        _ if is_symbol(k) => format!("${letter}"),
+        _ if 2 <= k && is_symbol(k - 2) => format!("{letter}$"),
+        _ => letter.to_string(),
+    };
+    letters.iter().enumerate().map(formula).collect()
+}
