@@ -1,4 +1,4 @@
-//! The last picture: a crowd of marbles around the spheres of the scene, seen from above.
+//! The last picture: a crowd of marbles around the scene's spheres, from above.
 
 #[path = "mirror.rs"]
 #[allow(dead_code, reason = "it is a program of its own, too")]
@@ -50,7 +50,7 @@ pub fn crowd() -> Scene<Mirror, Light> {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = crowd();
     let centre = DVec3::new(0.0, 2.4, 1.0);
-    let matrix = DMat3::from_rotation_x(-0.3) * camera.matrix;
+    let matrix = DMat3::from_rotation_x(-0.28) * camera.matrix;
     let camera = Camera { centre, matrix, ..*camera };
     render(&camera, samples, |ray| colour(&scene, ray, 10))
 }
