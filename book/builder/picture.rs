@@ -1,7 +1,7 @@
 use crate::files::CHAPTERS;
 use crate::markdown::inline;
 use crate::pictures::HALF;
-use crate::{chain, knobs};
+use crate::{controls, this_pixel};
 use live::{Live, escape};
 use std::fs;
 use std::path::Path;
@@ -92,9 +92,9 @@ pub fn figure(
         if let Some(name) = live {
             let answers = picture.live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
-            knobs = knobs::html(answers);
+            knobs = controls::html(answers);
             if answers.is_asked() {
-                below = chain::html(answers, workspace)?;
+                below = this_pixel::html(answers, workspace)?;
             }
         }
         let caption = match picture.caption.as_str() {

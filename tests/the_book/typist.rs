@@ -1,10 +1,11 @@
-use super::listing::Listing;
+use super::listing::joined;
 use super::reading::Asked;
+use super::typed::Typed;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
 use compare::workspace;
 use image::RgbImage;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::env::consts::EXE_SUFFIX;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,33 +41,37 @@ pub struct State {
 
 /// A reader's workspace: what the book shows, and nothing else.
 pub struct Typist {
-    pub folder: PathBuf,
+    folder: PathBuf,
 }
 
 impl Typist {
-    /// Moves every file out of the crates, until the book shows it.
+    /// A workspace from which every file is put aside, until the book shows it.
     ///
     /// A file that is moved keeps its time, so Cargo has nothing to do for it.
-    pub fn put_aside(&self) -> Result<()> {
-        let steps = self.folder.join("steps");
-        fs::create_dir_all(&steps)?;
-        for path in Files::read(&steps)?.0.keys() {
-            rename(&steps.join(path), &self.folder.join("later/steps").join(path))?;
-        }
-        Ok(fs::remove_dir_all(&steps)?)
+    pub fn new() -> Self {
+        let folder = target().join("typed");
+        let (steps, later) = (folder.join("steps"), folder.join("later/steps"));
+        let put_aside = || -> Result<()> {
+            fs::create_dir_all(&steps)?;
+            for path in Files::read(&steps)?.0.keys() {
+                rename(&steps.join(path), &later.join(path))?;
+            }
+            Ok(fs::remove_dir_all(&steps)?)
+        };
+        put_aside().expect("the files can be moved");
+        Self { folder }
     }
 
     /// Writes the files that the book has shown so far.
     ///
     /// A part of a file goes where its caption says.
-    pub fn write(&self, files: &BTreeMap<&str, Vec<Listing>>) -> Result<()> {
-        for (path, parts) in files {
-            let text = text(parts);
+    pub fn write(&self, typed: &Typed) -> Result<()> {
+        for (path, parts) in typed {
             let aside = self.folder.join("later").join(path);
             if aside.is_file() {
                 rename(&aside, &self.folder.join(path))?;
             }
-            self.save(path, &text)?;
+            self.save(path, &joined(parts))?;
         }
         fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
         Ok(())
@@ -78,17 +83,6 @@ impl Typist {
         if fs::read_to_string(&path).ok().as_deref() != Some(text) {
             fs::create_dir_all(path.with_file_name(""))?;
             fs::write(path, text)?;
-        }
-        Ok(())
-    }
-
-    /// Says what is wrong with the packages that Cargo has taken.
-    pub fn check_lock(&self) -> Result<()> {
-        let lock = |folder: &Path| fs::read_to_string(folder.join("Cargo.lock"));
-        let (ours, theirs) = (lock(&workspace())?, lock(&self.folder)?);
-        if let Some(package) = packages(&theirs).difference(&packages(&ours)).next()
-        {
-            bail!("Cargo takes a package not in our lock: {package}");
         }
         Ok(())
     }
@@ -118,7 +112,8 @@ impl Typist {
             bail!("it does not print {line:?}, but {text:?}");
         }
         let drawn = self.pictures()?;
-        let draws = asked.words[1] == "run" && !asked.words.contains(&"--help");
+        let draws = asked.words[1] == "run"
+            && asked.words.iter().all(|word| word != "--help");
         ensure!(draws && !asked.is_refused || drawn.is_empty(), "it draws");
         ensure!(
             !draws || asked.is_refused || !drawn.is_empty(),
@@ -216,14 +211,6 @@ impl Typist {
     }
 }
 
-/// The text of a file, of which these parts are shown.
-pub fn text(parts: &[Listing]) -> String {
-    let mut parts: Vec<_> = parts.iter().collect();
-    parts.sort_by_key(|part| part.lines());
-    let lines = parts.iter().flat_map(|part| part.code.split('\n'));
-    lines.flat_map(|line| [line, "\n"]).collect()
-}
-
 /// Moves a file into a folder that need not be there.
 fn rename(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to.with_file_name(""))?;
@@ -248,8 +235,8 @@ fn error(text: &str) -> String {
 
 /// The words of a command, with a small picture where it would draw one that takes long
 /// here, where nothing is optimised.
-fn drawn_small<'a>(asked: &Asked<'a>) -> (Vec<&'a str>, bool) {
-    let mut words = asked.words.clone();
+fn drawn_small(asked: &Asked) -> (Vec<&str>, bool) {
+    let mut words: Vec<_> = asked.words.iter().map(String::as_str).collect();
     let at = |words: &[&str], name| words.iter().position(|word| *word == name);
     let is_large = at(&words, "--samples").or(at(&words, "--width")).is_some();
     if asked.is_refused || !is_large {
@@ -265,21 +252,4 @@ fn drawn_small<'a>(asked: &Asked<'a>) -> (Vec<&'a str>, bool) {
 /// Whether there is a locked picture of this name.
 fn is_locked(name: &str) -> bool {
     workspace().join(format!("tests/snapshots/{name}.snap.png")).is_file()
-}
-
-/// The packages in a lock file, each with its version.
-fn packages(lock: &str) -> BTreeSet<String> {
-    let lines = |package: &str| {
-        package.trim().lines().take(2).collect::<Vec<_>>().join(" ")
-    };
-    lock.split("[[package]]").skip(1).map(lines).collect()
-}
-
-#[test]
-fn packages_of_another_version_are_others() {
-    let lock =
-        |version: &str| format!("[[package]]\nname = \"a\"\nversion = {version}\n");
-    let (old, new) = (lock("1.0.0"), lock("1.0.1"));
-    assert_eq!(packages(&format!("{old}\n{new}")).len(), 2);
-    assert_eq!(packages(&old).difference(&packages(&new)).count(), 1);
 }

@@ -1,7 +1,7 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
 use super::Value;
-use super::worked::{count, counted, short, vector};
+use super::measure::{count, counted, short, vector};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{

@@ -1,7 +1,7 @@
 //! The numbers of the lecture's slips.
 
 use super::Value;
-use super::worked::{
+use super::measure::{
     UNGATED, ahead, both, camera, discriminant, grouped, pixels, short, tenths,
 };
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! The numbers of the introduction and of chapter 1.
 
 use super::Value;
-use super::worked::{camera, rgb, short, tenths, vector};
+use super::measure::{camera, rgb, short, tenths, vector};
 use live::Row;
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, direction_colour, picture};

@@ -1,7 +1,7 @@
 //! The numbers of chapter 3.
 
 use super::Value;
-use super::worked::{both, camera, counted, pixels, short, tenths};
+use super::measure::{both, camera, counted, pixels, short, tenths, vector};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
@@ -34,6 +34,17 @@ pub const VALUES: &[Value] = &[
     }),
     ("step03-nearest", || {
         nearest(&SCENE, &crowded()).map_or("none".to_string(), |hit| short(hit.t))
+    }),
+    ("step03-check-centre", || {
+        vector(
+            (1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.centre).sum(),
+        )
+    }),
+    ("step03-check-radius", || {
+        short((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.radius).sum())
+    }),
+    ("step03-check-colour", || {
+        vector((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.material).sum())
     }),
     ("step03-gap", || {
         let gap = |s: &Sphere| {

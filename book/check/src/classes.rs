@@ -1,7 +1,9 @@
 use crate::scenes::Scenes;
 use crate::{Step, camera};
 use image::RgbImage;
-use step05_phong::{Light, Point, Ray, Sphere, nearest, normal, reflect, specular};
+use step05_phong::{
+    Light, Ray, Sphere, SurfacePoint, nearest, normal, reflect, specular,
+};
 
 /// What our own program sees in one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,12 +45,12 @@ fn seen(step: Step, scenes: &Scenes, spheres: &[Sphere], ray: &Ray) -> Seen {
     let p = ray.at(t);
     let n = normal(&spheres[k], p);
     for (light, is_lit) in scenes.shiny.lights.iter().zip(&mut seen.is_lit) {
-        let (l, d) = light.point.seen_from(p);
+        let (l, d) = light.point_light.direction_from(p);
         *is_lit = 0.0 < n.dot(l);
         if step == Step::Phong && *is_lit {
             let v = -ray.direction.normalize();
             let material = &scenes.shiny.objects[k].material;
-            let shine = specular(reflect(l, n), v, d, material, light);
+            let shine = specular(reflect(n, l), v, d, material, light);
             seen.shines |= 0.5 < 255.0 * shine.max_element();
         }
     }
@@ -79,16 +81,16 @@ pub(crate) fn computed(step: Step, ray: &Ray) -> String {
     let p = ray.at(hit.t);
     let n = normal(&hit.object.sphere, p);
     let lights = scenes.shiny.lights.iter().zip(["warm", "cool"]);
-    let each = lights.map(|(Light { point, .. }, name)| {
-        let (l, d) = point.seen_from(p);
+    let each = lights.map(|(Light { point_light: point, .. }, name)| {
+        let (l, d) = point.direction_from(p);
         format!("; {name} n·l = {:.4}, d = {d:.4}", n.dot(l))
     });
     let mut text = format!("{start}, n = {}{}", three(n), each.collect::<String>());
     if step == Step::Phong {
-        let point = Point { p, n, material: &hit.object.material };
+        let point = SurfacePoint { p, n, material: &hit.object.material };
         let scene = &scenes.shiny;
         let sum =
-            step05_phong::phong(ray, &point, scene.ambient_light, &scene.lights);
+            step05_phong::phong(&point, ray, scene.ambient_light, &scene.lights);
         text += &format!(
             ";\n  I_a = {}, I_d = {}, I_s = {}",
             three(sum.ambient),

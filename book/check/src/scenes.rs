@@ -38,7 +38,7 @@ impl Scenes {
     pub fn right() -> Self {
         Self {
             sphere: step02_sphere::SPHERE,
-            flat: step03_nearest::objects().into(),
+            flat: step03_nearest::OBJECTS.into(),
             matt: step04_diffuse::scene(),
             shiny: step05_phong::scene(),
         }
@@ -96,6 +96,6 @@ impl Scenes {
     /// Changes a light, in each scene.
     pub fn set_light(&mut self, k: usize, change: impl Fn(&mut PointLight)) {
         change(&mut self.matt.lights[k]);
-        change(&mut self.shiny.lights[k].point);
+        change(&mut self.shiny.lights[k].point_light);
     }
 }

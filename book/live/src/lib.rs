@@ -14,11 +14,7 @@ pub use common::{camera, discriminant, roots};
 mod live;
 pub use live::{Handle, Knob, Live, Numbers, Sight};
 
-// An example, of which nothing here needs the program.
-#[allow(dead_code)]
-#[path = "../../../steps/step01_rays/examples/row.rs"]
-mod row;
-pub use row::Row;
+pub use exercises::row::Row;
 
 mod figures;
 pub use figures::{Figure, figure, names};

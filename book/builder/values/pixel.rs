@@ -1,6 +1,6 @@
 //! What the steps' own functions make of one pixel of the final picture.
 
-use super::worked::camera;
+use super::measure::camera;
 use glam::DVec3;
 use std::sync::LazyLock;
 use step05_phong::{

@@ -1,5 +1,5 @@
 use crate::files::{CHAPTERS, joined};
-use crate::number;
+use crate::numbers;
 use live::escape;
 use std::fs;
 use std::ops::Range;
@@ -47,7 +47,7 @@ pub fn moving(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
     let (which, path) = words
         .split_once(' ')
         .ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
-    let code = number::printed(which)?;
+    let code = numbers::printed(which)?;
     let lines = code.lines().count();
     let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{which}\"");
     Ok(figure(path, &attributes, "", "rust", code, ids))

@@ -1,10 +1,10 @@
-use crate::draft::expand;
+use crate::chapter::expand;
 use live::Live;
 use std::path::Path;
 
 /// What is said of a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `2-4` is for the pictures of these steps.
-pub const TEXT: &str = include_str!("chain.md");
+pub const TEXT: &str = include_str!("this_pixel.md");
 
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
@@ -22,14 +22,14 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
         TEXT.lines().filter_map(|line| of_step(name, line)).collect();
     let text = lines.join("\n").replace("{{#spheres}}", &rows.join("\n"));
     let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
-    let chain = expand(&text.replace("NAME:", &format!("{name}:")), workspace);
-    if let Some((_, what)) = chain.faults.first() {
-        return Err(format!("the chain of {name}: {what}"));
+    let text = text.replace("NAME:", &format!("{name}:"));
+    let (markdown, faults) = expand(&text, workspace);
+    if let Some((_, what)) = faults.first() {
+        return Err(format!("this pixel of {name}: {what}"));
     }
     Ok(format!(
         "<details data-chain=\"{name}\" class=\"aside\" open hidden>\
-         <summary><span class=\"kind\">This pixel</span></summary>\n\n{}\n</details>\n",
-        chain.markdown
+         <summary><span class=\"kind\">This pixel</span></summary>\n\n{markdown}\n</details>\n"
     ))
 }
 

@@ -7,8 +7,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
 use step05_phong::{
-    Point, Ray, colour, direction_colour, picture, reflect, render, scene, seen,
-    specular,
+    Ray, SurfacePoint, colour, direction_colour, picture, reflect, render, scene,
+    specular, visible_point,
 };
 
 /// A ray along −z that starts at (x, 0, z).
@@ -46,15 +46,17 @@ pub fn both(sphere: &Sphere, ray: &Ray) -> String {
 pub static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
     let scene = scene();
     let wrong = render(&camera(), 1, |ray| {
-        let Some(Point { p, n, material }) = seen(&scene.objects, ray) else {
+        let Some(SurfacePoint { p, n, material }) =
+            visible_point(&scene.objects, ray)
+        else {
             return direction_colour(ray);
         };
         let mut sum = colour(&scene, ray);
         let v = -ray.direction.normalize();
         for light in &scene.lights {
-            let (l, d) = light.point.seen_from(p);
+            let (l, d) = light.point_light.direction_from(p);
             if n.dot(l) <= 0.0 {
-                sum += specular(reflect(l, n), v, d, material, light);
+                sum += specular(reflect(n, l), v, d, material, light);
             }
         }
         sum
