@@ -136,9 +136,11 @@ impl Typist {
             }
             lib += &format!("mod {name};\n");
         }
-        let taken = ["glam", "image", "indicatif", "rayon"].iter().chain(&STEPS);
-        let taken = taken.map(|name| format!("{name}.workspace = true\n"));
-        let taken: String = taken.collect();
+        let taken = ["glam", "image", "rayon"]
+            .map(|name| format!("{name}.workspace = true\n"));
+        let steps =
+            STEPS.map(|name| format!("{name} = {{ path = \"../{name}\" }}\n"));
+        let taken = taken.concat() + &steps.concat();
         let manifest = format!("{STATES}{taken}");
         self.save("steps/states/Cargo.toml", &manifest)?;
         self.save("steps/states/src/lib.rs", &lib)?;
