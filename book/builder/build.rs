@@ -1,7 +1,9 @@
 use crate::{Files, Page, Site, chapter, links, picture, pictures, print, styles};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{
+    IntoParallelIterator, IntoParallelRefIterator, ParallelIterator,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -77,6 +79,17 @@ fn finish(page: &mut Page, files: &Files) -> Result<()> {
         _ => {}
     }
     styles::inline(page, files)?;
+    // What may scroll sideways takes the focus, so that the keyboard can scroll it.
+    for tag in ["pre", "div.table-wrapper", "span.formula"] {
+        let name = tag.split('.').next().unwrap_or(tag);
+        let (from, to) = (format!("<{name}"), format!("<{name} tabindex=\"0\""));
+        let all = page.all(&format!("main {tag}"));
+        let all: Vec<_> = all.iter().map(|one| (one.id(), one.html())).collect();
+        for (id, html) in all {
+            page.put(id, &html.replacen(&from, &to, 1));
+            page.remove(id);
+        }
+    }
     // The first picture does not wait.
     if let Some(first) = page.all("main img").first() {
         let (first, html) = (first.id(), first.html());

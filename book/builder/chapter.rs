@@ -190,9 +190,11 @@ impl Chapter<'_> {
     /// Puts numbers in place, and finds directives that are left.
     fn numbers(&mut self) {
         let text = self.text;
-        let done: Vec<_> = self.edits.iter().map(|(range, _)| range.clone()).collect();
-        let inside =
-            |ranges: &[Range<usize>], at| ranges.iter().any(|one| one.contains(&at));
+        let done: Vec<_> =
+            self.edits.iter().map(|(range, _)| range.clone()).collect();
+        let inside = |ranges: &[Range<usize>], at| {
+            ranges.iter().any(|one| one.contains(&at))
+        };
         for (at, _) in text.match_indices("{{#") {
             if inside(&done, at) {
                 continue;
@@ -217,7 +219,8 @@ impl Chapter<'_> {
             let mark = self.text[from..].chars().next();
             match mark.filter(|mark| ",.;:?)".contains(*mark)) {
                 Some(mark) if with.ends_with("</math>") => {
-                    markdown += &format!("<span class=\"tight\">{with}{mark}</span>");
+                    markdown +=
+                        &format!("<span class=\"tight\">{with}{mark}</span>");
                     from += mark.len_utf8();
                 }
                 _ => markdown += with,

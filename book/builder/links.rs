@@ -17,9 +17,12 @@ pub fn faults(site: &Site) -> Vec<String> {
         for element in page.html.root_element().descendent_elements() {
             for address in addresses(element) {
                 let what = resolve(site, &ids, &page.name, &address);
-                let is_link = element.value().name() == "a" && is_elsewhere(&address);
+                let is_link =
+                    element.value().name() == "a" && is_elsewhere(&address);
                 let what = what.filter(|_| !is_link);
-                faults.extend(what.map(|what| format!("{} {what}", page.at(element))));
+                faults.extend(
+                    what.map(|what| format!("{} {what}", page.at(element))),
+                );
             }
         }
     }
@@ -39,9 +42,12 @@ fn addresses(element: ElementRef) -> Vec<String> {
     let mut found = vec![];
     for (name, value) in element.value().attrs() {
         match name {
-            "href" | "src" | "poster" | "data" | "action" => found.push(value.into()),
+            "href" | "src" | "poster" | "data" | "action" => {
+                found.push(value.into())
+            }
             "srcset" => {
-                let sets = value.split(',').flat_map(|set| set.split_whitespace().next());
+                let sets =
+                    value.split(',').flat_map(|set| set.split_whitespace().next());
                 found.extend(sets.map(str::to_owned));
             }
             "style" => found.extend(urls(value).map(str::to_owned)),
@@ -88,6 +94,7 @@ fn resolve(
 
 /// The address of everything that a style fetches: what is in `url(…)`.
 fn urls(css: &str) -> impl Iterator<Item = &str> {
-    let inside = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
+    let inside =
+        css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     inside.map(|url| url.trim().trim_matches(['"', '\'']))
 }

@@ -39,7 +39,9 @@ pub fn in_formula(
             Some(("number", which)) => Ok(format!("\\text{{⟦{which}⟧}}")),
             _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
         })?;
-    replace(&convert(&marked)?, "<mtext>⟦", "⟧</mtext>", |which| html("mn", which))
+    replace(&convert(&marked)?, "<mtext>⟦", "⟧</mtext>", |which| {
+        html("mn", which)
+    })
 }
 
 fn html(tag: &str, which: &str) -> Result<String, String> {

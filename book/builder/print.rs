@@ -32,7 +32,9 @@ pub fn arrange(page: &mut Page) -> Result<()> {
                 let words = summary.inner_html();
                 let text = part.inner_html().replacen(&summary.html(), "", 1);
                 let html = if part.attr("class") == Some("aside") {
-                    format!("<section class=\"aside\"><p>{words}</p>{text}</section>")
+                    format!(
+                        "<section class=\"aside\"><p>{words}</p>{text}</section>"
+                    )
                 } else {
                     asked += 1;
                     answers += &format!(
@@ -75,6 +77,7 @@ pub fn arrange(page: &mut Page) -> Result<()> {
 
 /// What stands behind a chapter with these answers.
 fn behind(answers: &str) -> String {
-    let heading = if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
+    let heading =
+        if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
     format!("{heading}{answers}")
 }

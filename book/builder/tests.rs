@@ -78,9 +78,16 @@ fn a_directive_has_its_place() {
 fn a_picture_has_words_and_may_answer() {
     wrong("One.\n\n![](pictures/step01_rays.png)\n", 3, "no alt text");
     wrong("One.\n\n![What](pictures/nowhere.png)\n", 3, "no picture");
-    wrong(&format!("![A sky.]({SKY}) {{{{#live nothing}}}}\n"), 1, "nothing answers");
-    let html = right(&format!("![A sky.]({SKY} \"[It](a.md)\") {{{{#live own_scene}}}}"));
-    assert!(html.contains("alt=\"A sky.\"") && html.contains("data-live=\"own_scene\""));
+    wrong(
+        &format!("![A sky.]({SKY}) {{{{#live nothing}}}}\n"),
+        1,
+        "nothing answers",
+    );
+    let html =
+        right(&format!("![A sky.]({SKY} \"[It](a.md)\") {{{{#live own_scene}}}}"));
+    assert!(
+        html.contains("alt=\"A sky.\"") && html.contains("data-live=\"own_scene\"")
+    );
 }
 
 #[test]
@@ -115,7 +122,8 @@ fn a_link_that_leads_nowhere_is_a_fault() {
 #[test]
 fn on_paper_answers_come_behind_their_chapter() {
     let predict = "<details class=\"predict\"><summary>why?</summary>so</details>";
-    let aside = "<details class=\"aside\"><summary>by the way</summary>it</details>";
+    let aside =
+        "<details class=\"aside\"><summary>by the way</summary>it</details>";
     let next = "<div style=\"break-before: page;\"></div>";
     let chapter = |name| format!("<h1 id=\"{name}\"><a>{name}</a></h1>");
     let (one, two) = (chapter("one"), chapter("two"));
@@ -123,7 +131,10 @@ fn on_paper_answers_come_behind_their_chapter() {
     let mut page = Page::new("print.html", &html);
     print::arrange(&mut page).expect("a book of two chapters");
     let text = crate::text(page.html.root_element());
-    assert_eq!(text, "oneContentstwotwowhy? → 1by the wayitAnswers and hints1soend");
+    assert_eq!(
+        text,
+        "oneContentstwotwowhy? → 1by the wayitAnswers and hints1soend"
+    );
     let torn = format!("<main>{one}{two}</main>");
     assert!(print::arrange(&mut Page::new("print.html", &torn)).is_err());
 }

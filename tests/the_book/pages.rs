@@ -27,18 +27,23 @@ fn every_picture_and_drawing_has_words_and_every_id_is_one() {
     for page in BOOK.pages.values() {
         for img in page.all("img") {
             if img.attr("alt").is_none_or(|alt| alt.trim().is_empty()) {
-                faults.push(format!("The picture at {} has no words.", page.at(img)));
+                faults
+                    .push(format!("The picture at {} has no words.", page.at(img)));
             }
         }
         for svg in page.all("figure svg") {
             let titles = book::all(svg, "title");
             if titles.iter().all(|title| text(*title).trim().is_empty()) {
-                faults.push(format!("The drawing at {} has no title.", page.at(svg)));
+                faults
+                    .push(format!("The drawing at {} has no title.", page.at(svg)));
             }
         }
         let mut known = HashSet::new();
-        let again = page.all("[id]").into_iter().filter(|e| !known.insert(e.attr("id")));
-        faults.extend(again.map(|one| format!("There is a second {}.", page.at(one))));
+        let again =
+            page.all("[id]").into_iter().filter(|e| !known.insert(e.attr("id")));
+        faults.extend(
+            again.map(|one| format!("There is a second {}.", page.at(one))),
+        );
     }
     assert_none(&faults);
 }
@@ -64,7 +69,10 @@ fn each_letter_has_its_face() {
         for page in BOOK.pages.values() {
             for one in page.all(selector) {
                 if let Some(c) = text(one).chars().find(|&c| !has(c)) {
-                    faults.push(format!("No {family} has the {c:?} at {}.", page.at(one)));
+                    faults.push(format!(
+                        "No {family} has the {c:?} at {}.",
+                        page.at(one)
+                    ));
                 }
             }
         }
@@ -90,9 +98,11 @@ fn letters(css: &str, family: &str) -> Vec<[u32; 2]> {
 
 #[test]
 fn every_slide_has_a_home() {
-    let rows = include_str!("slides.md").lines().filter(|line| line.starts_with('|'));
+    let rows =
+        include_str!("slides.md").lines().filter(|line| line.starts_with('|'));
     let homeless = rows.skip(2).filter(|row| {
-        let home = row.trim_matches(['|', ' ']).rsplit(" | ").next().unwrap_or_default();
+        let home =
+            row.trim_matches(['|', ' ']).rsplit(" | ").next().unwrap_or_default();
         let is_there = |page: &book::Page| {
             page.name.strip_suffix(".html") == Some(home)
                 || page.all("[id]").iter().any(|one| one.attr("id") == Some(home))

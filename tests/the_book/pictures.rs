@@ -27,8 +27,7 @@ fn every_picture_is_locked_or_drawn_by_our_code() {
     });
     let printed = LIVE.into_iter().filter_map(printed);
     let mut right: HashMap<_, _> = small.chain(printed).collect();
-    let decoded =
-        |png: &[u8]| Some(image::load_from_memory(png).ok()?.to_rgb8());
+    let decoded = |png: &[u8]| Some(image::load_from_memory(png).ok()?.to_rgb8());
     for (file, png) in files("book/check/mistakes/pictures").0 {
         let name = file.strip_suffix(".png").map(|name| format!("mistake-{name}"));
         right.extend(name.zip(decoded(&png)));

@@ -37,7 +37,8 @@ pub fn events(page: &Page) -> Vec<Event<'_>> {
             }
             (Some("console"), Some("ours")) => {}
             (Some("console"), whose) => {
-                let code: String = all(part, "code").into_iter().map(text).collect();
+                let code: String =
+                    all(part, "code").into_iter().map(text).collect();
                 let is_refused = whose == Some("yours refused");
                 let commands = Asked::all(&page.at(part), &code, is_refused);
                 events.extend(commands.into_iter().map(Event::Runs));

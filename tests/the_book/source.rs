@@ -28,7 +28,8 @@ fn home(path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let mut chapters = BOOK.chapters().into_iter();
     let page = chapters.find(|page| {
-        file.starts_with("examples/") && Listing::all(page).any(|one| one.path == path)
+        file.starts_with("examples/")
+            && Listing::all(page).any(|one| one.path == path)
     });
     Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
 }
@@ -64,11 +65,15 @@ fn every_listing_is_taken_from_its_file() {
 fn no_rust_is_typed_by_hand() {
     let mut faults = vec![];
     for page in BOOK.chapters() {
-        for code in page.all("figure:not(.listing) > pre code, :not(figure) > pre code")
+        for code in
+            page.all("figure:not(.listing) > pre code, :not(figure) > pre code")
         {
             let class = code.attr("class").unwrap_or_default();
             if class.is_empty() || class.contains("rust") {
-                faults.push(format!("The code at {} is from no file.", page.at(code)));
+                faults.push(format!(
+                    "The code at {} is from no file.",
+                    page.at(code)
+                ));
             }
         }
     }
@@ -92,7 +97,9 @@ fn every_line_of_every_file_stands_in_its_chapter_once() {
         }
         if let Some(at) = times.iter().position(|&times| times != 1) {
             let (line, times) = (at + 1, times[at]);
-            faults.push(format!("Line {line} of {path} stands {times} times in {home}."));
+            faults.push(format!(
+                "Line {line} of {path} stands {times} times in {home}."
+            ));
         }
     }
     assert_none(&faults);

@@ -112,7 +112,8 @@ impl Typist {
             bail!("it does not print {line:?}, but {text:?}");
         }
         let drawn = self.pictures()?;
-        let draws = asked.words[1] == "run" && asked.words.iter().all(|word| word != "--help");
+        let draws = asked.words[1] == "run"
+            && asked.words.iter().all(|word| word != "--help");
         ensure!(draws && !asked.is_refused || drawn.is_empty(), "it draws");
         ensure!(
             !draws || asked.is_refused || !drawn.is_empty(),
