@@ -129,7 +129,7 @@ fn a_changed_line_is_found() {
 #[test]
 fn a_missing_line_is_found() {
     let line = "    /// S, the point where the ray starts.\n";
-    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 12", "pub start: DVec3"]);
+    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 11", "pub start: DVec3"]);
     let source = SOURCE.with(RAY, "use glam", "use std::fmt;\nuse glam");
     let words = ["Line 23 of", RAY, "0 times", PAGE];
     assert_found(&wrong_files(&BOOK, &source), &words);
