@@ -116,7 +116,8 @@ fn printed(live: &Live) -> Vec<f64> {
 fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let ranges = live.knobs.iter().map(|knob| {
         let [min, max] = knob.range;
-        min - 1.0..if knob.words == "columns" { 16.0 } else { max } + 1.0
+        let max = if knob.words == "columns" { 16.0 } else { max };
+        min - 1.0..max + 1.0
     });
     let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);
     let values = ranges.collect::<Vec<_>>();

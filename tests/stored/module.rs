@@ -28,7 +28,8 @@ impl Module {
         let engine = Engine::new(&config);
         let module = wasmi::Module::new(&engine, bytes(name)).expect("a module");
         let mut store = Store::new(&engine, ());
-        let instance = Linker::new(&engine).instantiate_and_start(&mut store, &module);
+        let instance =
+            Linker::new(&engine).instantiate_and_start(&mut store, &module);
         let instance = instance.expect("it starts");
         let memory = instance.get_memory(&store, "memory").expect("it has memory");
         Self { store, instance, memory }
