@@ -15,10 +15,10 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     let steps = files("steps").0.into_iter();
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
     let mut source = Files(steps.collect());
-    for path in ["Cargo.toml", ".rustfmt.toml"] {
-        let bytes = fs::read(workspace().join(path));
-        source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
-    }
+    source.0.extend(files("book/reader").0);
+    let rustfmt = ".rustfmt.toml";
+    let bytes = fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
+    source.0.insert(rustfmt.to_owned(), bytes);
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
 });

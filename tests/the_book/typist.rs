@@ -30,10 +30,10 @@ const STATES: &str = "
     glam.workspace = true
     image.workspace = true
     rayon.workspace = true
-    step01_rays.workspace = true
-    step02_sphere.workspace = true
-    step03_nearest.workspace = true
-    step04_diffuse.workspace = true
+    step01_rays = { path = \"../step01_rays\" }
+    step02_sphere = { path = \"../step02_sphere\" }
+    step03_nearest = { path = \"../step03_nearest\" }
+    step04_diffuse = { path = \"../step04_diffuse\" }
 ";
 
 /// A crate as a page shows it at some place, under a name of its own.
