@@ -17,7 +17,8 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     let mut source = Files(steps.collect());
     source.0.extend(files("book/reader").0);
     let rustfmt = ".rustfmt.toml";
-    let bytes = fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
+    let bytes =
+        fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
     source.0.insert(rustfmt.to_owned(), bytes);
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
@@ -35,9 +36,11 @@ fn home(path: &str) -> Option<String> {
 }
 
 /// Whether the parts of a file may stand on several pages: the benchmark measures what
-/// comes later, and the rest of a manifest comes with it.
+/// comes later, the rest of a manifest comes with it, and each step locks its picture.
 fn is_spread(path: &str) -> bool {
-    path.ends_with("/Cargo.toml") || path.contains("/benches/")
+    ["/Cargo.toml", "/benches/", "steps/locked/"]
+        .iter()
+        .any(|part| path.contains(part))
 }
 
 #[test]
