@@ -108,10 +108,10 @@ fn diff(mistake: &Mistake) -> String {
         lines.collect::<String>()
     };
     format!(
-        "<figure class=\"diff\"><figcaption>{}</figcaption><pre>{}{}</pre></figure>",
+        "<figure class=\"diff\"><figcaption>{}</figcaption><pre>{}</pre></figure>",
         escape(path),
-        lines("del", "−", &mistake.old),
-        lines("ins", "+", &mistake.new),
+        (lines("del", "−", &mistake.old) + &lines("ins", "+", &mistake.new))
+            .trim_end(),
     )
 }
 

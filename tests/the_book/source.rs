@@ -1,10 +1,10 @@
 //! Every line of every source file stands in the chapter of its step, once.
 
 use super::assert_none;
-use super::built::{BOOK, files};
+use super::built::{book, files};
 use super::listing::Listing;
 use super::own_scene;
-use book::Files;
+use ::book::{Files, Site};
 use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
@@ -25,9 +25,9 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
 });
 
 /// The page on which a file of a step has its place: an example may stand on any page.
-fn home(path: &str) -> Option<String> {
+fn home(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let mut chapters = BOOK.chapters().into_iter();
+    let mut chapters = book.chapters().into_iter();
     let page = chapters.find(|page| {
         file.starts_with("examples/")
             && Listing::all(page).any(|one| one.path == path)
@@ -45,8 +45,8 @@ fn is_spread(path: &str) -> bool {
 
 #[test]
 fn every_listing_is_taken_from_its_file() {
-    let mut faults = vec![];
-    for listing in BOOK.chapters().into_iter().flat_map(Listing::all) {
+    let (book, mut faults) = (book(), vec![]);
+    for listing in book.chapters().into_iter().flat_map(Listing::all) {
         let Listing { at, path, lines: (first, last), code } = listing;
         let Some(source) = SOURCE.text(path) else {
             faults.push(format!("{at}: {path} is no file."));
@@ -66,8 +66,8 @@ fn every_listing_is_taken_from_its_file() {
 
 #[test]
 fn no_rust_is_typed_by_hand() {
-    let mut faults = vec![];
-    for page in BOOK.chapters() {
+    let (book, mut faults) = (book(), vec![]);
+    for page in book.chapters() {
         for code in
             page.all("figure:not(.listing) > pre code, :not(figure) > pre code")
         {
@@ -85,11 +85,11 @@ fn no_rust_is_typed_by_hand() {
 
 #[test]
 fn every_line_of_every_file_stands_in_its_chapter_once() {
-    let mut faults = vec![];
+    let (book, mut faults) = (book(), vec![]);
     for (path, text) in SOURCE.texts("") {
-        let Some(home) = home(path) else { continue };
+        let Some(home) = home(&book, path) else { continue };
         let mut times = vec![0; text.lines().count()];
-        for page in BOOK.chapters() {
+        for page in book.chapters() {
             for listing in Listing::all(page).filter(|one| one.path == path) {
                 if page.name != home && !is_spread(path) {
                     faults.push(format!("{}: {path} is of {home}.", listing.at));

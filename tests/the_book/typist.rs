@@ -3,14 +3,14 @@ use super::reading::{Asked, FAILED};
 use super::typed::Typed;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
-use compare::workspace;
+use compare::{Difference, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::env::consts::EXE_SUFFIX;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tests::{Difference, locked, target};
+use tests::{locked, target};
 
 /// The crates, in the order in which a reader writes them.
 pub const STEPS: [&str; 5] = [
@@ -21,15 +21,19 @@ pub const STEPS: [&str; 5] = [
     "step05_phong",
 ];
 
-/// The manifest of the states, which lacks some of what they take. What is not for them
-/// brings the features with which the book's builder takes the rest, as in its manifest:
-/// so nothing is compiled once more.
+/// The manifest of the states; with the features of the book's builder, so that nothing is
+/// compiled once more.
 const STATES: &str = "
     package = { name = \"states\", edition.workspace = true }
     [dependencies]
-    tempfile = \"3\"
-    tracing-attributes = \"0.1\"
     clap = { workspace = true, features = [\"env\", \"wrap_help\"] }
+    glam.workspace = true
+    image.workspace = true
+    rayon.workspace = true
+    step01_rays = { path = \"../step01_rays\" }
+    step02_sphere = { path = \"../step02_sphere\" }
+    step03_nearest = { path = \"../step03_nearest\" }
+    step04_diffuse = { path = \"../step04_diffuse\" }
 ";
 
 /// A crate as a page shows it at some place, under a name of its own.
@@ -148,13 +152,7 @@ impl Typist {
             }
             lib += &format!("mod {name};\n");
         }
-        let taken = ["glam", "image", "rayon"]
-            .map(|name| format!("{name}.workspace = true\n"));
-        let steps =
-            STEPS.map(|name| format!("{name} = {{ path = \"../{name}\" }}\n"));
-        let taken = taken.concat() + &steps.concat();
-        let manifest = format!("{STATES}{taken}");
-        self.save("steps/states/Cargo.toml", &manifest)?;
+        self.save("steps/states/Cargo.toml", STATES)?;
         self.save("steps/states/src/lib.rs", &lib)?;
         let mut cargo = self.cargo(&["build", "-p", "states"]);
         build(cargo.args(["--config", "profile.dev.package.states.opt-level=0"]))

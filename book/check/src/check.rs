@@ -4,6 +4,7 @@ use crate::options::options;
 use crate::part::part;
 use crate::place::back;
 use crate::stages::{Pixels, stages};
+use crate::table::{known, sum};
 use crate::whole::whole;
 use crate::{Answer, Locked, Step, camera, classes, png, whose};
 use compare::{Difference, apart, panels};
@@ -56,15 +57,13 @@ pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
         let text = format!("Right: this is the picture of {name}, in every pixel.");
         return Answer::new(0, text);
     }
-    if let Some(one) = locked.iter().find(|one| one.picture == *yours) {
-        let (name, asked) = (&one.name, &asked[0].name);
-        let text =
-            format!("Not right: this is the picture of {name}, not of {asked}.");
-        return Answer::new(1, text);
-    }
+    let same = locked.iter().find(|one| one.picture == *yours);
     let ours = whose::nearest(yours, &asked);
     let step = Step::named(&ours.name).filter(|_| 2 <= yours.width());
-    let text = told(yours, ours, step);
+    let text = match same {
+        Some(other) => another(yours, ours, other, step),
+        None => told(yours, ours, step),
+    };
     let drawn = shown(yours, ours, step);
     let (text, difference) = match drawn {
         Some(ours) => (
@@ -86,6 +85,24 @@ fn shown(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> Option<RgbImage
     Some(step.picture(&camera(columns, rows), 1))
 }
 
+/// What there is to say of a picture that is right elsewhere.
+fn another(
+    yours: &RgbImage,
+    ours: &Locked,
+    other: &Locked,
+    step: Option<Step>,
+) -> String {
+    let (name, asked) = (&other.name, &ours.name);
+    let start =
+        format!("Not right: this is the picture of {name}, not of {asked}.\n");
+    // Where no ray meets an object, every step draws that of the first.
+    let step = step.filter(|_| name == Step::Rays.name());
+    let first = step.map(|step| stages(&Pixels::new(step, yours, &ours.picture)));
+    let is_listed = known(sum(yours)).iter().any(|(_, of)| of == asked);
+    let listed = listed(yours, asked).filter(|_| is_listed);
+    start + &listed.or(first).unwrap_or_default()
+}
+
 /// What went wrong.
 fn told(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> String {
     let name = &ours.name;
@@ -93,7 +110,7 @@ fn told(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> String {
     if let Some(text) = step.and_then(|step| options(step, yours, &ours.picture)) {
         return text;
     }
-    let start = format!("Not right: compared with {name}.\n");
+    let start = format!("Not right yet, compared with {name}.\n");
     let whole = whole(yours, ours);
     let listed = listed(yours, name);
     if let Some(whole) = whole {
@@ -148,13 +165,17 @@ fn pixel(yours: &RgbImage, ours: &RgbImage, step: Option<Step>) -> String {
     let camera = camera(yours.width().max(2), yours.height().max(1));
     let computed = step.map_or(String::new(), |step| {
         let ray = camera.ray(i.into(), j.into());
-        format!("; ours: {}", classes::computed(step, &ray))
+        format!(": {}", classes::computed(step, &ray))
     });
     format!(
-        "Column {i}, row {j}: yours is {:?}, ours {:?}{computed}\n\
+        "Column {i}, row {j}: yours is {}, ours {}{computed}.\n\
          {count} of {} pixels differ, by up to {largest} of 255.\n",
-        a.0,
-        b.0,
+        bytes(a.0),
+        bytes(b.0),
         yours.pixels().len()
     )
+}
+
+fn bytes([r, g, b]: [u8; 3]) -> String {
+    format!("({r}, {g}, {b})")
 }

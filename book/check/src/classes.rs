@@ -1,9 +1,7 @@
 use crate::scenes::Scenes;
 use crate::{Step, camera};
 use image::RgbImage;
-use step05_phong::{
-    Light, Ray, Sphere, SurfacePoint, nearest, normal, reflect, specular,
-};
+use step05_phong::{Light, Ray, Sphere, SurfacePoint, nearest, normal, reflect};
 
 /// What our own program sees in one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,7 +12,7 @@ pub(crate) struct Seen {
     pub is_crowded: bool,
     /// Whether each light is on the outer side there.
     pub is_lit: [bool; 2],
-    /// Whether there is a highlight, of half a byte or more.
+    /// Whether a light is so that its highlight, large or small, reaches there.
     pub shines: bool,
 }
 
@@ -45,13 +43,10 @@ fn seen(step: Step, scenes: &Scenes, spheres: &[Sphere], ray: &Ray) -> Seen {
     let p = ray.at(t);
     let n = normal(&spheres[k], p);
     for (light, is_lit) in scenes.shiny.lights.iter().zip(&mut seen.is_lit) {
-        let (l, d) = light.point_light.direction_from(p);
+        let (l, _) = light.point_light.direction_from(p);
         *is_lit = 0.0 < n.dot(l);
         if step == Step::Phong && *is_lit {
-            let v = -ray.direction.normalize();
-            let material = &scenes.shiny.objects[k].material;
-            let shine = specular(reflect(n, l), v, d, material, light);
-            seen.shines |= 0.5 < 255.0 * shine.max_element();
+            seen.shines |= 0.0 < reflect(n, l).dot(-ray.direction);
         }
     }
     seen
@@ -61,7 +56,7 @@ fn seen(step: Step, scenes: &Scenes, spheres: &[Sphere], ray: &Ray) -> Seen {
 pub(crate) fn computed(step: Step, ray: &Ray) -> String {
     let scenes = Scenes::right();
     let v = ray.direction;
-    let sky = format!("V = {}", three(v));
+    let sky = format!("the sky, V = {}", three(v));
     let objects = &scenes.shiny.objects;
     if step == Step::Sphere {
         let (a, b, c) = scenes.sphere.coefficients(ray);
@@ -70,7 +65,7 @@ pub(crate) fn computed(step: Step, ray: &Ray) -> String {
         return format!("a = {a:.4}, b = {b:.4}, c = {c:.4}, {t}");
     }
     let Some(hit) = nearest(objects, ray).filter(|_| step != Step::Rays) else {
-        return format!("{sky}, the sky");
+        return sky;
     };
     let k = objects.iter().position(|one| one.sphere == hit.object.sphere);
     let name = crate::scenes::OBJECTS[k.unwrap_or_default()];
@@ -81,9 +76,9 @@ pub(crate) fn computed(step: Step, ray: &Ray) -> String {
     let p = ray.at(hit.t);
     let n = normal(&hit.object.sphere, p);
     let lights = scenes.shiny.lights.iter().zip(["warm", "cool"]);
-    let each = lights.map(|(Light { point_light: point, .. }, name)| {
-        let (l, d) = point.direction_from(p);
-        format!("; {name} n·l = {:.4}, d = {d:.4}", n.dot(l))
+    let each = lights.map(|(Light { point_light, .. }, name)| {
+        let (l, d) = point_light.direction_from(p);
+        format!("; {name} n·l = {}, d = {d:.4}", signed(n.dot(l)))
     });
     let mut text = format!("{start}, n = {}{}", three(n), each.collect::<String>());
     if step == Step::Phong {
@@ -102,6 +97,9 @@ pub(crate) fn computed(step: Step, ray: &Ray) -> String {
 }
 
 fn three(vector: glam::DVec3) -> String {
-    let numbers = vector.to_array().map(|one| format!("{one:.4}"));
-    format!("({})", numbers.join(", ")).replace('-', "−")
+    format!("({})", vector.to_array().map(signed).join(", "))
+}
+
+fn signed(number: f64) -> String {
+    format!("{number:.4}").replace('-', "−")
 }

@@ -1,4 +1,27 @@
 //! `check`: what a picture tells of the program that drew it.
+//!
+//! A picture is compared with the locked one of its name, and [`look`] says the first of
+//! these that is true:
+//!
+//! 1. It is **right** in every pixel, or the picture of another name.
+//! 2. It is right **with other options**: our own step draws it at that size, with the
+//!    field of view that its sky tells, and so many rays a pixel ([`mod@options`]).
+//! 3. Ours **as a whole**, but turned, with its channels swapped, in grey, along a curve
+//!    such as gamma ([`mod@whole`]), cut out or scaled ([`mod@part`]).
+//! 4. It is **in the list**: these very pixels are what a mistake that we know gives
+//!    ([`mod@listed`]). The lists are the text files in `mistakes/`: a title, a file, what
+//!    stands there and what is written instead. The program `mistakes` has drawn them all,
+//!    and the table has the sum of each picture.
+//! 5. **One number** of the scene is another: all numbers that somebody may have typed are
+//!    tried with the functions of the steps, as a scene is a value ([`mod@number`]).
+//! 6. Else **where to look** ([`mod@stages`]): the rays, read out of the sky
+//!    ([`mod@sky`]), the outlines, which object is in front, the side that no light
+//!    reaches, each light, the highlights ([`mod@light`]). Our own program says what is in
+//!    each pixel ([`mod@classes`]). The first of these that is wrong is told, with its
+//!    files and tests by hand ([`mod@place`]).
+//!
+//! In the end there is one pixel, yours and ours, and how many differ. 3 to 5 hold in
+//! every pixel, or nothing of them is said.
 
 mod answer;
 mod check;
@@ -18,6 +41,7 @@ mod sky;
 mod stages;
 mod step;
 mod table;
+mod ticks;
 mod whole;
 mod whose;
 
@@ -28,5 +52,6 @@ pub use mistake::{Mistake, Shown, mistakes};
 pub use place::{Place, places};
 pub use png::read;
 pub use step::{Step, camera};
-pub use table::{Row, key, known, read as read_table, rows, sum};
+pub use table::{Row, key, known, locked_sums, read as read_table, rows, sum};
+pub use ticks::ticks;
 pub use whose::by_file;

@@ -46,17 +46,45 @@ impl Place {
     }
 }
 
-/// Where to go back to, and what tells more.
+/// Where to go back to, and the tests by hand that tell more.
 pub(crate) fn back(places: &[Place]) -> String {
     let Some(first) = places.first() else { return String::new() };
-    let paths: Vec<_> = places.iter().map(Place::path).collect();
-    let mut commands: Vec<_> = places.iter().map(Place::command).collect();
-    commands.dedup();
+    let mut files: Vec<(Step, Vec<&str>, Vec<&str>)> = vec![];
+    for place in places {
+        let of = files.iter().position(|(step, ..)| *step == place.step);
+        let at = of.unwrap_or(files.len());
+        if of.is_none() {
+            files.push((place.step, vec![], vec![]));
+        }
+        files[at].1.push(place.file);
+        if !files[at].2.contains(&place.test) {
+            files[at].2.push(place.test);
+        }
+    }
+    let compare = files.iter().map(|(step, files, _)| {
+        format!("{} in steps/{}/src", and(files), step.name())
+    });
+    let compare: Vec<_> = compare.collect();
+    let (step, _, tests) = &files[0];
+    let test = match tests[..] {
+        [test] => format!(" {test}"),
+        _ => format!(" (first: {})", tests.join(", ")),
+    };
     format!(
-        "Go back to step {}, \"{}\", and compare with {}.\nYour test by hand: {}\n",
+        "Go back to step {}, \"{}\", and compare with {}.\n\
+         Your tests by hand name the function: cargo test -p {} --test by_hand{test}\n",
         first.step.number(),
         first.section,
-        paths.join(", "),
-        commands.join("\n  or: "),
+        compare.join(", and "),
+        step.name(),
     )
+}
+
+fn and(names: &[&str]) -> String {
+    match names {
+        [all @ .., last] if !all.is_empty() => {
+            format!("{} and {last}", all.join(", "))
+        }
+        _ => names.join(""),
+    }
 }

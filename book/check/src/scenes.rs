@@ -1,5 +1,6 @@
 use crate::Step;
 use glam::DVec3;
+use step01_rays::rgb8;
 use step05_phong::{
     Light, Material, Object, PointLight, Ray, Scene, Sphere, Surface,
 };
@@ -53,7 +54,7 @@ impl Scenes {
             Step::Diffuse => step04_diffuse::colour(&self.matt, ray),
             Step::Phong => step05_phong::colour(&self.shiny, ray),
         };
-        (255.0 * colour + 0.5).to_array().map(|channel| channel as u8)
+        rgb8(colour).0
     }
 
     /// The spheres of a step.

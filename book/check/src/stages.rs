@@ -1,7 +1,7 @@
 use crate::classes::{Seen, classes};
 use crate::light::light;
 use crate::place::{back, place};
-use crate::scenes::{LIGHTS, OBJECTS, Scenes};
+use crate::scenes::{OBJECTS, Scenes};
 use crate::sky::Sky;
 use crate::{Step, camera};
 use image::RgbImage;
@@ -75,7 +75,7 @@ fn first_wrong(pixels: &Pixels, right: &mut Vec<&'static str>) -> Option<Stage> 
     right.push("the rays");
     if pixels.step == Step::Rays {
         let text = "the colours of the rays.".to_owned();
-        let files = vec!["step01_rays/picture.rs", "step01_rays/colour.rs"];
+        let files = vec!["step01_rays/picture.rs", "step01_rays/rgb8.rs"];
         return Some(Stage { text, files });
     }
     if let Some(stage) = outlines(pixels) {
@@ -218,6 +218,5 @@ fn objects(pixels: &Pixels, right: &mut Vec<&'static str>) -> Option<Stage> {
     if crowded.0 == crowded.1 {
         right.push("which object is in front");
     }
-    let _ = LIGHTS;
     None
 }

@@ -55,7 +55,7 @@ pub(crate) fn whole(yours: &RgbImage, ours: &Locked) -> Option<Whole> {
                 };
                 let text = format!("{name} {turned}{swapped}{but}");
                 let place = match turned {
-                    "as it is" => place("step01_rays/colour.rs"),
+                    "as it is" => place("step01_rays/rgb8.rs"),
                     _ => place("step01_rays/camera.rs"),
                 };
                 return Some(Whole { text, place });
@@ -67,7 +67,7 @@ pub(crate) fn whole(yours: &RgbImage, ours: &Locked) -> Option<Whole> {
     }
     let told = grey(yours, ours).or_else(|| curve(yours, ours))?;
     let text = format!("{name} {told}");
-    Some(Whole { text, place: place("step01_rays/colour.rs") })
+    Some(Whole { text, place: place("step01_rays/rgb8.rs") })
 }
 
 /// How many pixels are not those of ours, turned and with its channels in another order;

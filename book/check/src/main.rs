@@ -1,0 +1,88 @@
+//! Tells whether a picture is right and, if it is not, what happened.
+
+use check::{Answer, Locked, check, names, ticks};
+use clap::Parser;
+use image::RgbImage;
+use std::fs::{self, File};
+use std::io::{self, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::{env, process::ExitCode};
+
+/// Tells whether a picture is right and, if it is not, what happened.
+///
+/// Without a file, it looks for every picture of the course, and says of each whether it
+/// is right.
+///
+/// The exit code is 0 if all is right, 1 if not, 2 if there is nothing to look at.
+#[derive(Parser)]
+#[command(name = "check", after_help = format!("Names: {}", names().join(", ")))]
+struct Arguments {
+    /// The picture to look at, a PNG file
+    file: Option<PathBuf>,
+    /// The picture that it should be, by default as the file is called, or the nearest
+    name: Option<String>,
+    /// Where to look for every picture of the course
+    #[arg(long = "in", value_name = "FOLDER", default_value = ".")]
+    #[arg(conflicts_with = "file")]
+    folder: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let Arguments { file, name, folder } = Arguments::parse();
+    let Answer { code, text, .. } = Locked::all()
+        .and_then(|locked| match file {
+            None => whole(&folder, &locked),
+            Some(file) => one(&file, name.as_deref(), &locked),
+        })
+        .unwrap_or_else(|what| Answer::new(2, format!("error: {what}")));
+    // Where nobody listens any more, there is nobody to tell.
+    let _ = match code {
+        2 => writeln!(io::stderr(), "{text}"),
+        _ => writeln!(io::stdout(), "{text}"),
+    };
+    ExitCode::from(code)
+}
+
+/// Looks at every picture of the course in a folder.
+fn whole(folder: &Path, locked: &[Locked]) -> Result<Answer, String> {
+    if !folder.is_dir() {
+        return Err(format!("{} is not a folder", folder.display()));
+    }
+    Ok(ticks(folder, locked))
+}
+
+/// Looks at one picture, and saves the difference.
+fn one(
+    file: &Path,
+    name: Option<&str>,
+    locked: &[Locked],
+) -> Result<Answer, String> {
+    let shown = file.display().to_string();
+    let unread = |error| format!("can't read {shown}: {error}");
+    if !fs::metadata(file).map_err(unread)?.is_file() {
+        return Err(format!("{shown} is not a file"));
+    }
+    let png = BufReader::new(File::open(file).map_err(unread)?);
+    let mut answer = check(png, &shown, name, locked);
+    if let Some(difference) = &answer.difference {
+        answer.text += &format!("\n{}", saved(difference, file));
+    }
+    Ok(answer)
+}
+
+/// Writes the picture of a difference into the target folder, from which this program
+/// runs, under the name of the reader's, and tells where it is.
+fn saved(difference: &RgbImage, file: &Path) -> String {
+    let program = env::current_exe().unwrap_or_default();
+    let folder = program.ancestors().nth(2).unwrap_or(Path::new("target"));
+    let path = folder.join("check").join(file.file_name().unwrap_or_default());
+    let path = path.with_extension("difference.png");
+    let saved = fs::create_dir_all(folder.join("check"))
+        .map_err(Into::into)
+        .and_then(|()| difference.save(&path));
+    let path = path.display();
+    match saved {
+        Ok(()) => format!("Yours, ours and the difference side by side: {path}"),
+        Err(error) => format!("{path} can't be written: {error}"),
+    }
+}

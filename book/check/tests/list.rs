@@ -1,0 +1,113 @@
+//! The list of mistakes, and what was made of it.
+
+use check::{Row, key, known, locked_sums, mistakes, places, rows, sum};
+use compare::workspace;
+use std::collections::{HashMap, HashSet};
+use std::process::Command;
+use std::{env, fs};
+
+const AGAIN: &str = "`cargo run --bin mistakes` makes it anew";
+
+fn text(path: &str) -> String {
+    fs::read_to_string(workspace().join(path)).unwrap_or_default()
+}
+
+#[test]
+fn each_mistake_can_be_made() {
+    let (mut wrong, mut seen) = (vec![], HashSet::new());
+    for mistake in mistakes() {
+        let applied = mistake.applied(&text(&mistake.file));
+        let is_change = mistake.old != mistake.new;
+        if applied.is_none() || !is_change || !seen.insert(mistake.key()) {
+            wrong.push(format!(
+                "{}: {}\n{}",
+                mistake.file,
+                mistake.title,
+                mistake.diff()
+            ));
+        }
+    }
+    let wrong = wrong.join("\n");
+    assert!(
+        wrong.is_empty(),
+        "there once, and told once, is none of these:\n{wrong}"
+    );
+}
+
+#[test]
+fn the_table_knows_each_mistake() {
+    let rows: HashMap<u32, Row> = rows().map(|row| (row.mistake, row)).collect();
+    let mut wrong = vec![];
+    for mistake in mistakes() {
+        let row = rows.get(&mistake.key());
+        let is_drawn = row.is_some_and(|row| {
+            row.file == key(&text(&mistake.file))
+                && row.sums.iter().any(Option::is_some)
+        });
+        let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
+        let mut pictures = pictures.map(|(name, _)| {
+            workspace().join(format!("book/check/mistakes/pictures/{name}.png"))
+        });
+        if !is_drawn || !pictures.all(|path| path.exists()) {
+            wrong.push(format!("{}: {}", mistake.file, mistake.title));
+        }
+    }
+    assert!(wrong.is_empty(), "the table is old, {AGAIN}:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_table_knows_what_is_right() {
+    for (name, right) in locked_sums() {
+        assert_eq!(right, sum(&crate::right(name)), "{name}: {AGAIN}");
+        assert!(
+            known(right).iter().all(|(_, of)| of != name),
+            "{name}: it is right"
+        );
+    }
+    assert_eq!(locked_sums().count(), crate::locked().len(), "{AGAIN}");
+}
+
+#[test]
+fn all_that_an_answer_leads_to_is_there() {
+    for place in places() {
+        let step = place.step.name();
+        assert!(workspace().join(place.path()).exists(), "{}", place.path());
+        let tests = text(&format!("steps/{step}/tests/by_hand.rs"));
+        assert!(tests.contains(&format!("fn {}()", place.test)), "{place:?}");
+        let chapter = text(&format!("book/chapters/{step}.md"));
+        let heading = format!("# {}\n", place.section);
+        assert!(chapter.contains(&heading), "{place:?}");
+    }
+    for mistake in mistakes().iter().filter(|one| !one.file.contains("/examples/"))
+    {
+        let file = &mistake.file;
+        let is_known = places().any(|place| place.path() == *file);
+        assert!(
+            is_known || file.ends_with("/main.rs"),
+            "{file} is not in files.txt"
+        );
+        if let Some(shown) = &mistake.shown {
+            let step = mistake.step().expect("a step").name();
+            let chapter = text(&format!("book/chapters/{step}.md"));
+            let heading = format!("# {}\n", shown.section);
+            assert!(
+                chapter.contains(&heading),
+                "{}: {}",
+                mistake.title,
+                shown.section
+            );
+        }
+    }
+}
+
+/// Five of the list, others after each commit: it takes a minute, so it is done where
+/// THOROUGH is set.
+#[test]
+fn some_of_the_list_are_drawn_again() {
+    if env::var_os("THOROUGH").is_some() {
+        let program = env!("CARGO_BIN_EXE_mistakes");
+        let output = Command::new(program).args(["--again", "5"]).output();
+        let output = output.expect("the program runs");
+        assert!(output.status.success(), "{output:?}");
+    }
+}

@@ -1,0 +1,123 @@
+//! The program `check`: its arguments, its exit codes, and where it looks.
+
+use crate::{folder, right};
+use image::Rgb;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::{env, fs};
+
+/// What it says with these arguments in this folder, and its exit code.
+fn said(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
+    let output = command.current_dir(folder).args(arguments).output();
+    let Output { status, stdout, stderr } = output.expect("check runs");
+    assert!(stdout.is_empty() != stderr.is_empty(), "{arguments:?}");
+    let text = [stdout, stderr].concat();
+    (status.code(), String::from_utf8_lossy(&text).into_owned())
+}
+
+#[test]
+fn the_program_ends_with_0_1_or_2() {
+    let folder = folder("codes");
+    let ours = right("step02_sphere");
+    ours.save(folder.join("step2.png")).expect("a file");
+    let mut wrong = ours.clone();
+    wrong.put_pixel(320, 180, Rgb([0; 3]));
+    wrong.save(folder.join("my.png")).expect("a file");
+    for (arguments, code) in [
+        (&["step2.png"][..], 0),
+        (&["step2.png", "step02_sphere"], 0),
+        (&["step2.png", "step01_rays"], 1),
+        (&["my.png"], 1),
+    ] {
+        assert_eq!(said(&folder, arguments).0, Some(code), "{arguments:?}");
+    }
+    let (_, text) = said(&folder, &["my.png"]);
+    let (_, panels) = text.trim().rsplit_once("side by side: ").expect("a path");
+    let panels = image::open(panels).expect("a picture");
+    assert_eq!((panels.width(), panels.height()), (3 * 640, 380));
+    assert!(
+        text.contains(
+            "Column 320, row 180: yours is (0, 0, 0), ours (232, 87, 71)"
+        ),
+        "{text}"
+    );
+    assert!(text.contains("1 of 230400 pixels differ"), "{text}");
+}
+
+#[test]
+fn what_can_not_be_looked_at_is_told_in_one_sentence() {
+    let folder = folder("refused");
+    let mut right = vec![];
+    let picture = crate::right("step01_rays");
+    picture
+        .write_with_encoder(image::codecs::png::PngEncoder::new(&mut right))
+        .expect("a picture");
+    let write = |name: &str, bytes: &[u8]| {
+        fs::write(folder.join(name), bytes).expect("a file");
+    };
+    write("right.png", &right);
+    write("empty.png", b"");
+    write("text.png", b"not a picture");
+    write("photo.png", b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01");
+    write("short.png", &right[..right.len() / 2]);
+    let mut huge = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
+    huge.extend([0, 3, 0x0D, 0x40, 0, 3, 0x0D, 0x40, 8, 2, 0, 0, 0]);
+    huge.extend(b"\x76\x59\x1f\x5d\0\0\x10\0IDAT\x78\x9c");
+    write("huge.png", &huge);
+    for (arguments, words) in [
+        (&["nowhere.png"][..], "can't read"),
+        (&["."], "is not a file"),
+        (&["empty.png"], "is not a PNG file"),
+        (&["text.png"], "is not a PNG file"),
+        (&["photo.png"], "is a JPEG, which has lost details"),
+        (&["short.png"], "is a damaged PNG file"),
+        (&["huge.png"], "200000×200000 pixels, which is too large"),
+        (&["right.png", "step06_mirror"], "step01_rays, step02_sphere"),
+        (&["--in", "nowhere"], "is not a folder"),
+    ] {
+        let (code, text) = said(&folder, arguments);
+        assert_eq!(code, Some(2), "{text}");
+        assert!(text.starts_with("error: ") && text.lines().count() == 1, "{text}");
+        assert!(text.contains(words), "{text}");
+    }
+    for arguments in [&["a.png", "step01_rays", "more"][..], &["--width", "640"]] {
+        let (code, text) = said(&folder, arguments);
+        assert!(code == Some(2) && text.contains("Usage: check"), "{text}");
+    }
+    let (code, help) = said(&folder, &["--help"]);
+    assert!(code == Some(0) && help.contains("step05_phong, "), "{help}");
+}
+
+#[test]
+fn without_a_file_it_ticks_off_every_picture_of_the_course() {
+    let folder = folder("table");
+    let count = crate::locked().len();
+    let (code, text) = said(&folder, &["--in", "."]);
+    assert!(code == Some(1) || code == Some(2), "{text}");
+    assert_eq!(text.matches(" not there\n").count(), count, "{text}");
+    right("glass").save(folder.join("glass.png")).expect("a file");
+    let (code, text) = said(&folder, &[]);
+    assert!(code == Some(0) && text.contains("\nglass "), "{text}");
+    image::imageops::flip_vertical(&right("glass"))
+        .save(folder.join("sun.png"))
+        .expect("a file");
+    let (code, text) =
+        said(&env::temp_dir(), &["--in", &folder.display().to_string()]);
+    assert!(code == Some(1) && text.contains("not right: "), "{text}");
+    assert!(text.contains(&format!("1 of {count} are right.")), "{text}");
+}
+
+#[test]
+fn the_name_of_the_file_tells_whose_picture_it_is() {
+    let names = || ["step01_rays", "step02_sphere", "glass"].into_iter();
+    for (file, name) in [
+        ("my-step02_sphere.png", Some("step02_sphere")),
+        ("step2.png", Some("step02_sphere")),
+        ("Step01_2.PNG", Some("step01_rays")),
+        ("a/glass (1).png", Some("glass")),
+        ("glasses.png", None),
+    ] {
+        assert_eq!(check::by_file(file, names()), name, "{file}");
+    }
+}
