@@ -28,14 +28,6 @@ fn the_program_draws_helps_and_refuses() {
 }
 
 #[test]
-fn the_nearest_wins_wherever_it_stands_in_the_list() {
-    let hit = |list: &[Sphere]| found(list, &AHEAD);
-    assert_eq!(hit(&[at(-5.0), at(-9.0), at(-7.0)]), Some((4.0, 0)));
-    assert_eq!(hit(&[at(-9.0), at(-5.0), at(-7.0)]), Some((4.0, 1)));
-    assert_eq!(hit(&[at(-9.0), at(-7.0), at(-5.0)]), Some((4.0, 2)));
-}
-
-#[test]
 fn of_two_at_the_same_t_the_first_in_the_list_is_hit() {
     assert_eq!(found(&[at(-5.0), at(-5.0)], &AHEAD), Some((4.0, 0)));
 }

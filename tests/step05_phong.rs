@@ -38,19 +38,6 @@ fn the_program_draws_helps_and_refuses() {
 }
 
 #[test]
-fn head_on_l_is_its_own_reflection() {
-    assert_eq!(reflect(DVec3::Y, DVec3::Y), DVec3::Y);
-}
-
-#[test]
-fn l_is_reflected_to_the_other_side_of_n() {
-    assert_eq!(
-        reflect(DVec3::Y, DVec3::new(0.6, 0.8, 0.0)),
-        DVec3::new(-0.6, 0.8, 0.0)
-    );
-}
-
-#[test]
 fn head_on_the_whole_light_is_mirrored() {
     let lit = specular(DVec3::Y, DVec3::Y, 9.0, &MATERIAL, &light(DVec3::Y));
     assert!(lit.distance(DVec3::new(0.0875, 0.2, 0.45)) < 1e-15);

@@ -71,8 +71,7 @@ fn our_folder(workspace: &Path, url: Option<&str>) -> String {
 /// What is done to a page that mdBook has written.
 fn finish(page: &mut Page, files: &Files) -> Result<()> {
     // mdBook puts the title of a part into an item of its own, and HTML has no such item.
-    let empty: Vec<_> = page.all("li:empty").iter().map(|li| li.id()).collect();
-    empty.into_iter().for_each(|li| page.remove(li));
+    page.change("li:empty", |_| String::new());
     match page.name.as_str() {
         "toc.html" => return Ok(()),
         "print.html" => print::arrange(page)?,
@@ -80,15 +79,12 @@ fn finish(page: &mut Page, files: &Files) -> Result<()> {
     }
     styles::inline(page, files)?;
     // What may scroll sideways takes the focus, so that the keyboard can scroll it.
-    for tag in ["pre", "div.table-wrapper", "span.formula"] {
-        let name = tag.split('.').next().unwrap_or(tag);
-        let (from, to) = (format!("<{name}"), format!("<{name} tabindex=\"0\""));
-        let all = page.all(&format!("main {tag}"));
-        let all: Vec<_> = all.iter().map(|one| (one.id(), one.html())).collect();
-        for (id, html) in all {
-            page.put(id, &html.replacen(&from, &to, 1));
-            page.remove(id);
-        }
+    for (selector, tag) in
+        [("pre", "<pre"), (".table-wrapper", "<div"), (".formula", "<span")]
+    {
+        page.change(&format!("main {selector}"), |html| {
+            html.replacen(tag, &format!("{tag} tabindex=\"0\""), 1)
+        });
     }
     // The first picture does not wait.
     if let Some(first) = page.all("main img").first() {

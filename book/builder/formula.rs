@@ -3,12 +3,6 @@ use math_core::{LatexToMathML, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
 pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
-    if latex.contains(r"\\[") {
-        let latex = latex.trim();
-        return Err(format!(
-            "the formula {latex} has a length after a line's end, which would be printed"
-        ));
-    }
     let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::in_formula(latex, |latex| {
         let converted =

@@ -40,7 +40,6 @@ mod this_pixel;
 
 mod chapter;
 
-mod module;
 mod pictures;
 
 mod links;

@@ -26,10 +26,6 @@ pub fn faults(site: &Site) -> Vec<String> {
             }
         }
     }
-    for (name, css) in site.files.texts(".css") {
-        let wrong = urls(css).filter_map(|url| resolve(site, &ids, name, url));
-        faults.extend(wrong.map(|what| format!("{name} {what}")));
-    }
     faults
 }
 
@@ -42,15 +38,12 @@ fn addresses(element: ElementRef) -> Vec<String> {
     let mut found = vec![];
     for (name, value) in element.value().attrs() {
         match name {
-            "href" | "src" | "poster" | "data" | "action" => {
-                found.push(value.into())
-            }
+            "href" | "src" => found.push(value.into()),
             "srcset" => {
                 let sets =
                     value.split(',').flat_map(|set| set.split_whitespace().next());
                 found.extend(sets.map(str::to_owned));
             }
-            "style" => found.extend(urls(value).map(str::to_owned)),
             _ => {}
         }
     }

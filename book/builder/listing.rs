@@ -9,7 +9,8 @@ use std::path::Path;
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
 /// caption that says which lines of which file it is.
 ///
-/// A path is relative to the chapters. The first listing of a file on a page has an
+/// A path is relative to the chapters; what is in `book/reader` is of the reader's own
+/// folder. The first listing of a file on a page has an
 /// id for links to it, such as `listing-step01_rays-src-ray.rs`; `ids` holds those.
 pub fn html(
     language: &str,
@@ -27,6 +28,7 @@ pub fn html(
     let path = joined(CHAPTERS, target.trim());
     let text = fs::read_to_string(workspace.join(&path))
         .map_err(|_| format!("there is no file {target}"))?;
+    let path = path.strip_prefix("book/reader/").unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = range(part, &lines)?;
     let (first, last, total) = (range.start + 1, range.end, lines.len());
@@ -38,7 +40,7 @@ pub fn html(
     };
     let attributes = format!("data-lines=\"{first}-{last}\"");
     let code = lines[range].join("\n");
-    Ok(figure(&path, &attributes, &part, language, &code, ids))
+    Ok(figure(path, &attributes, &part, language, &code, ids))
 }
 
 /// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:

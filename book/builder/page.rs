@@ -52,6 +52,16 @@ impl Page {
         }
     }
 
+    /// Writes each element that a CSS selector names as `with` has its HTML.
+    pub(crate) fn change(&mut self, selector: &str, with: impl Fn(&str) -> String) {
+        let all = self.all(selector).into_iter();
+        let all: Vec<_> = all.map(|one| (one.id(), with(&one.html()))).collect();
+        for (node, html) in all {
+            self.put(node, &html);
+            self.remove(node);
+        }
+    }
+
     /// Takes a node away, with all that is in it.
     pub(crate) fn remove(&mut self, node: NodeId) {
         self.html.tree.get_mut(node).iter_mut().for_each(|node| node.detach());

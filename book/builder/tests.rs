@@ -48,7 +48,6 @@ fn a_formula_is_read() {
     assert!(right("So $a_i^2 * b$.").contains("<msubsup>"));
     right("It costs 5\\$.\n");
     wrong("One.\n\nTwo $\\nosuchcommand{x}$.\n", 3, "does not parse");
-    wrong("One.\n\nTwo $a \\\\[4pt] b$.\n", 3, "a length after a line's end");
     for dollar in ["It costs 5$ or so.\n", "<p>$x$</p>\n", "$$\\frac{1}{2\n"] {
         wrong(dollar, 1, "a $ that is no formula");
     }

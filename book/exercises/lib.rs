@@ -3,7 +3,10 @@
 //! one of them takes it from here.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(clippy::duplicate_mod, reason = "`fast` has `many` in it")]
+#![allow(
+    clippy::duplicate_mod,
+    reason = "`fast` has `many` in it, `crowd` has `mirror`"
+)]
 #![allow(
     missing_docs,
     reason = "each is a program, and says at its top what it draws"
@@ -112,4 +115,5 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("halfway", halfway::picture),
     ("marbles", marbles::picture),
     ("mirror", mirror::picture),
+    ("crowd", crowd::picture),
 ];

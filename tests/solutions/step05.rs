@@ -93,6 +93,24 @@ fn nothing_mirrors_itself() {
     }
 }
 
+// crowd
+
+#[test]
+fn the_marbles_lie_on_the_ground_and_side_by_side() {
+    let objects = crowd::crowd().objects;
+    let (ground, marbles) = (objects[1].sphere, &objects[9..]);
+    assert_eq!(marbles.len(), 417);
+    let gap = |one: &Sphere, other: &Sphere| {
+        one.centre.distance(other.centre) - one.radius - other.radius
+    };
+    for (k, Object { sphere, .. }) in marbles.iter().enumerate() {
+        assert!(gap(sphere, &ground).abs() < 1e-9, "{sphere:?}");
+        for other in &objects[..9 + k] {
+            assert!(-1e-6 < gap(sphere, &other.sphere), "{sphere:?}");
+        }
+    }
+}
+
 // glass
 
 /// What a ray along `v` sees in glass with the normal `n`, where `next` is the colour

@@ -1,12 +1,15 @@
 use book::{Files, Site};
 use compare::workspace;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-/// Our book, built now.
-pub static BOOK: LazyLock<Site> = LazyLock::new(|| {
-    let built = book::build(&workspace());
-    built.unwrap_or_else(|error| panic!("{error:#}")).1
-});
+/// Our book, built now; one test reads it at a time.
+pub fn book() -> MutexGuard<'static, Site> {
+    static BOOK: LazyLock<Mutex<Site>> = LazyLock::new(|| {
+        let built = book::build(&workspace());
+        Mutex::new(built.unwrap_or_else(|error| panic!("{error:#}")).1)
+    });
+    BOOK.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// The files in a folder of the workspace.
 pub fn files(folder: &str) -> Files {
@@ -16,7 +19,8 @@ pub fn files(folder: &str) -> Files {
 
 #[test]
 fn the_steps_are_chapters_in_their_order() {
-    let names = BOOK.chapters().into_iter().map(|page| &page.name[..]);
+    let book = book();
+    let names = book.chapters().into_iter().map(|page| &page.name[..]);
     let steps = names.filter_map(|name| name.strip_suffix(".html"));
     let steps: Vec<_> = steps.filter(|name| name.starts_with("step")).collect();
     assert_eq!(steps, super::typist::STEPS);

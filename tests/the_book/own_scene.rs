@@ -3,12 +3,12 @@
 
 use super::assert_none;
 use super::typed::whole;
+use compare::Difference;
 use image::RgbImage;
 use live::{Knob, LIVE, Live, Sight};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use tests::Difference;
 
 /// Where its reader saves it.
 pub const PATH: &str = "steps/step05_phong/examples/my_scene.rs";

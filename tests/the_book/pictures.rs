@@ -2,7 +2,7 @@
 //! checked in, or what answers as it is printed, in every pixel.
 
 use super::assert_none;
-use super::built::{BOOK, files};
+use super::built::{book, files};
 use image::imageops::thumbnail;
 use image::{DynamicImage, RgbImage, RgbaImage};
 use live::{LIVE, Live, Sight};
@@ -36,13 +36,13 @@ fn every_picture_is_locked_or_drawn_by_our_code() {
         let name = file.strip_suffix(".snap.png").map(str::to_owned);
         right.extend(name.zip(decoded(&png)));
     }
-    let mut faults = vec![];
-    for page in BOOK.chapters() {
+    let (book, mut faults) = (book(), vec![]);
+    for page in book.chapters() {
         for img in page.all("img") {
             let source = img.attr("src").unwrap_or_default();
             let name = source.rsplit('/').next().unwrap_or_default();
             let name = name.trim_end_matches(".png");
-            let shown = BOOK.files.0.get(source).and_then(|png| decoded(png));
+            let shown = book.files.0.get(source).and_then(|png| decoded(png));
             if shown.is_none() || shown.as_ref() != right.get(name) {
                 let at = page.at(img);
                 faults.push(format!("{at}: {source} is not what our code draws."));

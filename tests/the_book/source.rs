@@ -1,10 +1,10 @@
 //! Every line of every source file stands in the chapter of its step, once.
 
 use super::assert_none;
-use super::built::{BOOK, files};
+use super::built::{book, files};
 use super::listing::Listing;
 use super::own_scene;
-use book::Files;
+use ::book::{Files, Site};
 use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
@@ -15,18 +15,19 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     let steps = files("steps").0.into_iter();
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
     let mut source = Files(steps.collect());
-    for path in ["Cargo.toml", ".rustfmt.toml"] {
-        let bytes = fs::read(workspace().join(path));
-        source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
-    }
+    source.0.extend(files("book/reader").0);
+    let rustfmt = ".rustfmt.toml";
+    let bytes =
+        fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
+    source.0.insert(rustfmt.to_owned(), bytes);
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
 });
 
 /// The page on which a file of a step has its place: an example may stand on any page.
-fn home(path: &str) -> Option<String> {
+fn home(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let mut chapters = BOOK.chapters().into_iter();
+    let mut chapters = book.chapters().into_iter();
     let page = chapters.find(|page| {
         file.starts_with("examples/")
             && Listing::all(page).any(|one| one.path == path)
@@ -35,15 +36,17 @@ fn home(path: &str) -> Option<String> {
 }
 
 /// Whether the parts of a file may stand on several pages: the benchmark measures what
-/// comes later, and the rest of a manifest comes with it.
+/// comes later, the rest of a manifest comes with it, and each step locks its picture.
 fn is_spread(path: &str) -> bool {
-    path.ends_with("/Cargo.toml") || path.contains("/benches/")
+    ["/Cargo.toml", "/benches/", "steps/locked/"]
+        .iter()
+        .any(|part| path.contains(part))
 }
 
 #[test]
 fn every_listing_is_taken_from_its_file() {
-    let mut faults = vec![];
-    for listing in BOOK.chapters().into_iter().flat_map(Listing::all) {
+    let (book, mut faults) = (book(), vec![]);
+    for listing in book.chapters().into_iter().flat_map(Listing::all) {
         let Listing { at, path, lines: (first, last), code } = listing;
         let Some(source) = SOURCE.text(path) else {
             faults.push(format!("{at}: {path} is no file."));
@@ -63,8 +66,8 @@ fn every_listing_is_taken_from_its_file() {
 
 #[test]
 fn no_rust_is_typed_by_hand() {
-    let mut faults = vec![];
-    for page in BOOK.chapters() {
+    let (book, mut faults) = (book(), vec![]);
+    for page in book.chapters() {
         for code in
             page.all("figure:not(.listing) > pre code, :not(figure) > pre code")
         {
@@ -82,11 +85,11 @@ fn no_rust_is_typed_by_hand() {
 
 #[test]
 fn every_line_of_every_file_stands_in_its_chapter_once() {
-    let mut faults = vec![];
+    let (book, mut faults) = (book(), vec![]);
     for (path, text) in SOURCE.texts("") {
-        let Some(home) = home(path) else { continue };
+        let Some(home) = home(&book, path) else { continue };
         let mut times = vec![0; text.lines().count()];
-        for page in BOOK.chapters() {
+        for page in book.chapters() {
             for listing in Listing::all(page).filter(|one| one.path == path) {
                 if page.name != home && !is_spread(path) {
                     faults.push(format!("{}: {path} is of {home}.", listing.at));

@@ -1,14 +1,14 @@
 //! The book suffices: what a reader types from it compiles at every heading, and each
 //! command does what the page says. That in the end all of it is ours, `source` says.
 
-use super::built::BOOK;
+use super::built::book;
 use super::listing::{Listing, joined};
 use super::own_scene;
 use super::reading::{Asked, Event, events};
 use super::source::SOURCE;
 use super::typist::{STEPS, State, Typist};
+use ::book::Page;
 use anyhow::{Context, Result, ensure};
-use book::Page;
 use std::collections::BTreeMap;
 use tests::is_thorough;
 
@@ -54,11 +54,11 @@ fn is_exercise(asked: &Asked, typed: &Typed) -> bool {
 /// What each crate is like at each heading and each command of its chapter, where it is
 /// not as it was at the one before.
 fn states() -> Vec<State> {
-    let mut states: Vec<State> = vec![];
+    let (book, mut states) = (book(), Vec::<State>::new());
     for step in STEPS {
         let mut typed = Typed::new();
         let folder = format!("steps/{step}/src/");
-        for event in events(&BOOK.pages[&format!("{step}.html")]) {
+        for event in events(&book.pages[&format!("{step}.html")]) {
             if let Event::Types(listing) = event {
                 if let Some(file) = listing.path.strip_prefix(&folder) {
                     typed.entry(file).or_default().push(listing);
@@ -79,11 +79,19 @@ fn states() -> Vec<State> {
     states
 }
 
+/// Types the whole book, and does what it says.
+fn type_book() -> Result<()> {
+    let (book, typist) = (book(), Typist::new());
+    let mut typed = Typed::new();
+    let mut pages = book.chapters().into_iter();
+    pages.try_for_each(|page| type_page(page, &typist, &mut typed))
+}
+
 /// A reader's workspace, once the whole book is typed.
 pub fn whole() -> Typist {
-    let typist = Typist::new();
+    let (book, typist) = (book(), Typist::new());
     let mut typed = Typed::new();
-    for listing in BOOK.chapters().into_iter().flat_map(Listing::all) {
+    for listing in book.chapters().into_iter().flat_map(Listing::all) {
         typed.entry(listing.path).or_default().push(listing);
     }
     typist.write(&typed).expect("the files can be written");
@@ -99,11 +107,7 @@ fn the_book_suffices() -> Result<()> {
     assert!(30 <= states.len());
     whole().check_states(&states)?;
     if is_thorough() {
-        let typist = Typist::new();
-        let mut typed = Typed::new();
-        for page in BOOK.chapters() {
-            type_page(page, &typist, &mut typed)?;
-        }
+        type_book()?;
         own_scene::the_rust_of_a_scene_draws_it();
     }
     Ok(())

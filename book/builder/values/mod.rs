@@ -1,6 +1,7 @@
 //! The numbers of the chapters, computed when the book is built.
 
 mod measure;
+mod next;
 mod pixel;
 mod slips;
 mod step01;
@@ -8,7 +9,6 @@ mod step02;
 mod step03;
 mod step04;
 mod step05;
-mod where_next;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -25,7 +25,7 @@ static KNOWN: LazyLock<BTreeMap<&str, LazyLock<String>>> = LazyLock::new(|| {
         step04::VALUES,
         step05::VALUES,
         slips::VALUES,
-        where_next::VALUES,
+        next::VALUES,
     ];
     let values = lists.into_iter().flatten();
     values.map(|&(name, value)| (name, LazyLock::new(value))).collect()

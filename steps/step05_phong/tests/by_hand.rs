@@ -15,8 +15,9 @@ fn near(found: DVec3, printed: [f64; 3]) {
 
 #[test]
 fn reflect_at_a_pixel() {
-    let (scene, camera) = (scene(), Camera::new(640, 360, FRAC_PI_3));
-    let point = visible_point(&scene.objects, &camera.ray(470.0, 120.0)).unwrap();
+    let (scene, ray) =
+        (scene(), Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0));
+    let point = visible_point(&scene.objects, &ray).unwrap();
     let r = |light: PointLight| reflect(point.n, light.direction_from(point.p).0);
     near(r(WARM), [0.8559, -0.2195, -0.4683]);
     near(r(COOL), [-0.3498, -0.0657, 0.9345]);
@@ -35,10 +36,11 @@ fn specular_at_a_teal_pixel() {
 
 #[test]
 fn materials_add_up() {
-    let (mut r_s, mut n) = (DVec3::ZERO, 0);
-    for (k, Object { material, .. }) in (1..).zip(scene().objects) {
-        r_s += f64::from(k) * material.specular;
-        n += k * material.shininess;
+    let (mut r_s, mut n, scene) = (DVec3::ZERO, 0, scene());
+    for (k, (object, flat)) in (1..).zip(scene.objects.iter().zip(OBJECTS)) {
+        r_s += f64::from(k) * object.material.specular;
+        n += k * object.material.shininess;
+        assert_eq!(object.sphere, flat.sphere);
     }
     near(r_s, [25.0, 25.0, 25.0]);
     assert_eq!(n, 3476);
@@ -51,10 +53,8 @@ fn terms_of_a_pixel() {
     near(terms.diffuse, [0.3143, 0.2481, 0.2986]);
     near(terms.specular, [0.2728, 0.382, 0.5456]);
     near(terms.sum(), [0.8943, 0.8413, 1.0795]);
-}
-
-#[test]
-fn picture_of_a_pixel() {
     let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
     assert_eq!(picture[(470, 120)].0, [228, 215, 255]);
+    let sky = Camera::new(640, 360, FRAC_PI_3).ray(0.0, 0.0);
+    assert_eq!(colour(&scene(), &sky), direction_colour(&sky));
 }

@@ -1,4 +1,4 @@
-//! The numbers of the last chapter.
+//! The numbers of what comes after the steps, and of the exercises that look ahead.
 
 use super::Value;
 use super::measure::{count, counted, short, vector};
