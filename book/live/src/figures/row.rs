@@ -9,7 +9,7 @@ pub const ROW: Live = Live {
     name: "row",
     knobs: &[
         Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
-        Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
+        Knob::new(["θ", "field of view", "°"], 60.0, [30.0, 120.0], 1.0),
         Knob::choice("D divides by", 0.0, &["hRes − 1", "hRes"]),
     ],
     handles: &[Handle::new(
@@ -36,7 +36,7 @@ pub const ROW: Live = Live {
 };
 
 /// Where in the drawing C is.
-const ORIGIN: DVec2 = dvec2(240.0, 282.0);
+const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 
 fn row(values: &[f64]) -> Row {
     let mut row = Row::new(values[0] as u32, values[1].to_radians());
@@ -58,7 +58,7 @@ fn draw(values: &[f64]) -> Drawing {
     let c = view.at(DVec2::ZERO);
     let directions: Vec<DVec2> =
         (0..=last).map(|i| row.direction(i as f64)).collect();
-    let mut drawing = Drawing::new(480.0, 320.0);
+    let mut drawing = Drawing::new(480.0, 332.0);
     let tan = -directions[0].x;
     let side = (1.02 * tan).max(0.86);
     drawing.line("plane", view.xy(-side, 1.0), view.xy(side, 1.0));
@@ -80,7 +80,7 @@ fn draw(values: &[f64]) -> Drawing {
         drawing.arrow("accent", from, to);
     }
     let [from, to] = step(last.min(2) - 1);
-    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
+    drawing.label("accent over", (from + to) / 2.0 + dvec2(0.0, -10.0), "$D$");
     let middle = view.at(0.55 * v_0);
     drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [from, to] = step(0);
@@ -102,7 +102,8 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.line("guide", c, corner);
     let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_from("quiet", side, "1");
-    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+    let base =
+        (view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", base, "tan $θ$/2");
     drawing
 }
