@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use step01_rays::{AspectRatio, Camera, Ray, picture, render, rgb8};
+use step01_rays::{AspectRatio, Camera, Ray, render, rgb8};
 use tests::{Program, assert_program, camera};
 
 /// Fields of view in degrees, from narrow to wide.

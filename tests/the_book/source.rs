@@ -17,7 +17,8 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     let mut source = Files(steps.collect());
     source.0.extend(files("book/reader").0);
     let rustfmt = ".rustfmt.toml";
-    let bytes = fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
+    let bytes =
+        fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
     source.0.insert(rustfmt.to_owned(), bytes);
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source

@@ -55,4 +55,6 @@ fn terms_of_a_pixel() {
     near(terms.sum(), [0.8943, 0.8413, 1.0795]);
     let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
     assert_eq!(picture[(470, 120)].0, [228, 215, 255]);
+    let sky = Camera::new(640, 360, FRAC_PI_3).ray(0.0, 0.0);
+    assert_eq!(colour(&scene(), &sky), direction_colour(&sky));
 }
