@@ -36,9 +36,11 @@ fn home(book: &Site, path: &str) -> Option<String> {
 }
 
 /// Whether the parts of a file may stand on several pages: the benchmark measures what
-/// comes later, and the rest of a manifest comes with it.
+/// comes later, the rest of a manifest comes with it, and each step locks its picture.
 fn is_spread(path: &str) -> bool {
-    path.ends_with("/Cargo.toml") || path.contains("/benches/")
+    ["/Cargo.toml", "/benches/", "steps/locked/"]
+        .iter()
+        .any(|part| path.contains(part))
 }
 
 #[test]
