@@ -49,14 +49,14 @@ fn slide_matrix() -> Camera {
 fn speckled() -> RgbImage {
     let scene = scene();
     render(&camera(), 1, |ray| {
-        let Some(point) = seen(&scene.objects, ray) else {
+        let Some(point) = visible_point(&scene.objects, ray) else {
             return direction_colour(ray);
         };
-        let bare = Point { n: DVec3::ZERO, ..point };
+        let bare = SurfacePoint { n: DVec3::ZERO, ..point };
         let hidden = |q: DVec3| mirror::hidden(&scene.objects, &bare, q);
         let mut lights = scene.lights.clone();
-        lights.retain(|light| !hidden(light.point.position));
-        phong(ray, &point, scene.ambient_light, &lights).sum()
+        lights.retain(|light| !hidden(light.point_light.position));
+        phong(&point, ray, scene.ambient_light, &lights).sum()
     })
 }
 

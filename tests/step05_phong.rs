@@ -3,8 +3,9 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    Attenuation, Light, Material, Phong, Point, PointLight, Ray, Surface, ambient,
-    colour, diffuse, objects, phong, reflect, scene, seen, specular, terms,
+    Attenuation, Light, Material, OBJECTS, Phong, PointLight, Ray, Surface,
+    SurfacePoint, ambient, colour, diffuse, phong, reflect, scene, specular, terms,
+    visible_point,
 };
 use tests::{assert_program, camera, point, unit};
 
@@ -20,33 +21,20 @@ const MATERIAL: Material = Material {
 /// A light at `position`, with attenuation 1/2.
 fn light(position: DVec3) -> Light {
     let attenuation = Attenuation { a: 2.0, b: 0.0, c: 0.0 };
-    let point =
+    let point_light =
         PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
-    Light { point, specular: DVec3::new(0.25, 0.5, 1.0) }
+    Light { point_light, specular: DVec3::new(0.25, 0.5, 1.0) }
 }
 
 /// The light from `p`, whose unit normal is `n`, along the unit vector `v` to the eye.
 fn from(p: DVec3, n: DVec3, v: DVec3, l_a: DVec3, lights: &[Light]) -> Phong {
     let ray = Ray { start: p + 3.0 * v, direction: -v };
-    phong(&ray, &Point { p, n, material: &MATERIAL }, l_a, lights)
+    phong(&SurfacePoint { p, n, material: &MATERIAL }, &ray, l_a, lights)
 }
 
 #[test]
 fn the_program_draws_helps_and_refuses() {
     assert_program("step05_phong");
-}
-
-#[test]
-fn head_on_l_is_its_own_reflection() {
-    assert_eq!(reflect(DVec3::Y, DVec3::Y), DVec3::Y);
-}
-
-#[test]
-fn l_is_reflected_to_the_other_side_of_n() {
-    assert_eq!(
-        reflect(DVec3::new(0.6, 0.8, 0.0), DVec3::Y),
-        DVec3::new(-0.6, 0.8, 0.0)
-    );
 }
 
 #[test]
@@ -73,7 +61,7 @@ fn nothing_is_mirrored_away_from_the_eye() {
 #[test]
 fn attenuation_fades_highlights_too() {
     let mut light = light(DVec3::Y);
-    light.point.attenuation = Attenuation { a: 1.0, b: 2.0, c: 3.0 };
+    light.point_light.attenuation = Attenuation { a: 1.0, b: 2.0, c: 3.0 };
     let lit = specular(DVec3::Y, DVec3::Y, 3.0, &MATERIAL, &light);
     assert!(lit.distance(MATERIAL.specular * light.specular / 34.0) < 1e-15);
 }
@@ -83,8 +71,8 @@ fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
     // Behind the surface y = 0, low over the horizon: r·v is 0.28 although n·l < 0.
     let (n, v) = (DVec3::Y, DVec3::new(-0.8, 0.6, 0.0));
     let behind = light(DVec3::new(4.0, -3.0, 0.0));
-    let (l, _) = behind.point.seen_from(DVec3::ZERO);
-    assert!(n.dot(l) < 0.0 && 0.2 < reflect(l, n).dot(v));
+    let (l, _) = behind.point_light.direction_from(DVec3::ZERO);
+    assert!(n.dot(l) < 0.0 && 0.2 < reflect(n, l).dot(v));
     let sum = from(DVec3::ZERO, n, v, DVec3::ONE, &[behind]);
     assert_eq!(sum.sum(), MATERIAL.surface.ambient);
 }
@@ -105,9 +93,9 @@ fn the_sum_runs_over_all_lights_and_all_terms() {
     let sum = from(p, n, v, GREY, &lights);
     let mut expected = [MATERIAL.surface.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
     for light in &lights {
-        let (l, d) = light.point.seen_from(p);
-        expected[1] += diffuse(n, l, d, &MATERIAL.surface, &light.point);
-        expected[2] += specular(reflect(l, n), v, d, &MATERIAL, light);
+        let (l, d) = light.point_light.direction_from(p);
+        expected[1] += diffuse(n, l, d, &MATERIAL.surface, &light.point_light);
+        expected[2] += specular(reflect(n, l), v, d, &MATERIAL, light);
     }
     assert_eq!([sum.ambient, sum.diffuse, sum.specular], expected);
     assert!(0.0 < sum.specular.min_element() && 0.0 < sum.diffuse.min_element());
@@ -119,17 +107,17 @@ const GREY: DVec3 = DVec3::splat(0.5);
 #[test]
 fn v_is_a_unit_vector_to_the_eye() {
     let (scene, ray) = (scene(), camera().ray(245.0, 155.0));
-    let point =
-        seen(&scene.objects, &ray).expect("the highlight of the red sphere");
+    let point = visible_point(&scene.objects, &ray)
+        .expect("the highlight of the red sphere");
     let long = Ray { direction: 3.0 * ray.direction, ..ray };
-    let sum = phong(&long, &point, scene.ambient_light, &scene.lights);
+    let sum = phong(&point, &long, scene.ambient_light, &scene.lights);
     let found = terms(&scene, &ray).expect("a hit");
     assert!(0.1 < found.specular.max_element());
     assert!(found.specular.distance(sum.specular) < 1e-12);
     assert_eq!(colour(&scene, &ray), found.sum());
     assert_eq!(
         found.ambient,
-        ambient(point.material.surface.ambient, scene.ambient_light)
+        ambient(&point.material.surface, scene.ambient_light)
     );
 }
 
@@ -137,12 +125,13 @@ fn v_is_a_unit_vector_to_the_eye() {
 fn each_object_has_the_place_and_the_colour_that_step_3_gave_it() {
     let scene = scene();
     assert_eq!(scene.objects.len(), 9);
-    for (shiny, flat) in scene.objects.iter().zip(objects()) {
+    for (shiny, flat) in scene.objects.iter().zip(OBJECTS) {
         assert_eq!(shiny.sphere, flat.sphere);
         assert_eq!(shiny.material.surface, Surface::of(flat.material));
     }
     let matt = step04_diffuse::scene();
-    let lights: Vec<_> = scene.lights.iter().map(|light| light.point).collect();
+    let lights: Vec<_> =
+        scene.lights.iter().map(|light| light.point_light).collect();
     assert_eq!((scene.ambient_light, lights), (matt.ambient_light, matt.lights));
 }
 
@@ -152,11 +141,11 @@ fn somewhere_in_view_a_surface_faces_away_from_a_light_although_r_v_is_above_0()
     let mut bright = 0;
     for (i, j) in (0..360).flat_map(|j| (0..640).map(move |i| (i, j))) {
         let ray = camera.ray(i.into(), j.into());
-        let Some(point) = seen(&scene.objects, &ray) else { continue };
+        let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let v = -ray.direction.normalize();
         for light in &scene.lights {
-            let (l, d) = light.point.seen_from(point.p);
-            let lit = specular(reflect(l, point.n), v, d, point.material, light);
+            let (l, d) = light.point_light.direction_from(point.p);
+            let lit = specular(reflect(point.n, l), v, d, point.material, light);
             // Without the test of n·l, at least one of 255 steps of brightness.
             let counts = point.n.dot(l) <= 0.0 && 1.0 / 255.0 < lit.max_element();
             bright += usize::from(counts);
@@ -168,11 +157,11 @@ fn somewhere_in_view_a_surface_faces_away_from_a_light_although_r_v_is_above_0()
 proptest! {
     #[test]
     fn reflection_keeps_length_and_angle(l in unit(), n in unit()) {
-        let r = reflect(l, n);
+        let r = reflect(n, l);
         prop_assert!((r.length() - 1.0).abs() < 1e-12);
         prop_assert!((r.dot(n) - l.dot(n)).abs() < 1e-12);
         prop_assert!(r.cross(l).dot(n).abs() < 1e-12);
-        prop_assert!(reflect(r, n).distance(l) < 1e-12);
+        prop_assert!(reflect(n, r).distance(l) < 1e-12);
     }
 
     #[test]
@@ -191,15 +180,15 @@ proptest! {
         prop_assume!(0.01 < p.distance(at));
         let (white, m) = (light(at), MATERIAL);
         let swapped = Light {
-            point: PointLight { diffuse: white.point.diffuse.zyx(), ..white.point },
+            point_light: PointLight { diffuse: white.point_light.diffuse.zyx(), ..white.point_light },
             specular: white.specular.zyx(),
         };
         let surface = Surface { ambient: m.surface.ambient.zyx(), diffuse: m.surface.diffuse.zyx() };
         let material = Material { surface, specular: m.specular.zyx(), ..m };
         let l_a = DVec3::new(0.1, 0.2, 0.3);
         let ray = Ray { start: p + v, direction: -v };
-        let sum = phong(&ray, &Point { p, n, material: &m }, l_a, &[white]).sum();
-        let again = phong(&ray, &Point { p, n, material: &material }, l_a.zyx(), &[swapped]);
+        let sum = phong(&SurfacePoint { p, n, material: &m }, &ray, l_a, &[white]).sum();
+        let again = phong(&SurfacePoint { p, n, material: &material }, &ray, l_a.zyx(), &[swapped]);
         prop_assert_eq!(again.sum(), sum.zyx());
     }
 

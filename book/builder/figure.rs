@@ -1,4 +1,4 @@
-use crate::knobs;
+use crate::controls;
 use crate::markdown::inline;
 use live::Live;
 
@@ -8,7 +8,7 @@ pub fn html(name: &str) -> Result<String, String> {
     let beside = |live: &&&Live| live.beside.is_some_and(|(with, _)| with == name);
     let (live, knobs) = match (live::find(name), live::LIVE.iter().find(beside)) {
         (Some(live), _) => {
-            (format!(" data-live=\"{}\"", live.name), knobs::html(live))
+            (format!(" data-live=\"{}\"", live.name), controls::html(live))
         }
         (_, Some(live)) => {
             (format!(" data-beside=\"{}\"", live.name), String::new())

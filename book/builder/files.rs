@@ -20,8 +20,6 @@ pub fn joined(from: &str, path: &str) -> String {
 }
 
 /// The files of a folder in memory, each by its path in that folder.
-///
-/// So a test can change one and see what a check says, and no file is touched.
 #[derive(Clone, Debug, Default)]
 pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
@@ -55,16 +53,5 @@ impl Files {
     pub fn texts(&self, end: &str) -> impl Iterator<Item = (&str, &str)> {
         let paths = self.0.keys().filter(move |path| path.ends_with(end));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
-    }
-
-    /// These files, with `from` replaced by `to` where it first stands in the file
-    /// at `path`.
-    #[track_caller]
-    pub fn with(&self, path: &str, from: &str, to: &str) -> Self {
-        let text = self.text(path).unwrap_or_else(|| panic!("no text {path}"));
-        assert!(text.contains(from), "{path} does not hold {from:?}");
-        let mut files = self.clone();
-        files.0.insert(path.to_string(), text.replacen(from, to, 1).into_bytes());
-        files
     }
 }

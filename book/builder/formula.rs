@@ -1,16 +1,10 @@
-use crate::number;
+use crate::numbers;
 use math_core::{LatexToMathML, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
 pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
-    if latex.contains(r"\\[") {
-        let latex = latex.trim();
-        return Err(format!(
-            "the formula {latex} has a length after a line's end, which would be printed"
-        ));
-    }
     let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = number::in_formula(latex, |latex| {
+    let mathml = numbers::in_formula(latex, |latex| {
         let converted =
             LatexToMathML::default().convert_with_local_state(latex, style);
         converted.map(|converted| converted.mathml).map_err(|error| {

@@ -1,49 +1,57 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! A chapter is Markdown. What it can hold beside that is in the modules of this
-//! crate: a listing, a formula, a figure, a value, a picture and a box.
+//! `build` reads the chapters with mdBook, expands them, has mdBook write its pages and
+//! finishes those: styles inside, the first picture at once, the whole book arranged for
+//! paper. A page is read and changed as a tree. At the end each link is followed.
+//!
+//! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
+//!
+//! - a *listing* is a file of a step or a part of it (`include` in a fence), or a number
+//!   that moves (`listing`);
+//! - a *value* is computed from the steps when the book is built, a *number* moves on the
+//!   page with what answers;
+//! - a *figure* is a drawing of the crate `live`, and a *picture* a PNG file, locked or made
+//!   from code; with `live` behind it, it *answers*: its *controls* turn the knobs of `live`,
+//!   and where its pixels can be asked, *this pixel* tells the way to the three bytes;
+//! - a *box* (`predict`, `hints`, `aside` … `end`) is opened by its reader;
+//! - `mistakes` are those of a step, with a picture each;
+//! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
+//!   was worked out above it, and `rust` tells what a week of Rust does not.
+//!
+//! A *fault* is a sentence about what only the author can mend; it stops the build.
 
-mod fault;
 mod files;
-
-mod formula;
-mod markdown;
-mod number;
-
-mod boxes;
-mod chain;
-mod check;
-mod excerpt;
-mod figure;
-mod knobs;
-mod mistakes;
-mod module;
-mod picture;
-mod pictures;
-mod values;
-
-mod draft;
-
-mod element;
-mod link;
 mod page;
 mod site;
 
-mod browser;
-mod course;
-mod finish;
-mod paper;
-mod press;
+mod formula;
+mod markdown;
+mod numbers;
+mod values;
+
+mod check;
+mod controls;
+mod details;
+mod figure;
+mod listing;
+mod mistakes;
+mod picture;
+mod this_pixel;
+
+mod chapter;
+
+mod pictures;
+
+mod links;
+mod print;
+mod styles;
+
+mod build;
 
 #[cfg(test)]
 mod tests;
 
-pub use browser::open;
-pub use course::{Course, answer};
-pub use element::Element;
-pub use fault::Fault;
+pub use build::build;
 pub use files::Files;
-pub use link::faults;
-pub use page::Page;
-pub use press::build;
+pub use page::{Page, all, text};
 pub use site::Site;

@@ -1,10 +1,10 @@
 //! Builds the book, and opens it with `--open`.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Parser;
 use std::io::{Write, stderr, stdout};
 use std::process::ExitCode;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Builds the book from its chapters, the five crates and the locked pictures.
 #[derive(Parser)]
@@ -13,44 +13,32 @@ struct Options {
     /// Open the book in the browser
     #[arg(long)]
     open: bool,
-    /// What the mdbook program asks
-    #[arg(hide = true)]
-    question: Vec<String>,
 }
 
 fn main() -> ExitCode {
-    let Err(error) = run(Options::parse()) else { return ExitCode::SUCCESS };
+    let Err(error) = run(&Options::parse()) else { return ExitCode::SUCCESS };
     let _ = writeln!(stderr(), "{error:#}");
     ExitCode::FAILURE
 }
 
-fn run(Options { open, question }: Options) -> Result<()> {
-    let question: Vec<_> = question.iter().map(String::as_str).collect();
-    match question[..] {
-        [] => build(open),
-        ["preprocess"] => book::answer(),
-        ["preprocess", "supports", _] => Ok(()),
-        _ => bail!("allowed are no argument, which builds the book, and --open"),
-    }
-}
-
-/// Builds the book, says what was built and where, and opens it if `open` is set.
-fn build(open: bool) -> Result<()> {
+/// Builds the book, says what was built and where, and opens it if that is asked for.
+fn run(options: &Options) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
-    let (folder, site) = book::build(&compare::workspace().join("book"))?;
+    let (folder, site) = book::build(&compare::workspace())?;
     say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
         site.chapters().len(),
-        site.count("figure", "listing"),
-        site.count("figure", "drawing"),
-        site.count("img", ""),
-        site.count("math", ""),
+        site.count(".listing"),
+        site.count(".drawing"),
+        site.count("img"),
+        site.count("math"),
         start.elapsed().as_secs_f64(),
     ));
     let index = folder.join("index.html");
     say(&format!("It begins at {}", index.display()));
-    if open && !book::open(&index) {
+    let patience = Duration::from_secs(2);
+    if options.open && open::that_detached_with_timeout(&index, patience).is_err() {
         say("There is no browser here to open it with.");
     }
     Ok(())

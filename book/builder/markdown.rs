@@ -1,4 +1,4 @@
-use crate::{formula, number};
+use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
 /// Markdown as mdBook reads it, with formulas.
@@ -34,7 +34,7 @@ pub fn inline(markdown: &str) -> Result<String, String> {
     if text.contains('$') {
         return Err("a lone $ in the caption".to_string());
     }
-    number::fill(&text.replace('\n', " "))
+    numbers::in_text(&text.replace('\n', " "), "−")
 }
 
 /// The kind and the words of a directive such as `{{#figure ray}}`.

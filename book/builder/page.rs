@@ -1,48 +1,80 @@
-use crate::element::{Element, elements};
+use anyhow::{Context, Result};
+use ego_tree::NodeId;
+use scraper::{ElementRef, Html, Selector};
 
 /// A page of the book, as a browser reads it.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// Its file, such as `step01_rays.html`.
     pub name: String,
-    /// Every element of it, in the order in which they begin.
-    pub elements: Vec<Element>,
-    /// All of its text, with a space at each tag.
-    pub text: String,
+    /// Its tree.
+    pub html: Html,
 }
 
 impl Page {
     /// Reads the HTML of the page `name`.
     pub fn new(name: &str, html: &str) -> Self {
-        let (elements, text) = elements(html);
-        Self { name: name.to_string(), elements, text }
+        Self { name: name.to_owned(), html: Html::parse_document(html) }
     }
 
-    /// Every element `tag`.
-    pub fn all(&self, tag: &str) -> impl Iterator<Item = &Element> {
-        self.elements.iter().filter(move |element| element.tag == tag)
+    /// Every element that a CSS selector names, from top to bottom.
+    pub fn all(&self, selector: &str) -> Vec<ElementRef<'_>> {
+        all(self.html.root_element(), selector)
     }
 
-    /// The elements around an element, from the inside out.
-    pub fn around<'a>(
-        &'a self,
-        element: &Element,
-    ) -> impl Iterator<Item = &'a Element> {
-        let mut parent = element.parent;
-        std::iter::from_fn(move || {
-            let around = &self.elements[parent?];
-            parent = around.parent;
-            Some(around)
-        })
+    /// The element that a CSS selector names, which has to be there.
+    pub fn one(&self, selector: &str) -> Result<ElementRef<'_>> {
+        let first = self.all(selector).first().copied();
+        first.with_context(|| format!("{} has no {selector}", self.name))
     }
 
-    /// Whether `inner` stands somewhere in `outer`.
-    pub fn within(&self, inner: &Element, outer: &Element) -> bool {
-        self.around(inner).any(|around| std::ptr::eq(around, outer))
+    /// Where an element is, for the sentence about a fault: its page, and the last id
+    /// before it.
+    pub fn at(&self, element: ElementRef) -> String {
+        let around = std::iter::once(*element).chain(element.ancestors());
+        let mut before = around
+            .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
+            .filter_map(|node| node.value().as_element()?.id());
+        before.next().map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
 
-    /// Where an element is, for the sentence about a fault.
-    pub fn at(&self, element: &Element) -> String {
-        format!("line {} of {}", element.line, self.name)
+    /// Puts a piece of HTML before a node.
+    pub(crate) fn put(&mut self, before: NodeId, html: &str) {
+        let tree = &mut self.html.tree;
+        let piece = tree.extend_tree(Html::parse_fragment(html).tree).id();
+        let nodes = tree.get(piece).and_then(|root| root.first_child());
+        let nodes: Vec<_> =
+            nodes.iter().flat_map(|top| top.children()).map(|n| n.id()).collect();
+        for node in nodes {
+            if let Some(mut before) = tree.get_mut(before) {
+                before.insert_id_before(node);
+            }
+        }
     }
+
+    /// Writes each element that a CSS selector names as `with` has its HTML.
+    pub(crate) fn change(&mut self, selector: &str, with: impl Fn(&str) -> String) {
+        let all = self.all(selector).into_iter();
+        let all: Vec<_> = all.map(|one| (one.id(), with(&one.html()))).collect();
+        for (node, html) in all {
+            self.put(node, &html);
+            self.remove(node);
+        }
+    }
+
+    /// Takes a node away, with all that is in it.
+    pub(crate) fn remove(&mut self, node: NodeId) {
+        self.html.tree.get_mut(node).iter_mut().for_each(|node| node.detach());
+    }
+}
+
+/// Every element in another that a CSS selector names, from top to bottom.
+pub fn all<'a>(element: ElementRef<'a>, selector: &str) -> Vec<ElementRef<'a>> {
+    let selector = Selector::parse(selector).expect("a CSS selector");
+    element.select(&selector).collect()
+}
+
+/// The text of an element, with that of the elements in it.
+pub fn text(element: ElementRef) -> String {
+    element.text().collect()
 }

@@ -1,9 +1,9 @@
 use crate::files::CHAPTERS;
 use crate::markdown::inline;
 use crate::pictures::HALF;
-use crate::{chain, knobs};
+use crate::{controls, this_pixel};
+use image::image_dimensions;
 use live::{Live, escape};
-use std::fs;
 use std::path::Path;
 
 /// What makes a picture load when it comes into view.
@@ -57,10 +57,9 @@ impl Picture {
                 "the picture {source} has no alt text: say what it shows"
             ));
         }
-        let bytes = fs::read(workspace.join(CHAPTERS).join(source))
+        let path = workspace.join(CHAPTERS).join(source);
+        let (width, height) = image_dimensions(path)
             .map_err(|_| format!("there is no picture {source}"))?;
-        let (width, height) = size(&bytes)
-            .ok_or_else(|| format!("the picture {source} is not a PNG file"))?;
         let half = source.replace(".png", HALF);
         let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
             true => format!(
@@ -92,9 +91,9 @@ pub fn figure(
         if let Some(name) = live {
             let answers = picture.live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
-            knobs = knobs::html(answers);
+            knobs = controls::html(answers);
             if answers.is_asked() {
-                below = chain::html(answers, workspace)?;
+                below = this_pixel::html(answers, workspace)?;
             }
         }
         let caption = match picture.caption.as_str() {
@@ -111,12 +110,4 @@ pub fn figure(
         [_] => figures,
         _ => format!("<div class=\"pictures\">\n{figures}</div>\n"),
     })
-}
-
-/// Width and height, which stand at a fixed place in a PNG file.
-pub fn size(png: &[u8]) -> Option<(u32, u32)> {
-    let number =
-        |at: usize| Some(u32::from_be_bytes(png.get(at..at + 4)?.try_into().ok()?));
-    png.starts_with(b"\x89PNG").then_some(())?;
-    Some((number(16)?, number(20)?))
 }

@@ -3,7 +3,10 @@
 //! one of them takes it from here.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(clippy::duplicate_mod, reason = "`fast` has `many` in it")]
+#![allow(
+    clippy::duplicate_mod,
+    reason = "`fast` has `many` in it, `crowd` has `mirror`"
+)]
 #![allow(
     missing_docs,
     reason = "each is a program, and says at its top what it draws"
@@ -14,6 +17,8 @@ use step01_rays::Camera;
 
 #[path = "../../steps/step03_nearest/examples/all_hits.rs"]
 pub mod all_hits;
+#[path = "../../steps/step05_phong/examples/crowd.rs"]
+pub mod crowd;
 #[path = "../../steps/step03_nearest/examples/depth.rs"]
 pub mod depth;
 #[path = "../../steps/step02_sphere/examples/disc.rs"]
@@ -56,6 +61,8 @@ pub mod plaster;
 pub mod quadric;
 #[path = "../../steps/step01_rays/examples/rings.rs"]
 pub mod rings;
+#[path = "../../steps/step01_rays/examples/row.rs"]
+pub mod row;
 #[path = "../../steps/step04_diffuse/examples/shadows.rs"]
 pub mod shadows;
 #[path = "../../steps/step04_diffuse/examples/snowman.rs"]
@@ -103,8 +110,10 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("snowman", snowman::picture),
     ("spot", spot::picture),
     ("sun", sun::picture),
+    ("crowd", crowd::picture),
     ("glass", glass::picture),
     ("halfway", halfway::picture),
     ("marbles", marbles::picture),
     ("mirror", mirror::picture),
+    ("crowd", crowd::picture),
 ];

@@ -5,14 +5,6 @@ function mdbook_something_else_has_focus(event) {
     return /^(input|select|textarea)$/i.test(event.target.nodeName);
 }
 
-// Fetches a script when it is needed first.
-const fetched = {};
-const script = source => fetched[source] ??= new Promise((done, failed) => {
-    const element = document.createElement("script");
-    Object.assign(element, { src: source, onload: done, onerror: failed });
-    document.head.append(element);
-});
-
 // Calls back, once for each element, when it comes near the view.
 function whenNear(elements, near) {
     const observer = new IntersectionObserver(entries => {
@@ -25,35 +17,8 @@ function whenNear(elements, near) {
     elements.forEach(element => observer.observe(element));
 }
 
-// Search: fetched when it is asked for, or when a link comes from its answers.
-{
-    const button = document.getElementById("mdbook-search-toggle");
-    const box = document.getElementById("mdbook-search-wrapper");
-    const words = document.getElementById("mdbook-searchbar");
-    const fetchAll = async () => { for (const source of searchers) await script(source); };
-    const ask = async () => {
-        button.removeEventListener("click", ask);
-        removeEventListener("keydown", press);
-        // Words may be typed already while it comes.
-        box.classList.remove("hidden");
-        words.focus();
-        await fetchAll();
-        box.classList.add("hidden");
-        button.click();
-        words.setSelectionRange(words.value.length, words.value.length);
-    };
-    const press = event => {
-        const other = event.altKey || event.ctrlKey || event.metaKey || mdbook_something_else_has_focus(event);
-        if (other || !["s", "S", "/"].includes(event.key)) return;
-        event.preventDefault();
-        ask();
-    };
-    if (/[?&](search|highlight)=/.test(location.search)) fetchAll();
-    else {
-        button.addEventListener("click", ask);
-        addEventListener("keydown", press);
-    }
-}
+// What has come near stays laid out.
+whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
 // Theme: follow the system, or stay light, or stay dark.
 {
@@ -104,17 +69,11 @@ function whenNear(elements, near) {
     }
 }
 
-// Pictures load when they come into view. From a folder that saves nothing, so there all are
-// loaded at once, and none is missing on paper.
-if (location.protocol === "file:") {
-    for (const picture of document.querySelectorAll("img[loading=lazy]")) picture.loading = "eager";
-}
-
-// Code: colours, when it comes into view, and a button that copies a listing.
+// Code: colours, when it comes near the view or is printed, and a button that copies a listing.
 {
-    const colour = async code => { await script(highlighter); hljs.highlightBlock(code); };
     const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
-    if (location.protocol === "file:") codes.forEach(colour);
+    const colour = code => hljs.highlightBlock(code);
+    if (document.body.matches(".whole")) codes.forEach(colour);
     else whenNear(codes, colour);
 }
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
@@ -133,62 +92,6 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
             button.textContent = "Not copied";
         }
         setTimeout(() => { button.textContent = "Copy"; }, 1500);
-    });
-}
-
-// Works through a list some milliseconds at a time, a few elements at once, so that the page
-// answers meanwhile. Returns what stops it.
-function little(list, work, done) {
-    const all = [...list];
-    let due;
-    const some = () => {
-        const end = performance.now() + 5;
-        while (all.length && performance.now() < end) work(all.splice(0, 4));
-        if (all.length) due = setTimeout(some);
-        else done();
-    };
-    due = setTimeout(some);
-    return () => clearTimeout(due);
-}
-
-// What is far below waits until the page is shown; then it is laid out as well, so that all of
-// it is there for whoever takes a picture of the page or jumps to its end.
-const laidOut = new Promise(done => {
-    const main = document.querySelector("main");
-    const show = few => {
-        for (const part of few) part.style.contentVisibility = "visible";
-        main.getBoundingClientRect();
-    };
-    addEventListener("load", () => little(document.querySelectorAll("main > *, .formula"), show, done));
-});
-
-// What scrolls sideways takes the focus, so that the keyboard can scroll it.
-{
-    // What is measured is laid out; so a few are measured before one of them is changed.
-    const main = document.querySelector("main");
-    const range = document.createRange();
-    const isWide = box => {
-        if (!box.matches(".formula")) return box.scrollWidth > box.clientWidth;
-        range.selectNodeContents(box.firstElementChild);
-        return range.getBoundingClientRect().right > box.getBoundingClientRect().right + 0.5;
-    };
-    const measure = few => {
-        const wide = few.map(isWide);
-        few.forEach((box, k) => {
-            if (wide[k]) box.tabIndex = 0;
-            else box.removeAttribute("tabindex");
-        });
-    };
-    let stop = () => {};
-    const later = () => {
-        stop();
-        delete main.dataset.ready;
-        stop = little(document.querySelectorAll("pre, .table-wrapper, .stage, .formula"), measure, () => { main.dataset.ready = ""; });
-    };
-    laidOut.then(() => {
-        later();
-        addEventListener("resize", later);
-        document.fonts?.addEventListener("loadingdone", later);
     });
 }
 

@@ -81,14 +81,6 @@ const make = (tag, attributes, ...children) => {
 // A text that is as it was stays, and nothing is laid out anew for it.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
-// Copies the printed picture, which is what is seen at first. It is drawn where it has not come,
-// and in a folder, where a page may not read what it has copied.
-function copy(picture, canvas, draw) {
-    const hasCome = picture.complete && 0 < picture.naturalWidth;
-    if (location.protocol === "file:" || !hasCome) draw();
-    else canvas.getContext("2d").drawImage(picture, 0, 0);
-}
-
 // Makes one figure answer.
 function liven(figure, module) {
     const name = figure.dataset.live;
@@ -127,7 +119,7 @@ function liven(figure, module) {
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
     // Ranges, switches and lists are printed; they are those of what no handle turns there.
-    const printed = ask(module, request("tell"));
+    const printed = ask(module, request("show"));
     const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
     const controls = figure.querySelector(".knobs");
     const knobs = about.values.map((_, k) => {
@@ -260,9 +252,7 @@ function liven(figure, module) {
     }
     // What is said of a pixel comes when the first is asked.
     function reveal() {
-        if (!follow.some(part => part.hidden)) return;
         follow.forEach(part => { part.hidden = false; });
-        dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
     }
     // What is made here may be kept: it is in the address, once a gesture has come to rest.
     let kept = printed.numbers.address;
@@ -285,7 +275,6 @@ function liven(figure, module) {
 
     choose(handles[0]?.thing);
     show(printed);
-    if (sight !== still) copy(still, sight, () => show(ask(module, request("show"))));
     if (kept === undefined) {
         // On paper, everything is as printed.
         addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
@@ -296,7 +285,6 @@ function liven(figure, module) {
     }
     Object.assign(controls, { hidden: false, inert: false });
     figure.dataset.ready = "";
-    dispatchEvent(new Event("resize")); // what scrolls sideways takes the focus
 }
 
 // Says whether a picture is right: what `check` says of the file, which goes nowhere else.
@@ -355,21 +343,9 @@ function looking(form) {
 }
 document.querySelectorAll("form[data-live=check]").forEach(looking);
 
-// What is live is made so when it comes into view; only then is the module loaded, and after
-// what there is to read.
-function watch() {
-    const seen = new IntersectionObserver(async entries => {
-        for (const { isIntersecting, target } of entries) {
-            if (!isIntersecting) continue;
-            seen.unobserve(target);
-            const module = await liveModule.get("live").catch(() => null);
-            if (module) liven(target, module);
-            else target.querySelector(".knobs").remove();
-        }
-    }, { rootMargin: "200px" });
-    document.querySelectorAll("figure[data-live]").forEach(figure => seen.observe(figure));
-}
-// First the page is painted.
-const painted = () => (window.requestIdleCallback ?? setTimeout)(watch);
-if (document.readyState === "complete") painted();
-else addEventListener("load", painted);
+// A figure answers from when it comes near the view: only then is the module loaded.
+whenNear(document.querySelectorAll("figure[data-live]"), async figure => {
+    const module = await liveModule.get("live").catch(() => null);
+    if (module) liven(figure, module);
+    else figure.querySelector(".knobs").remove();
+});

@@ -5,7 +5,7 @@ use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
 use step02_sphere::Roots;
-use step03_nearest::{Camera, Object, Ray, Sphere, nearest, objects};
+use step03_nearest::{Camera, OBJECTS, Object, Ray, Sphere, nearest};
 use tests::{camera, point, rays, sphere, unit};
 
 #[test]
@@ -101,7 +101,7 @@ proptest! {
     #[test]
     fn depth_does_not_depend_on_the_length_of_v(v in unit(), k in -3..4, s in point()) {
         // Times a power of two, every number of the formula is exact.
-        let (objects, start) = (objects(), s / 10.0);
+        let (objects, start) = (OBJECTS, s / 10.0);
         let ray = Ray { start, direction: v };
         let longer = Ray { start, direction: 2_f64.powi(k) * v };
         let d = depth::distance(&objects, &longer);

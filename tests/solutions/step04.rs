@@ -4,8 +4,8 @@ use glam::DVec3;
 use image::Rgb;
 use proptest::prelude::*;
 use step04_diffuse::{
-    Attenuation, COOL, Object, Point, PointLight, Ray, Surface, WARM, colour,
-    diffuse, scene, seen,
+    Attenuation, COOL, Object, PointLight, Ray, Surface, SurfacePoint, WARM,
+    colour, diffuse, scene, visible_point,
 };
 use tests::{camera, locked, point, unit};
 
@@ -41,8 +41,8 @@ fn the_curve_comes_after_the_mean() {
 fn down() -> spot::SpotLight {
     let position = DVec3::new(0.0, 4.0, 0.0);
     let spot = spot::night().lights[0];
-    let point = PointLight { position, ..spot.point };
-    spot::SpotLight { point, axis: DVec3::NEG_Y, ..spot }
+    let point_light = PointLight { position, ..spot.point_light };
+    spot::SpotLight { point_light, axis: DVec3::NEG_Y, ..spot }
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn a_sphere_hides_a_light_behind_it_and_none_before_it() {
     let objects = numbered();
     let sphere = objects[0].sphere;
     let at = |radii: f64| sphere.centre + radii * sphere.radius * DVec3::Z;
-    let point = Point { p: at(4.0), n: DVec3::Z, material: &0 };
+    let point = SurfacePoint { p: at(4.0), n: DVec3::Z, material: &0 };
     assert!(shadows::hidden(&objects, &point, at(-1.1)));
     assert!(shadows::hidden(&objects, &point, at(0.9)));
     assert!(!shadows::hidden(&objects, &point, at(2.0)));
@@ -80,7 +80,7 @@ fn a_sphere_hides_a_light_behind_it_and_none_before_it() {
 fn a_surface_that_faces_a_light_is_hidden_by_other_objects_only() {
     let (objects, mut hidden_by_itself) = (numbered(), 0);
     for ray in rays_of_camera() {
-        let Some(point) = seen(&objects, &ray) else { continue };
+        let Some(point) = visible_point(&objects, &ray) else { continue };
         for q in [WARM.position, COOL.position] {
             if point.n.dot(q - point.p) <= 0.0 {
                 continue;
@@ -114,7 +114,7 @@ proptest! {
         let sun::Sun { direction, diffuse: l_d } = sun::SUN;
         let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
         let light = PointLight { position: 1e9 * direction, diffuse: l_d, attenuation };
-        let ((l, d), grey) = (light.seen_from(p), Surface::of(GREY));
+        let ((l, d), grey) = (light.direction_from(p), Surface::of(GREY));
         let far = diffuse(n, l, d, &grey, &light);
         prop_assert!(sun::SUN.diffuse(n, &grey).distance(far) < 1e-7);
     }

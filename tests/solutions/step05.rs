@@ -24,11 +24,11 @@ fn without_glass() -> Scene<Glass, Light> {
 fn without_mirrors_and_glass_it_is_step_5_with_the_shadows_of_step_4() {
     let (scene, mirrors, glass) = (scene(), without_mirrors(), without_glass());
     for ray in rays_of_camera() {
-        let Some(point) = seen(&scene.objects, &ray) else { continue };
+        let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let hides = |q: DVec3| shadows::hidden(&scene.objects, &point, q);
         let mut lights = scene.lights.clone();
-        lights.retain(|light| !hides(light.point.position));
-        let lit = phong(&ray, &point, scene.ambient_light, &lights).sum();
+        lights.retain(|light| !hides(light.point_light.position));
+        let lit = phong(&point, &ray, scene.ambient_light, &lights).sum();
         assert_eq!(mirror::colour(&mirrors, &ray, 10), lit, "{ray:?}");
         assert_eq!(glass::colour(&glass, &ray, 10), lit, "{ray:?}");
     }
@@ -45,7 +45,7 @@ fn four_times_the_exponent_gives_about_the_same_highlight() {
         let v = from_angle(-0.5 + f64::from(step) * 0.5_f64.to_radians());
         let h = halfway::halfway(l, v);
         let blinn = halfway::specular(DVec3::Y, h, 3.0, material, light).x;
-        let r = reflect(l, DVec3::Y);
+        let r = reflect(DVec3::Y, l);
         let term = specular(r, v, 3.0, material, light).x;
         assert!((blinn - term).abs() < 1e-3 * term, "{blinn} {term}");
     }
@@ -85,10 +85,28 @@ fn nothing_mirrors_itself() {
         let (ambient_light, objects) = (DVec3::ONE, vec![perfect]);
         let alone = Scene { objects, ambient_light, lights: vec![] };
         for ray in rays_of_camera().step_by(7) {
-            let Some(point) = seen(&alone.objects, &ray) else { continue };
-            let direction = reflect(-ray.direction, point.n);
+            let Some(point) = visible_point(&alone.objects, &ray) else { continue };
+            let direction = reflect(point.n, -ray.direction);
             let sky = direction_colour(&Ray { direction, ..ray });
             assert_eq!(mirror::colour(&alone, &ray, 1), sky, "{ray:?}");
+        }
+    }
+}
+
+// crowd
+
+#[test]
+fn the_marbles_lie_on_the_ground_and_side_by_side() {
+    let objects = crowd::crowd().objects;
+    let (ground, marbles) = (objects[1].sphere, &objects[9..]);
+    assert_eq!(marbles.len(), 417);
+    let gap = |one: &Sphere, other: &Sphere| {
+        one.centre.distance(other.centre) - one.radius - other.radius
+    };
+    for (k, Object { sphere, .. }) in marbles.iter().enumerate() {
+        assert!(gap(sphere, &ground).abs() < 1e-9, "{sphere:?}");
+        for other in &objects[..9 + k] {
+            assert!(-1e-6 < gap(sphere, &other.sphere), "{sphere:?}");
         }
     }
 }
@@ -98,7 +116,7 @@ fn nothing_mirrors_itself() {
 /// What a ray along `v` sees in glass with the normal `n`, where `next` is the colour
 /// that a ray from there sees.
 fn through(v: DVec3, n: DVec3, index: f64, next: impl Fn(&Ray) -> DVec3) -> DVec3 {
-    let point = Point { p: DVec3::ONE, n, material: &() };
+    let point = SurfacePoint { p: DVec3::ONE, n, material: &() };
     let ray = Ray { start: DVec3::ONE - v, direction: v };
     glass::through_glass(&ray, &point, index, next)
 }
@@ -135,8 +153,11 @@ fn glass_throws_no_shadow() {
     let hidden = |scene: Scene<Glass, Light>| {
         let Object { sphere, material } = &scene.objects[0];
         let n = (sphere.centre - WARM.position).normalize();
-        let point =
-            Point { p: sphere.centre + 1.01 * sphere.radius * n, n, material };
+        let point = SurfacePoint {
+            p: sphere.centre + 1.01 * sphere.radius * n,
+            n,
+            material,
+        };
         glass::hidden(&scene.objects, &point, WARM.position)
     };
     assert!(hidden(without_glass()));
@@ -147,7 +168,7 @@ proptest! {
     #[test]
     fn n_is_halfway_between_l_and_its_reflection(l in unit(), n in unit()) {
         prop_assume!(0.01 < n.dot(l));
-        prop_assert!(halfway::halfway(l, reflect(l, n)).distance(n) < 1e-12);
+        prop_assert!(halfway::halfway(l, reflect(n, l)).distance(n) < 1e-12);
     }
 
     #[test]

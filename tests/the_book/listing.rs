@@ -1,108 +1,51 @@
-//! A listing is what its caption says: these lines of that file.
+use book::{Page, all, text};
+use scraper::ElementRef;
 
-use anyhow::{Context, Result, bail, ensure};
-use book::{Element, Page};
-
-/// Code on a page that is Rust, or that says which file it is from.
+/// A listing: these lines of that file.
 #[derive(Clone, Debug)]
 pub struct Listing<'a> {
-    /// The page it stands on, and the line there.
+    /// Where on which page it stands.
     pub at: String,
-    /// The file it is from, as seen from the root of the workspace; "" if none.
+    /// The file it is from, as seen from the root of the workspace.
     pub path: &'a str,
-    /// The first and the last of its lines, as the page has them: `3-14`.
-    range: &'a str,
-    caption: &'a str,
-    pub code: &'a str,
-    rust: bool,
+    /// The numbers of its first and of its last line, from 1.
+    pub lines: (usize, usize),
+    pub code: String,
 }
 
 impl<'a> Listing<'a> {
     /// Every listing of a page, from top to bottom.
-    pub fn all(page: &'a Page) -> impl Iterator<Item = Listing<'a>> {
-        page.all("code").filter_map(|code| Self::of(page, code))
+    pub fn all(page: &'a Page) -> impl Iterator<Item = Self> {
+        page.all(".listing").into_iter().map(|figure| Self::of(page, figure))
     }
 
-    /// The listing that an element `code` is.
-    pub fn of(page: &'a Page, code: &'a Element) -> Option<Self> {
-        let rust = ["rust", "rs"].iter().any(|name| {
-            code.is("code", name) || code.is("code", &format!("language-{name}"))
+    /// The listing that a figure holds.
+    pub fn of(page: &'a Page, figure: ElementRef<'a>) -> Self {
+        let at = page.at(figure);
+        let code = all(figure, "code");
+        let [code] = code[..] else { panic!("{at} has not one code") };
+        let lines = figure.attr("data-lines").and_then(|lines| {
+            let (first, last) = lines.split_once('-')?;
+            Some((first.parse().ok()?, last.parse().ok()?))
         });
-        let figure = page.around(code).find(|e| e.is("figure", "listing"));
-        if !rust && figure.is_none() {
-            return None;
+        let is_rust = code.attr("class").is_some_and(|name| name.contains("rust"));
+        let mut code = text(code);
+        // mdBook ends the last line of all code but Rust.
+        if !is_rust && code.ends_with('\n') {
+            code.pop();
         }
-        let get = |name| figure.and_then(|f| f.get(name)).unwrap_or_default();
-        let caption = page
-            .all("figcaption")
-            .find(|caption| figure.is_some_and(|f| page.within(caption, f)));
-        Some(Self {
-            at: page.at(code),
-            path: get("data-path"),
-            range: get("data-lines"),
-            caption: caption.map_or("", |caption| &caption.text),
-            // mdBook ends the last line of all code but Rust.
-            code: code
-                .text
-                .strip_suffix('\n')
-                .filter(|_| !rust)
-                .unwrap_or(&code.text),
-            rust,
-        })
-    }
-
-    /// The numbers of its first and of its last line, from 1.
-    pub fn lines(&self) -> Option<(usize, usize)> {
-        let (first, last) = self.range.split_once('-')?;
-        Some((first.parse().ok()?, last.parse().ok()?))
-    }
-
-    /// Says what is wrong with it, where `source` is the text of its file.
-    pub fn check(&self, source: Option<&str>) -> Result<()> {
-        let Self { at, path, range, caption, .. } = self;
-        ensure!(!path.is_empty(), "The code on {at} says no file that it is from.");
-        let is_of_step = path.starts_with("steps/");
-        ensure!(
-            !self.rust || is_of_step,
-            "The Rust on {at} is from {path}, no step."
-        );
-        let source = source.with_context(|| {
-            format!("The listing on {at} is from {path}, which is no file.")
-        })?;
-        let source: Vec<&str> = source.lines().collect();
-        let total = source.len();
-        let within =
-            |&(first, last): &_| 0 < first && first <= last && last <= total;
-        let (first, last) = self.lines().filter(within).with_context(|| {
-            format!(
-                "The listing on {at} is lines {range} of {path}, which has {total}."
-            )
-        })?;
-        let right = right_caption(path, first, last, total);
-        ensure!(
-            *caption == right,
-            "The caption on {at} is {caption:?}, not {right:?}."
-        );
-        let code: Vec<_> = self.code.split('\n').collect();
-        let source = &source[first - 1..last];
-        let differs = |&k: &usize| code.get(k) != source.get(k);
-        if let Some(k) = (0..code.len().max(source.len())).find(differs) {
-            let [shown, line] = [&code[..], source].map(|lines| lines.get(k));
-            let number = first + k;
-            bail!(
-                "Line {number} of {path}, {line:?}, is {shown:?} in the listing on {at}."
-            );
+        Self {
+            path: figure.attr("data-path").unwrap_or_default(),
+            lines: lines.unwrap_or_else(|| panic!("{at} says no lines")),
+            at,
+            code,
         }
-        Ok(())
     }
 }
 
-/// The caption of these lines of a file that has `total`.
-fn right_caption(path: &str, first: usize, last: usize, total: usize) -> String {
-    let path = path.strip_prefix("steps/").unwrap_or(path);
-    match (first, last) {
-        (1, last) if last == total => path.to_string(),
-        (first, last) if first == last => format!("{path} line {first} of {total}"),
-        _ => format!("{path} lines {first}–{last} of {total}"),
-    }
+/// The text of a file, of which these parts are shown.
+pub fn joined(parts: &[Listing]) -> String {
+    let mut parts: Vec<_> = parts.iter().collect();
+    parts.sort_by_key(|part| part.lines);
+    parts.iter().map(|part| format!("{}\n", part.code)).collect()
 }

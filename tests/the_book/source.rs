@@ -1,165 +1,115 @@
 //! Every line of every source file stands in the chapter of its step, once.
 
-use super::built::{BOOK, files};
+use super::assert_none;
+use super::built::{book, files};
 use super::listing::Listing;
 use super::own_scene;
-use super::{assert_found, assert_none};
-use book::{Files, Page, Site};
-use gallery::workspace;
+use super::typist::STEPS;
+use ::book::{Files, Site};
+use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
 
 /// The files of the five crates, those beside the folder of the crates, and the one that
 /// a page writes.
 pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
-    let mut source = Files::default();
-    for (path, bytes) in files("steps").0 {
-        source.0.insert(format!("steps/{path}"), bytes);
-    }
-    for path in ["Cargo.toml", ".rustfmt.toml"] {
-        let bytes = fs::read(workspace().join(path));
-        source.0.insert(path.to_string(), bytes.expect("a file of the workspace"));
-    }
+    let steps = files("steps").0.into_iter();
+    let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
+    let mut source = Files(steps.collect());
+    source.0.extend(files("book/reader").0);
+    let rustfmt = ".rustfmt.toml";
+    let bytes =
+        fs::read(workspace().join(rustfmt)).expect("a file of the workspace");
+    source.0.insert(rustfmt.to_owned(), bytes);
     source.0.insert(own_scene::PATH.to_string(), own_scene::printed().into_bytes());
     source
 });
 
-/// Each listing that is not what its caption says, or not from a step.
-fn wrong_listings(book: &Site, source: &Files) -> Vec<String> {
-    let listings = book.chapters().into_iter().flat_map(Listing::all);
-    let checked = listings.map(|listing| listing.check(source.text(listing.path)));
-    checked.filter_map(|wrong| Some(wrong.err()?.to_string())).collect()
-}
-
-/// The page on which a file of a step has its place: an example may stand on any page.
+/// The page on which a file of a step has its place: an example, and what is of no step,
+/// may stand on any page.
 fn home(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let has_it = |page: &&Page| Listing::all(page).any(|one| one.path == path);
-    let example = file.starts_with("examples/");
-    let page = book.chapters().into_iter().find(|page| example && has_it(page));
+    let may_be_anywhere = file.starts_with("examples/") || !STEPS.contains(&step);
+    let mut chapters = book.chapters().into_iter();
+    let page = chapters.find(|page| {
+        may_be_anywhere && Listing::all(page).any(|one| one.path == path)
+    });
     Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
 }
 
 /// Whether the parts of a file may stand on several pages: the benchmark measures what
-/// comes later, and the rest of a manifest comes with it.
+/// comes later, the rest of a manifest comes with it, and each step locks its picture.
 fn is_spread(path: &str) -> bool {
-    path.ends_with("/Cargo.toml") || path.contains("/benches/")
+    ["/Cargo.toml", "/benches/", "steps/locked/"]
+        .iter()
+        .any(|part| path.contains(part))
 }
 
-/// Each file with a line that does not stand in its chapter, stands there twice or
-/// stands in another one too.
-fn wrong_files(book: &Site, source: &Files) -> Vec<String> {
-    let mut faults = vec![];
-    for (path, text) in source.texts("") {
-        let Some(home) = home(book, path) else { continue };
+#[test]
+fn every_listing_is_taken_from_its_file() {
+    let (book, mut faults) = (book(), vec![]);
+    for listing in book.chapters().into_iter().flat_map(Listing::all) {
+        let Listing { at, path, lines: (first, last), code } = listing;
+        // Our own manifest has the name of the reader's.
+        let ours = fs::read_to_string(workspace().join(path));
+        let own = SOURCE.text(path).filter(|text| text.contains(&code));
+        let Some(source) = own.or(ours.as_deref().ok()).or(SOURCE.text(path))
+        else {
+            faults.push(format!("{at}: {path} is no file."));
+            continue;
+        };
+        let source: Vec<_> = source.lines().collect();
+        let source = source.get(first - 1..last).unwrap_or_default().join("\n");
+        if source != code {
+            let mut both = source.lines().zip(code.lines());
+            let differ = both.position(|(a, b)| a != b);
+            let line = first + differ.unwrap_or(0);
+            faults.push(format!("{at}: line {line} of {path} is another there."));
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+fn no_rust_is_typed_by_hand() {
+    let (book, mut faults) = (book(), vec![]);
+    for page in book.chapters() {
+        for code in
+            page.all("figure:not(.listing) > pre code, :not(figure) > pre code")
+        {
+            let class = code.attr("class").unwrap_or_default();
+            if class.is_empty() || class.contains("rust") {
+                faults.push(format!(
+                    "The code at {} is from no file.",
+                    page.at(code)
+                ));
+            }
+        }
+    }
+    assert_none(&faults);
+}
+
+#[test]
+fn every_line_of_every_file_stands_in_its_chapter_once() {
+    let (book, mut faults) = (book(), vec![]);
+    for (path, text) in SOURCE.texts("") {
+        let Some(home) = home(&book, path) else { continue };
         let mut times = vec![0; text.lines().count()];
         for page in book.chapters() {
             for listing in Listing::all(page).filter(|one| one.path == path) {
                 if page.name != home && !is_spread(path) {
-                    let at = &listing.at;
-                    faults.push(format!(
-                        "The listing on {at} is from {path}, whose place is {home}."
-                    ));
-                } else if let Some((first, last)) = listing.lines() {
-                    let shown = times.iter_mut().take(last).skip(first.max(1) - 1);
-                    shown.for_each(|times| *times += 1);
+                    faults.push(format!("{}: {path} is of {home}.", listing.at));
                 }
+                let (first, last) = listing.lines;
+                times[first - 1..last].iter_mut().for_each(|times| *times += 1);
             }
         }
         if let Some(at) = times.iter().position(|&times| times != 1) {
             let (line, times) = (at + 1, times[at]);
             faults.push(format!(
-                "Line {line} of {path} stands {times} times in {home}, not once."
+                "Line {line} of {path} stands {times} times in {home}."
             ));
         }
     }
-    faults
-}
-
-const PAGE: &str = "step01_rays.html";
-const RAY: &str = "steps/step01_rays/src/ray.rs";
-const FIGURE: &str =
-    r#"data-path="steps/step01_rays/src/ray.rs" data-lines="1-17""#;
-
-/// Fails unless one listing of `book` is wrong, and the sentence holds these words.
-#[track_caller]
-fn found(book: &Site, words: &[&str]) {
-    assert_found(&wrong_listings(book, &SOURCE), words);
-}
-
-#[test]
-fn every_listing_is_what_its_caption_says() {
-    assert_none(&wrong_listings(&BOOK, &SOURCE));
-}
-
-#[test]
-fn every_line_of_every_file_stands_in_its_chapter_once() {
-    assert_none(&wrong_files(&BOOK, &SOURCE));
-}
-
-#[test]
-fn a_changed_line_is_found() {
-    let (old, new) = ("self.start + t", "self.start - t");
-    let shown = "self.start - t * self.direction";
-    found(&BOOK.with(PAGE, old, new), &[PAGE, RAY, "Line 15", shown]);
-    let source = SOURCE.with(RAY, old, new);
-    let words = [PAGE, RAY, "Line 15", shown];
-    assert_found(&wrong_listings(&BOOK, &source), &words);
-}
-
-#[test]
-fn a_missing_line_is_found() {
-    let line = "    /// S, the point where the ray starts.\n";
-    found(&BOOK.with(PAGE, line, ""), &[PAGE, RAY, "Line 6", "pub start: DVec3"]);
-    let source = SOURCE.with(RAY, "use glam", "use std::fmt;\nuse glam");
-    let words = ["Line 18 of", RAY, "0 times", PAGE];
-    assert_found(&wrong_files(&BOOK, &source), &words);
-}
-
-#[test]
-fn a_line_too_many_is_found() {
-    let end = "self.start + t * self.direction\n    }\n}";
-    let book = BOOK.with(PAGE, end, &format!("{end}\n// The end"));
-    found(&book, &[PAGE, "Line 18", "None", "// The end"]);
-}
-
-#[test]
-fn a_file_without_a_listing_is_found() {
-    let mut source = SOURCE.clone();
-    source
-        .0
-        .insert("steps/step02_sphere/src/new.rs".to_string(), b"// New\n".into());
-    let words = ["Line 1 of steps/step02_sphere/src/new.rs", "0 times"];
-    assert_found(&wrong_files(&BOOK, &source), &words);
-}
-
-#[test]
-fn a_listing_that_stands_twice_or_in_another_chapter_is_found() {
-    let again =
-        format!("<figure class=\"listing\" {FIGURE}><code></code></figure></main>");
-    let book = BOOK.with(PAGE, "</main>", &again);
-    let words = ["Line 1 of", RAY, "2 times", PAGE];
-    assert_found(&wrong_files(&book, &SOURCE), &words);
-    let book = BOOK.with("step02_sphere.html", "</main>", &again);
-    let words = ["step02_sphere.html", RAY, PAGE];
-    assert_found(&wrong_files(&book, &SOURCE), &words);
-}
-
-#[test]
-fn a_wrong_place_is_found() {
-    let with_lines =
-        |lines| BOOK.with(PAGE, FIGURE, &FIGURE.replace("1-17", lines));
-    found(&with_lines("2-17"), &["caption", PAGE, "lines 2–17 of 17"]);
-    found(&with_lines("1-18"), &[PAGE, "1-18", RAY, "has 17"]);
-}
-
-#[test]
-fn rust_from_elsewhere_is_found() {
-    let typed = "<pre><code class=\"language-rust\">let x = 1;</code></pre>";
-    found(&BOOK.with_html(typed), &[PAGE, "no file"]);
-    let moved = FIGURE.replace("ray.rs", "way.rs");
-    found(&BOOK.with(PAGE, FIGURE, &moved), &[PAGE, "way.rs, which is no file"]);
-    let figure = "<figure class=\"listing\" data-path=\"book/builder/lib.rs\">";
-    let book = BOOK.with_html(&format!("{figure}{typed}</figure>"));
-    found(&book, &[PAGE, "book/builder/lib.rs", "no step"]);
+    assert_none(&faults);
 }

@@ -1,12 +1,13 @@
 //! The numbers of the lecture's slips.
 
 use super::Value;
-use super::worked::{
+use super::measure::{
     UNGATED, ahead, both, camera, discriminant, grouped, pixels, short, tenths,
 };
 use glam::DVec3;
+use live::Row;
 use std::f64::consts::FRAC_PI_3;
-use step01_rays::{Camera, Row};
+use step01_rays::Camera;
 use step02_sphere::SPHERE;
 use step05_phong::reflect;
 
@@ -116,5 +117,5 @@ fn twice(i: f64) -> f64 {
 fn behind() -> (f64, f64) {
     let (n, v) = (DVec3::Y, DVec3::new(-0.8, 0.6, 0.0));
     let l = DVec3::new(4.0, -3.0, 0.0).normalize();
-    (n.dot(l), reflect(l, n).dot(v))
+    (n.dot(l), reflect(n, l).dot(v))
 }

@@ -1,9 +1,10 @@
 //! The numbers of the introduction and of chapter 1.
 
 use super::Value;
-use super::worked::{camera, rgb, short, tenths, vector};
+use super::measure::{camera, rgb, short, tenths, vector};
+use live::Row;
 use std::f64::consts::FRAC_PI_3;
-use step01_rays::{AspectRatio, Row, direction_colour, picture};
+use step01_rays::{AspectRatio, direction_colour, picture};
 
 pub const VALUES: &[Value] = &[
     ("camera-tan", || short((FRAC_PI_3 / 2.0).tan())),
@@ -41,7 +42,7 @@ pub const VALUES: &[Value] = &[
     }),
     ("step01-rows-scope", || {
         let scope = AspectRatio { width: 2.35, height: 1.0 };
-        scope.v_res(640).map_or("none".to_string(), |rows| rows.to_string())
+        scope.v_res(640).to_string()
     }),
     ("step01-half-light", || format!("{:.2}", 0.5_f64.powf(2.2))),
 ];

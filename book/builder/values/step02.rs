@@ -1,7 +1,7 @@
 //! The numbers of chapter 2.
 
 use super::Value;
-use super::worked::{
+use super::measure::{
     ahead, camera, counted, discriminant, pixels, roots, short, tenths, vector,
 };
 use glam::{DVec2, DVec3};

@@ -1,11 +1,11 @@
 //! The numbers of chapter 3.
 
 use super::Value;
-use super::worked::{both, camera, counted, pixels, short, tenths};
+use super::measure::{both, camera, counted, pixels, short, tenths, vector};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
-use step03_nearest::{Hit, Object, Ray, Sphere, nearest, objects};
+use step03_nearest::{Hit, OBJECTS, Object, Ray, Sphere, nearest};
 
 pub const VALUES: &[Value] = &[
     ("step03-tests", || counted(|_| SCENE.len())),
@@ -35,6 +35,17 @@ pub const VALUES: &[Value] = &[
     ("step03-nearest", || {
         nearest(&SCENE, &crowded()).map_or("none".to_string(), |hit| short(hit.t))
     }),
+    ("step03-check-centre", || {
+        vector(
+            (1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.centre).sum(),
+        )
+    }),
+    ("step03-check-radius", || {
+        short((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.radius).sum())
+    }),
+    ("step03-check-colour", || {
+        vector((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.material).sum())
+    }),
     ("step03-gap", || {
         let gap = |s: &Sphere| {
             let apart = s.centre.distance(sphere(1).centre);
@@ -58,7 +69,7 @@ pub const VALUES: &[Value] = &[
 
 /// The objects of the scene, each of which says its place in the list.
 static SCENE: LazyLock<Vec<Object<usize>>> = LazyLock::new(|| {
-    let objects = objects().into_iter().enumerate();
+    let objects = OBJECTS.into_iter().enumerate();
     objects.map(|(place, o)| Object { sphere: o.sphere, material: place }).collect()
 });
 

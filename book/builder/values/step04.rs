@@ -1,8 +1,8 @@
 //! The numbers of chapter 4.
 
 use super::Value;
-use super::lit::{PIXEL, cool, example, hit, lit, ray, warm};
-use super::worked::{camera, counted, rgb, short, vector};
+use super::measure::{camera, counted, rgb, short, vector};
+use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
 use glam::DVec3;
 use step04_diffuse::{COOL, Ray, WARM, colour, nearest, picture, scene};
 

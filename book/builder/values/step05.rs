@@ -1,9 +1,9 @@
 //! The numbers of chapter 5.
 
 use super::Value;
-use super::lit::{PIXEL, cool, example, hit, lit, ray, warm};
-use super::worked::{UNGATED, camera, rgb, short, tenths, vector};
-use step05_phong::picture;
+use super::measure::{UNGATED, camera, rgb, short, tenths, vector};
+use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
+use step05_phong::{Material, Object, picture, scene, terms};
 
 pub const VALUES: &[Value] = &[
     ("step05-v", || vector(warm().v)),
@@ -36,6 +36,21 @@ pub const VALUES: &[Value] = &[
     ("step05-edge-alignment", || short(lit((605, 165), 1).alignment)),
     ("step05-edge-specular", || vector(lit((605, 165), 1).specular)),
     ("step05-teal-v-length", || short(teal().0)),
+    ("step05-teal-specular", || {
+        let ray = camera().ray(583.0, 215.0);
+        terms(&scene(), &ray).map_or(String::new(), |terms| vector(terms.specular))
+    }),
+    ("step05-check-r-s", || {
+        let r_s = |(k, object): (usize, &Object<Material>)| {
+            (k + 1) as f64 * object.material.specular.x
+        };
+        short(scene().objects.iter().enumerate().map(r_s).sum())
+    }),
+    ("step05-check-n", || {
+        let n =
+            |(k, object): (i32, &Object<Material>)| k * object.material.shininess;
+        (1..).zip(&scene().objects).map(n).sum::<i32>().to_string()
+    }),
     ("step05-teal-power", || short(teal().0.powi(teal().1))),
 ];
 

@@ -14,11 +14,13 @@ pub use common::{camera, discriminant, roots};
 mod live;
 pub use live::{Handle, Knob, Live, Numbers, Sight};
 
+pub use exercises::row::Row;
+
 mod figures;
 pub use figures::{Figure, figure, names};
 
 mod pictures;
-pub use pictures::{OBJECTS, rgba};
+pub use pictures::{NAMES, rgba};
 
 mod address;
 mod scene;

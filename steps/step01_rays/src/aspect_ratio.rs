@@ -12,8 +12,7 @@ pub struct AspectRatio {
 impl AspectRatio {
     /// vRes, the rows that make the pixels square: to the nearest row, and at least 1.
     pub fn v_res(&self, h_res: u32) -> u32 {
-        let rows = f64::from(h_res) * self.height / self.width;
-        rows.round().max(1.0) as u32
+        (f64::from(h_res) * self.height / self.width).round().max(1.0) as u32
     }
 }
 

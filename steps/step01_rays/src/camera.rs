@@ -20,7 +20,6 @@ pub struct Camera {
 
 impl Camera {
     /// A camera at the origin that looks along −z with y up; its pixels are square.
-    ///
     /// Its outermost columns enclose the angle `field_of_view`, θ, in radians.
     /// # Panics
     /// Where it has fewer than two columns, or no row.
@@ -36,7 +35,6 @@ impl Camera {
     }
 
     /// The ray through column `i` and row `j`, V_ij = [D_u D_v V_0] (i, j, 1)ᵀ.
-    ///
     /// Whole numbers are centres of pixels, fractions are sub-pixels around them.
     pub fn ray(&self, i: f64, j: f64) -> Ray {
         Ray { start: self.centre, direction: self.matrix * DVec3::new(i, j, 1.0) }

@@ -34,7 +34,6 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl Roots {
     /// The smallest t above 0: where a ray first meets the surface.
-    ///
     /// Below 0 a root lies behind the ray; 0 is the starting point, and no hit.
     pub fn first_hit(self) -> Option<f64> {
         match self {

@@ -1,10 +1,12 @@
-//! The numbers that chapter 2 works out by hand.
+//! The numbers that chapter 2 works out or shows.
 
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
-use step02_sphere::{Camera, Ray, Roots, SPHERE};
+use step02_sphere::*;
 
-const ALONG_THE_AXIS: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
+fn ahead(x: f64, z: f64) -> Ray {
+    Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z }
+}
 
 fn through_the_pixel() -> Ray {
     Camera::new(640, 360, FRAC_PI_3).ray(300.0, 150.0)
@@ -16,12 +18,14 @@ fn near(found: f64, printed: f64) {
 
 #[test]
 fn coefficients_along_the_axis() {
-    assert_eq!(SPHERE.coefficients(&ALONG_THE_AXIS), (1.0, -10.0, 24.0));
+    assert_eq!(SPHERE.coefficients(&ahead(0.0, 0.0)), (1.0, -10.0, 24.0));
 }
 
 #[test]
-fn roots_along_the_axis() {
-    assert_eq!(SPHERE.intersect(&ALONG_THE_AXIS), Roots::Two(4.0, 6.0));
+fn quadratic_of_three_rays() {
+    assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
+    assert_eq!(quadratic(1.0, -10.0, 25.0), Roots::One(5.0));
+    assert_eq!(quadratic(1.0, -10.0, 28.0), Roots::None);
 }
 
 #[test]
@@ -33,6 +37,21 @@ fn coefficients_of_a_pixel() {
 }
 
 #[test]
-fn first_hit_of_a_pixel() {
+fn intersect_at_a_pixel() {
     near(SPHERE.intersect(&through_the_pixel()).first_hit().unwrap(), 4.0338);
+}
+
+#[test]
+fn first_hit_of_five_starts() {
+    let hit = |z: f64| SPHERE.intersect(&ahead(0.0, z)).first_hit();
+    assert_eq!([0.0, -4.0, -5.0].map(hit), [Some(4.0), Some(2.0), Some(1.0)]);
+    assert_eq!([-6.0, -10.0].map(hit), [None, None]);
+}
+
+#[test]
+fn picture_of_a_disc() {
+    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    assert_eq!(picture[(300, 150)].0, [232, 87, 71]);
+    let sky = ahead(2.0, 0.0);
+    assert_eq!(colour(&SPHERE, &sky), direction_colour(&sky));
 }

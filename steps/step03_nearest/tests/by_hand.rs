@@ -1,27 +1,54 @@
-//! The numbers that chapter 3 works out by hand.
+//! The numbers that chapter 3 works out or shows.
 
+use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
-use step03_nearest::{Camera, OBJECTS, Ray, nearest};
+use step03_nearest::*;
 
 fn through_the_crowd() -> Ray {
     Camera::new(640, 360, FRAC_PI_3).ray(195.0, 237.0)
 }
 
+fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
+    let found: DVec3 = found.into();
+    assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");
+}
+
+#[test]
+fn objects_add_up() {
+    let (mut centre, mut radius, mut colour) = (DVec3::ZERO, 0.0, DVec3::ZERO);
+    for (k, Object { sphere, material }) in (1..).map(f64::from).zip(OBJECTS) {
+        centre += k * sphere.centre;
+        radius += k * sphere.radius;
+        colour += k * material;
+    }
+    near(centre, [-10.85, -71.43, -320.6]);
+    near([radius; 3], [118.82; 3]);
+    near(colour, [31.58, 34.31, 25.96]);
+}
+
 #[test]
 fn hits_in_a_crowd() {
-    let [red, ground, _, blue, green, ..] = OBJECTS;
-    for (object, printed) in [(red, 6.7898), (ground, 13.1862), (blue, 9.9202)] {
-        let t = object.sphere.intersect(&through_the_crowd()).first_hit().unwrap();
-        assert!((t - printed).abs() < 5e-5, "{t} is not {printed}");
-    }
-    let behind = green.sphere.intersect(&through_the_crowd());
-    assert_eq!(behind.first_hit(), None);
+    let hit =
+        |k: usize| OBJECTS[k].sphere.intersect(&through_the_crowd()).first_hit();
+    near([0, 1, 3].map(|k| hit(k).unwrap()), [6.7898, 13.1862, 9.9202]);
+    assert_eq!(hit(4), None);
 }
 
 #[test]
 fn nearest_in_a_crowd() {
-    let (objects, ray) = (OBJECTS, through_the_crowd());
-    let hit = nearest(&objects, &ray).unwrap();
-    assert!((hit.t - 6.7898).abs() < 5e-5, "{}", hit.t);
-    assert_eq!(*hit.object, objects[0]);
+    let mut objects = OBJECTS;
+    for _ in objects {
+        objects.rotate_left(1);
+        let hit = nearest(&objects, &through_the_crowd()).unwrap();
+        near([hit.t; 3], [6.7898; 3]);
+        assert_eq!(*hit.object, OBJECTS[0]);
+    }
+}
+
+#[test]
+fn picture_of_a_crowd() {
+    let camera = Camera::new(640, 360, FRAC_PI_3);
+    assert_eq!(picture(&camera, 1)[(195, 237)].0, [232, 87, 71]);
+    let sky = camera.ray(0.0, 0.0);
+    assert_eq!(colour(&OBJECTS, &sky), direction_colour(&sky));
 }

@@ -1,40 +1,57 @@
-//! The numbers that chapter 4 works out by hand.
+//! The numbers that chapter 4 works out or shows.
 
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
-use step04_diffuse::{
-    COOL, Camera, Ray, WARM, colour, diffuse, scene, visible_point,
-};
+use step04_diffuse::*;
 
-fn through_the_pixel() -> Ray {
-    Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0)
+fn ray(i: u32, j: u32) -> Ray {
+    Camera::new(640, 360, FRAC_PI_3).ray(i.into(), j.into())
 }
 
-fn near(found: DVec3, printed: [f64; 3]) {
+fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
+    let found: DVec3 = found.into();
     assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");
 }
 
 #[test]
-fn normal_of_a_pixel() {
+fn visible_point_of_a_pixel() {
     let scene = scene();
-    let point = visible_point(&scene.objects, &through_the_pixel()).unwrap();
+    let point = visible_point(&scene.objects, &ray(470, 120)).unwrap();
     near(point.p, [2.6493, 1.0474, -9.7415]);
     near(point.n, [0.6662, 0.3802, 0.6415]);
 }
 
 #[test]
-fn lights_of_a_pixel() {
+fn diffuse_from_behind() {
     let scene = scene();
-    let point = visible_point(&scene.objects, &through_the_pixel()).unwrap();
-    let (l, d) = WARM.direction_from(point.p);
-    near(l, [-0.6076, 0.3612, 0.7074]);
-    near(diffuse(point.n, l, d, point.material, &WARM), [0.1179, 0.0681, 0.044]);
+    let point = visible_point(&scene.objects, &ray(380, 136)).unwrap();
     let (l, d) = COOL.direction_from(point.p);
-    near(l, [0.8048, 0.3254, -0.4964]);
-    near(diffuse(point.n, l, d, point.material, &COOL), [0.1964, 0.18, 0.2546]);
+    assert_eq!(diffuse(point.n, l, d, point.material, &COOL), DVec3::ZERO);
 }
 
 #[test]
-fn sum_of_a_pixel() {
-    near(colour(&scene(), &through_the_pixel()), [0.6215, 0.4593, 0.5338]);
+fn lights_of_a_pixel() {
+    let scene = scene();
+    let point = visible_point(&scene.objects, &ray(470, 120)).unwrap();
+    let SurfacePoint { p, n, material } = point;
+    let (l, d) = WARM.direction_from(p);
+    near(l, [-0.6076, 0.3612, 0.7074]);
+    near([d, WARM.attenuation.at(d), n.dot(l)], [10.9438, 1.5177, 0.1863]);
+    near(diffuse(n, l, d, material, &WARM), [0.1179, 0.0681, 0.044]);
+    let (l, d) = COOL.direction_from(p);
+    near(l, [0.8048, 0.3254, -0.4964]);
+    near([d, COOL.attenuation.at(d), n.dot(l)], [3.5422, 0.7509, 0.3414]);
+    near(diffuse(n, l, d, material, &COOL), [0.1964, 0.18, 0.2546]);
+}
+
+#[test]
+fn colour_of_a_pixel() {
+    near(colour(&scene(), &ray(470, 120)), [0.6215, 0.4593, 0.5338]);
+    assert_eq!(colour(&scene(), &ray(0, 0)), direction_colour(&ray(0, 0)));
+}
+
+#[test]
+fn picture_of_a_pixel() {
+    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    assert_eq!(picture[(470, 120)].0, [158, 117, 136]);
 }

@@ -2,9 +2,8 @@
 
 use divan::{Bencher, counter::ItemsCount};
 use glam::DVec3;
-use image::{ImageFormat, RgbImage};
+use image::{RgbImage, codecs::png::PngEncoder};
 use rayon::ThreadPoolBuilder;
-use std::io::Cursor;
 use step05_phong::*;
 
 fn main() {
@@ -38,8 +37,7 @@ fn clear(bencher: Bencher, case: Case) {
 #[divan::bench(sample_count = 20)]
 fn encode(bencher: Bencher) {
     let image = picture(&camera(), 1);
-    bencher
-        .bench(|| image.write_to(&mut Cursor::new(Vec::new()), ImageFormat::Png));
+    bencher.bench(|| image.write_with_encoder(PngEncoder::new(&mut vec![])));
 }
 
 fn camera() -> Camera {

@@ -1,11 +1,12 @@
-//! The numbers that chapter 5 works out by hand.
+//! The numbers that chapter 5 works out or shows.
 
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_3;
-use step05_phong::{COOL, Camera, Ray, WARM, reflect, scene, terms, visible_point};
+use step05_phong::*;
 
-fn through_the_pixel() -> Ray {
-    Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0)
+fn terms_at(i: u32, j: u32) -> Phong {
+    terms(&scene(), &Camera::new(640, 360, FRAC_PI_3).ray(i.into(), j.into()))
+        .unwrap()
 }
 
 fn near(found: DVec3, printed: [f64; 3]) {
@@ -13,20 +14,47 @@ fn near(found: DVec3, printed: [f64; 3]) {
 }
 
 #[test]
-fn reflections_of_a_pixel() {
-    let scene = scene();
-    let point = visible_point(&scene.objects, &through_the_pixel()).unwrap();
-    let (l, _) = WARM.direction_from(point.p);
-    near(reflect(point.n, l), [0.8559, -0.2195, -0.4683]);
-    let (l, _) = COOL.direction_from(point.p);
-    near(reflect(point.n, l), [-0.3498, -0.0657, 0.9345]);
+fn reflect_at_a_pixel() {
+    let (scene, ray) =
+        (scene(), Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0));
+    let point = visible_point(&scene.objects, &ray).unwrap();
+    let r = |light: PointLight| reflect(point.n, light.direction_from(point.p).0);
+    near(r(WARM), [0.8559, -0.2195, -0.4683]);
+    near(r(COOL), [-0.3498, -0.0657, 0.9345]);
+}
+
+#[test]
+fn phong_at_the_gate() {
+    near(terms_at(605, 165).specular, [0.1079, 0.1511, 0.2158]);
+    near(terms_at(605, 166).specular, [0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn specular_at_a_teal_pixel() {
+    near(terms_at(583, 215).specular, [0.4475, 0.4027, 0.358]);
+}
+
+#[test]
+fn materials_add_up() {
+    let (mut r_s, mut n, scene) = (DVec3::ZERO, 0, scene());
+    for (k, (object, flat)) in (1..).zip(scene.objects.iter().zip(OBJECTS)) {
+        r_s += f64::from(k) * object.material.specular;
+        n += k * object.material.shininess;
+        assert_eq!(object.sphere, flat.sphere);
+    }
+    near(r_s, [25.0, 25.0, 25.0]);
+    assert_eq!(n, 3476);
 }
 
 #[test]
 fn terms_of_a_pixel() {
-    let terms = terms(&scene(), &through_the_pixel()).unwrap();
+    let terms = terms_at(470, 120);
     near(terms.ambient, [0.3072, 0.2112, 0.2352]);
     near(terms.diffuse, [0.3143, 0.2481, 0.2986]);
     near(terms.specular, [0.2728, 0.382, 0.5456]);
     near(terms.sum(), [0.8943, 0.8413, 1.0795]);
+    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    assert_eq!(picture[(470, 120)].0, [228, 215, 255]);
+    let sky = Camera::new(640, 360, FRAC_PI_3).ray(0.0, 0.0);
+    assert_eq!(colour(&scene(), &sky), direction_colour(&sky));
 }

@@ -14,7 +14,7 @@ pub fn figure() -> Figure {
     ];
     for (k, (w, h, name)) in named.into_iter().enumerate() {
         let shape = AspectRatio { width: w, height: h };
-        let rows = shape.v_res(640).map_or(0.0, f64::from);
+        let rows = f64::from(shape.v_res(640));
         let (width, height) = (190.0, 190.0 * rows / 640.0);
         let (column, line) = (f64::from(k as u32 % 2), f64::from(k as u32 / 2));
         let bottom = 146.0 + 124.0 * line;

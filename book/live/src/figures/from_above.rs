@@ -1,11 +1,11 @@
 use super::Figure;
 use crate::live::number;
-use crate::pictures::{OBJECTS, STEP03};
+use crate::pictures::{NAMES, STEP03};
 use crate::svg::{Drawing, View};
 use crate::{camera, roots};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
-use step03_nearest::{Object, Ray, Sphere, nearest, objects};
+use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
 /// x runs right, and t upwards; it is the depth, as V_z is −1.
 const VIEW: View = View { origin: dvec2(240.0, 236.0), scale: DVec2::splat(17.0) };
@@ -20,12 +20,11 @@ const ENDS: [f64; 2] = [-5.4, 13.2];
 /// pixel with every root on its line.
 pub fn draw(values: &[f64]) -> Drawing {
     let ray = camera().ray(values[0], values[1]);
-    let objects = objects();
-    let seen = nearest(&objects, &ray);
+    let seen = nearest(&OBJECTS, &ray);
     let mut drawing = Drawing::new(480.0, 330.0);
     draw_depths(&mut drawing);
     // The largest, the ground, lies below the others.
-    let mut spheres: Vec<_> = objects.iter().zip(OBJECTS).collect();
+    let mut spheres: Vec<_> = OBJECTS.iter().zip(NAMES).collect();
     spheres.sort_by(|(a, _), (b, _)| b.sphere.radius.total_cmp(&a.sphere.radius));
     for (Object { sphere, .. }, _) in &spheres[1..] {
         let centre = VIEW.xy(sphere.centre.x, -sphere.centre.z);
@@ -39,7 +38,7 @@ pub fn draw(values: &[f64]) -> Drawing {
         let inside = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
         drawing.label("quiet", inside, name);
     }
-    let all = objects.iter().flat_map(|object| roots(&object.sphere, &ray));
+    let all = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
     draw_ray(&mut drawing, &ray, all, seen.map(|hit| hit.t));
     drawing
 }

@@ -92,8 +92,8 @@ fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
     let surface = Surface::of(DVec3::ZERO);
     let material = Material { surface, specular: DVec3::ONE, shininess };
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
-    let point =
+    let point_light =
         PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };
-    let light = Light { point, specular: DVec3::ONE };
+    let light = Light { point_light, specular: DVec3::ONE };
     specular(r.extend(0.0), v.extend(0.0), 1.0, &material, &light).x
 }

@@ -3,7 +3,7 @@ use crate::camera;
 use crate::live::{Handle, Knob, Live, Sight, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, DVec3, dvec2};
-use step05_phong::{WARM, objects, reflect, seen};
+use step05_phong::{OBJECTS, WARM, reflect, visible_point};
 
 /// n, l, r and v at a hit of the scene, where the light is turned from its place.
 pub const PHONG_VECTORS: Live = Live {
@@ -50,10 +50,10 @@ impl Vectors {
     /// Those of a light that is turned so many degrees away from n.
     fn new(values: &[f64]) -> Self {
         let ray = camera().ray(262.0, 132.0);
-        let objects = objects();
-        let point = seen(&objects, &ray);
+        let objects = OBJECTS;
+        let point = visible_point(&objects, &ray);
         let (p, n) = point.map_or((ray.start, DVec3::Y), |hit| (hit.p, hit.n));
-        let (l, _) = WARM.seen_from(p);
+        let (l, _) = WARM.direction_from(p);
         let left = (l - l.dot(n) * n).normalize_or_zero();
         let turn = DVec2::from_angle(values[0].to_radians());
         let turned = turn.rotate(dvec2(l.dot(n), l.dot(left)));
@@ -62,7 +62,7 @@ impl Vectors {
     }
 
     fn r(&self) -> DVec3 {
-        reflect(self.l, self.n)
+        reflect(self.n, self.l)
     }
 
     /// The angle between n and l, in degrees.

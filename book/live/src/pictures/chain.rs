@@ -7,7 +7,7 @@ use step02_sphere::Sphere;
 use step03_nearest::{Hit, Object, nearest};
 
 /// What the chapters call the objects of the scene, in their order.
-pub const OBJECTS: [&str; 9] = [
+pub const NAMES: [&str; 9] = [
     "red", "ground", "golden", "blue", "green", "teal", "white", "salmon", "cream",
 ];
 
@@ -59,7 +59,7 @@ fn root(t: f64) -> String {
 
 /// What the object of a hit is called, and the t of it.
 fn named<M>(objects: &[Object<M>], hit: Hit<M>) -> (&'static str, f64) {
-    let mut named = objects.iter().zip(OBJECTS);
+    let mut named = objects.iter().zip(NAMES);
     let known = named.find(|(object, _)| std::ptr::eq(*object, hit.object));
     (known.map_or("", |(_, name)| name), hit.t)
 }

@@ -9,7 +9,7 @@ mod step03;
 mod step04;
 mod step05;
 
-pub use chain::OBJECTS;
+pub use chain::NAMES;
 pub use step01::STEP01;
 pub use step02::STEP02;
 pub use step03::STEP03;

@@ -3,7 +3,7 @@ use crate::live::Knob;
 use crate::scene::BALLS;
 use glam::DVec3;
 use std::ptr;
-use step05_phong::{Light, Material, Scene, nearest, objects};
+use step05_phong::{Light, Material, OBJECTS, Scene, nearest};
 
 /// The shininess of each object, in their order.
 pub const SHININESS: [Knob; 9] = [
@@ -45,7 +45,7 @@ const fn specular<const OBJECT: usize>() -> Knob {
 
 /// Whether the pixel that is asked shows this object.
 fn is_asked<const OBJECT: usize>(values: &[f64]) -> bool {
-    let objects = objects();
+    let objects = OBJECTS;
     let hit = nearest(&objects, &asked::ray(values));
     hit.is_some_and(|hit| ptr::eq(hit.object, &objects[OBJECT]))
 }

@@ -1,7 +1,7 @@
 use super::{asked, chain, picture};
 use crate::figures::from_above;
 use crate::live::Live;
-use step03_nearest::{colour, objects};
+use step03_nearest::{OBJECTS, colour};
 
 /// The picture of step 3, with a pixel to ask.
 pub const STEP03: Live = Live {
@@ -10,11 +10,11 @@ pub const STEP03: Live = Live {
     handles: &[asked::PIXEL],
     is_allowed: |values| asked::camera(values[2]).is_ok(),
     sight: |values| {
-        let objects = objects();
+        let objects = OBJECTS;
         picture(&asked::seen(values[2]), |ray| colour(&objects, ray))
     },
     numbers: |values| {
-        let objects = objects();
+        let objects = OBJECTS;
         chain::chain(values, &objects, |_| vec![], |ray| colour(&objects, ray))
     },
     beside: Some(("from-above", from_above)),

@@ -2,8 +2,8 @@ use super::{asked, chain, picture};
 use crate::live::{Handle, Knob, Live, Numbers, number, vector};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{
-    COOL, Point, PointLight, Ray, Scene, Surface, WARM, ambient, colour, diffuse,
-    seen,
+    COOL, PointLight, Ray, Scene, Surface, SurfacePoint, WARM, ambient, colour,
+    diffuse, visible_point,
 };
 
 /// The picture of step 4: its lamps to move, and a pixel to ask.
@@ -33,7 +33,7 @@ pub const STEP04: Live = Live {
     },
     numbers: |values| {
         let scene = scene(values);
-        let shading = |ray: &Ray| match seen(&scene.objects, ray) {
+        let shading = |ray: &Ray| match visible_point(&scene.objects, ray) {
             Some(point) => shading(&scene, &point),
             None => vec![],
         };
@@ -71,22 +71,25 @@ fn drag<const FIRST: usize>(values: &mut [f64], to: DVec2) {
 pub const LAMPS: [&str; 2] = ["warm", "cool"];
 
 /// From the point that a ray sees to the terms of its light.
-fn shading(scene: &Scene<Surface, PointLight>, point: &Point<Surface>) -> Numbers {
+fn shading(
+    scene: &Scene<Surface, PointLight>,
+    point: &SurfacePoint<Surface>,
+) -> Numbers {
     let mut all = place(point);
     let mut sum = DVec3::ZERO;
     for (light, lamp) in scene.lights.iter().zip(LAMPS) {
         all.extend(lit(point, point.material, light, lamp));
-        let (l, d) = light.seen_from(point.p);
+        let (l, d) = light.direction_from(point.p);
         sum += diffuse(point.n, l, d, point.material, light);
     }
-    let ambient = ambient(point.material.ambient, scene.ambient_light);
+    let ambient = ambient(point.material, scene.ambient_light);
     all.push(("ambient".into(), vector(&ambient.to_array())));
     all.push(("diffuse".into(), vector(&sum.to_array())));
     all
 }
 
 /// Where a point is, and which way its surface faces.
-pub fn place<M>(point: &Point<M>) -> Numbers {
+pub fn place<M>(point: &SurfacePoint<M>) -> Numbers {
     vec![
         ("p".into(), vector(&point.p.to_array())),
         ("n".into(), vector(&point.n.to_array())),
@@ -95,12 +98,12 @@ pub fn place<M>(point: &Point<M>) -> Numbers {
 
 /// A lamp as it is seen from a point, and the light that it scatters there.
 pub fn lit<M>(
-    point: &Point<M>,
+    point: &SurfacePoint<M>,
     surface: &Surface,
     light: &PointLight,
     lamp: &str,
 ) -> Numbers {
-    let (l, d) = light.seen_from(point.p);
+    let (l, d) = light.direction_from(point.p);
     let numbers = [
         ("l", vector(&l.to_array())),
         ("d", number(d)),

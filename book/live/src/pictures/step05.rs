@@ -4,7 +4,8 @@ use super::{asked, chain, lit};
 use crate::live::{Knob, Live, Numbers, number, vector};
 use glam::DVec3;
 use step05_phong::{
-    Light, Material, Point, Ray, Scene, colour, reflect, seen, specular, terms,
+    Light, Material, Ray, Scene, SurfacePoint, colour, reflect, specular, terms,
+    visible_point,
 };
 
 const SWITCH: &[&str] = &["off", "on"];
@@ -44,7 +45,7 @@ fn switched(values: &[f64]) -> Scene<Material, Light> {
     let mut scene = scene(&values[6..]);
     scene.ambient_light *= values[2];
     for light in &mut scene.lights {
-        light.point.diffuse *= values[3];
+        light.point_light.diffuse *= values[3];
         light.specular *= values[4];
     }
     scene
@@ -52,7 +53,7 @@ fn switched(values: &[f64]) -> Scene<Material, Light> {
 
 /// Everything between the nearest hit and the sum.
 fn between(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
-    let mut numbers = shading(scene, ray, &seen(&scene.objects, ray)?);
+    let mut numbers = shading(scene, ray, &visible_point(&scene.objects, ray)?);
     let terms = terms(scene, ray)?;
     let terms = [
         ("ambient", terms.ambient),
@@ -68,17 +69,17 @@ fn between(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
 fn shading(
     scene: &Scene<Material, Light>,
     ray: &Ray,
-    point: &Point<Material>,
+    point: &SurfacePoint<Material>,
 ) -> Numbers {
-    let Point { p, n, material } = *point;
+    let SurfacePoint { p, n, material } = *point;
     let v = -ray.direction.normalize();
     let mut all = place(point);
     all.push(("v".into(), vector(&v.to_array())));
     all.push(("shininess".into(), material.shininess.to_string()));
     for (light, lamp) in scene.lights.iter().zip(LAMPS) {
-        all.extend(step04::lit(point, &material.surface, &light.point, lamp));
-        let (l, d) = light.point.seen_from(p);
-        let r = reflect(l, n);
+        all.extend(step04::lit(point, &material.surface, &light.point_light, lamp));
+        let (l, d) = light.point_light.direction_from(p);
+        let r = reflect(n, l);
         let i_s = specular(r, v, d, material, light);
         let i_s = if 0.0 < n.dot(l) { i_s } else { DVec3::ZERO };
         let power = r.dot(v).max(0.0).powi(material.shininess);

@@ -70,7 +70,7 @@ const fn ball(&(_, is_there, centre, r, paint, r_s, n): &Ball) -> [Knob; SPHERE]
 }
 
 const fn lamp(&(_, is_on, light): &Lamp) -> [Knob; LIGHT] {
-    let PointLight { position, diffuse, attenuation } = light.point;
+    let PointLight { position, diffuse, attenuation } = light.point_light;
     let Attenuation { a, b, c } = attenuation;
     let around = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]];
     let [x, y, z] = place(position.to_array(), around);

@@ -32,9 +32,10 @@ pub fn object(Object { sphere, material }: &Object<Material>) -> String {
 }
 
 /// A call of `lamp`.
-pub fn light(Light { point, specular }: &Light) -> String {
-    let Attenuation { a, b, c } = point.attenuation;
-    let [position, diffuse] = [point.position, point.diffuse].map(floats);
+pub fn light(Light { point_light, specular }: &Light) -> String {
+    let Attenuation { a, b, c } = point_light.attenuation;
+    let [position, diffuse] =
+        [point_light.position, point_light.diffuse].map(floats);
     call("lamp", &[position, diffuse, floats(*specular), floats(dvec3(a, b, c))])
 }
 

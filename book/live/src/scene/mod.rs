@@ -85,12 +85,12 @@ fn object(values: &[f64]) -> Object<Material> {
 
 fn light(values: &[f64]) -> Light {
     let [a, b, c] = [values[10], values[11], values[12]];
-    let point = PointLight {
+    let point_light = PointLight {
         position: DVec3::from_slice(&values[1..]),
         diffuse: DVec3::from_slice(&values[4..]),
         attenuation: Attenuation { a, b, c },
     };
-    Light { point, specular: DVec3::from_slice(&values[7..]) }
+    Light { point_light, specular: DVec3::from_slice(&values[7..]) }
 }
 
 const fn ball<const K: usize>() -> Handle {

@@ -61,8 +61,8 @@ fn lamp(
 ) -> Light {
     let (position, diffuse) = (position.into(), diffuse.into());
     let attenuation = Attenuation { a, b, c };
-    let point = PointLight { position, diffuse, attenuation };
-    Light { point, specular: specular.into() }
+    let point_light = PointLight { position, diffuse, attenuation };
+    Light { point_light, specular: specular.into() }
 }
 
 ";

@@ -28,12 +28,20 @@ pub type Lamp = (&'static str, f64, Light);
 
 /// The two of the course, and one that is off at first.
 pub const LAMPS: [Lamp; 3] = [
-    ("warm light", 1.0, Light { point: WARM, specular: DVec3::new(1.0, 0.9, 0.8) }),
-    ("cool light", 1.0, Light { point: COOL, specular: DVec3::new(0.5, 0.7, 1.0) }),
+    (
+        "warm light",
+        1.0,
+        Light { point_light: WARM, specular: DVec3::new(1.0, 0.9, 0.8) },
+    ),
+    (
+        "cool light",
+        1.0,
+        Light { point_light: COOL, specular: DVec3::new(0.5, 0.7, 1.0) },
+    ),
     (
         "third light",
         0.0,
-        Light { point: ROSE, specular: DVec3::new(1.0, 0.6, 0.8) },
+        Light { point_light: ROSE, specular: DVec3::new(1.0, 0.6, 0.8) },
     ),
 ];
 

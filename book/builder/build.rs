@@ -1,0 +1,106 @@
+use crate::{Files, Page, Site, chapter, links, picture, pictures, print, styles};
+use anyhow::{Context, Result, bail};
+use mdbook_driver::MDBook;
+use rayon::iter::{
+    IntoParallelIterator, IntoParallelRefIterator, ParallelIterator,
+};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Builds the book of a workspace; returns the folder of its pages, and what is in it.
+///
+/// A fault in a chapter stops it before any page is written. A link that leads
+/// nowhere is found when all are.
+pub fn build(workspace: &Path) -> Result<(PathBuf, Site)> {
+    let mut book = MDBook::load(workspace.join("book")).context("no book")?;
+    book.config.build.build_dir = workspace.join("target/book");
+    pictures::write(workspace)?;
+    expand(&mut book, workspace)?;
+    book.build()?;
+    let folder = book.build_dir_for("html");
+    let mut files = Files::read(&folder)?;
+    let html: Vec<_> = files.texts(".html").collect();
+    let pages = html.into_par_iter().map(|(name, html)| {
+        let mut page = Page::new(name, html);
+        finish(&mut page, &files)?;
+        let html = page.html.html();
+        fs::write(folder.join(name), &html).with_context(|| name.to_owned())?;
+        Ok((page, html))
+    });
+    let mut site = Site { files: Files::default(), pages: Default::default() };
+    for (page, html) in pages.collect::<Result<Vec<_>>>()? {
+        files.0.insert(page.name.clone(), html.into_bytes());
+        site.pages.insert(page.name.clone(), page);
+    }
+    site.files = files;
+    tell(&links::faults(&site))?;
+    Ok((folder, site))
+}
+
+/// Turns the chapters as they are written into plain Markdown.
+fn expand(book: &mut MDBook, workspace: &Path) -> Result<()> {
+    let url = book.config.get::<String>("output.html.git-repository-url")?;
+    let ours = our_folder(workspace, url.as_deref());
+    let texts: Vec<_> = book.book.chapters().map(|c| c.content.clone()).collect();
+    let expanded = texts.par_iter().map(|text| {
+        chapter::expand(&text.replace("{{#our-folder}}", &ours), workspace)
+    });
+    let expanded: Vec<_> = expanded.collect();
+    let mut expanded = expanded.into_iter();
+    let mut faults = vec![];
+    book.book.for_each_chapter_mut(|chapter| {
+        let Some((markdown, wrong)) = expanded.next() else { return };
+        chapter.content = markdown;
+        let file = chapter.source_path.clone().unwrap_or_default();
+        faults.extend(wrong.iter().map(|(line, what)| {
+            format!("book/chapters/{}:{line}: {what}", file.display())
+        }));
+    });
+    tell(&faults)
+}
+
+/// Where the reader finds our folder: a book that is published has a link to it, one
+/// that is built at home was built in it.
+fn our_folder(workspace: &Path, url: Option<&str>) -> String {
+    match url {
+        Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
+        None => format!("where this book was built: `{}`", workspace.display()),
+    }
+}
+
+/// What is done to a page that mdBook has written.
+fn finish(page: &mut Page, files: &Files) -> Result<()> {
+    // mdBook puts the title of a part into an item of its own, and HTML has no such item.
+    page.change("li:empty", |_| String::new());
+    match page.name.as_str() {
+        "toc.html" => return Ok(()),
+        "print.html" => print::arrange(page)?,
+        _ => {}
+    }
+    styles::inline(page, files)?;
+    // What may scroll sideways takes the focus, so that the keyboard can scroll it.
+    for (selector, tag) in
+        [("pre", "<pre"), (".table-wrapper", "<div"), (".formula", "<span")]
+    {
+        page.change(&format!("main {selector}"), |html| {
+            html.replacen(tag, &format!("{tag} tabindex=\"0\""), 1)
+        });
+    }
+    // The first picture does not wait.
+    if let Some(first) = page.all("main img").first() {
+        let (first, html) = (first.id(), first.html());
+        page.put(first, &html.replace(picture::LAZY, " fetchpriority=\"high\""));
+        page.remove(first);
+    }
+    Ok(())
+}
+
+/// An error that tells all faults at once, if there are any; it stops the build.
+fn tell(faults: &[String]) -> Result<()> {
+    let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
+    match faults.len() {
+        0 => Ok(()),
+        1 => bail!("{all}The book is not done: one fault."),
+        many => bail!("{all}The book is not done: {many} faults."),
+    }
+}

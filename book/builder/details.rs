@@ -1,0 +1,17 @@
+use crate::markdown::inline;
+
+/// The boxes a chapter can have, and what stands before the author's own words in
+/// their heading.
+const KINDS: [(&str, &str); 3] =
+    [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside")];
+
+/// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
+pub fn html(kind: &str, words: &str) -> Option<Result<String, String>> {
+    let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
+    Some(inline(words).map(|words| {
+        format!(
+            "<details class=\"{kind}\"><summary><span class=\"kind\">{label}</span> \
+             <span>{words}</span></summary>\n"
+        )
+    }))
+}

@@ -1,0 +1,108 @@
+use crate::files::{CHAPTERS, joined};
+use crate::numbers;
+use live::escape;
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+
+/// The listing for `{{#include path}}` or a part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
+/// caption that says which lines of which file it is.
+///
+/// A path is relative to the chapters; what is in `book/reader` is of the reader's own
+/// folder. The first listing of a file on a page has an
+/// id for links to it, such as `listing-step01_rays-src-ray.rs`; `ids` holds those.
+pub fn html(
+    language: &str,
+    include: &str,
+    workspace: &Path,
+    ids: &mut Vec<String>,
+) -> Result<String, String> {
+    let target = include
+        .trim()
+        .strip_prefix("{{#include ")
+        .and_then(|rest| rest.strip_suffix("}}"))
+        .filter(|rest| !rest.contains(['\n', '{', '}']))
+        .ok_or("a listing is one {{#include path}} and nothing else")?;
+    let (target, part) = target.split_once(':').unwrap_or((target, ".."));
+    let path = joined(CHAPTERS, target.trim());
+    let text = fs::read_to_string(workspace.join(&path))
+        .map_err(|_| format!("there is no file {target}"))?;
+    let path = path.strip_prefix("book/reader/").unwrap_or(&path);
+    let lines: Vec<&str> = text.lines().collect();
+    let range = range(part, &lines)?;
+    let (first, last, total) = (range.start + 1, range.end, lines.len());
+    let part = |lines| format!(r#" <span class="part">{lines} of {total}</span>"#);
+    let part = match (first, last) {
+        (1, last) if last == total => String::new(),
+        (first, last) if first == last => part(format!("line {first}")),
+        _ => part(format!("lines {first}–{last}")),
+    };
+    let attributes = format!("data-lines=\"{first}-{last}\"");
+    let code = lines[range].join("\n");
+    Ok(figure(path, &attributes, &part, language, &code, ids))
+}
+
+/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
+/// a file whose text is a number that moves.
+pub fn moving(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
+    let (which, path) = words
+        .split_once(' ')
+        .ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
+    let code = numbers::printed(which)?;
+    let lines = code.lines().count();
+    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{which}\"");
+    Ok(figure(path, &attributes, "", "rust", code, ids))
+}
+
+/// Code from the file `path` under its caption; `part` says which of it.
+fn figure(
+    path: &str,
+    attributes: &str,
+    part: &str,
+    language: &str,
+    code: &str,
+    ids: &mut Vec<String>,
+) -> String {
+    let shown = path.strip_prefix("steps/").unwrap_or(path);
+    let at = shown.rfind('/').map_or(0, |at| at + 1);
+    let (folder, file) = (escape(&shown[..at]), escape(&shown[at..]));
+    let new = Some(format!("listing-{}", shown.replace('/', "-")));
+    let new = new.filter(|id| !ids.contains(id));
+    ids.extend(new.clone());
+    let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
+    let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(3.max(ticks + 1));
+    format!(
+        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}\">\
+         <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
+         {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
+        escape(path),
+        code.lines().count(),
+    )
+}
+
+/// The lines of a part such as `use..impl Ray`, which begins and ends before what
+/// begins with these words.
+fn range(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
+    let (from, to) = part.split_once("..").ok_or(format!(
+        "a part is ..how its end begins, or how it begins.., not {part}"
+    ))?;
+    let start = if from.is_empty() { 0 } else { find(from, lines, 0)? };
+    let end = if to.is_empty() { lines.len() } else { find(to, lines, start + 1)? };
+    Ok(start..end)
+}
+
+/// The place of the first line, not before `from`, that begins with these words, or
+/// that of the comments and attributes above it.
+fn find(words: &str, lines: &[&str], from: usize) -> Result<usize, String> {
+    let mut lines_from = lines.iter().skip(from);
+    let mut at = from
+        + lines_from
+            .position(|line| line.trim_start().starts_with(words))
+            .ok_or(format!("no line there begins with {words:?}"))?;
+    while from < at && lines[at - 1].trim_start().starts_with(['#', '/']) {
+        at -= 1;
+    }
+    Ok(at)
+}

@@ -1,0 +1,83 @@
+use crate::{Page, all};
+use anyhow::{Result, ensure};
+use scraper::Node;
+use std::mem::take;
+
+/// Arranges mdBook's page of the whole book for paper: a list of contents before the
+/// chapters, and behind each chapter what is folded away on the screen.
+pub fn arrange(page: &mut Page) -> Result<()> {
+    let end = page.one("main")?.last_child().map(|node| node.id());
+    let mut before = vec![];
+    let mut gone = vec![];
+    let (mut breaks, mut contents) = (vec![], vec![]);
+    let (mut asked, mut answers) = (0, String::new());
+    for part in page.all("main h1, main details, main > div[style*=break-before]") {
+        let inside = |selector| all(part, selector).into_iter().next();
+        match part.value().name() {
+            "div" => {
+                before.push((part.id(), behind(&take(&mut answers))));
+                breaks.push(part);
+            }
+            "h1" => {
+                let id = part.attr("id").unwrap_or_default();
+                let title = inside("a").map_or(String::new(), |a| a.inner_html());
+                contents.push(format!("<li><a href=\"#{id}\">{title}</a></li>"));
+            }
+            _ => {
+                gone.push(part.id());
+                if part.attr("hidden").is_some() {
+                    continue;
+                }
+                let Some(summary) = inside("summary") else { continue };
+                let words = summary.inner_html();
+                let text = part.inner_html().replacen(&summary.html(), "", 1);
+                let html = if part.attr("class") == Some("aside") {
+                    format!(
+                        "<section class=\"aside\"><p>{words}</p>{text}</section>"
+                    )
+                } else {
+                    asked += 1;
+                    answers += &format!(
+                        "<div class=\"answer\" id=\"answer-{asked}\">\
+                         <a href=\"#asked-{asked}\">{asked}</a>{text}</div>"
+                    );
+                    format!(
+                        "<p class=\"asked\" id=\"asked-{asked}\">{words} \
+                         <a href=\"#answer-{asked}\">→ {asked}</a></p>"
+                    )
+                };
+                before.push((part.id(), html));
+            }
+        }
+    }
+    ensure!(
+        1 < contents.len() && contents.len() == breaks.len() + 1,
+        "{} has {} chapters with {} breaks between them",
+        page.name,
+        contents.len(),
+        breaks.len()
+    );
+    let list = format!(
+        "{}<h2 id=\"contents-on-paper\">Contents</h2><ol class=\"chapters\">{}</ol>",
+        breaks[0].html(),
+        contents[1..].concat()
+    );
+    before.push((breaks[0].id(), list));
+    before.extend(end.map(|end| (end, behind(&answers))));
+    before.iter().for_each(|(node, html)| page.put(*node, html));
+    gone.into_iter().for_each(|node| page.remove(node));
+    // A picture that waits to be seen would not be on paper.
+    for node in page.html.tree.values_mut() {
+        if let Node::Element(element) = node {
+            element.attrs.retain(|(name, _)| &*name.local != "loading");
+        }
+    }
+    Ok(())
+}
+
+/// What stands behind a chapter with these answers.
+fn behind(answers: &str) -> String {
+    let heading =
+        if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
+    format!("{heading}{answers}")
+}

@@ -1,0 +1,30 @@
+use crate::files::joined;
+use crate::{Files, Page};
+use anyhow::{Context, Result, ensure};
+
+/// Puts into a page, instead of links to them, the styles that are among the `files` of
+/// the book, so that it is shown at once.
+pub fn inline(page: &mut Page, files: &Files) -> Result<()> {
+    let links = page.all("link[rel=stylesheet]");
+    ensure!(!links.is_empty(), "{} has no styles", page.name);
+    let mut styles = String::new();
+    for link in &links {
+        let path = link.attr("href").unwrap_or_default();
+        let css = files.text(path);
+        styles += &moved(css.with_context(|| format!("there is no {path}"))?, path);
+    }
+    let links: Vec<_> = links.iter().map(|link| link.id()).collect();
+    page.put(links[0], &format!("<style>\n{styles}</style>"));
+    links.into_iter().for_each(|link| page.remove(link));
+    Ok(())
+}
+
+/// The style from the file `path` for a page: its addresses count from there.
+fn moved(css: &str, path: &str) -> String {
+    let mut parts = css.split("url(\"");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |css, part| {
+        let (address, rest) = part.split_once('"').unwrap_or((part, ""));
+        css + "url(\"" + &joined(path, address) + "\"" + rest
+    })
+}
