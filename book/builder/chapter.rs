@@ -252,6 +252,7 @@ fn console(whose: &str, commands: &str) -> Result<String, String> {
     let (whose, caption) = match whose {
         "yours" => ("yours", "in your folder"),
         "yours,refused" => ("yours refused", "in your folder"),
+        "yours,fails" => ("yours fails", "in your folder"),
         "ours" => ("ours", "in <a href=\"how.html#two-folders\">our folder</a>"),
         _ => return Err("a console is console,yours or console,ours".to_string()),
     };

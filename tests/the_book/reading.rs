@@ -3,6 +3,12 @@
 use super::listing::Listing;
 use book::{Page, all, text};
 
+/// What a program of the course exits with where it refuses an option.
+pub const REFUSED: i32 = 2;
+
+/// What `cargo test` exits with where a test fails.
+pub const FAILED: i32 = 101;
+
 /// One thing on a page.
 #[derive(Debug)]
 pub enum Event<'a> {
@@ -19,10 +25,12 @@ pub enum Event<'a> {
 pub struct Asked {
     /// Where on which page it stands.
     pub at: String,
+    /// What is set for it alone, such as `A=b`, by name.
+    pub settings: Vec<(String, String)>,
     /// Its words, the first of which is `cargo`.
     pub words: Vec<String>,
-    /// Whether it is to be refused.
-    pub is_refused: bool,
+    /// What it ends with: 0 where it does what it should.
+    pub code: i32,
     /// The lines that the page shows below it; `…` stands for anything.
     pub says: Vec<String>,
 }
@@ -39,8 +47,12 @@ pub fn events(page: &Page) -> Vec<Event<'_>> {
             (Some("console"), whose) => {
                 let code: String =
                     all(part, "code").into_iter().map(text).collect();
-                let is_refused = whose == Some("yours refused");
-                let commands = Asked::all(&page.at(part), &code, is_refused);
+                let ends = match whose {
+                    Some("yours refused") => REFUSED,
+                    Some("yours fails") => FAILED,
+                    _ => 0,
+                };
+                let commands = Asked::all(&page.at(part), &code, ends);
                 events.extend(commands.into_iter().map(Event::Runs));
             }
             _ => events.push(Event::Section),
@@ -50,16 +62,30 @@ pub fn events(page: &Page) -> Vec<Event<'_>> {
 }
 
 impl Asked {
-    fn all(at: &str, code: &str, is_refused: bool) -> Vec<Self> {
+    fn all(at: &str, text: &str, code: i32) -> Vec<Self> {
         let mut commands: Vec<Self> = vec![];
-        for line in code.lines() {
+        for line in text.lines() {
             match (line.strip_prefix("$ "), commands.last_mut()) {
-                (Some(command), _) => commands.push(Self {
-                    at: at.to_owned(),
-                    words: command.split_whitespace().map(str::to_owned).collect(),
-                    is_refused,
-                    says: vec![],
-                }),
+                (Some(command), _) => {
+                    let from = command.find("cargo").unwrap_or(0);
+                    let (settings, words) = command.split_at(from);
+                    let settings = settings.split_whitespace();
+                    let settings = settings.filter_map(|one| one.split_once('='));
+                    commands.push(Self {
+                        at: at.to_owned(),
+                        settings: settings
+                            .map(|(name, value)| {
+                                (name.to_owned(), value.to_owned())
+                            })
+                            .collect(),
+                        words: words
+                            .split_whitespace()
+                            .map(str::to_owned)
+                            .collect(),
+                        code,
+                        says: vec![],
+                    });
+                }
                 (None, Some(last)) => last.says.push(line.to_owned()),
                 (None, None) => {}
             }

@@ -11,9 +11,9 @@ use step01_rays::Ray;
 pub const FRUSTUM: Live = Live {
     name: "frustum",
     knobs: &[
-        Knob::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+        Knob::new(["θ", "field of view", "°"], 60.0, [20.0, 80.0], 1.0),
         ASPECT_RATIO,
-        Knob::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+        Knob::new(["hRes", "columns", ""], 8.0, [4.0, 16.0], 1.0),
         Knob::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
         Knob::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
     ],
@@ -92,7 +92,13 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.arrow("ray", c, tip);
     let DVec2 { x: i, y: j } = pixel_of(values);
     let label = format!("$i$ = {i}, $j$ = {j}");
-    drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+    if tip.x < 380.0 {
+        drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+    } else {
+        let place =
+            (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
+        drawing.label_to("quiet over", place, &label);
+    }
     let corner = dvec2(44.0, 286.0);
     for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
         let along = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();

@@ -13,6 +13,7 @@ mod phong_vectors;
 mod pinhole;
 mod pyramid;
 mod ray;
+mod right_hand;
 mod row;
 mod three_cases;
 
@@ -44,10 +45,11 @@ pub struct Figure {
 /// The name that a chapter calls a figure by, and what draws it.
 type Named = (&'static str, fn() -> Figure);
 
-const FIGURES: [Named; 13] = [
+const FIGURES: [Named; 14] = [
     ("ray", ray::figure),
     ("pinhole", pinhole::figure),
     ("row", row::figure),
+    ("right-hand", right_hand::figure),
     ("frustum", frustum::figure),
     ("aspect-ratios", aspect_ratios::figure),
     ("three-cases", three_cases::figure),

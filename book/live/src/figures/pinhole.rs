@@ -38,8 +38,8 @@ pub fn figure() -> Figure {
     drawing.label("quiet", below(object, 198.0), "scene");
     Figure {
         title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
-        caption: "The same two rays at three places. At $t = -1$, behind the pinhole, the image of the \
-                  arrow stands on its head. At $t = 1$, in front of it, the image is as large, and upright.",
+        caption: "The same two rays at three places. Behind the pinhole, the image of the arrow is upside down. \
+                  As far in front of it, the image is as large, and upright.",
         drawing,
     }
 }

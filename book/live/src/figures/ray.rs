@@ -4,15 +4,16 @@ use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
 
-/// A ray with the points at several t, one of which moves.
+/// A ray with the points at several t, and one that stays at its distance from S when V
+/// is made longer.
 pub const RAY: Live = Live {
     name: "ray",
     knobs: &[
         Knob::new(["", "S, sideways", ""], 0.0, [-2.0, 7.0], 10.0),
         Knob::new(["", "S, upwards", ""], 0.0, [-1.0, 3.0], 10.0),
-        Knob::new(["", "V, sideways", ""], 2.0, [-4.0, 4.0], 10.0),
+        Knob::new(["", "V, sideways", ""], 2.4, [-4.0, 7.0], 10.0),
         Knob::new(["", "V, upwards", ""], 0.7, [-4.0, 4.0], 10.0),
-        Knob::new(["", "t", ""], 2.0, [-0.9, 3.2], 10.0),
+        Knob::new(["", "distance of the point", ""], 5.0, [-2.0, 8.0], 10.0),
     ],
     handles: &[
         Handle::new(
@@ -33,35 +34,55 @@ pub const RAY: Live = Live {
         Handle::new(
             "the point at t",
             [4, 4],
-            |values| at(values, values[4]),
+            |values| at(values, t(values)),
             |values, to| {
-                let Ray { start, direction: v } = ray(values);
-                values[4] = (world(to).extend(0.0) - start).dot(v) / v.dot(v);
+                let Ray { start, direction } = ray(values);
+                let along = direction.normalize();
+                values[4] = (world(to).extend(0.0) - start).dot(along);
             },
         ),
     ],
     is_allowed: |values| {
-        let is_inside = |at: DVec2| at.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == at;
-        let handles = RAY.handles.iter().map(|handle| (handle.at)(values));
-        ray(values).direction.length() != 0.0 && handles.into_iter().all(is_inside)
+        let mut ends = RAY.handles[..2].iter().map(|handle| (handle.at)(values));
+        0.5 <= ray(values).direction.length() && ends.all(is_inside)
     },
     sight: |values| Sight::Drawing(draw(values)),
     numbers: |values| {
-        let point = ray(values).at(values[4]).truncate();
+        let (ray, t) = (ray(values), t(values));
         vec![
-            ("t".into(), number(values[4])),
-            ("point".into(), vector(&point.to_array())),
+            ("length".into(), short(ray.direction.length())),
+            ("t".into(), short(t)),
+            ("point".into(), vector(&ray.at(t).truncate().to_array().map(rounded))),
         ]
     },
     beside: None,
 };
 
 const SIZE: DVec2 = dvec2(480.0, 240.0);
-const VIEW: View = View { origin: dvec2(112.0, 172.0), scale: dvec2(50.0, 50.0) };
+const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
 
 fn ray(values: &[f64]) -> Ray {
     let at = |k: usize| dvec2(values[k], values[k + 1]).extend(0.0);
     Ray { start: at(0), direction: at(2) }
+}
+
+/// How many V the point is from S.
+fn t(values: &[f64]) -> f64 {
+    values[4] / ray(values).direction.length()
+}
+
+fn rounded(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0
+}
+
+/// A number with at most two digits after the point.
+fn short(value: f64) -> String {
+    number(rounded(value))
+}
+
+/// Whether a place is in the drawing, with room for what marks it.
+fn is_inside(place: DVec2) -> bool {
+    place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
 }
 
 /// Where in the drawing r(t) is.
@@ -79,22 +100,43 @@ const BESIDE: DVec2 = dvec2(-5.0, -14.0);
 
 fn draw(values: &[f64]) -> Drawing {
     let at = |t: f64| at(values, t);
-    let moving = values[4];
+    let v = at(1.0) - at(0.0);
+    // The whole t that are in the drawing, with room for a label below.
+    let room = dvec2(26.0, 32.0);
+    let has_room = |t: &f64| at(*t).clamp(room, SIZE - room) == at(*t);
+    let end = (0..).map(|k| 0.1 * f64::from(k));
+    let end = end.take_while(|t| is_inside(at(*t))).last().unwrap_or(0.0);
     let mut drawing = Drawing::new(SIZE.x, SIZE.y);
-    drawing.line("guide", at(-0.9), at(0.0));
-    drawing.line("ray", at(0.0), at(3.2));
-    drawing.arrow("ray faint", at(3.0), at(3.55));
+    drawing.line("guide", at(0.0) - 90.0 * v.normalize(), at(0.0));
+    drawing.arrow("ray", at(0.0), at(end));
     drawing.arrow("vector", at(0.0) + BESIDE, at(1.0) + BESIDE);
     drawing.label("strong", at(0.5) + 2.0 * BESIDE, "$V$");
-    for t in [-0.5, 0.0, 1.0, 2.0, 3.0] {
-        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
-        let label = format!("$t$ = {}", number(t));
-        drawing.label("quiet", at(t) + dvec2(9.0, 25.0), &label);
+    // Where V is short or steep, some of the labels would lie on others.
+    let step = (52.0 / v.x.abs().max(1.7 * v.y.abs())).ceil();
+    for t in (-1..40).map(|k| if k < 0 { -0.5 } else { step * f64::from(k) }) {
+        let has_name = 0.0 <= t || step == 1.0;
+        if has_room(&t) && has_name {
+            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
+            let label = format!("$t$ = {}", number(t));
+            drawing.label("quiet", at(t) + dvec2(9.0, 25.0), &label);
+        }
     }
-    drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$");
+    match v.x < 0.0 {
+        true => drawing.label_from("strong", at(0.0) + dvec2(12.0, -16.0), "$S$"),
+        false => drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$"),
+    }
+    let moving = t(values);
     let sign = if moving < 0.0 { '−' } else { '+' };
-    let label = format!("$S$ {sign} {}$V$", number(moving.abs()));
-    drawing.label_to("", at(moving) + dvec2(-8.0, -16.0), &label);
+    let times = short(moving.abs());
+    let times = if times == "1" { "" } else { &times };
+    let label = format!("$S$ {sign} {times}$V$");
+    // Above V and its name, where the point is beside them.
+    let is_beside = (-10.0..v.length() + 70.0).contains(&(moving * v.length()));
+    let up = if is_beside { 52.0 } else { 16.0 };
+    let place = at(moving) - dvec2(8.0, up);
+    if is_inside(at(moving)) {
+        drawing.label_to("", place.max(dvec2(76.0, 18.0)), &label);
+    }
     drawing
 }
 
@@ -102,10 +144,9 @@ fn draw(values: &[f64]) -> Drawing {
 pub fn figure() -> Figure {
     Figure {
         title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
-        caption: "A ray. Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is below 0, \
-                  the point lies behind the start, on the same line but not on the ray. \
-                  At $t = {{#number ray:t}}$ it is {{#number ray:point}}. \
-                  <span class='move'>Make $V$ longer, and see which $t$ a point has now.</span>",
+        caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
+                  $V$ has length {{#number ray:length}}, and the point {{#number ray:point}} has $t = {{#number ray:t}}$. \
+                  <span class='move'>Make $V$ longer. The point stays: what's its $t$ now?</span>",
         drawing: draw(&RAY.values()),
     }
 }

@@ -9,7 +9,8 @@ pub const ROW: Live = Live {
     name: "row",
     knobs: &[
         Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
-        Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
+        Knob::new(["θ", "field of view", "°"], 60.0, [30.0, 120.0], 1.0),
+        Knob::choice("D divides by", 0.0, &["hRes − 1", "hRes"]),
     ],
     handles: &[Handle::new(
         "the tip of V0, which opens the field of view",
@@ -35,10 +36,14 @@ pub const ROW: Live = Live {
 };
 
 /// Where in the drawing C is.
-const ORIGIN: DVec2 = dvec2(240.0, 282.0);
+const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 
 fn row(values: &[f64]) -> Row {
-    Row::new(values[0] as u32, values[1].to_radians())
+    let mut row = Row::new(values[0] as u32, values[1].to_radians());
+    if values[2] == 1.0 {
+        row.matrix.x_axis *= (values[0] - 1.0) / values[0];
+    }
+    row
 }
 
 /// A wide row is drawn smaller.
@@ -53,8 +58,9 @@ fn draw(values: &[f64]) -> Drawing {
     let c = view.at(DVec2::ZERO);
     let directions: Vec<DVec2> =
         (0..=last).map(|i| row.direction(i as f64)).collect();
-    let mut drawing = Drawing::new(480.0, 320.0);
-    let side = (1.02 * directions[last].x).max(0.86);
+    let mut drawing = Drawing::new(480.0, 332.0);
+    let tan = -directions[0].x;
+    let side = (1.02 * tan).max(0.86);
     drawing.line("plane", view.xy(-side, 1.0), view.xy(side, 1.0));
     drawing.line("guide", c, view.xy(0.0, 1.0));
     for &v in &directions[1..] {
@@ -74,7 +80,7 @@ fn draw(values: &[f64]) -> Drawing {
         drawing.arrow("accent", from, to);
     }
     let [from, to] = step(last.min(2) - 1);
-    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
+    drawing.label("accent over", (from + to) / 2.0 + dvec2(0.0, -10.0), "$D$");
     let middle = view.at(0.55 * v_0);
     drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [from, to] = step(0);
@@ -91,13 +97,13 @@ fn draw(values: &[f64]) -> Drawing {
     }
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    let (end, tan) = (directions[last], directions[last].x);
     let corner = view.xy(tan, 0.0);
-    drawing.line("guide", view.at(end), corner);
+    drawing.line("guide", view.xy(tan, 1.0), corner);
     drawing.line("guide", c, corner);
     let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_from("quiet", side, "1");
-    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+    let base =
+        (view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", base, "tan $θ$/2");
     drawing
 }
@@ -106,9 +112,9 @@ fn draw(values: &[f64]) -> Drawing {
 pub fn figure() -> Figure {
     Figure {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
-        caption: "The row of rays for $\\mathit{hRes} = {{#number row:hRes}}$ and $\\theta = {{#number row:angle}}°$. Follow $V_0$ to the left end \
-                  of the image plane; from there, every step $D$ leads to the next ray. The dotted \
-                  lines on the right are the sides of the triangle that gives half of its length. <span class='move'>Drag the tip of $V_0$.</span>",
+        caption: "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
+                  Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
+                  <span class='move'>Open the view by the tip of $V_0$, and add rays.</span>",
         drawing: draw(&ROW.values()),
     }
 }

@@ -1,20 +1,31 @@
 use super::picture;
 use crate::live::{Knob, Live, number};
-use step01_rays::{AspectRatio, Camera, direction_colour};
+use step01_rays::{AspectRatio, Camera, Ray, direction_colour};
 
-/// The picture of step 1, with the field of view, the shape and the columns to set.
+/// The picture of step 1, with the field of view, the shape and the columns to set, and
+/// with unit vectors if asked for.
 pub const STEP01: Live = Live {
     name: "step01_rays",
     knobs: &[
         Knob::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
         ASPECT_RATIO,
         Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
+        Knob::choice("normalised", 0.0, &["off", "on"]),
     ],
     handles: &[],
-    is_allowed: |values| camera(values).is_ok(),
-    sight: |values| picture(&seen(values), direction_colour),
+    is_allowed: |values| camera(&values[..3]).is_ok(),
+    sight: |values| {
+        let is_unit = values[3] == 1.0;
+        picture(&seen(&values[..3]), |ray| match is_unit {
+            true => direction_colour(&Ray {
+                direction: ray.direction.normalize(),
+                ..*ray
+            }),
+            false => direction_colour(ray),
+        })
+    },
     numbers: |values| {
-        let camera = seen(values);
+        let camera = seen(&values[..3]);
         vec![
             ("rows".into(), camera.v_res.to_string()),
             ("step".into(), number(camera.matrix.x_axis.x)),
