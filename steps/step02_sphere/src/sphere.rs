@@ -16,7 +16,7 @@ pub struct Sphere {
 
 impl Sphere {
     /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets it.
-    /// The lecture's sphere is at the origin; here S is taken from the centre.
+    /// The lecture's sphere is at the origin; here S is measured from the centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

@@ -2,7 +2,7 @@ use crate::{Light, Material};
 use glam::DVec3;
 
 /// I_s = R_s / (a + bd + cd²) · max(r·v, 0)ⁿ · L_s (slide "Specular Term").
-/// `r` and `v` are unit vectors, l reflected and to the eye; the light is `d` away.
+/// `r` is l reflected, `v` the way to the eye, both unit; the light is `d` away.
 pub fn specular(
     r: DVec3,
     v: DVec3,
