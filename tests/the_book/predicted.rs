@@ -30,7 +30,10 @@ fn rays() -> impl Iterator<Item = Ray> {
 
 #[test]
 fn no_sphere_is_seen_along_directions_that_were_moved() {
-    assert_asked("step02_sphere.html", "you move the direction as you move the start");
+    assert_asked(
+        "step02_sphere.html",
+        "you move the direction as you move the start",
+    );
     let moved = |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
     let mut moved = rays().map(moved);
     assert!(moved.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));

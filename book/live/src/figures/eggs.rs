@@ -1,28 +1,8 @@
-use super::Figure;
 use super::ball::{BETWEEN, HALF, ball, middle, outline, size};
-use crate::live::{Knob, Live, Sight, number};
+use crate::live::{Knob, Live, Sight, named, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
-
-/// Equal balls round the eye, their picture, and how wide its view is.
-pub const EGGS: Live = Live {
-    name: "eggs",
-    knobs: &[Knob::new(["θ", "field of view", "°"], 100.0, [60.0, 140.0], 1.0)],
-    handles: &[],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values[0])),
-    numbers: |values| {
-        let k = outermost(values[0]);
-        let [long, wide] = size(&outline(k));
-        vec![
-            ("angle".into(), number(values[0])),
-            ("phi".into(), number(BETWEEN * f64::from(k))),
-            ("times".into(), format!("{:.1}", long / wide)),
-        ]
-    },
-    beside: None,
-};
 
 /// The last ball that is whole in a picture so many degrees wide.
 fn outermost(degrees: f64) -> i32 {
@@ -40,11 +20,7 @@ fn draw(degrees: f64) -> Drawing {
     let c = picture.origin + dvec2(0.0, BELOW + scale.y);
     let above = View { origin: c, scale };
     let mut drawing = Drawing::new(480.0, 336.0);
-    let corner = dvec2(tan * scale.x, 50.0);
-    let flip = dvec2(corner.x, -corner.y);
-    let corners =
-        [-corner, flip, corner, -flip].map(|corner| picture.origin + corner);
-    drawing.area("plane", &corners);
+    drawing.rectangle("plane", picture.origin, dvec2(tan * scale.x, 50.0));
     for k in -3..=3 {
         draw_ball(&mut drawing, &picture, &above, k, tan);
     }
@@ -54,7 +30,7 @@ fn draw(degrees: f64) -> Drawing {
         drawing.line("ray faint", c, above.xy(side, 1.0));
     }
     let half = (degrees / 2.0).to_radians();
-    drawing.arc("angle", c, 34.0, FRAC_PI_2 - half, FRAC_PI_2 + half);
+    drawing.arc("angle", c, 34.0, [FRAC_PI_2 - half, FRAC_PI_2 + half]);
     drawing.label("", c + dvec2(-12.0, -40.0), "$θ$");
     drawing.dot("eye", c);
     drawing
@@ -101,13 +77,28 @@ fn draw_cone(drawing: &mut Drawing, picture: &View, above: &View, k: i32) {
     drawing.line("accent", on_plane(middle), on_plane(outer));
 }
 
-/// The balls as they are printed.
-pub fn figure() -> Figure {
-    Figure {
+/// Equal balls round the eye, their picture, and how wide its view is.
+pub fn figure() -> Live {
+    Live {
         title: "Seven balls in an arc round the eye, from above, and their picture over it. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.",
         caption: "Equal balls, all as far from the eye: from above, and on top their picture at $\\theta = {{#number eggs:angle}}°$. \
                   The outermost that is whole is {{#number eggs:phi}}° from the axis, and {{#number eggs:times}} times as long as it is wide. \
                   The dashed ray leads to its centre: on the image plane, the part outside of it is longer. <span class='move'>Open $\\theta$.</span>",
-        drawing: draw(EGGS.values()[0]),
+        knobs: vec![Knob::new(
+            ["θ", "field of view", "°"],
+            100.0,
+            [60.0, 140.0],
+            1.0,
+        )],
+        numbers: |values| {
+            let k = outermost(values[0]);
+            let [long, wide] = size(&outline(k));
+            named([
+                ("angle", number(values[0])),
+                ("phi", number(BETWEEN * f64::from(k))),
+                ("times", format!("{:.1}", long / wide)),
+            ])
+        },
+        ..Live::new("eggs", |values| Sight::Drawing(draw(values[0])))
     }
 }

@@ -1,6 +1,5 @@
-use super::Figure;
-use crate::live::number;
-use crate::pictures::{NAMES, STEP03};
+use crate::live::{Live, Sight, number};
+use crate::pictures::{object_names, step03};
 use crate::svg::{Drawing, View};
 use crate::{camera, roots};
 use glam::{DVec2, DVec3, dvec2};
@@ -24,7 +23,7 @@ pub fn draw(values: &[f64]) -> Drawing {
     let mut drawing = Drawing::new(480.0, 330.0);
     draw_depths(&mut drawing);
     // The largest, the ground, lies below the others.
-    let mut spheres: Vec<_> = OBJECTS.iter().zip(NAMES).collect();
+    let mut spheres: Vec<_> = OBJECTS.iter().zip(object_names()).collect();
     spheres.sort_by(|(a, _), (b, _)| b.sphere.radius.total_cmp(&a.sphere.radius));
     for (Object { sphere, .. }, _) in &spheres[1..] {
         let centre = VIEW.xy(sphere.centre.x, -sphere.centre.z);
@@ -94,11 +93,13 @@ fn draw_ray(
 }
 
 /// What is drawn of the pixel that is asked as printed.
-pub fn figure() -> Figure {
-    Figure {
+pub fn figure() -> Live {
+    Live {
         title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
         caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
                   every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
-        drawing: draw(&STEP03.values()),
+        ..Live::new("from-above", |_| {
+            Sight::Drawing(draw(&step03::picture().values()))
+        })
     }
 }

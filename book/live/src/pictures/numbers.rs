@@ -1,0 +1,48 @@
+use super::{met, pixel};
+use crate::live::{Numbers, named, number, vector};
+use crate::{discriminant, roots};
+use glam::DVec3;
+use step01_rays::{Ray, direction_colour, rgb8};
+use step03_nearest::Object;
+
+/// Everything on the way from a pixel of a scene to its three bytes. `names` are those
+/// of the objects, and `shading` is what there is between the nearest hit and the sum.
+pub fn numbers<M>(
+    values: &[f64],
+    objects: &[Object<M>],
+    names: &[&str],
+    shading: impl FnOnce(&Ray) -> Option<Numbers>,
+    colour: impl Fn(&Ray) -> DVec3,
+) -> Numbers {
+    let ray = pixel::ray(values);
+    let mut numbers = named([
+        ("i", number(values[0])),
+        ("j", number(values[1])),
+        ("V", vector(ray.direction)),
+        ("sum", vector(colour(&ray))),
+        ("bytes", vector(rgb8(colour(&ray)).0.map(f64::from))),
+    ]);
+    for (k, Object { sphere, .. }) in objects.iter().enumerate() {
+        let (a, b, c) = sphere.coefficients(&ray);
+        let d = discriminant(sphere, &ray);
+        let row = ["a", "b", "c", "D"].into_iter().zip([a, b, c, d].map(number));
+        let roots = ["near", "far"].into_iter().zip(roots(sphere, &ray).map(root));
+        let row = row.chain(roots);
+        numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
+    }
+    // What the ray meets, or else the colour of the sky; what there is not is empty.
+    let (mut which, mut t, mut sky) = Default::default();
+    if let Some((k, hit)) = met(objects, &ray) {
+        (which, t) = (names[k], number(hit));
+    } else {
+        sky = vector(direction_colour(&ray));
+    }
+    numbers.extend(named([("which", which.into()), ("t", t), ("sky", sky)]));
+    numbers.extend(shading(&ray).unwrap_or_default());
+    numbers
+}
+
+/// A root, or what is written where there is none.
+fn root(t: f64) -> String {
+    if t.is_nan() { "–".to_string() } else { number(t) }
+}
