@@ -49,27 +49,22 @@ impl Entry<'_> {
 
     fn whole(&self, workspace: &Path) -> Result<String, String> {
         let Self { mistake, shown, name, step } = self;
-        let ours = format!("pictures/{}{SMALL}", step.name());
-        let ours = Picture::plain("The right picture.", &ours).html(workspace)?;
+        let right = format!("pictures/{}{SMALL}", step.name());
+        let ours = Picture::plain("The right picture.", &right).html(workspace)?;
         let alt =
             format!("The picture of step {} with this mistake.", step.number());
         let wrong = self.picture(&alt).html(workspace)?;
         let own = mistake.step().ok_or("a mistake that is shown is in a step")?;
         let page = mistake.page().unwrap_or_default().replace(".html", ".md");
-        let words = format!("{} {}", shown.sees, shown.why);
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
-             <div class=\"panels\">\
-             <figure>{wrong}<figcaption>What you get.</figcaption></figure>\
-             <figure>{ours}<figcaption>What it should be.</figcaption></figure>\
-             <figure><span class=\"differ\" role=\"img\" aria-label=\"The difference.\">\
-             {}{}</span><figcaption>Where they differ.</figcaption></figure>\
-             </div>\n\n{}\n\n{} Go back to [step {}, “{}”]({page}).\n",
+             <div class=\"panels\">{wrong}{ours}\
+             <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
+             style=\"background-image: url(pictures/mistake-{name}.png), url({right})\"></span>\
+             </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
             self.title(),
-            hidden(&wrong),
-            hidden(&ours),
             diff(mistake),
-            inline(&formulas(&words))?,
+            inline(&formulas(shown.why))?,
             own.number(),
             shown.section,
         ))
@@ -90,12 +85,6 @@ impl Entry<'_> {
             _ => title.to_owned(),
         }
     }
-}
-
-/// The same picture, of which a screen reader says nothing.
-fn hidden(img: &str) -> String {
-    let alt = img.split("alt=\"").nth(1).and_then(|rest| rest.split('"').next());
-    img.replace(&format!("alt=\"{}\"", alt.unwrap_or_default()), "alt=\"\"")
 }
 
 /// What stands in the file, and what is written instead.

@@ -1,118 +1,126 @@
-//! The module that the pages load says what this project says: to every request, the
-//! same text and the same pixels.
+//! What is checked in and made from the code is what the code says today: the modules that
+//! the pages load. One test for each, and one sentence that tells what makes it anew.
 
-mod check;
 mod module;
 
-use live::{Knob, LIVE, Live, Sight};
-use module::{Code, Module, checked_in};
+use ::check::camera;
+use image::{ImageFormat, RgbImage};
+use live::{Answer, Knob, LIVE, Live};
+use module::Module;
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use tests::is_thorough;
+use proptest::test_runner::TestRunner;
+use std::io::Cursor;
+use tests::{is_thorough, locked, some};
+use wasm::{NAMES, answer};
 
-/// What mends a module that is not ours.
-const MEND: &str = "book/wasm/*.wasm are not what our code says: `cargo run -p wasm` \
-                    compiles them anew";
-
-fn ours() -> Module {
-    Code::new(&checked_in("live")).start()
-}
-
-/// How the module answers a request otherwise than we do.
-fn fault(module: &mut Module, request: &str) -> Option<String> {
-    let ours = live::answer(request);
-    let theirs = module.answer(request, b"").unwrap_or_default();
-    if ours == theirs {
-        return None;
-    }
-    let mut both = ours.text.chars().zip(theirs.text.chars());
-    let same = both.by_ref().take_while(|(our, their)| our == their).count();
-    let part = |text: &str| text.chars().skip(same).take(40).collect::<String>();
-    let (our, their) = (part(&ours.text), part(&theirs.text));
-    Some(format!("To {request:?} it says “…{their}…” for “…{our}…”. {MEND}"))
-}
-
-/// Fails unless the module answers a request as we do.
+/// Fails if the module `name` answers otherwise than our code.
 #[track_caller]
-fn assert_same(module: &mut Module, request: &str) {
-    assert_eq!(fault(module, request), None);
+fn assert_same(name: &str, request: &str, ours: &Answer, theirs: Option<Answer>) {
+    let is_same = theirs.as_ref() == Some(ours);
+    assert!(
+        is_same,
+        "book/wasm/{name}.wasm is not what our code says (of {request:?}): \
+         `cargo run -p wasm` compiles it anew."
+    );
+}
+
+#[test]
+fn live_wasm_is_up_to_date() {
+    let mut module = Module::checked_in("live");
+    // The same numbers each time: a platform's own tangent may differ from that of the
+    // module in the last place.
+    let mut runner = TestRunner::deterministic();
+    for live in LIVE {
+        let mut all = vec![
+            format!("about {}", live.name),
+            format!("show {}{}", live.name, words(&printed(live))),
+        ];
+        for _ in 0..if is_thorough() { 2 } else { 1 } {
+            let tree = requests(live).new_tree(&mut runner).expect("requests");
+            all.extend(tree.current());
+        }
+        for request in all {
+            let theirs = module.answer(&request, b"");
+            assert_same("live", &request, &live::answer(&request), theirs);
+        }
+    }
+}
+
+#[test]
+fn pictures_wasm_is_up_to_date() {
+    let mut module = Module::checked_in("pictures");
+    for name in some(NAMES, 4).chain(["step05_phong"]) {
+        let request = format!("draw {name}");
+        let ours = answer(&request, b"");
+        assert!(ours.pixels == *locked(name), "{name} is not the locked picture");
+        assert_same("pictures", &request, &ours, module.answer(&request, b""));
+    }
+}
+
+#[test]
+fn check_wasm_is_up_to_date() {
+    let mut module = Module::checked_in("check");
+    // As book/theme/live.js does, keep the pictures that it asks for.
+    let steps = NAMES.into_iter().filter(|name| name.starts_with("step"));
+    for name in steps.chain(["gradient"]) {
+        let (request, pixels) = (format!("drawn {name}"), locked(name).into_raw());
+        answer(&request, &pixels);
+        module.answer(&request, &pixels);
+    }
+    let right = png(&locked("gradient"));
+    let small = png(&step03_nearest::picture(&camera(16, 9), 1));
+    for (request, file, says) in [
+        ("check gradient a.png", &right[..], "Right: this is the picture"),
+        ("check step03_nearest a.png", &small, "16×9"),
+        ("check step01_rays a.png", &right[..1000], "a damaged PNG file"),
+        ("check step01_rays notes 1.txt", b"my notes", "notes 1.txt is not a PNG"),
+    ] {
+        let ours = answer(request, file);
+        assert!(ours.text.contains(says), "{request}: {}", ours.text);
+        assert_same("check", request, &ours, module.answer(request, file));
+    }
 }
 
 #[test]
 fn no_path_of_a_machine_stands_in_a_module() {
     for name in ["check", "live", "pictures"] {
-        let module = checked_in(name);
-        let text = String::from_utf8_lossy(&module);
+        let bytes = module::bytes(name);
+        let text = String::from_utf8_lossy(&bytes);
         for path in [".cargo", "registry/src", "/home/", "/Users/"] {
-            assert!(!text.contains(path), "{path} in {name}.wasm. {MEND}");
+            assert!(!text.contains(path), "{path} stands in {name}.wasm");
         }
     }
+}
+
+fn png(picture: &RgbImage) -> Vec<u8> {
+    let mut bytes = Cursor::new(vec![]);
+    picture.write_to(&mut bytes, ImageFormat::Png).expect("it can be encoded");
+    bytes.into_inner()
 }
 
 fn words(values: &[f64]) -> String {
     values.iter().map(|value| format!(" {value}")).collect()
 }
 
-/// The values of the printed book, but for the size of a picture: every pixel goes the
-/// same way, and a browser compares all of them with the locked ones.
+/// The values of the printed book, but for the size of a picture, which is small.
 fn printed(live: &Live) -> Vec<f64> {
     let value =
         |knob: &Knob| if knob.words == "columns" { 64.0 } else { knob.value };
     live.knobs.iter().map(value).collect()
 }
 
-#[test]
-fn the_module_says_what_we_say_as_printed() {
-    let mut module = ours();
-    for live in LIVE {
-        assert_same(&mut module, &format!("about {}", live.name));
-        let tell = format!("tell {}{}", live.name, words(&live.values()));
-        assert_same(&mut module, &tell);
-        assert_same(
-            &mut module,
-            &format!("show {}{}", live.name, words(&printed(live))),
-        );
-    }
-}
-
-/// The red, green and blue of every pixel of what there is to see as printed.
-fn drawn(live: &Live) -> Vec<u8> {
-    let Sight::Picture { pixels, .. } = (live.sight)(&live.values()) else {
-        return vec![];
-    };
-    pixels.chunks_exact(4).flat_map(|four| four[..3].to_vec()).collect()
-}
-
-#[test]
-fn a_picture_as_printed_is_that_of_its_step() {
-    let camera = live::camera();
-    for (name, picture) in [
-        ("step01_rays", step01_rays::picture(&camera, 1)),
-        ("step02_sphere", step02_sphere::picture(&camera, 1)),
-        ("step03_nearest", step03_nearest::picture(&camera, 1)),
-        ("step04_diffuse", step04_diffuse::picture(&camera, 1)),
-        ("step05_phong", step05_phong::picture(&camera, 1)),
-    ] {
-        let live = live::find(name).expect("the picture answers");
-        assert!(drawn(live) == *picture, "{name} as printed is another picture");
-    }
-}
-
-/// Values anywhere in and around what is allowed; a picture is small.
-fn values(live: &'static Live) -> impl Strategy<Value = Vec<f64>> {
+/// Shows something, drags a handle of it and steps one, anywhere in and around what is
+/// allowed.
+fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let ranges = live.knobs.iter().map(|knob| {
         let [min, max] = knob.range;
         let max = if knob.words == "columns" { 16.0 } else { max };
         min - 1.0..max + 1.0
     });
-    ranges.collect::<Vec<_>>()
-}
-
-/// Shows something, drags a handle of it and steps one.
-fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);
-    (values(live), place).prop_map(|(values, (x, y, dx, dy))| {
+    let values = ranges.collect::<Vec<_>>();
+    (values, place).prop_map(|(values, (x, y, dx, dy))| {
         let (name, values) = (live.name, words(&values));
         let mut requests = vec![format!("show {name}{values}")];
         // Many handles are alike.
@@ -122,112 +130,4 @@ fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
         }
         requests
     })
-}
-
-#[test]
-fn the_module_says_what_we_say_at_random() {
-    let mut module = ours();
-    for live in LIVE {
-        // The same numbers each time: a platform's own tangent may differ from that
-        // of the module in the last place.
-        let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-        let config = Config { failure_persistence: None, ..Config::default() };
-        let mut runner = TestRunner::new_with_rng(config, rng);
-        let count = if is_thorough() { 2 } else { 1 };
-        for _ in 0..count {
-            let tree = requests(live).new_tree(&mut runner).expect("requests");
-            for request in tree.current() {
-                assert_same(&mut module, &request);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_scene_of_ones_own_begins_as_that_of_step_5() {
-    let live = live::find("own_scene").expect("the scene of one's own");
-    assert_eq!(live::own_scene(&live.values()), step05_phong::scene());
-}
-
-#[test]
-fn nonsense_gets_a_sentence() {
-    let mut module = ours();
-    for request in [
-        "",
-        "show",
-        "show nowhere",
-        "about nowhere",
-        "show row",
-        "show row 7",
-        "drag row 0 1",
-        "show row 7 sixty",
-        "show row 7 NaN",
-        "drag row 5 0 0 7 60",
-        "drag row 0 inf 0 7 60",
-        "show ray 0 0 0 0 1",
-        "turn row 0 0 0 7 60",
-        "é",
-        "open nowhere",
-    ] {
-        let answer = live::answer(request);
-        assert!(
-            answer.text.contains("There is no answer to"),
-            "{request}: {answer:?}"
-        );
-        assert_same(&mut module, request);
-    }
-}
-
-#[test]
-fn a_wrong_address_gets_a_sentence() {
-    let mut module = ours();
-    for (address, what) in [
-        (
-            "red-sphere-radius:0",
-            "says 0 for red-sphere-radius; allowed are 0.05 to 3",
-        ),
-        ("camera-field-of-view:NaN", "allowed are 1 to 179"),
-        (
-            "red-sphere-radius:2,ground-radius:",
-            "“” for ground-radius, which is no number",
-        ),
-        ("moon-radius:1", "speaks of “moon-radius”"),
-        ("columns:7", "speaks of “columns”"),
-        (&"%".repeat(99), "%…”, and nothing here is called so"),
-    ] {
-        let request = format!("open own_scene {address}");
-        let answer = live::answer(&request);
-        assert!(answer.text.contains(what), "{address}: {}", answer.text);
-        assert!(answer.pixels.is_empty());
-        assert_same(&mut module, &request);
-    }
-}
-
-#[test]
-fn an_address_leads_back_to_its_values() {
-    let address = "red-sphere-radius:2,cool-light-on:0,camera-field-of-view:20";
-    let all =
-        [address, "", "twelfth-sphere-in-the-scene:1,ambient-light-blue:0.07"];
-    for address in all {
-        let answer = live::answer(&format!("open own_scene {address}"));
-        let mut parts: Vec<_> = address.split(',').collect();
-        parts.sort();
-        let told =
-            answer.text.split_once("\"address\":\"").map_or("", |(_, told)| told);
-        let told = told.split('"').next().unwrap_or_default();
-        let mut told: Vec<_> = told.split(',').collect();
-        told.sort();
-        assert_eq!(told, parts);
-        assert!(!answer.pixels.is_empty());
-    }
-}
-
-#[test]
-fn a_module_that_is_not_ours_is_found() {
-    let mut bytes = checked_in("live");
-    let words = b"the tip of V";
-    let at = bytes.windows(words.len()).position(|part| part == words);
-    bytes[at.expect("a text of ours")] ^= 1;
-    let told = fault(&mut Code::new(&bytes).start(), "about ray").expect("a fault");
-    assert!(told.contains("cargo run -p wasm"), "{told}");
 }

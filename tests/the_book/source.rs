@@ -4,6 +4,7 @@ use super::assert_none;
 use super::built::{book, files};
 use super::listing::Listing;
 use super::own_scene;
+use super::typist::STEPS;
 use ::book::{Files, Site};
 use compare::workspace;
 use std::fs;
@@ -24,13 +25,14 @@ pub static SOURCE: LazyLock<Files> = LazyLock::new(|| {
     source
 });
 
-/// The page on which a file of a step has its place: an example may stand on any page.
+/// The page on which a file of a step has its place: an example, and what is of no step,
+/// may stand on any page.
 fn home(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
+    let may_be_anywhere = file.starts_with("examples/") || !STEPS.contains(&step);
     let mut chapters = book.chapters().into_iter();
     let page = chapters.find(|page| {
-        file.starts_with("examples/")
-            && Listing::all(page).any(|one| one.path == path)
+        may_be_anywhere && Listing::all(page).any(|one| one.path == path)
     });
     Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
 }
@@ -48,7 +50,11 @@ fn every_listing_is_taken_from_its_file() {
     let (book, mut faults) = (book(), vec![]);
     for listing in book.chapters().into_iter().flat_map(Listing::all) {
         let Listing { at, path, lines: (first, last), code } = listing;
-        let Some(source) = SOURCE.text(path) else {
+        // Our own manifest has the name of the reader's.
+        let ours = fs::read_to_string(workspace().join(path));
+        let own = SOURCE.text(path).filter(|text| text.contains(&code));
+        let Some(source) = own.or(ours.as_deref().ok()).or(SOURCE.text(path))
+        else {
             faults.push(format!("{at}: {path} is no file."));
             continue;
         };

@@ -25,7 +25,7 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
 fn material(seed: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][seed % 6];
     let material = scene.objects[painted].material.material;
-    Mirror { material, k: if seed % 5 == 0 { 0.8 } else { 0.12 } }
+    Mirror { material, k: if seed.is_multiple_of(5) { 0.8 } else { 0.12 } }
 }
 
 /// The scene of the mirrors, and on its ground as many marbles as find room.
