@@ -57,21 +57,22 @@ pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
         let text = format!("Right: this is the picture of {name}, in every pixel.");
         return Answer::new(0, text);
     }
-    let same = locked.iter().find(|one| one.picture == *yours);
     let ours = whose::nearest(yours, &asked);
     let step = Step::named(&ours.name).filter(|_| 2 <= yours.width());
+    if let Some(text) = step.and_then(|step| options(step, yours, &ours.picture)) {
+        return Answer::new(1, text);
+    }
+    let same = locked.iter().find(|one| one.picture == *yours);
     let text = match same {
         Some(other) => another(yours, ours, other, step),
         None => told(yours, ours, step),
     };
-    let drawn = shown(yours, ours, step);
-    let (text, difference) = match drawn {
-        Some(ours) => (
-            text + &pixel(yours, &ours, step),
-            Some(panels([("yours", yours), ("ours", &ours)])),
-        ),
-        None => (text, None),
+    let Some(drawn) = shown(yours, ours, step) else {
+        return Answer::new(1, text.trim_end().to_owned());
     };
+    let is_size = yours.dimensions() == ours.picture.dimensions();
+    let text = text + &pixel(yours, &drawn, step.filter(|_| is_size));
+    let difference = Some(panels([("yours", yours), ("ours", &drawn)]));
     Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 
@@ -107,9 +108,6 @@ fn another(
 fn told(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> String {
     let name = &ours.name;
     let is_size = yours.dimensions() == ours.picture.dimensions();
-    if let Some(text) = step.and_then(|step| options(step, yours, &ours.picture)) {
-        return text;
-    }
     let start = format!("Not right yet, compared with {name}.\n");
     let whole = whole(yours, ours);
     let listed = listed(yours, name);
@@ -168,11 +166,11 @@ fn pixel(yours: &RgbImage, ours: &RgbImage, step: Option<Step>) -> String {
         format!(": {}", classes::computed(step, &ray))
     });
     format!(
-        "Column {i}, row {j}: yours is {}, ours {}{computed}.\n\
-         {count} of {} pixels differ, by up to {largest} of 255.\n",
+        "{count} of {} pixels differ, by up to {largest} of 255.\n\
+         Column {i}, row {j}: yours is {}, ours {}{computed}.\n",
+        yours.pixels().len(),
         bytes(a.0),
         bytes(b.0),
-        yours.pixels().len()
     )
 }
 

@@ -70,11 +70,11 @@ fn unlit(pixels: &Pixels, dark: Count) -> Stage {
     let text = format!("{} pixels that no light reaches", wrong(dark));
     match is_flat(pixels) {
         true => stage(
-            format!("{text}, so the ambient light."),
+            format!("{text}: there should be the ambient light alone."),
             &[AMBIENT, LAMPS, own, "step04_diffuse/surface.rs"],
         ),
         false => stage(
-            format!("{text}, where there is not only the ambient light."),
+            format!("{text}: there should be one colour for each object."),
             &[DIFFUSE, POINT, LIGHT, own],
         ),
     }

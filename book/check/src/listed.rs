@@ -5,7 +5,7 @@ use image::RgbImage;
 use std::collections::BTreeMap;
 
 /// The most lines of a diff that is told.
-const LINES: usize = 8;
+const LINES: usize = 4;
 
 /// The most mistakes that are told with their titles.
 const TITLES: usize = 3;
@@ -21,12 +21,14 @@ pub(crate) fn listed(yours: &RgbImage, asked: &str) -> Option<String> {
     mistakes.iter().for_each(|one| *files.entry(&one.file).or_default() += 1);
     let mut text = String::new();
     if name != asked {
-        text += &format!("This is a picture of {name}, not of {asked}.\n");
+        text += &format!(
+            "These are the pixels of {name} with a mistake in it, not of {asked}.\n"
+        );
     }
     match (&mistakes[..], files.len()) {
         ([_], _) => text += &one(first),
         (all, 1) => text += &some(all),
-        (all, _) => text += &many(all, &files, name),
+        (all, _) => text += &many(all, &files),
     }
     Some(text)
 }
@@ -45,8 +47,10 @@ fn one(mistake: &Mistake) -> String {
 fn diff(mistake: &Mistake) -> String {
     let diff = mistake.diff();
     let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
-    let rest = if LINES < lines.len() { "  …\n" } else { "" };
-    lines.into_iter().take(LINES).collect::<String>() + rest
+    match lines.len() {
+        0..=LINES => lines.concat(),
+        _ => lines[..LINES - 1].concat() + "  …\n",
+    }
 }
 
 /// Several in one file: the likeliest.
@@ -56,33 +60,35 @@ fn some(all: &[&Mistake]) -> String {
     let likeliest = if TITLES < count { ", such as" } else { ":" };
     format!(
         "Not right: your picture is, in every pixel, what {count} mistakes in one file \
-         give{likeliest}\n  {}.\nThe first of them is\n{}{}",
-        titles.join(";\n  "),
+         give{likeliest}\n  {}.\n{}{}",
+        titles.join("; "),
         diff(first),
         back_to(first)
     )
 }
 
 /// Many, in several files.
-fn many(all: &[&Mistake], files: &BTreeMap<&str, usize>, name: &str) -> String {
+fn many(all: &[&Mistake], files: &BTreeMap<&str, usize>) -> String {
     let mut files: Vec<_> = files.iter().collect();
     files.sort_by_key(|(_, count)| usize::MAX - **count);
     let counts: Vec<_> = files
         .iter()
-        .take(6)
-        .map(|(file, count)| format!("  {count} in {file}"))
+        .map(|(file, count)| {
+            let name = file.rsplit('/').next().unwrap_or_default();
+            let step = Step::of(file).map_or(0, Step::number);
+            format!("{count} in {name} of step {step}")
+        })
         .collect();
     let mut steps: Vec<_> = all.iter().filter_map(|one| one.step()).collect();
     steps.sort();
     steps.dedup();
     let steps: Vec<_> = steps.into_iter().map(Step::name).collect();
-    let _ = name;
     format!(
-        "Not right: {} mistakes that we know give this very picture, among them: {}.\n{}\n\
-         Your tests by hand tell them apart: cargo test -p {} --test by_hand\n",
+        "Not right: {} mistakes that we know give this very picture, such as: {}.\n\
+         They are {}.\nYour tests by hand tell them apart: cargo test -p {} --test by_hand\n",
         all.len(),
         all[0].title,
-        counts.join("\n"),
+        counts.join(", "),
         steps.join(" -p "),
     )
 }

@@ -1,5 +1,5 @@
 use image::codecs::png::PngDecoder;
-use image::{ColorType, DynamicImage, ImageDecoder, Limits, RgbImage};
+use image::{ImageDecoder, Limits, Rgb, RgbImage};
 use std::io::{BufRead, Seek};
 
 /// The most columns and the most rows: as many as the programs of the steps draw.
@@ -26,22 +26,34 @@ pub fn read(mut file: impl BufRead + Seek) -> Result<(RgbImage, String), String>
         return Err(format!("is {width}×{height} pixels, which is too large"));
     }
     decoder.set_limits(limits).map_err(damaged)?;
-    let picture = DynamicImage::from_decoder(decoder).map_err(damaged)?;
+    let mut bytes = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut bytes).map_err(damaged)?;
     let mut notes = String::new();
-    if matches!(colour, ColorType::L8 | ColorType::La8 | ColorType::L16) {
+    let channels = usize::from(colour.channel_count());
+    if channels < 3 {
         notes +=
             "The file is grey: it has one number a pixel, and ours has three.\n";
     }
     if 8 * u16::from(colour.channel_count()) < colour.bits_per_pixel() {
         notes += "The file has 16 bits a channel; they were rounded to 8.\n";
+        let wide = bytes.chunks_exact(2).map(|two| [two[0], two[1]]);
+        let byte = |two| (u32::from(u16::from_ne_bytes(two)) + 128) / 257;
+        bytes = wide.map(|two| byte(two) as u8).collect();
     }
-    if colour.has_alpha() {
-        let alpha = picture.to_rgba8();
-        if alpha.pixels().any(|pixel| pixel[3] != 255) {
-            notes += "Some of its pixels are transparent; that was left out.\n";
-        }
+    let mut pixels = bytes.chunks_exact(channels);
+    if colour.has_alpha() && pixels.clone().any(|pixel| pixel[channels - 1] != 255)
+    {
+        notes += "Some of its pixels are transparent; that was left out.\n";
     }
-    Ok((picture.into_rgb8(), notes))
+    let picture = RgbImage::from_fn(width, height, |_, _| {
+        let pixel = pixels.next().unwrap_or(&[0; 4]);
+        Rgb(if channels < 3 {
+            [pixel[0]; 3]
+        } else {
+            [pixel[0], pixel[1], pixel[2]]
+        })
+    });
+    Ok((picture, notes))
 }
 
 /// What a file is, by its first bytes, if it is not a PNG file.

@@ -19,9 +19,9 @@ pub enum Roots {
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
 /// ```
 /// # Panics
-/// Where a is not above 0.
+/// Where a is not above 0, in a build with debug assertions.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
-    assert!(0.0 < a, "a = {a} is not above 0");
+    debug_assert!(0.0 < a, "a is not above 0");
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
         Roots::None

@@ -26,7 +26,7 @@ impl Sphere {
         (a, b, c)
     }
 
-    /// Every t at which `ray` meets the sphere, those behind its start included.
+    /// Every t at which the line of `ray` meets the sphere.
     pub fn intersect(&self, ray: &Ray) -> Roots {
         let (a, b, c) = self.coefficients(ray);
         quadratic(a, b, c)

@@ -2,7 +2,6 @@ use crate::{PointLight, Surface};
 use glam::DVec3;
 
 /// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
-///
 /// `n` and `l` are unit vectors, to the outside and to the light; that is `d` away.
 pub fn diffuse(
     n: DVec3,

@@ -22,7 +22,6 @@ impl Phong {
 }
 
 /// The light that comes back along `ray` from `point` (slide "Phong Lighting").
-///
 /// A light behind the surface gives no highlight.
 /// ```
 /// use step05_phong::{Camera, phong, scene, visible_point};

@@ -54,7 +54,13 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.arrow("ray", c, tip);
     let DVec2 { x: i, y: j } = pixel_of(values);
     let label = format!("$i$ = {i}, $j$ = {j}");
-    drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+    if tip.x < 380.0 {
+        drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+    } else {
+        let place =
+            (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
+        drawing.label_to("quiet over", place, &label);
+    }
     let corner = dvec2(44.0, 286.0);
     for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
         let along = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();

@@ -56,10 +56,12 @@ fn draw(values: &[f64]) -> Drawing {
     let [n, l, r, v] = [all.n, all.l, all.r(), all.v].map(|one| all.flat(one));
     drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
     drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
+    // The names of l and r are on their own sides of n's, wherever the light is.
+    let outward = if l.x < 0.0 { dvec2(-20.0, -4.0) } else { dvec2(20.0, -4.0) };
     let vectors = [
-        ("light", l, "$l$", dvec2(-18.0, -6.0)),
-        ("normal", n, "$n$", dvec2(0.0, -10.0)),
-        ("vector", r, "$r$", dvec2(10.0, -2.0)),
+        ("light", l, "$l$", outward),
+        ("normal", n, "$n$", dvec2(0.0, -12.0)),
+        ("vector", r, "$r$", dvec2(-outward.x, -4.0)),
         ("accent", v, "$v$", dvec2(2.0, -12.0)),
     ];
     for (class, vector, name, shift) in vectors {

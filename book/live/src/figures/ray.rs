@@ -61,12 +61,18 @@ fn draw(values: &[f64]) -> Drawing {
             drawing.label("quiet", at(t) + dvec2(9.0, 25.0), &label);
         }
     }
-    drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$");
+    match v.x < 0.0 {
+        true => drawing.label_from("strong", at(0.0) + dvec2(12.0, -16.0), "$S$"),
+        false => drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$"),
+    }
     let moving = t(values);
     let sign = if moving < 0.0 { '−' } else { '+' };
-    let label = format!("$S$ {sign} {}$V$", short(moving.abs()));
+    let times = short(moving.abs());
+    let times = if times == "1" { "" } else { &times };
+    let label = format!("$S$ {sign} {times}$V$");
     // Above V and its name, where the point is beside them.
-    let up = if (-0.2..1.4).contains(&moving) { 44.0 } else { 16.0 };
+    let is_beside = (-10.0..v.length() + 70.0).contains(&(moving * v.length()));
+    let up = if is_beside { 52.0 } else { 16.0 };
     let place = at(moving) - dvec2(8.0, up);
     if is_inside(at(moving)) {
         drawing.label_to("", place.max(dvec2(76.0, 18.0)), &label);

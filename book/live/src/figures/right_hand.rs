@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Camera;
 
 fn draw() -> Drawing {
-    let view = View { origin: dvec2(240.0, 122.0), scale: DVec2::splat(92.0) };
+    let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
     // What comes towards the reader runs to the lower left.
     let at = |p: DVec3| view.at(p.truncate() + p.z * dvec2(-0.55, -0.42));
     let c = at(DVec3::ZERO);

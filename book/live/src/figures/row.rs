@@ -4,7 +4,7 @@ use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, dvec2};
 
 /// Where in the drawing C is.
-const ORIGIN: DVec2 = dvec2(240.0, 282.0);
+const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 
 fn row(values: &[f64]) -> Row {
     let mut row = Row::new(values[0] as u32, values[1].to_radians());
@@ -26,7 +26,7 @@ fn draw(values: &[f64]) -> Drawing {
     let c = view.at(DVec2::ZERO);
     let directions: Vec<DVec2> =
         (0..=last).map(|i| row.direction(i as f64)).collect();
-    let mut drawing = Drawing::new(480.0, 320.0);
+    let mut drawing = Drawing::new(480.0, 332.0);
     let tan = -directions[0].x;
     let side = (1.02 * tan).max(0.86);
     drawing.line("plane", view.xy(-side, 1.0), view.xy(side, 1.0));
@@ -48,7 +48,7 @@ fn draw(values: &[f64]) -> Drawing {
         drawing.arrow("accent", from, to);
     }
     let [from, to] = step(last.min(2) - 1);
-    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
+    drawing.label("accent over", (from + to) / 2.0 + dvec2(0.0, -10.0), "$D$");
     let middle = view.at(0.55 * v_0);
     drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [from, to] = step(0);
@@ -70,7 +70,8 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.line("guide", c, corner);
     let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_from("quiet", side, "1");
-    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+    let base =
+        (view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", base, "tan $θ$/2");
     drawing
 }

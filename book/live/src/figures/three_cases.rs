@@ -98,7 +98,7 @@ pub fn figure() -> Live {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
         caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \
                   each root is its point. The discriminant says which case it is before any root is known. \
-                  <span class='move'>Drag a ray until it touches; start one inside the circle, and one behind it.</span>",
+                  <span class='move'>Drag a ray until it touches.</span>",
         // In sixteenths, sums and products are exact: so a ray that touches does so to the
         // last digit.
         knobs: [1.375, 1.0, 0.4375]
