@@ -1,4 +1,4 @@
-use crate::live::{Live, Sight, number};
+use crate::live::{Live, Sight, digits};
 use crate::pictures::{object_names, step03};
 use crate::svg::{Drawing, View};
 use crate::{camera, roots};
@@ -46,7 +46,7 @@ pub fn draw(values: &[f64]) -> Drawing {
         drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
     }
     if let Some(t) = seen.map(|hit| hit.t) {
-        let label = format!("$t$ = {}", number((100.0 * t).round() / 100.0));
+        let label = format!("$t$ = {}", digits(2, t));
         let right = VIEW.xy(SIDE, t);
         drawing.line("guide", at(t), right);
         drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
