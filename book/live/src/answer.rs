@@ -1,8 +1,7 @@
 use crate::own_scene::opened;
-use crate::{Knob, Live, Sight, find};
+use crate::{Knob, Live, Sight, find, json};
 use glam::dvec2;
 use image::RgbImage;
-use serde_json::{Value, json};
 
 /// What the module says to a request of the page.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,9 +12,10 @@ pub struct Answer {
     pub pixels: Vec<u8>,
 }
 
-impl From<Value> for Answer {
-    fn from(value: Value) -> Self {
-        Self { text: value.to_string(), pixels: vec![] }
+impl Answer {
+    /// An answer of these fields, which are JSON already.
+    pub fn of(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
+        Self { text: json::object(fields), pixels: vec![] }
     }
 }
 
@@ -29,9 +29,13 @@ impl From<Value> for Answer {
 ///
 /// A handle that asks leaves what is seen as it is, and nothing is drawn.
 pub fn answer(request: &str) -> Answer {
-    answered(request).unwrap_or_else(|| {
-        json!({ "error": format!("There is no answer to {request}.") }).into()
-    })
+    answered(request)
+        .unwrap_or_else(|| refused(&format!("There is no answer to {request}.")))
+}
+
+/// A sentence that says what was wrong.
+fn refused(what: &str) -> Answer {
+    Answer::of([("error", json::text(what))])
 }
 
 fn answered(request: &str) -> Option<Answer> {
@@ -40,7 +44,7 @@ fn answered(request: &str) -> Option<Answer> {
     if verb == "open" {
         return Some(match opened(live, words.next().unwrap_or_default()) {
             Ok(values) => show(live, &values, true),
-            Err(error) => json!({ "error": error }).into(),
+            Err(what) => refused(&what),
         });
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
@@ -65,43 +69,54 @@ fn answered(request: &str) -> Option<Answer> {
 fn about(live: &Live) -> Answer {
     let handles = live.handles.iter().map(|handle| {
         let Knob { range: [min, max], group, .. } = live.knobs[handle.knobs[0]];
-        json!({
-            "words": handle.words, "knobs": handle.knobs, "isAsking": handle.is_asking,
-            "min": min, "max": max, "group": group,
-        })
+        json::object([
+            ("words", json::text(&handle.words)),
+            ("knobs", json::list(handle.knobs)),
+            ("isAsking", handle.is_asking.to_string()),
+            ("min", min.to_string()),
+            ("max", max.to_string()),
+            ("group", json::text(group)),
+        ])
     });
-    json!({ "handles": handles.collect::<Value>(), "values": live.values() }).into()
+    Answer::of([
+        ("handles", json::list(handles)),
+        ("values", json::list(live.values())),
+    ])
 }
 
 /// The values and what belongs to them, with what there `is_seen` at them.
 fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
     let knobs = live.knobs.iter().zip(values);
-    let texts = knobs.clone().map(|(knob, value)| knob.text(*value));
+    let texts = knobs.clone().map(|(knob, value)| json::text(&knob.text(*value)));
     let shown = knobs.map(|(knob, _)| (knob.is_shown)(knob, values));
     let places = live.handles.iter().map(|handle| {
         let at = handle.place(values).to_array();
-        Value::from(at.map(|x| (100.0 * x).round() / 100.0).to_vec())
+        json::list(at.map(|x| (100.0 * x).round() / 100.0))
     });
-    let mut answer = json!({
-        "values": values,
-        "texts": texts.collect::<Value>(),
-        "shown": shown.collect::<Value>(),
-        "places": places.collect::<Value>(),
-        "numbers": (live.numbers)(values),
-    });
+    let numbers = (live.numbers)(values);
+    let numbers = numbers.iter().map(|(name, told)| (&name[..], json::text(told)));
+    let mut fields = vec![
+        ("values", json::list(values)),
+        ("texts", json::list(texts)),
+        ("shown", json::list(shown)),
+        ("places", json::list(places)),
+        ("numbers", json::object(numbers)),
+    ];
     if let Some((_, draw)) = live.beside {
-        answer["beside"] = draw(values).body().into();
+        fields.push(("beside", json::text(draw(values).body())));
     }
     let mut pixels = vec![];
     match is_seen.then(|| (live.sight)(values)) {
-        Some(Sight::Drawing(drawing)) => answer["drawing"] = drawing.body().into(),
+        Some(Sight::Drawing(drawing)) => {
+            fields.push(("drawing", json::text(drawing.body())));
+        }
         Some(Sight::Picture(picture)) => {
-            answer["size"] = json!(picture.dimensions());
+            fields.push(("size", json::list([picture.width(), picture.height()])));
             pixels = rgba(&picture);
         }
         None => {}
     }
-    Answer { pixels, ..answer.into() }
+    Answer { pixels, ..Answer::of(fields) }
 }
 
 /// Red, green, blue and 255 for each pixel, row by row, as a page draws them.

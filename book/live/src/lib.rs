@@ -43,4 +43,5 @@ pub fn find(name: &str) -> Option<&'static Live> {
 }
 
 mod answer;
+pub mod json;
 pub use answer::{Answer, answer, rgba};

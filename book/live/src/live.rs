@@ -262,6 +262,12 @@ pub fn number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
+/// A number with at most so many digits after the point, up to four.
+pub fn digits(digits: i32, value: f64) -> String {
+    let tens = 10_f64.powi(digits);
+    number((value * tens).round() / tens)
+}
+
 /// Numbers as (x, y, z).
 pub fn vector<const N: usize>(all: impl Into<[f64; N]>) -> String {
     let all = all.into().map(number);

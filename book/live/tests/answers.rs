@@ -1,7 +1,6 @@
 //! What is answered to a page's requests.
 
 use live::{Sight, find, own_scene};
-use serde_json::Value;
 
 #[test]
 fn a_picture_as_printed_is_that_of_its_step() {
@@ -22,9 +21,8 @@ fn a_picture_as_printed_is_that_of_its_step() {
 }
 
 /// What is answered at an address of one's own scene.
-fn open(address: &str) -> Value {
-    let answer = live::answer(&format!("open own_scene {address}"));
-    serde_json::from_str(&answer.text).expect("JSON")
+fn open(address: &str) -> String {
+    live::answer(&format!("open own_scene {address}")).text
 }
 
 #[test]
@@ -35,8 +33,7 @@ fn a_wrong_address_gets_a_sentence() {
         ("red-sphere-radius:2,ground-radius:", "“” for ground-radius; allowed"),
         ("moon-radius:1", "speaks of “moon-radius”"),
     ] {
-        let error = &open(address)["error"];
-        let told = error.as_str().expect("a sentence");
+        let told = open(address);
         assert!(told.contains(what), "{address}: {told}");
     }
 }
@@ -45,6 +42,7 @@ fn a_wrong_address_gets_a_sentence() {
 fn an_address_leads_back_to_its_values() {
     let address = "camera-field-of-view:20,red-sphere-radius:2,cool-light-on:0";
     for address in [address, "", "ambient-light-blue:0.07"] {
-        assert_eq!(open(address)["numbers"]["address"], address);
+        let field = format!("\"address\":\"{address}\"");
+        assert!(open(address).contains(&field), "{}", open(address));
     }
 }

@@ -2,7 +2,7 @@ use crate::pictures::{NAMES, SIZE};
 use ::check::{Locked, Step};
 use image::RgbImage;
 use live::Answer;
-use serde_json::json;
+use live::json;
 use std::cell::RefCell;
 use std::io::Cursor;
 
@@ -33,11 +33,11 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         };
         let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
         let missing = NAMES.into_iter().filter(|one| may_be(one) && !is_kept(one));
-        let missing: Vec<_> = missing.collect();
+        let missing: Vec<_> = missing.map(json::text).collect();
         if missing.is_empty() {
             return said(check::check(Cursor::new(file), called, name, ours));
         }
-        json!({ "draw": missing }).into()
+        Answer::of([("draw", json::list(missing))])
     })
 }
 
@@ -56,13 +56,18 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
         let at = ours.partition_point(|one| place(&one.name) < place(name));
         ours.insert(at, Locked { name: name.to_owned(), picture });
     });
-    json!({}).into()
+    Answer::of([])
 }
 
 /// An answer for the page.
 fn said(answer: check::Answer) -> Answer {
-    let size = answer.difference.as_ref().map(RgbImage::dimensions);
-    let said = json!({ "code": answer.code, "text": answer.text, "size": size });
-    let pixels = answer.difference.map_or(vec![], |picture| live::rgba(&picture));
-    Answer { pixels, ..said.into() }
+    let mut fields =
+        vec![("code", answer.code.to_string()), ("text", json::text(&answer.text))];
+    let mut pixels = vec![];
+    if let Some(difference) = answer.difference {
+        let (width, height) = difference.dimensions();
+        fields.push(("size", json::list([width, height])));
+        pixels = live::rgba(&difference);
+    }
+    Answer { pixels, ..Answer::of(fields) }
 }

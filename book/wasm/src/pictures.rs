@@ -37,6 +37,6 @@ pub fn draw(name: &str) -> live::Answer {
         return live::Answer::default();
     };
     let pixels = picture(&live::camera(), 1).into_raw();
-    let answer = live::Answer::from(serde_json::json!({ "size": SIZE }));
-    live::Answer { pixels, ..answer }
+    let size = live::json::list(SIZE);
+    live::Answer { pixels, ..live::Answer::of([("size", size)]) }
 }

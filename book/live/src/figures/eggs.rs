@@ -22,10 +22,10 @@ fn draw(degrees: f64) -> Drawing {
     let mut drawing = Drawing::new(480.0, 336.0);
     drawing.rectangle("plane", picture.origin, dvec2(tan * scale.x, 50.0));
     for k in -3..=3 {
-        draw_ball(&mut drawing, &picture, &above, k, tan);
+        draw_ball(&mut drawing, [picture, above], k, tan);
     }
     drawing.line("plane", above.xy(-tan, 1.0), above.xy(tan, 1.0));
-    draw_cone(&mut drawing, &picture, &above, outermost(degrees));
+    draw_cone(&mut drawing, [picture, above], outermost(degrees));
     for side in [-tan, tan] {
         drawing.line("ray faint", c, above.xy(side, 1.0));
     }
@@ -37,13 +37,7 @@ fn draw(degrees: f64) -> Drawing {
 }
 
 /// A ball in the picture, as far as that shows it, and from above.
-fn draw_ball(
-    drawing: &mut Drawing,
-    picture: &View,
-    above: &View,
-    k: i32,
-    tan: f64,
-) {
+fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f64) {
     let ball = ball(k);
     let centre = above.xy(ball.centre.x, -ball.centre.z);
     let outline = outline(k);
@@ -59,20 +53,15 @@ fn draw_ball(
 }
 
 /// The rays that touch the ball `k` on both sides, and the two parts of its picture.
-fn draw_cone(drawing: &mut Drawing, picture: &View, above: &View, k: i32) {
+fn draw_cone(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32) {
     let outline = outline(k);
     let (outer, inner) = (outline[0].x, outline[60].x);
     let middle = middle(&ball(k)).x;
-    for x in [inner, middle, outer] {
-        let on_plane = above.xy(x, 1.0);
-        drawing.line(
-            if x == middle { "guide" } else { "ray" },
-            above.origin,
-            on_plane,
-        );
-        drawing.line("leader", on_plane, picture.xy(x, 0.0));
-    }
     let on_plane = |x: f64| above.xy(x, 1.0);
+    for (class, x) in [("ray", inner), ("guide", middle), ("ray", outer)] {
+        drawing.line(class, above.origin, on_plane(x));
+        drawing.line("leader", on_plane(x), picture.xy(x, 0.0));
+    }
     drawing.line("second", on_plane(inner), on_plane(middle));
     drawing.line("accent", on_plane(middle), on_plane(outer));
 }

@@ -1,4 +1,4 @@
-use crate::live::{Live, Sight, number};
+use crate::live::{Live, Sight, digits};
 use crate::pictures::{object_names, step03};
 use crate::svg::{Drawing, View};
 use crate::{camera, roots};
@@ -37,8 +37,21 @@ pub fn draw(values: &[f64]) -> Drawing {
         let inside = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
         drawing.label("quiet", inside, name);
     }
-    let all = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
-    draw_ray(&mut drawing, &ray, all, seen.map(|hit| hit.t));
+    let at = |t: f64| VIEW.xy(ray.at(t).x, t);
+    drawing.line("guide", at(ENDS[0]), at(0.0));
+    drawing.arrow("ray", at(0.0), at(ENDS[1]));
+    drawing.dot("eye", at(0.0));
+    let roots = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
+    for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
+        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
+    }
+    if let Some(t) = seen.map(|hit| hit.t) {
+        let label = format!("$t$ = {}", digits(2, t));
+        let right = VIEW.xy(SIDE, t);
+        drawing.line("guide", at(t), right);
+        drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
+        drawing.dot("hit", at(t));
+    }
     drawing
 }
 
@@ -67,29 +80,6 @@ fn cut(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
         VIEW.xy(x, y / ahead.length())
     });
     Some(points.collect())
-}
-
-/// The ray, its line backwards, and the roots on it; `hit` is the nearest.
-fn draw_ray(
-    drawing: &mut Drawing,
-    ray: &Ray,
-    roots: impl Iterator<Item = f64>,
-    hit: Option<f64>,
-) {
-    let at = |t: f64| VIEW.xy(ray.at(t).x, t);
-    drawing.line("guide", at(ENDS[0]), at(0.0));
-    drawing.arrow("ray", at(0.0), at(ENDS[1]));
-    drawing.dot("eye", at(0.0));
-    for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
-        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
-    }
-    if let Some(t) = hit {
-        let label = format!("$t$ = {}", number((100.0 * t).round() / 100.0));
-        let right = VIEW.xy(SIDE, t);
-        drawing.line("guide", at(t), right);
-        drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
-        drawing.dot("hit", at(t));
-    }
 }
 
 /// What is drawn of the pixel that is asked as printed.

@@ -1,4 +1,4 @@
-use super::pyramid::{draw_picture, draw_pyramid, draw_steps};
+use super::pyramid::{draw_pyramid, draw_steps};
 use crate::live::{Handle, Knob, Live, Sight, named, number, vector};
 use crate::pictures::step01::{aspect_ratio, camera};
 use crate::svg::Drawing;
@@ -47,7 +47,6 @@ fn draw(values: &[f64]) -> Drawing {
     let c = project(camera.centre);
     let mut drawing = Drawing::new(480.0, 310.0);
     draw_pyramid(&mut drawing, &camera, project);
-    draw_picture(&mut drawing, &camera, project);
     draw_steps(&mut drawing, &camera, pixel_of(values), project);
     drawing.dot("eye", c);
     drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");

@@ -1,4 +1,4 @@
-use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::live::{Handle, Knob, Live, Sight, digits};
 use crate::svg::{Drawing, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -77,14 +77,12 @@ fn draw(degrees: f64) -> Drawing {
 
 /// The cosine, and what it makes of the light, in words.
 fn words(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
-    let short = |value: f64| number((value * 1e3).round() / 1e3);
     let strip = if 0.0005 <= share {
-        let times = number((1e2 / share).round() / 1e2);
-        format!("strip × {times}")
+        format!("strip × {}", digits(2, 1.0 / share))
     } else {
-        format!("max($n$·$l$, 0) = {}: no light", short(share))
+        format!("max($n$·$l$, 0) = {}: no light", digits(3, share))
     };
-    [format!("$n$·$l$ = cos {degrees}° = {}", short(cosine)), strip]
+    [format!("$n$·$l$ = cos {degrees}° = {}", digits(3, cosine)), strip]
 }
 
 /// A beam of light that falls straight down, and one whose angle its reader sets.

@@ -1,5 +1,5 @@
 use crate::camera;
-use crate::live::{Handle, Knob, Live, Sight, named, number};
+use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
 use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};
@@ -100,9 +100,8 @@ pub fn figure() -> Live {
         )],
         numbers: |values| {
             let all = Vectors::new(values);
-            let angle = (10.0 * all.angle()).round() / 10.0;
             named([
-                ("angle", number(angle)),
+                ("angle", digits(1, all.angle())),
                 ("nl", number(all.n.dot(all.l))),
                 ("rv", number(all.r().dot(all.v))),
             ])

@@ -1,4 +1,4 @@
-use crate::live::{Handle, Knob, Live, Sight, named, number, vector};
+use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
@@ -14,15 +14,6 @@ fn ray(values: &[f64]) -> Ray {
 /// How many V the point is from S.
 fn t(values: &[f64]) -> f64 {
     values[4] / ray(values).direction.length()
-}
-
-fn rounded(value: f64) -> f64 {
-    (100.0 * value).round() / 100.0
-}
-
-/// A number with at most two digits after the point.
-fn short(value: f64) -> String {
-    number(rounded(value))
 }
 
 /// Whether a place is in the drawing, with room for what marks it.
@@ -67,7 +58,7 @@ fn draw(values: &[f64]) -> Drawing {
     }
     let moving = t(values);
     let sign = if moving < 0.0 { '−' } else { '+' };
-    let times = short(moving.abs());
+    let times = digits(2, moving.abs());
     let times = if times == "1" { "" } else { &times };
     let label = format!("$S$ {sign} {times}$V$");
     // Above V and its name, where the point is beside them.
@@ -128,11 +119,11 @@ pub fn figure() -> Live {
         },
         numbers: |values| {
             let (ray, t) = (ray(values), t(values));
-            let point = ray.at(t).truncate().to_array().map(rounded);
+            let [x, y] = ray.at(t).truncate().to_array().map(|x| digits(2, x));
             named([
-                ("length", short(ray.direction.length())),
-                ("t", short(t)),
-                ("point", vector(point)),
+                ("length", digits(2, ray.direction.length())),
+                ("t", digits(2, t)),
+                ("point", format!("({x}, {y})")),
             ])
         },
         ..Live::new("ray", |values| Sight::Drawing(draw(values)))

@@ -1,4 +1,4 @@
-use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::live::{Handle, Knob, Live, Sight, digits};
 use crate::svg::{Drawing, View};
 use crate::{discriminant, roots};
 use glam::{DVec2, DVec3, dvec2};
@@ -50,7 +50,7 @@ fn words(ray: &Ray) -> [String; 2] {
         ..0.0 => " < 0",
         _ => " > 0",
     };
-    let t = |t: f64| number((100.0 * t).round() / 100.0);
+    let t = |t: f64| digits(2, t);
     let count = match roots(&SPHERE, ray) {
         [near, _] if near.is_nan() => "no root".to_string(),
         [near, far] if near == far => format!("one root: {}", t(near)),

@@ -3,7 +3,9 @@ use crate::live::{Numbers, named, number, vector};
 use crate::{discriminant, roots};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
-use step03_nearest::Object;
+use step05_phong::{
+    Light, Material, Object, Scene, SurfacePoint, phong, reflect, visible_point,
+};
 
 /// Everything on the way from a pixel of a scene to its three bytes. `names` are those
 /// of the objects, and `shading` is what there is between the nearest hit and the sum.
@@ -45,4 +47,40 @@ pub fn numbers<M>(
 /// A root, or what is written where there is none.
 fn root(t: f64) -> String {
     if t.is_nan() { "–".to_string() } else { number(t) }
+}
+
+/// From the point that a ray sees to what each lamp adds, and the terms.
+pub fn shading(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
+    let point = visible_point(&scene.objects, ray)?;
+    let SurfacePoint { p, n, material } = point;
+    let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
+    let v = -ray.direction.normalize();
+    let mut all = named([
+        ("p", vector(p)),
+        ("n", vector(n)),
+        ("v", vector(v)),
+        ("shininess", material.shininess.to_string()),
+        ("ambient", vector(terms.ambient)),
+        ("diffuse", vector(terms.diffuse)),
+        ("specular", vector(terms.specular)),
+    ]);
+    for (light, lamp) in scene.lights.iter().zip(["warm", "cool"]) {
+        let (l, d) = light.point_light.direction_from(p);
+        let r = reflect(n, l);
+        let power = r.dot(v).max(0.0).powi(material.shininess);
+        let alone = phong(&point, ray, DVec3::ZERO, &[*light]);
+        let numbers = [
+            ("l", vector(l)),
+            ("d", number(d)),
+            ("divisor", number(light.point_light.attenuation.at(d))),
+            ("nl", number(n.dot(l))),
+            ("diffuse", vector(alone.diffuse)),
+            ("r", vector(r)),
+            ("rv", number(r.dot(v))),
+            ("power", number(power)),
+            ("specular", vector(alone.specular)),
+        ];
+        all.extend(numbers.map(|(name, text)| (format!("{name} {lamp}"), text)));
+    }
+    Some(all)
 }

@@ -1,14 +1,11 @@
-use super::numbers::numbers;
+use super::numbers::{numbers, shading};
 use super::{object_names, pixel};
-use crate::live::{Handle, Knob, Live, Numbers, Sight, named, number, vector};
+use crate::live::{Handle, Knob, Live, Sight};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{
-    COOL, PointLight, Ray, Scene, Surface, SurfacePoint, WARM, ambient, colour,
-    diffuse, render, visible_point,
+    COOL, Object, PointLight, Ray, Scene, Surface, WARM, colour, render,
 };
-
-/// What the lights of the scene are called, in their order.
-pub const LAMPS: [&str; 2] = ["warm", "cool"];
+use step05_phong::{Light, Material};
 
 /// The scene with its lamps where these values have them.
 fn scene(values: &[f64]) -> Scene<Surface, PointLight> {
@@ -35,53 +32,22 @@ fn handle(words: &str, x: usize) -> Handle {
     )
 }
 
-/// From the point that a ray sees to the terms of its light.
-fn shading(scene: &Scene<Surface, PointLight>, ray: &Ray) -> Option<Numbers> {
-    let point = visible_point(&scene.objects, ray)?;
-    let mut numbers = place(&point);
-    let mut sum = DVec3::ZERO;
-    for (light, lamp) in scene.lights.iter().zip(LAMPS) {
-        numbers.extend(lit(&point, point.material, light, lamp));
-        let (l, d) = light.direction_from(point.p);
-        sum += diffuse(point.n, l, d, point.material, light);
+/// The same for step 5, in which nothing shines.
+fn matt(scene: &Scene<Surface, PointLight>) -> Scene<Material, Light> {
+    let specular = DVec3::ZERO;
+    let objects =
+        scene.objects.iter().map(|&Object { sphere, material: surface }| Object {
+            sphere,
+            material: Material { surface, specular, shininess: 1 },
+        });
+    let lights = scene.lights.iter();
+    Scene {
+        objects: objects.collect(),
+        ambient_light: scene.ambient_light,
+        lights: lights
+            .map(|&point_light| Light { point_light, specular })
+            .collect(),
     }
-    let ambient = ambient(point.material, scene.ambient_light);
-    numbers.extend(named([("ambient", vector(ambient)), ("diffuse", vector(sum))]));
-    Some(numbers)
-}
-
-/// Where a point is, and which way its surface faces.
-pub fn place<M>(point: &SurfacePoint<M>) -> Numbers {
-    named([("p", vector(point.p)), ("n", vector(point.n))])
-}
-
-/// A lamp as it is seen from a point, and the light that it scatters there.
-pub fn lit<M>(
-    point: &SurfacePoint<M>,
-    surface: &Surface,
-    light: &PointLight,
-    lamp: &str,
-) -> Numbers {
-    let (l, d) = light.direction_from(point.p);
-    let diffuse = diffuse(point.n, l, d, surface, light);
-    of_lamp(
-        lamp,
-        [
-            ("l", vector(l)),
-            ("d", number(d)),
-            ("divisor", number(light.attenuation.at(d))),
-            ("nl", number(point.n.dot(l))),
-            ("diffuse", vector(diffuse)),
-        ],
-    )
-}
-
-/// The numbers of a lamp of this name.
-pub fn of_lamp<const N: usize>(
-    lamp: &str,
-    numbers: [(&str, String); N],
-) -> Numbers {
-    numbers.map(|(name, text)| (format!("{name} {lamp}"), text)).into()
 }
 
 /// The picture of step 4: its lamps to move, and a pixel to ask.
@@ -106,7 +72,7 @@ pub fn picture() -> Live {
         handles: [pixel::cross()].into_iter().chain(lamps).collect(),
         numbers: |values| {
             let scene = scene(values);
-            let shading = |ray: &Ray| shading(&scene, ray);
+            let shading = |ray: &Ray| shading(&matt(&scene), ray);
             let colour = |ray: &Ray| colour(&scene, ray);
             numbers(values, &scene.objects, &object_names(), shading, colour)
         },

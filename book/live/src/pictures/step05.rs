@@ -1,12 +1,8 @@
-use super::numbers::numbers;
-use super::step04::{LAMPS, lit, of_lamp, place};
+use super::numbers::{numbers, shading};
 use super::{OBJECTS, met, object_names, pixel, shaded};
-use crate::live::{Knob, Live, Numbers, named, number, vector};
+use crate::live::{Knob, Live};
 use glam::DVec3;
-use step05_phong::{
-    Light, Material, Ray, Scene, SurfacePoint, colour, reflect, specular, terms,
-    visible_point,
-};
+use step05_phong::{Light, Material, Ray, Scene, colour};
 
 /// The scene in the light of the terms that are switched on, that of the others being 0;
 /// each object has the n and the R_s of these values.
@@ -41,39 +37,6 @@ fn knobs(
         },
         ..Knob::new([symbol, "", ""], value(&object.material), range, steps)
     })
-}
-
-/// From the point that a ray sees to what each lamp adds, and the terms.
-fn shading(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
-    let (point, terms) = (visible_point(&scene.objects, ray)?, terms(scene, ray)?);
-    let SurfacePoint { p, n, material } = point;
-    let v = -ray.direction.normalize();
-    let mut all = place(&point);
-    all.extend(named([
-        ("v", vector(v)),
-        ("shininess", material.shininess.to_string()),
-        ("ambient", vector(terms.ambient)),
-        ("diffuse", vector(terms.diffuse)),
-        ("specular", vector(terms.specular)),
-    ]));
-    for (light, lamp) in scene.lights.iter().zip(LAMPS) {
-        all.extend(lit(&point, &material.surface, &light.point_light, lamp));
-        let (l, d) = light.point_light.direction_from(p);
-        let r = reflect(n, l);
-        let i_s = specular(r, v, d, material, light);
-        let i_s = if 0.0 < n.dot(l) { i_s } else { DVec3::ZERO };
-        let power = r.dot(v).max(0.0).powi(material.shininess);
-        all.extend(of_lamp(
-            lamp,
-            [
-                ("r", vector(r)),
-                ("rv", number(r.dot(v))),
-                ("power", number(power)),
-                ("specular", vector(i_s)),
-            ],
-        ));
-    }
-    Some(all)
 }
 
 /// The picture of step 5: each term to switch off, a pixel to ask, and the material
