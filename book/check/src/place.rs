@@ -9,8 +9,9 @@ pub struct Place {
     pub file: &'static str,
     /// The heading of its section, in the chapter of the step.
     pub section: &'static str,
-    /// The test in the step's `tests/by_hand.rs` whose numbers go through it.
-    pub test: &'static str,
+    /// The tests in the step's `tests/by_hand.rs` whose numbers go through it, with a
+    /// comma between them.
+    pub tests: &'static str,
 }
 
 /// The files to which an answer may lead, with their sections and tests.
@@ -19,8 +20,8 @@ pub fn places() -> impl Iterator<Item = Place> {
     lines.filter_map(|line| {
         let mut parts = line.split('|').map(str::trim);
         let (step, file) = parts.next()?.split_once('/')?;
-        let (section, test) = (parts.next()?, parts.next()?);
-        Some(Place { step: Step::named(step)?, file, section, test })
+        let (section, tests) = (parts.next()?, parts.next()?);
+        Some(Place { step: Step::named(step)?, file, section, tests })
     })
 }
 
@@ -39,49 +40,40 @@ impl Place {
     pub fn of(path: &str) -> Option<Self> {
         places().find(|place| place.path() == path)
     }
-
-    /// How to run the test.
-    pub fn command(&self) -> String {
-        format!("cargo test -p {} --test by_hand {}", self.step.name(), self.test)
-    }
 }
 
-/// Where to go back to, and the tests by hand that tell more.
+/// Where to go back to, and the tests by hand that tell more: those of the first step.
 pub(crate) fn back(places: &[Place]) -> String {
-    let Some(first) = places.first() else { return String::new() };
-    let mut files: Vec<(Step, Vec<&str>, Vec<&str>)> = vec![];
-    for place in places {
-        let of = files.iter().position(|(step, ..)| *step == place.step);
-        let at = of.unwrap_or(files.len());
-        if of.is_none() {
-            files.push((place.step, vec![], vec![]));
-        }
-        files[at].1.push(place.file);
-        if !files[at].2.contains(&place.test) {
-            files[at].2.push(place.test);
-        }
-    }
-    let compare = files.iter().map(|(step, files, _)| {
-        format!("{} in steps/{}/src", and(files), step.name())
-    });
-    let compare: Vec<_> = compare.collect();
-    let (step, _, tests) = &files[0];
-    let test = match tests[..] {
-        [test] => format!(" {test}"),
-        _ => format!(" (first: {})", tests.join(", ")),
+    let Some(Place { step, section, .. }) = places.first() else {
+        return String::new();
     };
+    let of = |step: Step| places.iter().filter(move |place| place.step == step);
+    let compare = Step::ALL.into_iter().filter_map(|step| {
+        let files: Vec<_> = of(step).map(|place| place.file).collect();
+        let folder = format!("in steps/{}/src", step.name());
+        (!files.is_empty()).then(|| format!("{} {folder}", and(&files)))
+    });
+    let mut tests: Vec<_> =
+        of(*step).flat_map(|place| place.tests.split(", ")).collect();
+    tests.dedup();
     format!(
-        "Go back to step {}, \"{}\", and compare with {}.\n\
-         Your tests by hand name the function: cargo test -p {} --test by_hand{test}\n",
-        first.step.number(),
-        first.section,
-        compare.join(", and "),
-        step.name(),
+        "Go back to step {}, \"{section}\", and compare with {}.\n\
+         Your tests by hand name the function: {}, of which {} goes through it.\n",
+        step.number(),
+        and(&compare.collect::<Vec<_>>()),
+        command(*step),
+        tests.join(" or "),
     )
 }
 
-fn and(names: &[&str]) -> String {
-    match names {
+/// How to run the tests by hand of a step.
+pub(crate) fn command(step: Step) -> String {
+    format!("cargo test -p {} --test by_hand", step.name())
+}
+
+fn and<T: AsRef<str>>(names: &[T]) -> String {
+    let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
+    match &names[..] {
         [all @ .., last] if !all.is_empty() => {
             format!("{} and {last}", all.join(", "))
         }
