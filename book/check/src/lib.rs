@@ -33,6 +33,7 @@ mod mistake;
 mod number;
 mod options;
 mod part;
+mod pixels;
 mod place;
 mod png;
 mod quantity;
