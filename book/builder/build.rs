@@ -86,6 +86,8 @@ fn finish(page: &mut Page, files: &Files) -> Result<()> {
             html.replacen(tag, &format!("{tag} tabindex=\"0\""), 1)
         });
     }
+    // A picture in a closed box comes with the page: no browser sees it come near.
+    page.change("main details img", |html| html.replace(picture::LAZY, ""));
     // The first picture does not wait.
     if let Some(first) = page.all("main img").first() {
         let (first, html) = (first.id(), first.html());

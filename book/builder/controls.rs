@@ -1,4 +1,4 @@
-use live::{Knob, Live, Sight, escape, italic};
+use live::{Knob, Live, escape, italic};
 use std::collections::BTreeSet;
 
 /// The ranges and switches below what is live, for what no handle of it turns.
@@ -35,12 +35,9 @@ const RESET: &str =
 /// The knobs that a handle turns which is in what is printed.
 fn turned(live: &Live) -> BTreeSet<usize> {
     let values = live.values();
-    let [width, height] = match (live.sight)(&values) {
-        Sight::Drawing(drawing) => drawing.size(),
-        Sight::Picture { size, .. } => size.map(f64::from),
-    };
+    let [width, height] = live.printed().size();
     let handles = live.handles.iter().filter(|handle| {
-        let at = (handle.at)(&values);
+        let at = handle.place(&values);
         (0.0..=width).contains(&at.x) && (0.0..=height).contains(&at.y)
     });
     handles.flat_map(|handle| handle.knobs).collect()
@@ -72,7 +69,7 @@ fn label(live: &Live, k: usize, knob: &Knob) -> String {
         let [across, _] = handle.knobs;
         live.knobs[across].group
     });
-    let is_shown = (knob.is_shown)(&live.values()) && knob.group == first;
+    let is_shown = (knob.is_shown)(knob, &live.values()) && knob.group == first;
     let hidden = if is_shown { "" } else { " hidden" };
     let group = match knob.group {
         "" => String::new(),
@@ -89,7 +86,7 @@ fn label(live: &Live, k: usize, knob: &Knob) -> String {
     format!(
         "<label class=\"{class}\" data-knob=\"{k}\"{group}{hidden}>\
          <span>{symbol}{}</span>{input}</label>",
-        escape(knob.words)
+        escape(&knob.words)
     )
 }
 

@@ -1,24 +1,24 @@
 use crate::controls;
 use crate::markdown::inline;
-use live::Live;
+use live::{LIVE, Live, Sight};
 
 /// The HTML of the figure called `name`.
 pub fn html(name: &str) -> Result<String, String> {
-    let figure = live::figure(name).ok_or(format!("there is no figure {name}"))?;
-    let beside = |live: &&&Live| live.beside.is_some_and(|(with, _)| with == name);
-    let (live, knobs) = match (live::find(name), live::LIVE.iter().find(beside)) {
-        (Some(live), _) => {
-            (format!(" data-live=\"{}\"", live.name), controls::html(live))
-        }
-        (_, Some(live)) => {
-            (format!(" data-beside=\"{}\"", live.name), String::new())
-        }
-        _ => Default::default(),
+    let Some((figure, Sight::Drawing(drawing))) =
+        live::find(name).map(|figure| (figure, figure.printed()))
+    else {
+        return Err(format!("there is no figure {name}"));
+    };
+    let beside = |live: &&Live| live.beside.is_some_and(|(with, _)| with == name);
+    let (live, knobs) = match LIVE.iter().find(beside) {
+        Some(live) => (format!(" data-beside=\"{}\"", live.name), String::new()),
+        None if figure.knobs.is_empty() => Default::default(),
+        None => (format!(" data-live=\"{name}\""), controls::html(figure)),
     };
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{knobs}\
          <figcaption>{}</figcaption></figure>\n",
-        figure.drawing.html(figure.title),
+        drawing.html(figure.title),
         inline(figure.caption)?
     ))
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// The listing for `{{#include path}}` or a part of a file, such as
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
-/// caption that says which lines of which file it is.
+/// caption that says which file it is from; what it goes after, the chapter says.
 ///
 /// A path is relative to the chapters; what is in `book/reader` is of the reader's own
 /// folder. The first listing of a file on a page has an
@@ -31,16 +31,12 @@ pub fn html(
     let path = path.strip_prefix("book/reader/").unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = range(part, &lines)?;
-    let (first, last, total) = (range.start + 1, range.end, lines.len());
-    let part = |lines| format!(r#" <span class="part">{lines} of {total}</span>"#);
-    let part = match (first, last) {
-        (1, last) if last == total => String::new(),
-        (first, last) if first == last => part(format!("line {first}")),
-        _ => part(format!("lines {first}–{last}")),
-    };
+    let (first, last) = (range.start + 1, range.end);
+    let is_whole = range.len() == lines.len();
+    let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
     let attributes = format!("data-lines=\"{first}-{last}\"");
     let code = lines[range].join("\n");
-    Ok(figure(path, &attributes, &part, language, &code, ids))
+    Ok(figure(path, &attributes, part, language, &code, ids))
 }
 
 /// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:

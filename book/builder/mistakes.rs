@@ -56,19 +56,15 @@ impl Entry<'_> {
         let wrong = self.picture(&alt).html(workspace)?;
         let own = mistake.step().ok_or("a mistake that is shown is in a step")?;
         let page = mistake.page().unwrap_or_default().replace(".html", ".md");
-        let words = format!("{} {}", shown.sees, shown.why);
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
-             <div class=\"panels\">\
-             <figure>{wrong}<figcaption>What you get.</figcaption></figure>\
-             <figure>{ours}<figcaption>What it should be.</figcaption></figure>\
-             <figure><span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
+             <div class=\"panels\">{wrong}{ours}\
+             <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
              style=\"background-image: url(pictures/mistake-{name}.png), url({right})\"></span>\
-             <figcaption>Where they differ.</figcaption></figure>\
-             </div>\n\n{}\n\n{} Go back to [step {}, “{}”]({page}).\n",
+             </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
             self.title(),
             diff(mistake),
-            inline(&formulas(&words))?,
+            inline(&formulas(shown.why))?,
             own.number(),
             shown.section,
         ))

@@ -15,9 +15,9 @@ const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 /// It is hidden until the first is asked; see book/theme/live.js.
 pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
-    let spheres =
-        if name.starts_with("step02") { &["red"] } else { &live::NAMES[..] };
-    let rows: Vec<_> = spheres.iter().enumerate().map(row).collect();
+    let names = live::object_names().into_iter();
+    let count = if name.starts_with("step02") { 1 } else { names.len() };
+    let rows: Vec<_> = names.take(count).enumerate().map(row).collect();
     let lines: Vec<_> =
         TEXT.lines().filter_map(|line| of_step(name, line)).collect();
     let text = lines.join("\n").replace("{{#spheres}}", &rows.join("\n"));
@@ -45,7 +45,7 @@ fn of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
 }
 
 /// The row of one object.
-fn row((k, name): (usize, &&str)) -> String {
+fn row((k, name): (usize, &str)) -> String {
     let cells: Vec<_> = COLUMNS
         .iter()
         .map(|column| format!("{{{{#number {column}{k}}}}}"))

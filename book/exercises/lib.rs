@@ -35,6 +35,8 @@ pub mod gradient;
 pub mod graticule;
 #[path = "../../steps/step05_phong/examples/halfway.rs"]
 pub mod halfway;
+#[path = "../../steps/step05_phong/examples/highlight.rs"]
+pub mod highlight;
 #[path = "../../steps/step03_nearest/examples/jitter.rs"]
 pub mod jitter;
 #[path = "../../steps/step02_sphere/examples/lens.rs"]
@@ -113,7 +115,7 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("crowd", crowd::picture),
     ("glass", glass::picture),
     ("halfway", halfway::picture),
+    ("highlight", highlight::picture),
     ("marbles", marbles::picture),
     ("mirror", mirror::picture),
-    ("crowd", crowd::picture),
 ];

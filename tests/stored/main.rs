@@ -31,7 +31,7 @@ fn live_wasm_is_up_to_date() {
     // The same numbers each time: a platform's own tangent may differ from that of the
     // module in the last place.
     let mut runner = TestRunner::deterministic();
-    for live in LIVE {
+    for live in LIVE.iter() {
         let mut all = vec![
             format!("about {}", live.name),
             format!("show {}{}", live.name, words(&printed(live))),

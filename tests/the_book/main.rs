@@ -18,8 +18,9 @@ mod reading;
 mod typed;
 mod typist;
 
-// What is worked out by hand holds.
+// What is worked out by hand holds, and what is predicted.
 mod by_hand;
+mod predicted;
 
 mod pages;
 

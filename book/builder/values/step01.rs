@@ -8,7 +8,6 @@ use step01_rays::{AspectRatio, direction_colour, picture};
 
 pub const VALUES: &[Value] = &[
     ("camera-tan", || short((FRAC_PI_3 / 2.0).tan())),
-    ("camera-step", || short(camera().matrix.x_axis.x)),
     ("camera-v0-x", || short(camera().matrix.z_axis.x)),
     ("camera-v0-y", || short(camera().matrix.z_axis.y)),
     ("step01-row-d", || short(row().matrix.x_axis.x)),
@@ -19,11 +18,6 @@ pub const VALUES: &[Value] = &[
     ("step01-row-short-angle", || between(0.0, 6.0 * 6.0 / 7.0)),
     ("step01-step", || format!("{:.6}", camera().matrix.x_axis.x)),
     ("step01-down", || format!("{:.6}", camera().matrix.y_axis.y)),
-    ("step01-tall", || {
-        let top = camera().ray(319.5, 0.0).direction;
-        let bottom = camera().ray(319.5, 359.0).direction;
-        tenths(top.angle_between(bottom).to_degrees())
-    }),
     ("step01-pixel-x", || short(camera().ray(480.0, 90.0).direction.x)),
     ("step01-pixel-y", || short(camera().ray(480.0, 90.0).direction.y)),
     ("step01-pixel-intensity", || {

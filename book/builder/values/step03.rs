@@ -60,6 +60,11 @@ pub const VALUES: &[Value] = &[
     ("step03-alpha", || tenths(cone(6).1.to_degrees())),
     ("step03-inner", || in_pixels(cone(6).0.tan() - (cone(6).0 - cone(6).1).tan())),
     ("step03-outer", || in_pixels((cone(6).0 + cone(6).1).tan() - cone(6).0.tan())),
+    ("step03-off", || {
+        let (phi, alpha) = cone(6);
+        let middle = ((phi - alpha).tan() + (phi + alpha).tan()) / 2.0;
+        tenths(pixels(middle - phi.tan()))
+    }),
     ("step03-long", || in_pixels(oval(6).0)),
     ("step03-wide", || in_pixels(oval(6).1)),
     ("step03-red-long", || in_pixels(oval(0).0)),

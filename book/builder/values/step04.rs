@@ -4,7 +4,7 @@ use super::Value;
 use super::measure::{camera, counted, rgb, short, vector};
 use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
 use glam::DVec3;
-use step04_diffuse::{COOL, Ray, WARM, colour, nearest, picture, scene};
+use step04_diffuse::{AMBIENT, COOL, Ray, WARM, colour, nearest, picture, scene};
 
 pub const VALUES: &[Value] = &[
     ("step04-ray-direction", || vector(ray().direction)),
@@ -30,6 +30,8 @@ pub const VALUES: &[Value] = &[
     ("step04-sum", || vector(example().ambient + example().diffuse)),
     ("step04-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
     ("step04-behind-cosine", || short(lit((380, 136), 1).cosine)),
+    ("step04-peach", || short(blueness(WARM.diffuse))),
+    ("step04-orange", || format!("{:.2}", blueness(plaster((380, 136))))),
     ("step04-clipped", || {
         let scene = scene();
         let is_seen = |ray: &Ray| nearest(&scene.objects, ray).is_some();
@@ -37,6 +39,20 @@ pub const VALUES: &[Value] = &[
         counted(|ray| (is_seen(ray) && is_lit(ray)).into())
     }),
 ];
+
+/// How much blue a light has for its red.
+fn blueness(light: DVec3) -> f64 {
+    light.z / light.x
+}
+
+/// The light that the example `plaster` adds up at a pixel, negative cosines and all.
+fn plaster(pixel: (u32, u32)) -> DVec3 {
+    let lamps = [WARM, COOL].into_iter().enumerate().map(|(k, lamp)| {
+        let lit = lit(pixel, k);
+        lit.cosine * lamp.diffuse / lamp.attenuation.at(lit.d)
+    });
+    AMBIENT + lamps.sum::<DVec3>()
+}
 
 /// A vector as a column, for a formula.
 fn column(vector: DVec3) -> String {

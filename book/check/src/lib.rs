@@ -53,6 +53,6 @@ pub use mistake::{Mistake, Shown, mistakes};
 pub use place::{Place, places};
 pub use png::read;
 pub use step::{Step, camera};
-pub use table::{Row, key, known, locked_sums, read as read_table, rows, sum};
+pub use table::{Row, code_key, known, locked_sums, read as read_table, rows, sum};
 pub use ticks::ticks;
 pub use whose::by_file;

@@ -1,5 +1,5 @@
 use image::codecs::png::PngDecoder;
-use image::{ImageDecoder, Limits, RgbImage};
+use image::{ImageDecoder, Limits, Rgb, RgbImage};
 use std::io::{BufRead, Seek};
 
 /// The most columns and the most rows: as many as the programs of the steps draw.
@@ -26,37 +26,34 @@ pub fn read(mut file: impl BufRead + Seek) -> Result<(RgbImage, String), String>
         return Err(format!("is {width}×{height} pixels, which is too large"));
     }
     decoder.set_limits(limits).map_err(damaged)?;
-    let channels = usize::from(colour.channel_count());
-    let size = usize::from(colour.bytes_per_pixel()) / channels;
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(damaged)?;
-    // Two bytes are rounded to one.
-    let byte = |number: &[u8]| match number {
-        [low, high] => {
-            ((u32::from(u16::from_ne_bytes([*low, *high])) + 128) / 257) as u8
-        }
-        _ => number[0],
-    };
-    let channel = |pixel: &[u8], k: usize| byte(&pixel[size * k..][..size]);
-    let (mut picture, mut is_clear) = (RgbImage::new(width, height), false);
-    let places = picture.pixels_mut().zip(bytes.chunks_exact(size * channels));
-    for (place, pixel) in places {
-        place.0 = match channels {
-            1 | 2 => [channel(pixel, 0); 3],
-            _ => [0, 1, 2].map(|k| channel(pixel, k)),
-        };
-        is_clear |= channels % 2 == 0 && channel(pixel, channels - 1) != 255;
+    let mut notes = String::new();
+    let channels = usize::from(colour.channel_count());
+    if channels < 3 {
+        notes +=
+            "The file is grey: it has one number a pixel, and ours has three.\n";
     }
-    let notes = [
-        (
-            channels < 3,
-            "The file is grey: it has one number a pixel, and ours has three.",
-        ),
-        (size == 2, "The file has 16 bits a channel; they were rounded to 8."),
-        (is_clear, "Some of its pixels are transparent; that was left out."),
-    ];
-    let notes = notes.into_iter().filter(|(is, _)| *is).map(|(_, note)| note);
-    Ok((picture, notes.collect::<Vec<_>>().join("\n")))
+    if 8 * u16::from(colour.channel_count()) < colour.bits_per_pixel() {
+        notes += "The file has 16 bits a channel; they were rounded to 8.\n";
+        let wide = bytes.chunks_exact(2).map(|two| [two[0], two[1]]);
+        let byte = |two| (u32::from(u16::from_ne_bytes(two)) + 128) / 257;
+        bytes = wide.map(|two| byte(two) as u8).collect();
+    }
+    let mut pixels = bytes.chunks_exact(channels);
+    if colour.has_alpha() && pixels.clone().any(|pixel| pixel[channels - 1] != 255)
+    {
+        notes += "Some of its pixels are transparent; that was left out.\n";
+    }
+    let picture = RgbImage::from_fn(width, height, |_, _| {
+        let pixel = pixels.next().unwrap_or(&[0; 4]);
+        Rgb(if channels < 3 {
+            [pixel[0]; 3]
+        } else {
+            [pixel[0], pixel[1], pixel[2]]
+        })
+    });
+    Ok((picture, notes))
 }
 
 /// What a file is, by its first bytes, if it is not a PNG file.

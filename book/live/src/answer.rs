@@ -1,7 +1,7 @@
-use crate::address::opened;
-use crate::json::{self, Json};
-use crate::{Knob, Live, Sight, find};
+use crate::own_scene::opened;
+use crate::{Knob, Live, Sight, find, json};
 use glam::dvec2;
+use image::RgbImage;
 
 /// What the module says to a request of the page.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,11 +12,17 @@ pub struct Answer {
     pub pixels: Vec<u8>,
 }
 
-/// Answers a line such as `show row 7 60`.
+impl Answer {
+    /// An answer of these fields, which are JSON already.
+    pub fn of(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
+        Self { text: json::object(fields), pixels: vec![] }
+    }
+}
+
+/// Answers a line such as `show row 7 60 0`.
 ///
 /// - `about NAME`: its handles, and the values of its knobs in the printed book.
 /// - `show NAME VALUES`: what it shows at these values.
-/// - `tell NAME VALUES`: the same without what there is to see.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
 /// - `open NAME ADDRESS`: what it shows at the values of an address.
@@ -24,103 +30,100 @@ pub struct Answer {
 /// A handle that asks leaves what is seen as it is, and nothing is drawn.
 pub fn answer(request: &str) -> Answer {
     answered(request)
-        .unwrap_or_else(|| refused(format!("There is no answer to {request:?}.")))
+        .unwrap_or_else(|| refused(&format!("There is no answer to {request}.")))
 }
 
 /// A sentence that says what was wrong.
-fn refused(what: String) -> Answer {
-    Answer { text: json::object([("error", what.into())]), pixels: vec![] }
+fn refused(what: &str) -> Answer {
+    Answer::of([("error", json::text(what))])
 }
 
 fn answered(request: &str) -> Option<Answer> {
     let mut words = request.split_whitespace();
     let (verb, live) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
-        let values = opened(live, words.next().unwrap_or_default());
-        return Some(
-            values.map_or_else(refused, |values| show(live, &values, true)),
-        );
+        return Some(match opened(live, words.next().unwrap_or_default()) {
+            Ok(values) => show(live, &values, true),
+            Err(what) => refused(&what),
+        });
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
-    let numbers = numbers?;
-    if verb == "about" {
-        return Some(Answer { text: about(live), pixels: vec![] });
-    }
-    let (gesture, values) = if ["show", "tell"].contains(&verb) {
-        (&[][..], &numbers[..])
-    } else {
-        numbers.split_at_checked(3)?
-    };
-    let values = live.allowed(values.to_vec())?;
-    let (values, is_seen) = match (verb, gesture) {
-        ("show" | "tell", _) => (values, verb == "show"),
-        (_, &[handle, x, y]) if x.is_finite() && y.is_finite() => {
-            let handle = live.handles.get(handle as usize)?;
-            let values = match verb {
-                "drag" => live.drag(&values, handle, dvec2(x, y)),
-                "step" => live.step(&values, handle, dvec2(x, y)),
+    match (verb, &numbers?[..]) {
+        ("about", _) => Some(about(live)),
+        ("show", values) => Some(show(live, &live.allowed(values)?, true)),
+        (_, [handle, x, y, values @ ..]) => {
+            let handle = live.handles.get(*handle as usize)?;
+            let (values, by) = (live.allowed(values)?, dvec2(*x, *y));
+            let moved = match verb {
+                "drag" => live.drag(&values, handle, by),
+                "step" => live.step(&values, handle, by),
                 _ => return None,
             };
-            (values, !handle.is_asking)
+            Some(show(live, &moved.unwrap_or(values), !handle.is_asking))
         }
-        _ => return None,
-    };
-    Some(show(live, &values, is_seen))
+        _ => None,
+    }
 }
 
 /// What the page has to know before it can ask; what it can turn is printed in it.
-fn about(live: &Live) -> String {
+fn about(live: &Live) -> Answer {
     let handles = live.handles.iter().map(|handle| {
-        let knobs = handle.knobs.map(|knob| Json::from(knob as f64));
         let Knob { range: [min, max], group, .. } = live.knobs[handle.knobs[0]];
-        let fields = [
-            ("words", handle.words.into()),
-            ("knobs", Json::list(knobs)),
-            ("isAsking", handle.is_asking.into()),
-            ("min", min.into()),
-            ("max", max.into()),
-            ("group", group.into()),
-        ];
-        Json::raw(json::object(fields))
+        json::object([
+            ("words", json::text(&handle.words)),
+            ("knobs", json::list(handle.knobs)),
+            ("isAsking", handle.is_asking.to_string()),
+            ("min", min.to_string()),
+            ("max", max.to_string()),
+            ("group", json::text(group)),
+        ])
     });
-    json::object([
-        ("handles", Json::list(handles)),
-        ("values", Json::list(live.values().into_iter().map(Json::from))),
+    Answer::of([
+        ("handles", json::list(handles)),
+        ("values", json::list(live.values())),
     ])
 }
 
 /// The values and what belongs to them, with what there `is_seen` at them.
 fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
-    let texts = live.knobs.iter().zip(values);
-    let texts = texts.map(|(knob, value)| knob.text(*value).into());
-    let shown = live.knobs.iter().map(|knob| (knob.is_shown)(values).into());
+    let knobs = live.knobs.iter().zip(values);
+    let texts = knobs.clone().map(|(knob, value)| json::text(&knob.text(*value)));
+    let shown = knobs.map(|(knob, _)| (knob.is_shown)(knob, values));
     let places = live.handles.iter().map(|handle| {
-        let at = (handle.at)(values);
-        Json::list(at.to_array().map(|x| Json::from((100.0 * x).round() / 100.0)))
+        let at = handle.place(values).to_array();
+        json::list(at.map(|x| (100.0 * x).round() / 100.0))
     });
-    let numbers =
-        (live.numbers)(values).into_iter().map(|(name, text)| (name, text.into()));
+    let numbers = (live.numbers)(values);
+    let numbers = numbers.iter().map(|(name, told)| (&name[..], json::text(told)));
     let mut fields = vec![
-        ("values", Json::list(values.iter().map(|value| Json::from(*value)))),
-        ("texts", Json::list(texts)),
-        ("shown", Json::list(shown)),
-        ("places", Json::list(places)),
-        ("numbers", Json::raw(json::object(numbers))),
+        ("values", json::list(values)),
+        ("texts", json::list(texts)),
+        ("shown", json::list(shown)),
+        ("places", json::list(places)),
+        ("numbers", json::object(numbers)),
     ];
     if let Some((_, draw)) = live.beside {
-        fields.push(("beside", draw(values).body().into()));
+        fields.push(("beside", json::text(draw(values).body())));
     }
     let mut pixels = vec![];
     match is_seen.then(|| (live.sight)(values)) {
-        None => {}
         Some(Sight::Drawing(drawing)) => {
-            fields.push(("drawing", drawing.body().into()))
+            fields.push(("drawing", json::text(drawing.body())));
         }
-        Some(Sight::Picture { size, pixels: drawn }) => {
-            let size = size.map(|side| Json::from(f64::from(side)));
-            fields.push(("size", Json::list(size)));
-            pixels = drawn;
+        Some(Sight::Picture(picture)) => {
+            fields.push(("size", json::list([picture.width(), picture.height()])));
+            pixels = rgba(&picture);
         }
+        None => {}
     }
-    Answer { text: json::object(fields), pixels }
+    Answer { pixels, ..Answer::of(fields) }
+}
+
+/// Red, green, blue and 255 for each pixel, row by row, as a page draws them.
+pub fn rgba(image: &RgbImage) -> Vec<u8> {
+    let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
+    for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
+        four[..3].copy_from_slice(&three.0);
+    }
+    pixels
 }

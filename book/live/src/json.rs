@@ -1,70 +1,28 @@
-//! The text of an answer.
+//! The little JSON that an answer needs. A library for all of it would make the module
+//! of the pages a sixth larger.
 
-use std::fmt::Write;
-
-/// A value in JSON, as its text.
-#[derive(Debug)]
-pub struct Json(String);
-
-impl Json {
-    /// A text that is JSON already.
-    pub fn raw(text: String) -> Self {
-        Self(text)
-    }
-
-    /// A list.
-    pub fn list(items: impl IntoIterator<Item = Self>) -> Self {
-        let items: Vec<_> = items.into_iter().map(|item| item.0).collect();
-        Self(format!("[{}]", items.join(",")))
-    }
-}
-
-impl From<f64> for Json {
-    fn from(number: f64) -> Self {
-        Self(number.to_string())
-    }
-}
-
-/// What prints an f64 is large; a module that has none of them does without it.
-impl From<u32> for Json {
-    fn from(number: u32) -> Self {
-        Self(number.to_string())
-    }
-}
-
-impl From<bool> for Json {
-    fn from(is_so: bool) -> Self {
-        Self(is_so.to_string())
-    }
-}
-
-impl From<&str> for Json {
-    fn from(text: &str) -> Self {
-        let mut quoted = String::from("\"");
-        for c in text.chars() {
-            match c {
-                '"' | '\\' => quoted.extend(['\\', c]),
-                c if c < ' ' => {
-                    let _ = write!(quoted, "\\u{:04x}", c as u32);
-                }
-                c => quoted.push(c),
-            }
+/// A text.
+pub fn text(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c < ' ' => quoted += &format!("\\u{:04x}", c as u32),
+            c => quoted.push(c),
         }
-        Self(quoted + "\"")
     }
+    quoted + "\""
 }
 
-impl From<String> for Json {
-    fn from(text: String) -> Self {
-        text.as_str().into()
-    }
+/// A list of numbers, or of what is JSON already.
+pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
+    let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
+    format!("[{}]", items.join(","))
 }
 
-/// An object of named values.
-pub fn object(fields: impl IntoIterator<Item = (impl AsRef<str>, Json)>) -> String {
-    let fields: Vec<_> = fields
-        .into_iter()
-        .map(|(name, value)| format!("{}:{}", Json::from(name.as_ref()).0, value.0))
-        .collect();
-    format!("{{{}}}", fields.join(","))
+/// An object of fields that are JSON already.
+pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
+    let fields = fields.into_iter();
+    let fields = fields.map(|(name, value)| format!("{}:{value}", text(name)));
+    format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
 }

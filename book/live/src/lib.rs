@@ -3,54 +3,45 @@
 //!
 //! The builder prints what these functions give at their defaults. The page calls
 //! them, compiled for the browser, when its reader moves something. Nothing here knows
-//! of the book.
+//! of the book. The words that this crate uses:
+//!
+//! - a *figure* is a drawing with a caption; a *picture* is rendered, and can be asked;
+//! - a *knob* is a number that the reader sets, by a range or a switch below the figure;
+//!   the *values* are those of all its knobs, in their order;
+//! - a *handle* is a place in the figure that the reader drags; it turns two knobs;
+//! - the *sight* is what there is to see at some values, the *numbers* are what the text
+//!   says of them, and what is *printed* is both at the values of the book;
+//! - *live* is what has all of these. `LIVE` lists it.
 
 mod svg;
 pub use svg::{Drawing, View, escape, italic};
 
-mod common;
-pub use common::{camera, discriminant, roots};
+mod quadratic;
+pub use exercises::row::Row;
+pub use quadratic::{discriminant, roots};
 
 mod live;
 pub use live::{Handle, Knob, Live, Numbers, Sight};
 
-pub use exercises::row::Row;
-
 mod figures;
-pub use figures::{Figure, figure, names};
-
+mod own_scene;
 mod pictures;
-pub use pictures::{NAMES, rgba};
+pub use own_scene::own_scene;
+pub use pictures::{camera, object_names};
 
-mod address;
-mod scene;
-pub use scene::own_scene;
+use std::sync::LazyLock;
 
-/// Everything that answers.
-pub const LIVE: [&Live; 16] = [
-    &figures::RAY,
-    &figures::ROW,
-    &figures::FRUSTUM,
-    &figures::THREE_CASES,
-    &figures::HITS,
-    &figures::EGGS,
-    &figures::LAMBERT,
-    &figures::ATTENUATION,
-    &figures::PHONG_VECTORS,
-    &figures::LOBES,
-    &pictures::STEP01,
-    &pictures::STEP02,
-    &pictures::STEP03,
-    &pictures::STEP04,
-    &pictures::STEP05,
-    &scene::OWN_SCENE,
-];
+/// Every figure, and every picture that answers.
+pub static LIVE: LazyLock<Vec<Live>> = LazyLock::new(|| {
+    let all = figures::all().into_iter().chain(pictures::all());
+    all.chain([own_scene::live()]).collect()
+});
 
-/// What answers to this name.
+/// What is called so.
 pub fn find(name: &str) -> Option<&'static Live> {
-    LIVE.into_iter().find(|live| live.name == name)
+    LIVE.iter().find(|live| live.name == name)
 }
 
 mod answer;
 pub mod json;
-pub use answer::{Answer, answer};
+pub use answer::{Answer, answer, rgba};

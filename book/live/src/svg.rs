@@ -30,6 +30,17 @@ impl View {
     pub fn xy(&self, x: f64, y: f64) -> DVec2 {
         self.origin + self.scale * dvec2(x, -y)
     }
+
+    /// The point of the world at a place in the drawing.
+    pub fn world(&self, place: DVec2) -> DVec2 {
+        (place - self.origin) / self.scale * dvec2(1.0, -1.0)
+    }
+}
+
+/// How far `place` is to the left of straight up, seen from another, in degrees.
+pub fn degrees_left(from: DVec2, place: DVec2) -> f64 {
+    let DVec2 { x, y } = from - place;
+    x.atan2(y).to_degrees()
 }
 
 impl Drawing {
@@ -66,6 +77,12 @@ impl Drawing {
         );
     }
 
+    /// A rectangle, from its middle to its upper right corner.
+    pub fn rectangle(&mut self, class: &str, middle: DVec2, half: DVec2) {
+        let flip = dvec2(half.x, -half.y);
+        self.area(class, &[-half, flip, half, -flip].map(|corner| middle + corner));
+    }
+
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let (x, y) = (centre.x, centre.y);
@@ -99,8 +116,7 @@ impl Drawing {
         class: &str,
         centre: DVec2,
         radius: f64,
-        from: f64,
-        to: f64,
+        [from, to]: [f64; 2],
     ) {
         let angle = |k: i32| from + (to - from) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };

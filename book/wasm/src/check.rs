@@ -2,7 +2,7 @@ use crate::pictures::{NAMES, SIZE};
 use ::check::{Locked, Step};
 use image::RgbImage;
 use live::Answer;
-use live::json::{self, Json};
+use live::json;
 use std::cell::RefCell;
 use std::io::Cursor;
 
@@ -33,12 +33,11 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         };
         let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
         let missing = NAMES.into_iter().filter(|one| may_be(one) && !is_kept(one));
-        let missing: Vec<_> = missing.map(Json::from).collect();
+        let missing: Vec<_> = missing.map(json::text).collect();
         if missing.is_empty() {
             return said(check::check(Cursor::new(file), called, name, ours));
         }
-        let text = json::object([("draw", Json::list(missing))]);
-        Answer { text, pixels: vec![] }
+        Answer::of([("draw", json::list(missing))])
     })
 }
 
@@ -57,19 +56,18 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
         let at = ours.partition_point(|one| place(&one.name) < place(name));
         ours.insert(at, Locked { name: name.to_owned(), picture });
     });
-    Answer { text: "{}".to_owned(), pixels: vec![] }
+    Answer::of([])
 }
 
 /// An answer for the page.
 fn said(answer: check::Answer) -> Answer {
     let mut fields =
-        vec![("code", u32::from(answer.code).into()), ("text", answer.text.into())];
+        vec![("code", answer.code.to_string()), ("text", json::text(&answer.text))];
     let mut pixels = vec![];
     if let Some(difference) = answer.difference {
         let (width, height) = difference.dimensions();
-        let size = [width, height].map(Json::from);
-        fields.push(("size", Json::list(size)));
+        fields.push(("size", json::list([width, height])));
         pixels = live::rgba(&difference);
     }
-    Answer { text: json::object(fields), pixels }
+    Answer { pixels, ..Answer::of(fields) }
 }

@@ -21,7 +21,7 @@ impl FromStr for AspectRatio {
     /// Reads W:H; a picture may be up to four times as high as wide.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text.split_once(':').map(|(w, h)| (w.parse(), h.parse())) {
-            Some((Ok(w), Ok(h))) if 0.0 < h && 0.25 <= w / h => {
+            Some((Ok(w), Ok(h))) if 0.0 < h && w < 1e9 && 0.25 <= w / h => {
                 Ok(Self { width: w, height: h })
             }
             _ => Err("allowed is W:H, two numbers above 0, down to 1:4"),

@@ -1,7 +1,7 @@
 use crate::Ray;
 use glam::{DMat3, DVec3};
 
-/// A pinhole camera and its matrix (slide "A Basic 3D Camera Matrix").
+/// A pinhole camera and its matrix (slide "A Basic 3D Camera Matrix", with its slips mended).
 /// ```
 /// let camera = step01_rays::Camera::new(3, 3, 90_f64.to_radians());
 /// assert_eq!(camera.ray(1.0, 1.0).direction, glam::DVec3::NEG_Z);
@@ -14,17 +14,17 @@ pub struct Camera {
     pub h_res: u32,
     /// vRes, the rows of the picture; at least 1.
     pub v_res: u32,
-    /// [D_u D_v V_0]: one pixel right, one pixel down, the direction of the first.
+    /// [D_u D_v V_0]: one pixel right, one pixel down, the direction of pixel (0, 0).
     pub matrix: DMat3,
 }
 
 impl Camera {
     /// A camera at the origin that looks along −z with y up; its pixels are square.
-    /// Its outermost columns enclose the angle `field_of_view`, θ, in radians.
+    /// The centres of its outermost columns enclose the angle `field_of_view`, θ, in radians.
     /// # Panics
     /// Where it has fewer than two columns, or no row.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
-        assert!(2 <= h_res && 1 <= v_res, "{h_res}×{v_res} pixels have no angle");
+        assert!(2 <= h_res && 1 <= v_res, "{h_res}×{v_res} is not 2×1 or more");
         let tan = (field_of_view / 2.0).tan();
         let (columns, rows) = (f64::from(h_res - 1), f64::from(v_res - 1));
         let d_u = DVec3::new(2.0 * tan / columns, 0.0, 0.0);

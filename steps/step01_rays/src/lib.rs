@@ -1,4 +1,4 @@
-//! Step 1, stage 1 of the lecture: generate the rays from the eye.
+//! Step 1, stage 1 of the lecture "Ray Casting": generate the rays from the eye.
 
 mod ray;
 pub use ray::Ray;

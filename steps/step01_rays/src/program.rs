@@ -48,7 +48,7 @@ pub fn run(name: &str, picture: impl Fn(&Camera, u32) -> RgbImage) {
     if 2.0 < seconds && stderr().is_terminal() {
         eprintln!("This takes about {seconds:.0} seconds.");
     }
-    let image = picture(&camera(width), samples);
+    let (start, image) = (Instant::now(), picture(&camera(width), samples));
     let (time, (w, h)) = (start.elapsed(), image.dimensions());
     let mut png = vec![];
     let encoded = image.write_with_encoder(PngEncoder::new(&mut png));

@@ -15,7 +15,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The point r(t) = S + tV; t counts lengths of V.
+    /// The point r(t) = S + tV; t counts in lengths of V, not in units.
     pub fn at(&self, t: f64) -> DVec3 {
         self.start + t * self.direction
     }

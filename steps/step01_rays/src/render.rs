@@ -22,12 +22,13 @@ pub fn render(
     assert!(0 < samples, "a pixel needs a ray");
     let side = f64::from(samples);
     let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+    let offsets: Vec<f64> = (0..samples).map(offset).collect();
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     image.enumerate_rows_mut().par_bridge().for_each(|(_, row)| {
         for (i, j, pixel) in row {
             let mut sum = DVec3::ZERO;
-            for v in (0..samples).map(offset) {
-                for u in (0..samples).map(offset) {
+            for v in &offsets {
+                for u in &offsets {
                     sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
                 }
             }

@@ -1,4 +1,4 @@
-//! Step 2, stage 2 of the lecture: where a ray meets a sphere.
+//! Step 2, stage 2 of the lecture "Ray Casting": where a ray meets a sphere.
 
 pub use step01_rays::{Camera, Ray, direction_colour, render, run};
 

@@ -1,4 +1,4 @@
-/// The real roots of a quadratic: the three cases that its discriminant tells apart.
+/// The real roots of a quadratic: three cases, told apart by D = b² − 4ac.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
     /// D < 0: none; the ray misses.
@@ -12,16 +12,16 @@ pub enum Roots {
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
 /// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
-/// are lost. pbrt and kurbo find the other root first, and this one as c/a divided by
-/// that; with 64 bits, the lecture's form gives the same picture.
+/// are lost. pbrt and kurbo find the other root first, then this one from
+/// their product, c/a; with 64 bits, the lecture's form gives the same picture.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
 /// ```
 /// # Panics
-/// Where a is not above 0.
+/// Where a is not above 0, in a build with debug assertions.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
-    assert!(0.0 < a, "a = {a} is not above 0");
+    debug_assert!(0.0 < a, "a is not above 0");
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
         Roots::None

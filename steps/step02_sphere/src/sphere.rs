@@ -16,7 +16,7 @@ pub struct Sphere {
 
 impl Sphere {
     /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets it.
-    /// The lecture's sphere is at the origin; here S is taken from the centre.
+    /// The lecture's sphere is at the origin; here S is measured from the centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;
@@ -26,7 +26,7 @@ impl Sphere {
         (a, b, c)
     }
 
-    /// Every t at which `ray` meets the sphere, those behind its start included.
+    /// Every t at which the line of `ray` meets the sphere.
     pub fn intersect(&self, ray: &Ray) -> Roots {
         let (a, b, c) = self.coefficients(ray);
         quadratic(a, b, c)

@@ -1,4 +1,4 @@
-//! Step 3, stage 2 of the lecture: the nearest of several objects.
+//! Step 3, stage 2 of the lecture "Ray Casting": the nearest of several objects.
 
 pub use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
 

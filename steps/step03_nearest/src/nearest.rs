@@ -12,8 +12,8 @@ pub struct Hit<'a, M> {
 /// The hit with the smallest t above 0, or None where `ray` misses all `objects`.
 /// ```
 /// use step03_nearest::{Camera, OBJECTS, nearest};
-/// let ray = Camera::new(640, 360, 60_f64.to_radians()).ray(195.0, 237.0);
-/// assert_eq!(nearest(&OBJECTS, &ray).map(|hit| hit.object), Some(&OBJECTS[0]));
+/// let golden = Camera::new(640, 360, 60_f64.to_radians()).ray(362.0, 286.0);
+/// assert_eq!(nearest(&OBJECTS, &golden).map(|hit| hit.object), Some(&OBJECTS[2]));
 /// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
     let mut best: Option<Hit<M>> = None;

@@ -2,8 +2,7 @@ use crate::{PointLight, Surface};
 use glam::DVec3;
 
 /// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
-///
-/// `n` and `l` are unit vectors, to the outside and to the light; that is `d` away.
+/// `n` points outwards, `l` to the light, which is `d` away; both are unit vectors.
 pub fn diffuse(
     n: DVec3,
     l: DVec3,

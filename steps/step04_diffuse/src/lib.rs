@@ -1,4 +1,4 @@
-//! Step 4, stage 3 of the lecture: ambient and diffuse light.
+//! Step 4, stage 3 of the lecture "Ray Casting": ambient and diffuse light.
 
 pub use step03_nearest::{
     Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, nearest, render,

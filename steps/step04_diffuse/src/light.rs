@@ -25,13 +25,13 @@ pub struct PointLight {
     pub position: DVec3,
     /// L_d, its intensity in red, green and blue; 0 or more.
     pub diffuse: DVec3,
-    /// The a, b and c that its user chose.
+    /// a, b and c, chosen by taste: how it fades.
     pub attenuation: Attenuation,
 }
 
 impl PointLight {
-    /// The unit vector l from the point `p` to the light (along x if they are one), and
-    /// the distance d.
+    /// The unit vector l from the point `p` to the light, and the distance d.
+    /// At the light itself, d is 0 and l is along x.
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

@@ -3,7 +3,7 @@ use glam::DVec3;
 /// How much light a surface reflects; 0 to 1 each for red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// R_a, the part of the ambient light.
+    /// R_a, the part of the ambient light that it reflects.
     pub ambient: DVec3,
     /// R_d, the part of the light that it scatters all around.
     pub diffuse: DVec3,

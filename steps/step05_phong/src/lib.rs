@@ -1,4 +1,4 @@
-//! Step 5, stage 3 of the lecture: specular light and the whole Phong sum.
+//! Step 5, stage 3 of the lecture "Ray Casting": specular light and the Phong sum.
 
 pub use step04_diffuse::{
     AMBIENT, Attenuation, COOL, Camera, Hit, OBJECTS, Object, PointLight, Ray,

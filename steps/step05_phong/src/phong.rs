@@ -3,10 +3,10 @@ use crate::{
 };
 use glam::DVec3;
 
-/// The three terms of the light that leaves a point, each summed over all lights.
+/// The three terms of the light that leaves a point; I_d and I_s over all lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
-    /// I_a, the same from everywhere.
+    /// I_a, of the light that is the same everywhere.
     pub ambient: DVec3,
     /// I_d, scattered all around.
     pub diffuse: DVec3,
@@ -22,8 +22,7 @@ impl Phong {
 }
 
 /// The light that comes back along `ray` from `point` (slide "Phong Lighting").
-///
-/// A light behind the surface gives no highlight.
+/// A light behind the surface gives no highlight; the slide has no such rule.
 /// ```
 /// use step05_phong::{Camera, phong, scene, visible_point};
 /// let (scene, ray) = (scene(), Camera::new(3, 3, 1.0).ray(1.0, 1.0));

@@ -2,9 +2,7 @@ use crate::{Light, Material};
 use glam::DVec3;
 
 /// I_s = R_s / (a + bd + cd²) · max(r·v, 0)ⁿ · L_s (slide "Specular Term").
-///
-/// `r` and `v` are unit vectors, l reflected and to the eye; the light is `d` away.
-/// Without the max, an even n would make a highlight of a cosine below 0.
+/// `r` is l reflected, `v` the way to the eye, both unit; the light is `d` away.
 pub fn specular(
     r: DVec3,
     v: DVec3,
@@ -12,7 +10,11 @@ pub fn specular(
     material: &Material,
     light: &Light,
 ) -> DVec3 {
+    let cosine = r.dot(v);
+    if cosine <= 0.0 {
+        return DVec3::ZERO; // an even n would turn a cosine below 0 into light
+    }
     material.specular / light.point_light.attenuation.at(d)
-        * r.dot(v).max(0.0).powi(material.shininess)
+        * cosine.powi(material.shininess)
         * light.specular
 }

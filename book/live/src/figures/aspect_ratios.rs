@@ -1,10 +1,9 @@
-use super::Figure;
 use crate::svg::Drawing;
+use crate::{Live, Sight};
 use glam::dvec2;
 use step01_rays::AspectRatio;
 
-/// The lecture's four aspect ratios at one width.
-pub fn figure() -> Figure {
+fn draw() -> Drawing {
     let mut drawing = Drawing::new(480.0, 300.0);
     let named = [
         (4.0, 3.0, "standard video"),
@@ -20,18 +19,21 @@ pub fn figure() -> Figure {
         let bottom = 146.0 + 124.0 * line;
         let middle = dvec2(120.0 + 240.0 * column, bottom - height / 2.0);
         let half = dvec2(width, height) / 2.0;
-        let flip = dvec2(half.x, -half.y);
-        let corners = [-half, flip, half, -flip].map(|corner| middle + corner);
-        drawing.area("screen", &corners);
+        drawing.rectangle("screen", middle, half);
         drawing.label("strong", middle, &format!("{w}:{h}"));
         let size = format!("640 × {rows}");
         drawing.label("quiet small", middle + dvec2(0.0, 20.0), &size);
         drawing.label("quiet", middle + dvec2(0.0, half.y + 20.0), name);
     }
-    Figure {
+    drawing
+}
+
+/// The lecture's four aspect ratios at one width.
+pub fn figure() -> Live {
+    Live {
         title: "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.",
         caption: "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
                   get in each. The wider the format, the fewer the rows.",
-        drawing,
+        ..Live::new("aspect-ratios", |_| Sight::Drawing(draw()))
     }
 }

@@ -1,33 +1,7 @@
-use super::Figure;
-use crate::live::{Knob, Live, Sight, number};
+use crate::live::{Knob, Live, Sight, named, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use step04_diffuse::{Attenuation, WARM};
-
-/// What is left of a light at each distance, for an a, b and c that its reader sets.
-pub const ATTENUATION: Live = Live {
-    name: "attenuation",
-    knobs: &[
-        Knob::new(["a", "of your curve", ""], WARM.attenuation.a, [0.1, 2.0], 20.0),
-        Knob::new(
-            ["b", "of your curve", ""],
-            WARM.attenuation.b,
-            [0.0, 1.0],
-            100.0,
-        ),
-        Knob::new(
-            ["c", "of your curve", ""],
-            WARM.attenuation.c,
-            [0.0, 0.5],
-            200.0,
-        ),
-    ],
-    handles: &[],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(&chosen(values))),
-    numbers: |values| vec![("share".into(), number(share(&chosen(values), 6.0)))],
-    beside: None,
-};
 
 fn chosen(values: &[f64]) -> Attenuation {
     Attenuation { a: values[0], b: values[1], c: values[2] }
@@ -85,14 +59,22 @@ fn draw(chosen: &Attenuation) -> Drawing {
     drawing
 }
 
-/// What is left of a light at each distance, for several a, b and c.
-pub fn figure() -> Figure {
-    Figure {
+/// What is left of a light at each distance, for an a, b and c that its reader sets.
+pub fn figure() -> Live {
+    let Attenuation { a, b, c } = WARM.attenuation;
+    Live {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
                   alone it never fades. $b$ takes most of it near the light, $c$ takes little there and \
                   most of it far away. The last curve has some of each, and is the warm light's<span class='move'>, until you change it</span>; \
                   at $d = 6$ it leaves {{#number attenuation:share}}.",
-        drawing: draw(&WARM.attenuation),
+        knobs: [("a", a, 2.0, 20.0), ("b", b, 1.0, 100.0), ("c", c, 0.5, 200.0)]
+            .map(|(symbol, value, max, steps)| {
+                let min = if symbol == "a" { 0.1 } else { 0.0 };
+                Knob::new([symbol, "of your curve", ""], value, [min, max], steps)
+            })
+            .into(),
+        numbers: |values| named([("share", number(share(&chosen(values), 6.0)))]),
+        ..Live::new("attenuation", |values| Sight::Drawing(draw(&chosen(values))))
     }
 }

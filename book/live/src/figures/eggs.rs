@@ -1,28 +1,8 @@
-use super::Figure;
 use super::ball::{BETWEEN, HALF, ball, middle, outline, size};
-use crate::live::{Knob, Live, Sight, number};
+use crate::live::{Knob, Live, Sight, named, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
-
-/// Equal balls round the eye, their picture, and how wide its view is.
-pub const EGGS: Live = Live {
-    name: "eggs",
-    knobs: &[Knob::new(["θ", "field of view", "°"], 100.0, [60.0, 140.0], 1.0)],
-    handles: &[],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values[0])),
-    numbers: |values| {
-        let k = outermost(values[0]);
-        let [long, wide] = size(&outline(k));
-        vec![
-            ("angle".into(), number(values[0])),
-            ("phi".into(), number(BETWEEN * f64::from(k))),
-            ("times".into(), format!("{:.1}", long / wide)),
-        ]
-    },
-    beside: None,
-};
 
 /// The last ball that is whole in a picture so many degrees wide.
 fn outermost(degrees: f64) -> i32 {
@@ -40,34 +20,24 @@ fn draw(degrees: f64) -> Drawing {
     let c = picture.origin + dvec2(0.0, BELOW + scale.y);
     let above = View { origin: c, scale };
     let mut drawing = Drawing::new(480.0, 336.0);
-    let corner = dvec2(tan * scale.x, 50.0);
-    let flip = dvec2(corner.x, -corner.y);
-    let corners =
-        [-corner, flip, corner, -flip].map(|corner| picture.origin + corner);
-    drawing.area("plane", &corners);
+    drawing.rectangle("plane", picture.origin, dvec2(tan * scale.x, 50.0));
     for k in -3..=3 {
-        draw_ball(&mut drawing, &picture, &above, k, tan);
+        draw_ball(&mut drawing, [picture, above], k, tan);
     }
     drawing.line("plane", above.xy(-tan, 1.0), above.xy(tan, 1.0));
-    draw_cone(&mut drawing, &picture, &above, outermost(degrees));
+    draw_cone(&mut drawing, [picture, above], outermost(degrees));
     for side in [-tan, tan] {
         drawing.line("ray faint", c, above.xy(side, 1.0));
     }
     let half = (degrees / 2.0).to_radians();
-    drawing.arc("angle", c, 34.0, FRAC_PI_2 - half, FRAC_PI_2 + half);
+    drawing.arc("angle", c, 34.0, [FRAC_PI_2 - half, FRAC_PI_2 + half]);
     drawing.label("", c + dvec2(-12.0, -40.0), "$θ$");
     drawing.dot("eye", c);
     drawing
 }
 
 /// A ball in the picture, as far as that shows it, and from above.
-fn draw_ball(
-    drawing: &mut Drawing,
-    picture: &View,
-    above: &View,
-    k: i32,
-    tan: f64,
-) {
+fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f64) {
     let ball = ball(k);
     let centre = above.xy(ball.centre.x, -ball.centre.z);
     let outline = outline(k);
@@ -83,31 +53,41 @@ fn draw_ball(
 }
 
 /// The rays that touch the ball `k` on both sides, and the two parts of its picture.
-fn draw_cone(drawing: &mut Drawing, picture: &View, above: &View, k: i32) {
+fn draw_cone(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32) {
     let outline = outline(k);
     let (outer, inner) = (outline[0].x, outline[60].x);
     let middle = middle(&ball(k)).x;
-    for x in [inner, middle, outer] {
-        let on_plane = above.xy(x, 1.0);
-        drawing.line(
-            if x == middle { "guide" } else { "ray" },
-            above.origin,
-            on_plane,
-        );
-        drawing.line("leader", on_plane, picture.xy(x, 0.0));
-    }
     let on_plane = |x: f64| above.xy(x, 1.0);
+    for (class, x) in [("ray", inner), ("guide", middle), ("ray", outer)] {
+        drawing.line(class, above.origin, on_plane(x));
+        drawing.line("leader", on_plane(x), picture.xy(x, 0.0));
+    }
     drawing.line("second", on_plane(inner), on_plane(middle));
     drawing.line("accent", on_plane(middle), on_plane(outer));
 }
 
-/// The balls as they are printed.
-pub fn figure() -> Figure {
-    Figure {
+/// Equal balls round the eye, their picture, and how wide its view is.
+pub fn figure() -> Live {
+    Live {
         title: "Seven balls in an arc round the eye, from above, and their picture over it. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.",
         caption: "Equal balls, all as far from the eye: from above, and on top their picture at $\\theta = {{#number eggs:angle}}°$. \
                   The outermost that is whole is {{#number eggs:phi}}° from the axis, and {{#number eggs:times}} times as long as it is wide. \
-                  Compare its two parts on the image plane: the outer one is longer. <span class='move'>Open $\\theta$.</span>",
-        drawing: draw(EGGS.values()[0]),
+                  The dashed ray leads to its centre: on the image plane, the part outside of it is longer. <span class='move'>Open $\\theta$.</span>",
+        knobs: vec![Knob::new(
+            ["θ", "field of view", "°"],
+            100.0,
+            [60.0, 140.0],
+            1.0,
+        )],
+        numbers: |values| {
+            let k = outermost(values[0]);
+            let [long, wide] = size(&outline(k));
+            named([
+                ("angle", number(values[0])),
+                ("phi", number(BETWEEN * f64::from(k))),
+                ("times", format!("{:.1}", long / wide)),
+            ])
+        },
+        ..Live::new("eggs", |values| Sight::Drawing(draw(values[0])))
     }
 }

@@ -1,6 +1,5 @@
-use super::Figure;
-use crate::live::number;
-use crate::pictures::{NAMES, STEP03};
+use crate::live::{Live, Sight, digits};
+use crate::pictures::{object_names, step03};
 use crate::svg::{Drawing, View};
 use crate::{camera, roots};
 use glam::{DVec2, DVec3, dvec2};
@@ -24,7 +23,7 @@ pub fn draw(values: &[f64]) -> Drawing {
     let mut drawing = Drawing::new(480.0, 330.0);
     draw_depths(&mut drawing);
     // The largest, the ground, lies below the others.
-    let mut spheres: Vec<_> = OBJECTS.iter().zip(NAMES).collect();
+    let mut spheres: Vec<_> = OBJECTS.iter().zip(object_names()).collect();
     spheres.sort_by(|(a, _), (b, _)| b.sphere.radius.total_cmp(&a.sphere.radius));
     for (Object { sphere, .. }, _) in &spheres[1..] {
         let centre = VIEW.xy(sphere.centre.x, -sphere.centre.z);
@@ -38,8 +37,21 @@ pub fn draw(values: &[f64]) -> Drawing {
         let inside = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
         drawing.label("quiet", inside, name);
     }
-    let all = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
-    draw_ray(&mut drawing, &ray, all, seen.map(|hit| hit.t));
+    let at = |t: f64| VIEW.xy(ray.at(t).x, t);
+    drawing.line("guide", at(ENDS[0]), at(0.0));
+    drawing.arrow("ray", at(0.0), at(ENDS[1]));
+    drawing.dot("eye", at(0.0));
+    let roots = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
+    for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
+        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
+    }
+    if let Some(t) = seen.map(|hit| hit.t) {
+        let label = format!("$t$ = {}", digits(2, t));
+        let right = VIEW.xy(SIDE, t);
+        drawing.line("guide", at(t), right);
+        drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
+        drawing.dot("hit", at(t));
+    }
     drawing
 }
 
@@ -70,35 +82,14 @@ fn cut(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     Some(points.collect())
 }
 
-/// The ray, its line backwards, and the roots on it; `hit` is the nearest.
-fn draw_ray(
-    drawing: &mut Drawing,
-    ray: &Ray,
-    roots: impl Iterator<Item = f64>,
-    hit: Option<f64>,
-) {
-    let at = |t: f64| VIEW.xy(ray.at(t).x, t);
-    drawing.line("guide", at(ENDS[0]), at(0.0));
-    drawing.arrow("ray", at(0.0), at(ENDS[1]));
-    drawing.dot("eye", at(0.0));
-    for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
-        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
-    }
-    if let Some(t) = hit {
-        let label = format!("$t$ = {}", number((100.0 * t).round() / 100.0));
-        let right = VIEW.xy(SIDE, t);
-        drawing.line("guide", at(t), right);
-        drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
-        drawing.dot("hit", at(t));
-    }
-}
-
 /// What is drawn of the pixel that is asked as printed.
-pub fn figure() -> Figure {
-    Figure {
+pub fn figure() -> Live {
+    Live {
         title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
         caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
                   every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
-        drawing: draw(&STEP03.values()),
+        ..Live::new("from-above", |_| {
+            Sight::Drawing(draw(&step03::picture().values()))
+        })
     }
 }

@@ -1,67 +1,26 @@
-use super::Figure;
 use crate::live::{Handle, Knob, Live, Sight};
 use crate::roots;
 use crate::svg::{Drawing, View};
-use glam::{DVec2, DVec3, dvec2};
+use glam::{DVec3, dvec2};
 use step03_nearest::{Object, Ray, Sphere, nearest};
-
-/// A ray and three spheres that its reader moves, one behind its start.
-pub const HITS: Live = Live {
-    name: "hits-along-a-ray",
-    knobs: &[
-        side("sphere 0, sideways", 5.3, [-2.2, 6.2]),
-        side("sphere 0, upwards", 0.35, [-1.0, 1.0]),
-        side("sphere 1, sideways", -1.5, [-2.2, 6.2]),
-        side("sphere 1, upwards", 0.2, [-1.0, 1.0]),
-        side("sphere 2, sideways", 2.4, [-2.2, 6.2]),
-        side("sphere 2, upwards", -0.3, [-1.0, 1.0]),
-    ],
-    handles: &[
-        Handle::new(
-            "the centre of sphere 0",
-            [0, 1],
-            |values| VIEW.xy(values[0], values[1]),
-            |values, to| drag(&mut values[..2], to),
-        ),
-        Handle::new(
-            "the centre of sphere 1",
-            [2, 3],
-            |values| VIEW.xy(values[2], values[3]),
-            |values, to| drag(&mut values[2..4], to),
-        ),
-        Handle::new(
-            "the centre of sphere 2",
-            [4, 5],
-            |values| VIEW.xy(values[4], values[5]),
-            |values, to| drag(&mut values[4..], to),
-        ),
-    ],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values)),
-    numbers: |_| vec![],
-    beside: None,
-};
-
-const fn side(words: &'static str, value: f64, range: [f64; 2]) -> Knob {
-    Knob::new(["", words, ""], value, range, 20.0)
-}
 
 const VIEW: View = View { origin: dvec2(136.0, 100.0), scale: dvec2(46.0, 46.0) };
 
-/// Brings a centre to a place in the drawing.
-fn drag(centre: &mut [f64], to: DVec2) {
-    let world = (to - VIEW.origin) / VIEW.scale * dvec2(1.0, -1.0);
-    centre.copy_from_slice(&world.to_array());
+/// The centre of a sphere.
+fn handle(k: usize) -> Handle {
+    Handle::new(
+        format!("the centre of sphere {k}"),
+        [2 * k, 2 * k + 1],
+        |handle, values| VIEW.at(handle.point(values)),
+        |_, _, to| VIEW.world(to),
+    )
 }
 
 /// The three spheres, each of which is told by its place in the list.
 fn objects(values: &[f64]) -> [Object<usize>; 3] {
-    [0, 1, 2].map(|k| {
+    [(0, 1.0), (1, 0.7), (2, 0.8)].map(|(k, radius)| {
         let centre = DVec3::new(values[2 * k], values[2 * k + 1], 0.0);
-        Object {
-            sphere: Sphere { centre, radius: [1.0, 0.7, 0.8][k] },
-            material: k,
-        }
+        Object { sphere: Sphere { centre, radius }, material: k }
     })
 }
 
@@ -112,13 +71,23 @@ fn draw(values: &[f64]) -> Drawing {
     drawing
 }
 
-/// One ray through several spheres, one behind its start, and every t on it.
-pub fn figure() -> Figure {
-    Figure {
+/// A ray and three spheres that its reader moves, one behind its start.
+pub fn figure() -> Live {
+    Live {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
         caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
                   you see. $k$ is the sphere's place in the list; it has no say in this. \
                   <span class='move'>Drag another sphere in front.</span>",
-        drawing: draw(&HITS.values()),
+        knobs: [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]]
+            .into_iter()
+            .flat_map(|[x, y]| {
+                [
+                    Knob::turned(x, [-2.2, 6.2], 20.0),
+                    Knob::turned(y, [-1.0, 1.0], 20.0),
+                ]
+            })
+            .collect(),
+        handles: [0, 1, 2].map(handle).into(),
+        ..Live::new("hits-along-a-ray", |values| Sight::Drawing(draw(values)))
     }
 }

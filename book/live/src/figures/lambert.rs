@@ -1,40 +1,8 @@
-use super::Figure;
-use crate::live::{Handle, Knob, Live, Sight, number};
-use crate::svg::Drawing;
+use crate::live::{Handle, Knob, Live, Sight, digits};
+use crate::svg::{Drawing, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
-
-/// A beam of light that falls straight down, and one whose angle its reader sets.
-pub const LAMBERT: Live = Live {
-    name: "lambert",
-    knobs: &[Knob::new(
-        ["α", "angle of the light", "°"],
-        60.0,
-        [0.0, LARGEST],
-        1.0,
-    )],
-    handles: &[Handle::new(
-        "the light on the right",
-        [0, 0],
-        |values| {
-            let l = DVec2::from_angle(FRAC_PI_2 + values[0].to_radians());
-            GROUND + LENGTH * dvec2(l.x, -l.y)
-        },
-        |values, to| {
-            let l = (to - GROUND) * dvec2(-1.0, -1.0);
-            // To the right of n, the angle is 0, or as large as it can be.
-            values[0] = match l.x.atan2(l.y).to_degrees() {
-                ..-90.0 => LARGEST,
-                angle => angle.max(0.0),
-            };
-        },
-    )],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values[0])),
-    numbers: |_| vec![],
-    beside: None,
-};
 
 /// As far below the ground as the light on the right is still in the drawing, in
 /// degrees.
@@ -79,7 +47,7 @@ fn draw(degrees: f64) -> Drawing {
         drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
         let is_strip = edge == 1.0 && 0.0 < share;
         if 0.0 < angle {
-            drawing.arc("angle", ground, 92.0, FRAC_PI_2, FRAC_PI_2 + angle);
+            drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
             drawing.label_to("", ground + dvec2(-30.0, -100.0), "$α$");
         }
         if 0.0 < angle && is_strip {
@@ -87,7 +55,7 @@ fn draw(degrees: f64) -> Drawing {
             // the strip.
             let corner = foot(-1.0);
             drawing.line("vector", corner, corner + 52.0 * across);
-            drawing.arc("angle", corner, 24.0, 0.0, angle);
+            drawing.arc("angle", corner, 24.0, [0.0, angle]);
             drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
             let beyond = corner + 66.0 * across + dvec2(3.0, 3.0);
             drawing.label("strong", beyond, "$w$");
@@ -109,25 +77,43 @@ fn draw(degrees: f64) -> Drawing {
 
 /// The cosine, and what it makes of the light, in words.
 fn words(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
-    let short = |value: f64| number((value * 1e3).round() / 1e3);
     let strip = if 0.0005 <= share {
-        let times = number((1e2 / share).round() / 1e2);
-        format!("strip × {times}")
+        format!("strip × {}", digits(2, 1.0 / share))
     } else {
-        format!("max($n$·$l$, 0) = {}: no light", short(share))
+        format!("max($n$·$l$, 0) = {}: no light", digits(3, share))
     };
-    [format!("$n$·$l$ = cos {degrees}° = {}", short(cosine)), strip]
+    [format!("$n$·$l$ = cos {degrees}° = {}", digits(3, cosine)), strip]
 }
 
-/// One beam of light that falls straight down and at 60 degrees, and the ground
-/// that it lights.
-pub fn figure() -> Figure {
-    Figure {
+/// A beam of light that falls straight down, and one whose angle its reader sets.
+pub fn figure() -> Live {
+    Live {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
                   spread over twice the ground, so each point of it gets half: the cosine of the angle. \
                   <span class='move'>Lower the light to the ground, and below it.</span>",
-        drawing: draw(60.0),
+        knobs: vec![Knob::new(
+            ["α", "angle of the light", "°"],
+            60.0,
+            [0.0, LARGEST],
+            1.0,
+        )],
+        handles: vec![Handle::new(
+            "the light on the right",
+            [0, 0],
+            |_, values| {
+                let l = DVec2::from_angle(FRAC_PI_2 + values[0].to_radians());
+                GROUND + LENGTH * dvec2(l.x, -l.y)
+            },
+            // To the right of n, the angle is 0, or as large as it can be.
+            |_, _, to| {
+                DVec2::splat(match degrees_left(GROUND, to) {
+                    ..-90.0 => LARGEST,
+                    angle => angle.max(0.0),
+                })
+            },
+        )],
+        ..Live::new("lambert", |values| Sight::Drawing(draw(values[0])))
     }
 }
 

@@ -1,34 +1,8 @@
-use super::Figure;
 use crate::live::{Handle, Knob, Live, Sight};
-use crate::svg::{Drawing, View};
+use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
-
-/// The lobes of several exponents, one of which its reader sets, and the light.
-pub const LOBES: Live = Live {
-    name: "lobes",
-    knobs: &[
-        Knob::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
-        Knob::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
-    ],
-    handles: &[Handle::new(
-        "the light l",
-        [1, 1],
-        |values| {
-            let r = reflected(values);
-            VIEW.at(0.85 * dvec2(-r.x, r.y))
-        },
-        |values, to| {
-            let l = (to - VIEW.origin) * dvec2(-1.0, -1.0);
-            values[1] = l.x.atan2(l.y).to_degrees();
-        },
-    )],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values)),
-    numbers: |_| vec![],
-    beside: None,
-};
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
@@ -52,7 +26,7 @@ fn draw(values: &[f64]) -> Drawing {
         drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
     }
     let l = dvec2(-r.x, r.y);
-    drawing.arc("guide", view.origin, 111.0, 0.0, PI);
+    drawing.arc("guide", view.origin, 111.0, [0.0, PI]);
     drawing.arrow("light", view.origin, view.at(0.85 * l));
     drawing.arrow("normal", view.origin, view.at(0.85 * DVec2::Y));
     drawing.arrow("vector", view.origin, view.at(1.12 * r));
@@ -75,15 +49,28 @@ fn draw(values: &[f64]) -> Drawing {
     drawing
 }
 
-/// The lobes as they are printed.
-pub fn figure() -> Figure {
-    Figure {
+/// The lobes of several exponents, one of which its reader sets, and the light.
+pub fn figure() -> Live {
+    Live {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The lobes of $\\max(r \\cdot v, 0)^n$. In each direction $v$ the outline is as far away as the \
                   highlight is bright. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
-        drawing: draw(&LOBES.values()),
+        knobs: vec![
+            Knob::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
+            Knob::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
+        ],
+        handles: vec![Handle::new(
+            "the light l",
+            [1, 1],
+            |_, values| {
+                let r = reflected(values);
+                VIEW.at(0.85 * dvec2(-r.x, r.y))
+            },
+            |_, _, to| DVec2::splat(degrees_left(VIEW.origin, to)),
+        )],
+        ..Live::new("lobes", |values| Sight::Drawing(draw(values)))
     }
 }
 

@@ -1,38 +1,8 @@
-use super::Figure;
 use crate::camera;
-use crate::live::{Handle, Knob, Live, Sight, number};
-use crate::svg::{Drawing, View};
+use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
+use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};
-
-/// n, l, r and v at a hit of the scene, where the light is turned from its place.
-pub const PHONG_VECTORS: Live = Live {
-    name: "phong-vectors",
-    knobs: &[Knob::new(["", "turn of the light", "°"], 0.0, [-30.0, 80.0], 1.0)],
-    handles: &[Handle::new(
-        "the light l",
-        [0, 0],
-        |values| {
-            let all = Vectors::new(values);
-            VIEW.at(all.flat(all.l))
-        },
-        |values, to| {
-            let l = (to - VIEW.origin) * dvec2(-1.0, -1.0);
-            let angle = l.x.atan2(l.y).to_degrees();
-            values[0] = angle - Vectors::new(&[0.0]).angle();
-        },
-    )],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(&Vectors::new(values))),
-    numbers: |values| {
-        let all = Vectors::new(values);
-        let angle = (10.0 * all.angle()).round() / 10.0;
-        let cosines = [("nl", all.n.dot(all.l)), ("rv", all.r().dot(all.v))];
-        let cosines = cosines.map(|(name, cosine)| (name.into(), number(cosine)));
-        [("angle".into(), number(angle))].into_iter().chain(cosines).collect()
-    },
-    beside: None,
-};
 
 /// Where in the drawing the hit is, and how long 1 is.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
@@ -77,18 +47,21 @@ impl Vectors {
 }
 
 /// The four, seen at a right angle to the plane of n and l.
-fn draw(all: &Vectors) -> Drawing {
+fn draw(values: &[f64]) -> Drawing {
+    let all = Vectors::new(values);
     let mut drawing = Drawing::new(480.0, 320.0);
     let p = VIEW.origin;
     let radius = 300.0;
     drawing.circle("object", p + dvec2(0.0, radius), radius);
     let [n, l, r, v] = [all.n, all.l, all.r(), all.v].map(|one| all.flat(one));
-    drawing.arc("angle", p, 62.0, n.to_angle(), n.to_angle() + n.angle_to(l));
-    drawing.arc("angle", p, 62.0, n.to_angle() + n.angle_to(r), n.to_angle());
+    drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
+    drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
+    // The names of l and r are on their own sides of n's, wherever the light is.
+    let outward = if l.x < 0.0 { dvec2(-20.0, -4.0) } else { dvec2(20.0, -4.0) };
     let vectors = [
-        ("light", l, "$l$", dvec2(-18.0, -6.0)),
-        ("normal", n, "$n$", dvec2(0.0, -10.0)),
-        ("vector", r, "$r$", dvec2(10.0, -2.0)),
+        ("light", l, "$l$", outward),
+        ("normal", n, "$n$", dvec2(0.0, -12.0)),
+        ("vector", r, "$r$", dvec2(-outward.x, -4.0)),
         ("accent", v, "$v$", dvec2(2.0, -12.0)),
     ];
     for (class, vector, name, shift) in vectors {
@@ -100,13 +73,39 @@ fn draw(all: &Vectors) -> Drawing {
     drawing
 }
 
-/// The four as they are printed.
-pub fn figure() -> Figure {
-    Figure {
+/// n, l, r and v at a hit of the scene, where the light is turned from its place.
+pub fn figure() -> Live {
+    Live {
         title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
         caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
                   make the same angle with $n$, {{#number phong-vectors:angle}}°. All four are one unit long; $v$ is drawn shorter because it \
                   leans out of the plane of the other three. <span class='move'>Turn the light until it is behind the surface.</span>",
-        drawing: draw(&Vectors::new(&[0.0])),
+        knobs: vec![Knob::new(
+            ["", "turn of the light", "°"],
+            0.0,
+            [-30.0, 80.0],
+            1.0,
+        )],
+        handles: vec![Handle::new(
+            "the light l",
+            [0, 0],
+            |_, values| {
+                let all = Vectors::new(values);
+                VIEW.at(all.flat(all.l))
+            },
+            |_, _, to| {
+                let straight = Vectors::new(&[0.0]).angle();
+                DVec2::splat(degrees_left(VIEW.origin, to) - straight)
+            },
+        )],
+        numbers: |values| {
+            let all = Vectors::new(values);
+            named([
+                ("angle", digits(1, all.angle())),
+                ("nl", number(all.n.dot(all.l))),
+                ("rv", number(all.r().dot(all.v))),
+            ])
+        },
+        ..Live::new("phong-vectors", |values| Sight::Drawing(draw(values)))
     }
 }

@@ -1,10 +1,9 @@
-use super::Figure;
 use crate::svg::{Drawing, View};
+use crate::{Live, Sight};
 use glam::{DVec3, dvec2};
 use step01_rays::Ray;
 
-/// A pinhole camera from the side: the image behind the pinhole, and the one in front.
-pub fn figure() -> Figure {
+fn draw() -> Drawing {
     let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
     let [top, bottom] = [0.34, -0.2]
         .map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
@@ -36,10 +35,15 @@ pub fn figure() -> Figure {
         drawing.label("quiet", below(t, 222.0), place);
     }
     drawing.label("quiet", below(object, 198.0), "scene");
-    Figure {
+    drawing
+}
+
+/// A pinhole camera from the side: the image behind the pinhole, and the one in front.
+pub fn figure() -> Live {
+    Live {
         title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
         caption: "The same two rays at three places. Behind the pinhole, the image of the arrow is upside down. \
                   As far in front of it, the image is as large, and upright.",
-        drawing,
+        ..Live::new("pinhole", |_| Sight::Drawing(draw()))
     }
 }

@@ -2,7 +2,7 @@ use crate::svg::Drawing;
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, direction_colour, render};
 
-/// The image plane, and the rays through its corners.
+/// The image plane with each pixel at its place, and the rays through its corners.
 pub fn draw_pyramid(
     drawing: &mut Drawing,
     camera: &Camera,
@@ -18,14 +18,6 @@ pub fn draw_pyramid(
         drawing.line("guide", project(ray.at(1.0)), project(ray.at(1.26)));
     }
     drawing.line("guide", c, project(DVec3::NEG_Z));
-}
-
-/// Each pixel at its place on the image plane.
-pub fn draw_picture(
-    drawing: &mut Drawing,
-    camera: &Camera,
-    project: impl Fn(DVec3) -> DVec2,
-) {
     let image = render(camera, 1, direction_colour);
     let at = |i: f64, j: f64| project(camera.ray(i, j).at(1.0));
     let radius = (0.36 * at(0.0, 0.0).distance(at(1.0, 0.0))).min(5.0);

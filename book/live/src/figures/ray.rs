@@ -1,62 +1,7 @@
-use super::Figure;
-use crate::live::{Handle, Knob, Live, Sight, number, vector};
+use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
 use crate::svg::{Drawing, View};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
-
-/// A ray with the points at several t, and one that stays at its distance from S when V
-/// is made longer.
-pub const RAY: Live = Live {
-    name: "ray",
-    knobs: &[
-        Knob::new(["", "S, sideways", ""], 0.0, [-2.0, 7.0], 10.0),
-        Knob::new(["", "S, upwards", ""], 0.0, [-1.0, 3.0], 10.0),
-        Knob::new(["", "V, sideways", ""], 2.4, [-4.0, 7.0], 10.0),
-        Knob::new(["", "V, upwards", ""], 0.7, [-4.0, 4.0], 10.0),
-        Knob::new(["", "distance of the point", ""], 5.0, [-2.0, 8.0], 10.0),
-    ],
-    handles: &[
-        Handle::new(
-            "the start S",
-            [0, 1],
-            |values| at(values, 0.0),
-            |values, to| values[..2].copy_from_slice(&world(to).to_array()),
-        ),
-        Handle::new(
-            "the tip of V",
-            [2, 3],
-            |values| at(values, 1.0) + BESIDE,
-            |values, to| {
-                let v = world(to - BESIDE) - dvec2(values[0], values[1]);
-                values[2..4].copy_from_slice(&v.to_array());
-            },
-        ),
-        Handle::new(
-            "the point at t",
-            [4, 4],
-            |values| at(values, t(values)),
-            |values, to| {
-                let Ray { start, direction } = ray(values);
-                let along = direction.normalize();
-                values[4] = (world(to).extend(0.0) - start).dot(along);
-            },
-        ),
-    ],
-    is_allowed: |values| {
-        let mut ends = RAY.handles[..2].iter().map(|handle| (handle.at)(values));
-        0.5 <= ray(values).direction.length() && ends.all(is_inside)
-    },
-    sight: |values| Sight::Drawing(draw(values)),
-    numbers: |values| {
-        let (ray, t) = (ray(values), t(values));
-        vec![
-            ("length".into(), short(ray.direction.length())),
-            ("t".into(), short(t)),
-            ("point".into(), vector(&ray.at(t).truncate().to_array().map(rounded))),
-        ]
-    },
-    beside: None,
-};
 
 const SIZE: DVec2 = dvec2(480.0, 240.0);
 const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
@@ -71,15 +16,6 @@ fn t(values: &[f64]) -> f64 {
     values[4] / ray(values).direction.length()
 }
 
-fn rounded(value: f64) -> f64 {
-    (100.0 * value).round() / 100.0
-}
-
-/// A number with at most two digits after the point.
-fn short(value: f64) -> String {
-    number(rounded(value))
-}
-
 /// Whether a place is in the drawing, with room for what marks it.
 fn is_inside(place: DVec2) -> bool {
     place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
@@ -88,11 +24,6 @@ fn is_inside(place: DVec2) -> bool {
 /// Where in the drawing r(t) is.
 fn at(values: &[f64], t: f64) -> DVec2 {
     VIEW.at(ray(values).at(t).truncate())
-}
-
-/// The point of the world at a place in the drawing.
-fn world(place: DVec2) -> DVec2 {
-    (place - VIEW.origin) / VIEW.scale * dvec2(1.0, -1.0)
 }
 
 /// V is drawn above the ray, and not on it.
@@ -121,12 +52,18 @@ fn draw(values: &[f64]) -> Drawing {
             drawing.label("quiet", at(t) + dvec2(9.0, 25.0), &label);
         }
     }
-    drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$");
+    match v.x < 0.0 {
+        true => drawing.label_from("strong", at(0.0) + dvec2(12.0, -16.0), "$S$"),
+        false => drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$"),
+    }
     let moving = t(values);
     let sign = if moving < 0.0 { '−' } else { '+' };
-    let label = format!("$S$ {sign} {}$V$", short(moving.abs()));
+    let times = digits(2, moving.abs());
+    let times = if times == "1" { "" } else { &times };
+    let label = format!("$S$ {sign} {times}$V$");
     // Above V and its name, where the point is beside them.
-    let up = if (-0.2..1.4).contains(&moving) { 44.0 } else { 16.0 };
+    let is_beside = (-10.0..v.length() + 70.0).contains(&(moving * v.length()));
+    let up = if is_beside { 52.0 } else { 16.0 };
     let place = at(moving) - dvec2(8.0, up);
     if is_inside(at(moving)) {
         drawing.label_to("", place.max(dvec2(76.0, 18.0)), &label);
@@ -134,13 +71,61 @@ fn draw(values: &[f64]) -> Drawing {
     drawing
 }
 
-/// The ray as it is printed.
-pub fn figure() -> Figure {
-    Figure {
+/// A ray with the points at several t, and one that stays at its distance from S when V
+/// is made longer.
+pub fn figure() -> Live {
+    Live {
         title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
         caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
                   $V$ has length {{#number ray:length}}, and the point {{#number ray:point}} has $t = {{#number ray:t}}$. \
                   <span class='move'>Make $V$ longer. The point stays: what's its $t$ now?</span>",
-        drawing: draw(&RAY.values()),
+        knobs: vec![
+            Knob::turned(0.0, [-2.0, 7.0], 10.0),
+            Knob::turned(0.0, [-1.0, 3.0], 10.0),
+            Knob::turned(2.4, [-4.0, 7.0], 10.0),
+            Knob::turned(0.7, [-4.0, 4.0], 10.0),
+            Knob::turned(5.0, [-2.0, 8.0], 10.0),
+        ],
+        handles: vec![
+            Handle::new(
+                "the start S",
+                [0, 1],
+                |_, values| at(values, 0.0),
+                |_, _, to| VIEW.world(to),
+            ),
+            Handle::new(
+                "the tip of V",
+                [2, 3],
+                |_, values| at(values, 1.0) + BESIDE,
+                |_, values, to| {
+                    VIEW.world(to - BESIDE) - dvec2(values[0], values[1])
+                },
+            ),
+            Handle::new(
+                "the point at t",
+                [4, 4],
+                |_, values| at(values, t(values)),
+                |_, values, to| {
+                    let Ray { start, direction } = ray(values);
+                    let along = direction.normalize();
+                    let way = VIEW.world(to).extend(0.0) - start;
+                    DVec2::splat(way.dot(along))
+                },
+            ),
+        ],
+        is_allowed: |values| {
+            let ends = [at(values, 0.0), at(values, 1.0) + BESIDE];
+            0.5 <= ray(values).direction.length() && ends.into_iter().all(is_inside)
+        },
+        numbers: |values| {
+            let (ray, t) = (ray(values), t(values));
+            let [x, y] = ray.at(t).truncate().to_array().map(|x| digits(2, x));
+            named([
+                ("length", digits(2, ray.direction.length())),
+                ("t", digits(2, t)),
+                ("point", format!("({x}, {y})")),
+            ])
+        },
+        ..Live::new("ray", |values| Sight::Drawing(draw(values)))
     }
 }

@@ -1,11 +1,10 @@
-use super::Figure;
 use crate::svg::{Drawing, View};
+use crate::{Live, Sight};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Camera;
 
-/// The three axes from the front, and the way a camera looks.
-pub fn figure() -> Figure {
-    let view = View { origin: dvec2(240.0, 122.0), scale: DVec2::splat(92.0) };
+fn draw() -> Drawing {
+    let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
     // What comes towards the reader runs to the lower left.
     let at = |p: DVec3| view.at(p.truncate() + p.z * dvec2(-0.55, -0.42));
     let c = at(DVec3::ZERO);
@@ -27,10 +26,15 @@ pub fn figure() -> Figure {
     }
     drawing.dot("eye", c);
     drawing.label_to("strong", c + dvec2(-12.0, -6.0), "$C$");
-    Figure {
+    drawing
+}
+
+/// The three axes from the front, and the way a camera looks.
+pub fn figure() -> Live {
+    Live {
         title: "Three axes from the point C: x to the right, y up, and z to the lower left, towards you. A dotted line goes from C the other way, along -z, away from you.",
         caption: "Your right hand, palm towards you: thumb right, index finger up, middle finger bent towards you. \
                   The camera looks the other way, along $-z$.",
-        drawing,
+        ..Live::new("right-hand", |_| Sight::Drawing(draw()))
     }
 }

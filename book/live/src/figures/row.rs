@@ -1,42 +1,10 @@
-use super::Figure;
 use crate::Row;
-use crate::live::{Handle, Knob, Live, Sight, number};
-use crate::svg::{Drawing, View};
+use crate::live::{Handle, Knob, Live, Sight, named, number};
+use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, dvec2};
 
-/// The row of rays in 2D, with V_0 and D.
-pub const ROW: Live = Live {
-    name: "row",
-    knobs: &[
-        Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
-        Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
-        Knob::choice("D divides by", 0.0, &["hRes − 1", "hRes"]),
-    ],
-    handles: &[Handle::new(
-        "the tip of V0, which opens the field of view",
-        [1, 1],
-        |values| view(values).at(row(values).direction(0.0)),
-        |values, to| {
-            let to = to - ORIGIN;
-            values[1] = 2.0 * f64::atan2(-to.x, -to.y).to_degrees();
-        },
-    )],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values)),
-    numbers: |values| {
-        let row = row(values);
-        vec![
-            ("hRes".into(), number(values[0])),
-            ("angle".into(), number(values[1])),
-            ("D".into(), number(row.matrix.x_axis.x)),
-            ("first".into(), number(row.matrix.y_axis.x)),
-        ]
-    },
-    beside: None,
-};
-
 /// Where in the drawing C is.
-const ORIGIN: DVec2 = dvec2(240.0, 282.0);
+const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 
 fn row(values: &[f64]) -> Row {
     let mut row = Row::new(values[0] as u32, values[1].to_radians());
@@ -58,7 +26,7 @@ fn draw(values: &[f64]) -> Drawing {
     let c = view.at(DVec2::ZERO);
     let directions: Vec<DVec2> =
         (0..=last).map(|i| row.direction(i as f64)).collect();
-    let mut drawing = Drawing::new(480.0, 320.0);
+    let mut drawing = Drawing::new(480.0, 332.0);
     let tan = -directions[0].x;
     let side = (1.02 * tan).max(0.86);
     drawing.line("plane", view.xy(-side, 1.0), view.xy(side, 1.0));
@@ -71,7 +39,7 @@ fn draw(values: &[f64]) -> Drawing {
     for &v in &directions {
         drawing.dot("ray", view.at(v));
     }
-    drawing.arc("angle", c, 54.0, directions[last].to_angle(), v_0.to_angle());
+    drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, view.at(v_0));
     let step = |i: usize| [view.at(directions[i]), view.at(directions[i + 1])];
@@ -80,7 +48,7 @@ fn draw(values: &[f64]) -> Drawing {
         drawing.arrow("accent", from, to);
     }
     let [from, to] = step(last.min(2) - 1);
-    drawing.label("accent", (from + to) / 2.0 + dvec2(4.0, 24.0), "$D$");
+    drawing.label("accent over", (from + to) / 2.0 + dvec2(0.0, -10.0), "$D$");
     let middle = view.at(0.55 * v_0);
     drawing.label_to("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [from, to] = step(0);
@@ -102,18 +70,39 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.line("guide", c, corner);
     let side = view.xy(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_from("quiet", side, "1");
-    let base = view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+    let base =
+        (view.xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", base, "tan $θ$/2");
     drawing
 }
 
-/// The row as it is printed.
-pub fn figure() -> Figure {
-    Figure {
+/// The row of rays in 2D, with V_0 and D.
+pub fn figure() -> Live {
+    Live {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
         caption: "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
                   Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
                   <span class='move'>Open the view by the tip of $V_0$, and add rays.</span>",
-        drawing: draw(&ROW.values()),
+        knobs: vec![
+            Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
+            Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
+            Knob::choice("D divides by", 0.0, &["hRes − 1", "hRes"]),
+        ],
+        handles: vec![Handle::new(
+            "the tip of V0, which opens the field of view",
+            [1, 1],
+            |_, values| view(values).at(row(values).direction(0.0)),
+            |_, _, to| DVec2::splat(2.0 * degrees_left(ORIGIN, to)),
+        )],
+        numbers: |values| {
+            let row = row(values);
+            named([
+                ("hRes", number(values[0])),
+                ("angle", number(values[1])),
+                ("D", number(row.matrix.x_axis.x)),
+                ("first", number(row.matrix.y_axis.x)),
+            ])
+        },
+        ..Live::new("row", |values| Sight::Drawing(draw(values)))
     }
 }

@@ -1,51 +1,20 @@
-use super::Figure;
-use crate::live::{Handle, Knob, Live, Sight, number};
+use crate::live::{Handle, Knob, Live, Sight, digits};
 use crate::svg::{Drawing, View};
 use crate::{discriminant, roots};
 use glam::{DVec2, DVec3, dvec2};
 use step02_sphere::{Ray, Sphere};
 
-/// Three rays and a circle, each above its parabola at² + bt + c.
-pub const THREE_CASES: Live = Live {
-    name: "three-cases",
-    knobs: &[
-        side("left start, sideways", -2.125, [-2.25, 1.875]),
-        side("left start, upwards", 1.375, [-1.5, 1.5]),
-        side("middle start, sideways", -2.125, [-2.25, 1.875]),
-        side("middle start, upwards", 1.0, [-1.5, 1.5]),
-        side("right start, sideways", -2.125, [-2.25, 1.875]),
-        side("right start, upwards", 0.4375, [-1.5, 1.5]),
-    ],
-    handles: &[
-        Handle::new(
-            "the start of the left ray",
-            [0, 1],
-            |values| place(values, 0),
-            |values, to| drag(values, 0, to),
-        ),
-        Handle::new(
-            "the start of the middle ray",
-            [2, 3],
-            |values| place(values, 1),
-            |values, to| drag(values, 1, to),
-        ),
-        Handle::new(
-            "the start of the right ray",
-            [4, 5],
-            |values| place(values, 2),
-            |values, to| drag(values, 2, to),
-        ),
-    ],
-    is_allowed: |_| true,
-    sight: |values| Sight::Drawing(draw(values)),
-    numbers: |_| vec![],
-    beside: None,
-};
-
-/// A coordinate in sixteenths: sums and products of these are exact, so a ray that
-/// touches does so to the last digit.
-const fn side(words: &'static str, value: f64, range: [f64; 2]) -> Knob {
-    Knob::new(["", words, ""], value, range, 16.0)
+/// The start of a case's ray.
+fn handle((case, name): (usize, &str)) -> Handle {
+    Handle::new(
+        format!("the start of the {name} ray"),
+        [2 * case, 2 * case + 1],
+        |handle, values| {
+            let case = handle.knobs[0] / 2;
+            above(case).at(ray(values, case).start.truncate())
+        },
+        |handle, _, to| above(handle.knobs[0] / 2).world(to),
+    )
 }
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
@@ -62,18 +31,6 @@ fn above(case: usize) -> View {
 fn ray(values: &[f64], case: usize) -> Ray {
     let [x, y] = [values[2 * case], values[2 * case + 1]];
     Ray { start: DVec3::new(x, y, 0.0), direction: DVec3::X }
-}
-
-/// Where in the drawing a case's ray starts.
-fn place(values: &[f64], case: usize) -> DVec2 {
-    above(case).at(ray(values, case).start.truncate())
-}
-
-/// Lets a case's ray start at a place in the drawing.
-fn drag(values: &mut [f64], case: usize, to: DVec2) {
-    let view = above(case);
-    let world = (to - view.origin) / view.scale * dvec2(1.0, -1.0);
-    values[2 * case..2 * case + 2].copy_from_slice(&world.to_array());
 }
 
 fn draw(values: &[f64]) -> Drawing {
@@ -93,7 +50,7 @@ fn words(ray: &Ray) -> [String; 2] {
         ..0.0 => " < 0",
         _ => " > 0",
     };
-    let t = |t: f64| number((100.0 * t).round() / 100.0);
+    let t = |t: f64| digits(2, t);
     let count = match roots(&SPHERE, ray) {
         [near, _] if near.is_nan() => "no root".to_string(),
         [near, far] if near == far => format!("one root: {}", t(near)),
@@ -135,14 +92,27 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
     drawing.label("quiet", below.xy(last + 0.1, 0.0) + dvec2(-2.0, 18.0), "$t$");
 }
 
-/// A ray that misses, touches and enters a circle, each above the parabola at² + bt
-/// + c.
-pub fn figure() -> Figure {
-    Figure {
+/// Three rays and a circle, each above its parabola at² + bt + c.
+pub fn figure() -> Live {
+    Live {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
         caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \
                   each root is its point. The discriminant says which case it is before any root is known. \
-                  <span class='move'>Drag a ray until it touches; start one inside the circle, and one behind it.</span>",
-        drawing: draw(&THREE_CASES.values()),
+                  <span class='move'>Drag a ray until it touches.</span>",
+        // In sixteenths, sums and products are exact: so a ray that touches does so to the
+        // last digit.
+        knobs: [1.375, 1.0, 0.4375]
+            .into_iter()
+            .flat_map(|y| {
+                let x = Knob::turned(-2.125, [-2.25, 1.875], 16.0);
+                [x, Knob::turned(y, [-1.5, 1.5], 16.0)]
+            })
+            .collect(),
+        handles: ["left", "middle", "right"]
+            .into_iter()
+            .enumerate()
+            .map(handle)
+            .collect(),
+        ..Live::new("three-cases", |values| Sight::Drawing(draw(values)))
     }
 }

@@ -1,58 +1,68 @@
 //! The pictures that answer, each drawn by its step.
 
-pub(crate) mod asked;
-mod chain;
-mod polish;
+mod numbers;
+pub mod pixel;
 pub mod step01;
 mod step02;
-mod step03;
+pub mod step03;
 mod step04;
 mod step05;
 
-pub use chain::NAMES;
-pub use step01::STEP01;
-pub use step02::STEP02;
-pub use step03::STEP03;
-pub use step04::STEP04;
-pub use step05::STEP05;
+use crate::{Live, Sight};
+use step05_phong::{Camera, Light, Material, Object, Ray, Scene, nearest};
+#[cfg(not(target_arch = "wasm32"))]
+use step05_phong::{colour, render};
 
-use crate::Sight;
-use glam::DVec3;
-use image::RgbImage;
-use step05_phong::{Camera, Light, Material, Ray, Scene, render};
-
-/// What `camera` sees, one ray a pixel.
-pub(crate) fn picture(
-    camera: &Camera,
-    colour: impl Fn(&Ray) -> DVec3 + Sync,
-) -> Sight {
-    shown(&render(camera, 1, colour))
+/// Every picture that shows a step.
+pub fn all() -> [Live; 5] {
+    [
+        step01::picture(),
+        step02::picture(),
+        step03::picture(),
+        step04::picture(),
+        step05::picture(),
+    ]
 }
 
-/// What `camera` sees of a scene of step 5. In a page, the example `fast` draws it, as
-/// a dragged picture has to follow; the tests compare what it draws with `colour`.
-pub(crate) fn lit(camera: &Camera, scene: &Scene<Material, Light>) -> Sight {
+/// What the objects of the scene are called, in their order.
+pub const OBJECTS: [&str; 9] = [
+    "red sphere",
+    "ground",
+    "golden sphere",
+    "blue sphere",
+    "green sphere",
+    "teal sphere",
+    "white sphere",
+    "salmon sphere",
+    "cream sphere",
+];
+
+/// What the chapters call them, for short.
+pub fn object_names() -> [&'static str; 9] {
+    OBJECTS.map(|name| name.trim_end_matches(" sphere"))
+}
+
+/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees, which the programs
+/// turn into radians; π/3 is another number in its last digit.
+pub fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
+
+/// What `camera` sees of a scene of step 5, one ray a pixel. In a page, the example
+/// `fast` draws it, as a dragged picture has to follow; the tests compare what it draws
+/// with `colour`.
+pub fn shaded(camera: &Camera, scene: &Scene<Material, Light>) -> Sight {
     #[cfg(target_arch = "wasm32")]
-    return shown(&exercises::fast::draw(
-        fearless_simd::Level::new(),
-        camera,
-        1,
-        scene,
-    ));
+    let picture =
+        exercises::fast::draw(fearless_simd::Level::new(), camera, 1, scene);
     #[cfg(not(target_arch = "wasm32"))]
-    picture(camera, |ray| step05_phong::colour(scene, ray))
+    let picture = render(camera, 1, |ray| colour(scene, ray));
+    Sight::Picture(picture)
 }
 
-/// An image, to be seen in a page.
-fn shown(image: &RgbImage) -> Sight {
-    Sight::Picture { size: image.dimensions().into(), pixels: rgba(image) }
-}
-
-/// Red, green, blue and 255 for each pixel, row by row, as a page draws them.
-pub fn rgba(image: &RgbImage) -> Vec<u8> {
-    let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
-    for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
-        four[..3].copy_from_slice(&three.0);
-    }
-    pixels
+/// Which object a ray meets first, and its t.
+fn met<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f64)> {
+    let hit = nearest(objects, ray)?;
+    let k = objects.iter().position(|one| std::ptr::eq(one, hit.object))?;
+    Some((k, hit.t))
 }

@@ -1,21 +1,23 @@
-use super::{asked, chain, picture};
+use super::numbers::numbers;
+use super::{object_names, pixel};
 use crate::figures::from_above;
-use crate::live::Live;
-use step03_nearest::{OBJECTS, colour};
+use crate::live::{Live, Sight};
+use step03_nearest::{OBJECTS, colour, render};
 
 /// The picture of step 3, with a pixel to ask.
-pub const STEP03: Live = Live {
-    name: "step03_nearest",
-    knobs: &[asked::COLUMN, asked::ROW, asked::COLUMNS],
-    handles: &[asked::PIXEL],
-    is_allowed: |values| asked::camera(values[2]).is_ok(),
-    sight: |values| {
-        let objects = OBJECTS;
-        picture(&asked::seen(values[2]), |ray| colour(&objects, ray))
-    },
-    numbers: |values| {
-        let objects = OBJECTS;
-        chain::chain(values, &objects, |_| vec![], |ray| colour(&objects, ray))
-    },
-    beside: Some(("from-above", from_above)),
-};
+pub fn picture() -> Live {
+    Live {
+        knobs: pixel::knobs(470.0, 120.0),
+        handles: vec![pixel::cross()],
+        numbers: |values| {
+            let (objects, names) = (OBJECTS, object_names());
+            let colour = |ray: &_| colour(&objects, ray);
+            numbers(values, &objects, &names, |_| None, colour)
+        },
+        beside: Some(("from-above", from_above)),
+        ..Live::new("step03_nearest", |values| {
+            let camera = pixel::camera(values);
+            Sight::Picture(render(&camera, 1, |ray| colour(&OBJECTS, ray)))
+        })
+    }
+}

@@ -1,50 +1,11 @@
-use super::{asked, chain, picture};
-use crate::live::{Handle, Knob, Live, Numbers, number, vector};
+use super::numbers::{numbers, shading};
+use super::{object_names, pixel};
+use crate::live::{Handle, Knob, Live, Sight};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{
-    COOL, PointLight, Ray, Scene, Surface, SurfacePoint, WARM, ambient, colour,
-    diffuse, visible_point,
+    COOL, Object, PointLight, Ray, Scene, Surface, WARM, colour, render,
 };
-
-/// The picture of step 4: its lamps to move, and a pixel to ask.
-pub const STEP04: Live = Live {
-    name: "step04_diffuse",
-    knobs: &[
-        asked::COLUMN,
-        asked::ROW,
-        asked::COLUMNS,
-        lamp(["x", "of the warm light", ""], WARM.position.x, [-8.0, 8.0]),
-        lamp(["y", "of the warm light", ""], WARM.position.y, [-1.0, 8.0]),
-        lamp(["z", "of the warm light", ""], WARM.position.z, [-12.0, 2.0]),
-        // Wherever these bring it, the cool light is in the picture.
-        lamp(["x", "of the cool light", ""], COOL.position.x, [-6.0, 6.0]),
-        lamp(["y", "of the cool light", ""], COOL.position.y, [-3.4, 3.4]),
-        lamp(["z", "of the cool light", ""], COOL.position.z, [-16.0, -11.0]),
-    ],
-    handles: &[
-        asked::PIXEL,
-        Handle::new("the warm light", [3, 4], place_of::<3>, drag::<3>),
-        Handle::new("the cool light", [6, 7], place_of::<6>, drag::<6>),
-    ],
-    is_allowed: |values| asked::camera(values[2]).is_ok(),
-    sight: |values| {
-        let scene = scene(values);
-        picture(&asked::seen(values[2]), |ray| colour(&scene, ray))
-    },
-    numbers: |values| {
-        let scene = scene(values);
-        let shading = |ray: &Ray| match visible_point(&scene.objects, ray) {
-            Some(point) => shading(&scene, &point),
-            None => vec![],
-        };
-        chain::chain(values, &scene.objects, shading, |ray| colour(&scene, ray))
-    },
-    beside: None,
-};
-
-const fn lamp(words: [&'static str; 3], value: f64, range: [f64; 2]) -> Knob {
-    Knob::new(words, value, range, 10.0)
-}
+use step05_phong::{Light, Material};
 
 /// The scene with its lamps where these values have them.
 fn scene(values: &[f64]) -> Scene<Surface, PointLight> {
@@ -55,61 +16,69 @@ fn scene(values: &[f64]) -> Scene<Surface, PointLight> {
     scene
 }
 
-/// Where in the picture the lamp is whose x is the value `FIRST`.
-fn place_of<const FIRST: usize>(values: &[f64]) -> DVec2 {
-    asked::place(DVec3::from_slice(&values[FIRST..]))
+/// A lamp whose x, y and z are three values; it stays as deep as it is.
+fn handle(words: &str, x: usize) -> Handle {
+    Handle::new(
+        words,
+        [x, x + 1],
+        |handle, values| {
+            let position = DVec3::from_slice(&values[handle.knobs[0]..]);
+            pixel::place(&crate::camera(), position)
+        },
+        |handle, values, to| {
+            let inside = to.clamp(DVec2::splat(24.0), pixel::SIZE - 24.0);
+            pixel::point(&crate::camera(), inside, values[handle.knobs[1] + 1])
+        },
+    )
 }
 
-/// Brings that lamp to a place in the picture; it stays as deep as it is.
-fn drag<const FIRST: usize>(values: &mut [f64], to: DVec2) {
-    let inside = to.clamp(DVec2::splat(24.0), asked::SIZE - 24.0);
-    let position = asked::point(inside, -values[FIRST + 2]);
-    position.write_to_slice(&mut values[FIRST..]);
-}
-
-/// What the lights of the scene are called, in their order.
-pub const LAMPS: [&str; 2] = ["warm", "cool"];
-
-/// From the point that a ray sees to the terms of its light.
-fn shading(
-    scene: &Scene<Surface, PointLight>,
-    point: &SurfacePoint<Surface>,
-) -> Numbers {
-    let mut all = place(point);
-    let mut sum = DVec3::ZERO;
-    for (light, lamp) in scene.lights.iter().zip(LAMPS) {
-        all.extend(lit(point, point.material, light, lamp));
-        let (l, d) = light.direction_from(point.p);
-        sum += diffuse(point.n, l, d, point.material, light);
+/// The same for step 5, in which nothing shines.
+fn matt(scene: &Scene<Surface, PointLight>) -> Scene<Material, Light> {
+    let specular = DVec3::ZERO;
+    let objects =
+        scene.objects.iter().map(|&Object { sphere, material: surface }| Object {
+            sphere,
+            material: Material { surface, specular, shininess: 1 },
+        });
+    let lights = scene.lights.iter();
+    Scene {
+        objects: objects.collect(),
+        ambient_light: scene.ambient_light,
+        lights: lights
+            .map(|&point_light| Light { point_light, specular })
+            .collect(),
     }
-    let ambient = ambient(point.material, scene.ambient_light);
-    all.push(("ambient".into(), vector(&ambient.to_array())));
-    all.push(("diffuse".into(), vector(&sum.to_array())));
-    all
 }
 
-/// Where a point is, and which way its surface faces.
-pub fn place<M>(point: &SurfacePoint<M>) -> Numbers {
-    vec![
-        ("p".into(), vector(&point.p.to_array())),
-        ("n".into(), vector(&point.n.to_array())),
-    ]
-}
-
-/// A lamp as it is seen from a point, and the light that it scatters there.
-pub fn lit<M>(
-    point: &SurfacePoint<M>,
-    surface: &Surface,
-    light: &PointLight,
-    lamp: &str,
-) -> Numbers {
-    let (l, d) = light.direction_from(point.p);
-    let numbers = [
-        ("l", vector(&l.to_array())),
-        ("d", number(d)),
-        ("divisor", number(light.attenuation.at(d))),
-        ("nl", number(point.n.dot(l))),
-        ("diffuse", vector(&diffuse(point.n, l, d, surface, light).to_array())),
+/// The picture of step 4: its lamps to move, and a pixel to ask.
+pub fn picture() -> Live {
+    let mut knobs = pixel::knobs(470.0, 120.0);
+    let (warm, cool) = (WARM.position, COOL.position);
+    let positions = [
+        (["x", "of the warm light", ""], warm.x, [-8.0, 8.0]),
+        (["y", "of the warm light", ""], warm.y, [-1.0, 8.0]),
+        (["z", "of the warm light", ""], warm.z, [-12.0, 2.0]),
+        // Wherever these bring it, the cool light is in the picture.
+        (["x", "of the cool light", ""], cool.x, [-6.0, 6.0]),
+        (["y", "of the cool light", ""], cool.y, [-3.4, 3.4]),
+        (["z", "of the cool light", ""], cool.z, [-16.0, -11.0]),
     ];
-    numbers.map(|(name, text)| (format!("{name} {lamp}"), text)).into()
+    knobs.extend(
+        positions.map(|(words, value, range)| Knob::new(words, value, range, 10.0)),
+    );
+    let lamps = [handle("the warm light", 3), handle("the cool light", 6)];
+    Live {
+        knobs,
+        handles: [pixel::cross()].into_iter().chain(lamps).collect(),
+        numbers: |values| {
+            let scene = scene(values);
+            let shading = |ray: &Ray| shading(&matt(&scene), ray);
+            let colour = |ray: &Ray| colour(&scene, ray);
+            numbers(values, &scene.objects, &object_names(), shading, colour)
+        },
+        ..Live::new("step04_diffuse", |values| {
+            let (camera, scene) = (pixel::camera(values), scene(values));
+            Sight::Picture(render(&camera, 1, |ray| colour(&scene, ray)))
+        })
+    }
 }

@@ -1,10 +1,4 @@
-use step02_sphere::{Camera, Ray, Roots, Sphere};
-
-/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees, which the programs
-/// turn into radians; π/3 is another number in its last digit.
-pub fn camera() -> Camera {
-    Camera::new(640, 360, 60_f64.to_radians())
-}
+use step02_sphere::{Ray, Roots, Sphere};
 
 /// Both t, the same twice where the ray touches, NaN where it misses.
 pub fn roots(sphere: &Sphere, ray: &Ray) -> [f64; 2] {
