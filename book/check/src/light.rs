@@ -1,7 +1,8 @@
 use crate::Step;
 use crate::classes::Seen;
+use crate::pixels::Pixels;
 use crate::scenes::OBJECTS;
-use crate::stages::{Pixels, Stage};
+use crate::stages::Stage;
 
 const AMBIENT: &str = "step04_diffuse/ambient.rs";
 const DIFFUSE: &str = "step04_diffuse/diffuse.rs";

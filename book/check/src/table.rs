@@ -18,8 +18,15 @@ fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
 }
 
 /// A number of 32 bits that stands for a text.
-pub fn key(text: &str) -> u32 {
+fn key(text: &str) -> u32 {
     (fnv(text.bytes()) >> 32) as u32
+}
+
+/// What stands for the code of a file: its comments draw nothing.
+pub fn code_key(text: &str) -> u32 {
+    let lines = text.lines().map(str::trim);
+    let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
+    key(&code.collect::<Vec<_>>().join("\n"))
 }
 
 impl Mistake {
@@ -34,7 +41,7 @@ impl Mistake {
 pub struct Row {
     /// The mistake's.
     pub mistake: u32,
-    /// That of the text of its file when it was drawn.
+    /// That of the code of its file when it was drawn.
     pub file: u32,
     /// The sum of the picture of its step and of each later one, or of its exercise; None
     /// where that is right all the same, or can't be drawn.

@@ -1,6 +1,6 @@
 //! The list of mistakes, and what was made of it.
 
-use check::{Row, key, known, locked_sums, mistakes, places, rows, sum};
+use check::{Row, code_key, known, locked_sums, mistakes, places, rows, sum};
 use compare::workspace;
 use std::collections::{HashMap, HashSet};
 use std::process::Command;
@@ -41,7 +41,7 @@ fn the_table_knows_each_mistake() {
     for mistake in mistakes() {
         let row = rows.get(&mistake.key());
         let is_drawn = row.is_some_and(|row| {
-            row.file == key(&text(&mistake.file))
+            row.file == code_key(&text(&mistake.file))
                 && row.sums.iter().any(Option::is_some)
         });
         let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);

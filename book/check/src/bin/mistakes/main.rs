@@ -10,7 +10,7 @@ mod batch;
 mod source;
 
 use batch::Batch;
-use check::{Locked, Mistake, Row, key, mistakes, read_table, sum};
+use check::{Locked, Mistake, Row, code_key, mistakes, read_table, sum};
 use compare::workspace;
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -86,7 +86,7 @@ fn again(
     count: usize,
 ) -> Result<(), String> {
     let head = fs::read_to_string(workspace().join(".git/logs/HEAD"));
-    let start = key(&head.unwrap_or_default()) as usize;
+    let start = code_key(&head.unwrap_or_default()) as usize;
     let some = (0..count).map(|k| &all[(start + k * 211) % all.len()]);
     let some: Vec<_> = some.collect();
     let mut batch = Batch::new().map_err(|error| error.to_string())?;
@@ -102,7 +102,7 @@ fn again(
 /// What stands for the text of its file.
 fn file_key(mistake: &Mistake) -> u32 {
     let text = fs::read_to_string(workspace().join(&mistake.file));
-    key(&text.unwrap_or_default())
+    code_key(&text.unwrap_or_default())
 }
 
 /// The names of its small pictures, each with the step that is drawn.
