@@ -69,7 +69,7 @@ fn the_scene_tests_what_it_should() {
     }
     // Some sphere hides a later one of the list, and some an earlier one.
     assert!(hides[red][blue] && hides[red][salmon] && hides[white][blue]);
-    // One is cut off by the edge of the and the ground fills the corners.
+    // One is cut off by the edge of the picture, and the ground fills the corners.
     assert!((0..360).any(|j| seen(639, j) == Some(teal)));
     assert_eq!([seen(0, 359), seen(639, 359)], [Some(ground); 2]);
 }

@@ -1,15 +1,17 @@
 //! What is checked in and made from the code is what the code says today: the modules that
-//! the pages load. One test for each, and one sentence that tells what makes it anew.
+//! the pages load. One test for each, and a sentence that tells what makes it anew.
 
 mod module;
 
 use ::check::camera;
+use compare::workspace;
 use image::{ImageFormat, RgbImage};
 use live::{Answer, Knob, LIVE, Live};
 use module::Module;
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
+use std::fs;
 use std::io::Cursor;
 use tests::{is_thorough, locked, some};
 use wasm::{NAMES, answer};
@@ -67,6 +69,22 @@ fn check_wasm_is_up_to_date() {
         let (request, pixels) = (format!("drawn {name}"), locked(name).into_raw());
         answer(&request, &pixels);
         module.answer(&request, &pixels);
+    }
+    // What it looks up lies in it as it is.
+    let bytes = module::bytes("check");
+    for file in
+        fs::read_dir(workspace().join("book/check/mistakes")).expect("lists")
+    {
+        let path = file.expect("a list").path();
+        if path.extension().is_some_and(|end| end == "txt") {
+            let text = fs::read(&path).expect("a list");
+            assert!(
+                bytes.windows(text.len()).any(|part| part == text),
+                "book/wasm/check.wasm has another {}: `cargo run --bin mistakes` draws \
+                 what is new, then `cargo run -p wasm` compiles it anew.",
+                path.display()
+            );
+        }
     }
     let right = png(&locked("gradient"));
     let small = png(&step03_nearest::picture(&camera(16, 9), 1));

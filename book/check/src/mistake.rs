@@ -1,3 +1,9 @@
+//! The list of mistakes, and the marks in its files. A block of lines is a mistake: its
+//! title, `-` what stands there, `+` what is written instead. `@` names the file of those
+//! below. Where the book shows it: `!` the name of its picture (and of a step, if that is
+//! another than the file's), `?` why it is wrong, `/` the section to go back to, `"` what
+//! one sees.
+
 use crate::Step;
 
 /// What a reader may get wrong: a place of a file, and what is written there instead.

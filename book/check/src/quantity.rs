@@ -36,12 +36,13 @@ const MATERIALS_FILE: &str = "step05_phong/scene.rs";
 /// All quantities of a step's scene.
 pub(crate) fn quantities(step: Step, scenes: &Scenes) -> Vec<Quantity> {
     let mut all = vec![];
-    for k in 0..scenes.spheres(step).len() {
+    let count = scenes.spheres(step).len();
+    for (k, name) in OBJECTS.into_iter().enumerate().take(count) {
         all.extend(sphere(step, k));
         if Step::Nearest <= step {
             all.push(quantity(
                 "the colour of",
-                OBJECTS[k],
+                name,
                 OBJECTS_FILE,
                 move |s| s.flat[k].material.to_array().into(),
                 move |s, v| s.set_colour(k, DVec3::from_slice(v)),
@@ -59,12 +60,12 @@ pub(crate) fn quantities(step: Step, scenes: &Scenes) -> Vec<Quantity> {
             |s| s.matt.ambient_light.to_array().into(),
             |s, v| s.set_ambient(DVec3::from_slice(v)),
         ));
-        for k in 0..scenes.matt.lights.len() {
+        for (k, name) in LIGHTS.into_iter().enumerate() {
             all.extend(light(k));
             if step == Step::Phong {
                 all.push(quantity(
                     "L_s of",
-                    LIGHTS[k],
+                    name,
                     MATERIALS_FILE,
                     move |s| s.shiny.lights[k].specular.to_array().into(),
                     move |s, v| s.shiny.lights[k].specular = DVec3::from_slice(v),
