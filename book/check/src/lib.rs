@@ -5,20 +5,20 @@
 //!
 //! 1. It is **right** in every pixel, or the picture of another name.
 //! 2. It is right **with other options**: our own step draws it at that size, with the
-//!    field of view that its sky tells, and so many rays a pixel ([`mod@options`]).
+//!    field of view that its sky tells, and so many rays a pixel (`options`).
 //! 3. Ours **as a whole**, but turned, with its channels swapped, in grey, along a curve
-//!    such as gamma ([`mod@whole`]), cut out or scaled ([`mod@part`]).
+//!    such as gamma (`whole`), cut out or scaled (`part`).
 //! 4. It is **in the list**: these very pixels are what a mistake that we know gives
-//!    ([`mod@listed`]). The lists are the text files in `mistakes/`: a title, a file, what
+//!    (`listed`). The lists are the text files in `mistakes/`: a title, a file, what
 //!    stands there and what is written instead. The program `mistakes` has drawn them all,
 //!    and the table has the sum of each picture.
 //! 5. **One number** of the scene is another: all numbers that somebody may have typed are
-//!    tried with the functions of the steps, as a scene is a value ([`mod@number`]).
-//! 6. Else **where to look** ([`mod@stages`]): the rays, read out of the sky
-//!    ([`mod@sky`]), the outlines, which object is in front, the side that no light
-//!    reaches, each light, the highlights ([`mod@light`]). Our own program says what is in
-//!    each pixel ([`mod@classes`]). The first of these that is wrong is told, with its
-//!    files and tests by hand ([`mod@place`]).
+//!    tried with the functions of the steps, as a scene is a value (`number`).
+//! 6. Else **where to look** (`stages`): the rays, read out of the sky
+//!    (`sky`), the outlines, which object is in front, the side that no light
+//!    reaches, each light, the highlights (`light`). Our own program says what is in
+//!    each pixel (`classes`). The first of these that is wrong is told, with its
+//!    files and tests by hand (`place`).
 //!
 //! In the end there is one pixel, yours and ours, and how many differ. 3 to 5 hold in
 //! every pixel, or nothing of them is said.
