@@ -29,14 +29,19 @@ pub const NAMES: [&str; STEPS.len() + PICTURES.len()] = {
 /// Columns and rows of each.
 pub const SIZE: [u32; 2] = [640, 360];
 
-/// The picture `name`, drawn by the course's own code: red, green and blue of each pixel.
+/// A picture, drawn by the course's own code: red, green and blue of each pixel. The words
+/// are its name and, if it is to be small, its columns.
 #[cfg(feature = "pictures")]
-pub fn draw(name: &str) -> live::Answer {
+pub fn draw(words: &str) -> live::Answer {
+    let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
+    let columns = columns.parse().unwrap_or(SIZE[0]);
     let mut all = STEPS.iter().chain(PICTURES);
     let Some((_, picture)) = all.find(|(known, _)| *known == name) else {
         return live::Answer::default();
     };
-    let pixels = picture(&live::camera(), 1).into_raw();
+    let rows = columns * SIZE[1] / SIZE[0];
+    let camera = step01_rays::Camera::new(columns, rows, 60_f64.to_radians());
+    let pixels = picture(&camera, 1).into_raw();
     let size = live::json::list(SIZE);
     live::Answer { pixels, ..live::Answer::of([("size", size)]) }
 }
