@@ -55,7 +55,10 @@ impl Entry<'_> {
             format!("The picture of step {} with this mistake.", step.number());
         let wrong = self.picture(&alt).html(workspace)?;
         let own = mistake.step().ok_or("a mistake that is shown is in a step")?;
-        let page = mistake.page().unwrap_or_default().replace(".html", ".md");
+        let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
+        let id = shown.section.to_lowercase().replace(' ', "-");
+        let id: String = id.chars().filter(is_kept).collect();
+        let page = format!("{}.md#{id}", own.name());
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
              <div class=\"panels\">{wrong}{ours}\

@@ -2,12 +2,12 @@ use crate::listed::listed;
 use crate::number::number;
 use crate::options::options;
 use crate::part::part;
-use crate::pixels::Pixels;
 use crate::place::back;
+use crate::seen::computed;
 use crate::stages::stages;
 use crate::table::{known, sum};
 use crate::whole::whole;
-use crate::{Answer, Locked, Step, camera, classes, png, whose};
+use crate::{Answer, Locked, Step, camera, png, whose};
 use compare::{Difference, apart, panels};
 use image::RgbImage;
 use std::io::{BufRead, Seek};
@@ -46,8 +46,7 @@ pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
     let asked: Vec<_> = locked.iter().filter(is_asked).collect();
     if asked.is_empty() {
         let names: Vec<_> = locked.iter().map(|one| one.name.as_str()).collect();
-        let name = name.unwrap_or_default();
-        let names = names.join(", ");
+        let (name, names) = (name.unwrap_or_default(), names.join(", "));
         let text = format!(
             "error: there is no locked picture '{name}'; allowed are {names}"
         );
@@ -63,28 +62,23 @@ pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
     if let Some(text) = step.and_then(|step| options(step, yours, &ours.picture)) {
         return Answer::new(1, text);
     }
-    let same = locked.iter().find(|one| one.picture == *yours);
-    let text = match same {
-        Some(other) => another(yours, ours, other, step),
-        None => told(yours, ours, step),
-    };
-    let Some(drawn) = shown(yours, ours, step) else {
-        return Answer::new(1, text.trim_end().to_owned());
-    };
     let is_size = yours.dimensions() == ours.picture.dimensions();
-    let text = text + &pixel(yours, &drawn, step.filter(|_| is_size));
-    let difference = Some(panels([("yours", yours), ("ours", &drawn)]));
-    Answer { code: 1, text: text.trim_end().to_owned(), difference }
-}
-
-/// Ours at the size of yours, if that is not too large to be shown.
-fn shown(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> Option<RgbImage> {
-    let (columns, rows) = yours.dimensions();
-    if (columns, rows) == ours.picture.dimensions() {
-        return Some(ours.picture.clone());
+    let drawn = match step.filter(|_| yours.pixels().len() <= MOST) {
+        _ if is_size => Some(ours.picture.clone()),
+        Some(step) => Some(step.picture(&camera(yours.width(), yours.height()), 1)),
+        None => None,
+    };
+    let other = locked.iter().find(|one| one.picture == *yours);
+    let mut text = match other {
+        Some(other) => another(yours, ours, other, step),
+        None => told(yours, ours, drawn.as_ref(), step),
+    };
+    if let Some(drawn) = &drawn {
+        text += &pixel(yours, drawn, step.filter(|_| is_size));
     }
-    let step = step.filter(|_| yours.pixels().len() <= MOST)?;
-    Some(step.picture(&camera(columns, rows), 1))
+    let difference =
+        drawn.map(|drawn| panels([("yours", yours), ("ours", &drawn)]));
+    Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 
 /// What there is to say of a picture that is right elsewhere.
@@ -97,54 +91,53 @@ fn another(
     let (name, asked) = (&other.name, &ours.name);
     let start =
         format!("Not right: this is the picture of {name}, not of {asked}.\n");
+    if known(sum(yours)).iter().any(|(_, of)| of == asked) {
+        return start + &listed(yours, asked).unwrap_or_default();
+    }
     // Where no ray meets an object, every step draws that of the first.
-    let step = step.filter(|_| name == Step::Rays.name());
-    let first = step.map(|step| stages(&Pixels::new(step, yours, &ours.picture)));
-    let is_listed = known(sum(yours)).iter().any(|(_, of)| of == asked);
-    let listed = listed(yours, asked).filter(|_| is_listed);
-    start + &listed.or(first).unwrap_or_default()
+    match step.filter(|_| name == Step::Rays.name()) {
+        Some(step) => start + &stages(step, yours, &ours.picture),
+        None => start,
+    }
 }
 
-/// What went wrong.
-fn told(yours: &RgbImage, ours: &Locked, step: Option<Step>) -> String {
+/// What went wrong. `drawn` is ours at the size of yours.
+fn told(
+    yours: &RgbImage,
+    ours: &Locked,
+    drawn: Option<&RgbImage>,
+    step: Option<Step>,
+) -> String {
     let name = &ours.name;
-    let is_size = yours.dimensions() == ours.picture.dimensions();
-    let start = format!("Not right yet, compared with {name}.\n");
-    let whole = whole(yours, ours);
     let listed = listed(yours, name);
-    if let Some(whole) = whole {
-        let text = format!("Not right: your picture is {}.\n", whole.text);
+    if let Some(whole) = whole(yours, ours) {
         let back = whole.place.map_or(String::new(), |place| back(&[place]));
-        return text + &listed.unwrap_or(back);
+        let listed = listed.unwrap_or(back);
+        return format!("Not right: your picture is {}.\n{listed}", whole.text);
     }
     if let Some(listed) = listed {
         return listed;
     }
-    if !is_size {
-        let small = yours.pixels().len() <= MOST;
-        let drawn = step
-            .filter(|_| small)
-            .map(|step| step.picture(&camera(yours.width(), yours.height()), 1));
-        let part =
-            if small { part(yours, &ours.picture, drawn.as_ref()) } else { None };
-        if let Some(part) = part {
+    let start = format!("Not right yet, compared with {name}.\n");
+    let ((w, h), (columns, rows)) = (yours.dimensions(), ours.picture.dimensions());
+    if (w, h) != (columns, rows) {
+        let is_small = yours.pixels().len() <= MOST;
+        if is_small && let Some(part) = part(yours, &ours.picture, drawn) {
             return format!("Not right: your picture is that of {name}, {part}.\n");
         }
-        let (w, h) = yours.dimensions();
-        let (columns, rows) = ours.picture.dimensions();
         return format!(
             "{start}It is {w}×{h} pixels, and ours {columns}×{rows}: draw it with the \
              default options, and more can be told.\n"
         );
     }
-    let Some(step) = step else {
-        return start;
-    };
-    if let Some(found) = number(step, yours, &ours.picture) {
-        let back = found.place.map_or(String::new(), |place| back(&[place]));
-        return format!("Not right: {}{back}", found.text);
+    let Some(step) = step else { return start };
+    match number(step, yours, &ours.picture) {
+        Some(found) => {
+            let back = found.place.map_or(String::new(), |place| back(&[place]));
+            format!("Not right: {}{back}", found.text)
+        }
+        None => start + &stages(step, yours, &ours.picture),
     }
-    start + &stages(&Pixels::new(step, yours, &ours.picture))
 }
 
 /// One pixel that is wrong, the one in the middle of those, and how many there are.
@@ -156,25 +149,19 @@ fn pixel(yours: &RgbImage, ours: &RgbImage, step: Option<Step>) -> String {
     };
     let pairs = yours.enumerate_pixels().zip(ours.pixels());
     let far = |a, b| apart(a, b) >= largest.div_ceil(2);
-    let mut wrong = pairs.filter(|((.., a), b)| far(a, b)).collect::<Vec<_>>();
-    let Some(((i, j, a), b)) = wrong.get(wrong.len() / 2).copied() else {
-        return String::new();
-    };
-    wrong.clear();
-    let camera = camera(yours.width().max(2), yours.height().max(1));
+    let wrong: Vec<_> = pairs.filter(|((.., a), b)| far(a, b)).collect();
+    let ((i, j, yours_there), ours_there) = wrong[wrong.len() / 2];
     let computed = step.map_or(String::new(), |step| {
-        let ray = camera.ray(i.into(), j.into());
-        format!(": {}", classes::computed(step, &ray))
+        let ray = camera(yours.width(), yours.height()).ray(i.into(), j.into());
+        format!(": {}", computed(step, &ray))
+    });
+    let [a, b] = [yours_there, ours_there].map(|pixel| {
+        let [r, g, b] = pixel.0;
+        format!("({r}, {g}, {b})")
     });
     format!(
         "{count} of {} pixels differ, by up to {largest} of 255.\n\
-         Column {i}, row {j}: yours is {}, ours {}{computed}.\n",
+         Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n",
         yours.pixels().len(),
-        bytes(a.0),
-        bytes(b.0),
     )
-}
-
-fn bytes([r, g, b]: [u8; 3]) -> String {
-    format!("({r}, {g}, {b})")
 }

@@ -14,18 +14,16 @@
 //!    and the table has the sum of each picture.
 //! 5. **One number** of the scene is another: all numbers that somebody may have typed are
 //!    tried with the functions of the steps, as a scene is a value (`number`).
-//! 6. Else **where to look** (`stages`): the rays, read out of the sky
-//!    (`sky`), the outlines, which object is in front, the side that no light
-//!    reaches, each light, the highlights (`light`). Our own program says what is in
-//!    each pixel (`classes`). The first of these that is wrong is told, with its
-//!    files and tests by hand (`place`).
+//! 6. Else **where to look** (`stages`): the rays, read out of the sky (`sky`), the
+//!    outlines, which object is in front, where no light reaches, each light, the
+//!    highlights. Our own program says what is in each pixel (`seen`). The first of these
+//!    that is wrong is told, with its files and tests by hand (`place`).
 //!
 //! In the end there is one pixel, yours and ours, and how many differ. 3 to 5 hold in
 //! every pixel, or nothing of them is said.
 
 mod answer;
 mod check;
-mod classes;
 mod light;
 mod listed;
 mod locked;
@@ -33,11 +31,11 @@ mod mistake;
 mod number;
 mod options;
 mod part;
-mod pixels;
 mod place;
 mod png;
 mod quantity;
-mod scenes;
+mod scene;
+mod seen;
 mod sky;
 mod stages;
 mod step;
@@ -53,6 +51,6 @@ pub use mistake::{Mistake, Shown, mistakes};
 pub use place::{Place, places};
 pub use png::read;
 pub use step::{Step, camera};
-pub use table::{Row, code_key, known, locked_sums, read as read_table, rows, sum};
+pub use table::{Row, known, locked_sums, rows, sum};
 pub use ticks::ticks;
 pub use whose::by_file;

@@ -12,35 +12,38 @@ const TITLES: usize = 3;
 
 /// Where these very pixels are in the list: which mistakes give them.
 pub(crate) fn listed(yours: &RgbImage, asked: &str) -> Option<String> {
-    let all = known(sum(yours));
-    let its: Vec<_> = all.iter().filter(|(_, name)| name == asked).collect();
-    let all = if its.is_empty() { all.iter().collect() } else { its };
+    let mut all = known(sum(yours));
+    if all.iter().any(|(_, name)| name == asked) {
+        all.retain(|(_, name)| name == asked);
+    }
     let (first, name) = all.first()?;
-    let mistakes: Vec<_> = all.iter().map(|(mistake, _)| mistake).collect();
-    let mut files: BTreeMap<&str, usize> = BTreeMap::new();
-    mistakes.iter().for_each(|one| *files.entry(&one.file).or_default() += 1);
-    let mut text = String::new();
-    if name != asked {
-        text += &format!(
+    let start = match name == asked {
+        true => String::new(),
+        false => format!(
             "These are the pixels of {name} with a mistake in it, not of {asked}.\n"
-        );
+        ),
+    };
+    let mut files: BTreeMap<&str, usize> = BTreeMap::new();
+    all.iter().for_each(|(one, _)| *files.entry(&one.file).or_default() += 1);
+    if 1 < files.len() {
+        return Some(start + &many(all.len(), first, files));
     }
-    match (&mistakes[..], files.len()) {
-        ([_], _) => text += &one(first),
-        (all, 1) => text += &some(all),
-        (all, _) => text += &many(all, &files),
-    }
-    Some(text)
-}
-
-/// One mistake: its title, its diff, and where to go back to.
-fn one(mistake: &Mistake) -> String {
-    let Mistake { title, shown, .. } = mistake;
-    let why =
-        shown.as_ref().map_or(String::new(), |shown| format!("{}\n", shown.why));
-    let start =
-        "Not right: your picture is, in every pixel, what this mistake gives";
-    format!("{start}: {title}.\n{}{why}{}", diff(mistake), back_to(mistake))
+    let why = match &first.shown {
+        Some(shown) if all.len() == 1 => format!("{}\n", shown.why),
+        _ => String::new(),
+    };
+    let titles: Vec<_> =
+        all.iter().take(TITLES).map(|(one, _)| one.title).collect();
+    let give = match all.len() {
+        1 => "this mistake gives".to_owned(),
+        count => format!("{count} mistakes in one file give, such as"),
+    };
+    Some(format!(
+        "{start}Not right: your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
+        titles.join("; "),
+        diff(first),
+        back_to(first),
+    ))
 }
 
 /// Its diff, cut where it is long.
@@ -53,46 +56,6 @@ fn diff(mistake: &Mistake) -> String {
     }
 }
 
-/// Several in one file: the likeliest.
-fn some(all: &[&Mistake]) -> String {
-    let (count, first) = (all.len(), all[0]);
-    let titles: Vec<_> = all.iter().take(TITLES).map(|one| one.title).collect();
-    let likeliest = if TITLES < count { ", such as" } else { ":" };
-    format!(
-        "Not right: your picture is, in every pixel, what {count} mistakes in one file \
-         give{likeliest}\n  {}.\n{}{}",
-        titles.join("; "),
-        diff(first),
-        back_to(first)
-    )
-}
-
-/// Many, in several files.
-fn many(all: &[&Mistake], files: &BTreeMap<&str, usize>) -> String {
-    let mut files: Vec<_> = files.iter().collect();
-    files.sort_by_key(|(_, count)| usize::MAX - **count);
-    let counts: Vec<_> = files
-        .iter()
-        .map(|(file, count)| {
-            let name = file.rsplit('/').next().unwrap_or_default();
-            let step = Step::of(file).map_or(0, Step::number);
-            format!("{count} in {name} of step {step}")
-        })
-        .collect();
-    let mut steps: Vec<_> = all.iter().filter_map(|one| one.step()).collect();
-    steps.sort();
-    steps.dedup();
-    let steps: Vec<_> = steps.into_iter().map(Step::name).collect();
-    format!(
-        "Not right: {} mistakes that we know give this very picture, such as: {}.\n\
-         They are {}.\nYour tests by hand tell them apart: cargo test -p {} --test by_hand\n",
-        all.len(),
-        all[0].title,
-        counts.join(", "),
-        steps.join(" -p "),
-    )
-}
-
 fn back_to(mistake: &Mistake) -> String {
     let Some(mut place) = Place::of(&mistake.file) else {
         return format!("Compare with {}.\n", mistake.file);
@@ -101,4 +64,25 @@ fn back_to(mistake: &Mistake) -> String {
         place.section = shown.section;
     }
     back(&[place])
+}
+
+/// Many, in several files, of which there are so many each.
+fn many(count: usize, first: &Mistake, files: BTreeMap<&str, usize>) -> String {
+    let (mut tests, mut counts) = (String::new(), vec![]);
+    for (file, count) in files {
+        let name = file.rsplit('/').next().unwrap_or_default();
+        let Some(step) = Step::of(file) else { continue };
+        let test = format!(" -p {}", step.name());
+        if !tests.contains(&test) {
+            tests += &test;
+        }
+        counts.push(format!("{count} in {name} of step {}", step.number()));
+    }
+    format!(
+        "Not right: {count} mistakes that we know give this very picture, such as: {}.\n\
+         They are {}.\n\
+         Your tests by hand tell them apart: cargo test{tests} --test by_hand\n",
+        first.title,
+        counts.join(", "),
+    )
 }

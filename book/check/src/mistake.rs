@@ -92,14 +92,15 @@ impl Mistake {
         Step::of(&self.file)
     }
 
-    /// Where the section of a mistake that the book shows is in the built book:
-    /// `step01_rays.html#the-camera`.
-    pub fn page(&self) -> Option<String> {
-        let id = self.shown.as_ref()?.section.chars().filter_map(|c| match c {
-            ' ' => Some('-'),
-            _ => c.is_alphanumeric().then(|| c.to_ascii_lowercase()),
-        });
-        Some(format!("{}.html#{}", self.step()?.name(), id.collect::<String>()))
+    /// The names of the pictures that it may spoil, in their order.
+    pub fn drawn(&self) -> Vec<String> {
+        let exercise = self.file.split("/examples/").nth(1);
+        if let Some(name) = exercise.and_then(|file| file.strip_suffix(".rs")) {
+            return vec![name.to_owned()];
+        }
+        let steps = Step::ALL.into_iter();
+        let later = steps.filter(|step| self.step() <= Some(*step));
+        later.map(|step| step.name().to_owned()).collect()
     }
 
     /// What stands there, each line after a `-`, and what is written instead, after `+`.

@@ -1,10 +1,11 @@
 use crate::place::{Place, place};
-use crate::quantity::{Quantity, quantities};
-use crate::scenes::Scenes;
+use crate::quantity::{Owner, QUANTITIES, Quantity};
+use crate::scene::{LIGHTS, Scene, object, pixel, scene};
 use crate::{Step, camera};
 use image::RgbImage;
+use step01_rays::Ray;
 
-/// What gives a picture in every pixel: a sentence, and where to go back to.
+/// A sentence that gives a picture in every pixel, and where to go back to.
 pub(crate) struct Found {
     /// The whole sentence.
     pub text: String,
@@ -12,108 +13,104 @@ pub(crate) struct Found {
     pub place: Option<Place>,
 }
 
-/// The one number of a step's scene, or the two that have changed places, with which our
-/// own step draws this very picture.
+/// The one number of a step's scene with which our own step draws this very picture.
 pub(crate) fn number(
     step: Step,
     yours: &RgbImage,
     ours: &RgbImage,
 ) -> Option<Found> {
-    let right = Scenes::right();
-    let search = Search::new(step, yours, ours);
-    let all = quantities(step, &right);
-    let mut scenes = right.clone();
-    for quantity in &all {
-        let old = (quantity.get)(&right);
-        for new in changed(quantity, &old) {
-            (quantity.set)(&mut scenes, &new);
-            if search.is_it(&scenes) {
-                let Quantity { subject, at, .. } = quantity;
-                let (new, old) = (vector(&new), vector(&old));
+    let order = scattered(yours, ours);
+    let is_it = |scene: &Scene| {
+        let pixel = pixel(step, scene);
+        order.iter().all(|(ray, yours)| pixel(ray) == *yours)
+    };
+    let mut scene = scene(step);
+    for quantity in QUANTITIES.iter().filter(|one| one.since <= step) {
+        let owners = owners(quantity, step);
+        let file = match step {
+            Step::Sphere => "step02_sphere/picture.rs",
+            _ => quantity.file,
+        };
+        for (k, name) in owners.iter().enumerate() {
+            let old = (quantity.get)(&scene, k);
+            let mut fits = changed(quantity, old).into_iter().filter(|new| {
+                (quantity.set)(&mut scene, k, *new);
+                is_it(&scene)
+            });
+            if let Some(new) = fits.next() {
+                let is = if fits.next().is_none() { "is" } else { "may be" };
+                let at = if quantity.name.is_empty() { "at " } else { "" };
+                let [new, old] = [new, old].map(|one| told(&one[..quantity.count]));
                 let text = format!(
-                    "{subject} is {at}{new} in your picture; it should be {at}{old}.\n"
+                    "{name} {is} {at}{new} in your picture; it should be {at}{old}.\n"
                 );
-                return Some(Found { text, place: place(quantity.file) });
-            }
-        }
-        (quantity.set)(&mut scenes, &old);
-    }
-    for (k, one) in all.iter().enumerate() {
-        for other in all[k + 1..].iter().filter(|other| other.sort == one.sort) {
-            let (a, b) = ((one.get)(&right), (other.get)(&right));
-            (one.set)(&mut scenes, &b);
-            (other.set)(&mut scenes, &a);
-            if search.is_it(&scenes) {
-                let (one, other, file) = (&one.subject, &other.subject, one.file);
-                let text = format!("{one} and {other} have changed places.\n");
                 return Some(Found { text, place: place(file) });
             }
-            (one.set)(&mut scenes, &a);
-            (other.set)(&mut scenes, &b);
+            drop(fits);
+            (quantity.set)(&mut scene, k, old);
         }
     }
     None
 }
 
-/// A quantity with one of its numbers changed, the nearest first, or with two of them
-/// swapped.
-fn changed(quantity: &Quantity, old: &[f64]) -> Vec<Vec<f64>> {
+/// What a quantity of each of its owners is called.
+fn owners(quantity: &Quantity, step: Step) -> Vec<String> {
+    let names: Vec<_> = match quantity.owner {
+        Owner::Object => {
+            let count = scene(step).objects.len();
+            (0..count).map(|k| object(step, k)).collect()
+        }
+        Owner::Light => LIGHTS.into(),
+        Owner::Scene => vec!["the scene"],
+    };
+    names.iter().map(|name| format!("{}{name}", quantity.name)).collect()
+}
+
+/// A quantity with one of its numbers changed, the nearest first.
+fn changed(quantity: &Quantity, old: [f64; 3]) -> Vec<[f64; 3]> {
+    let (start, end, parts) = quantity.range;
+    let values = start * parts..=end * parts;
     let mut all = vec![];
-    for k in 0..old.len() {
-        let mut values = quantity.values.clone();
+    for k in 0..quantity.count {
+        let mut values: Vec<_> = values
+            .clone()
+            .map(|value| f64::from(value) / f64::from(parts))
+            .collect();
         let far = |value: &f64| (value - old[k]).abs();
         values.sort_by(|a, b| far(a).total_cmp(&far(b)));
         all.extend(values.into_iter().map(|value| {
-            let mut new = old.to_vec();
+            let mut new = if quantity.count == 1 { [value; 3] } else { old };
             new[k] = value;
             new
         }));
-        all.extend((0..k).map(|l| {
-            let mut new = old.to_vec();
-            new.swap(k, l);
-            new
-        }));
     }
-    all.retain(|new| new != old);
+    all.retain(|new| *new != old);
     all
 }
 
 /// (1, −2.5, 0), or the number alone.
-pub(crate) fn vector(numbers: &[f64]) -> String {
-    let all: Vec<_> = numbers.iter().map(|number| number.to_string()).collect();
+fn told(numbers: &[f64]) -> String {
+    let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
     let all = all.join(", ").replace('-', "−");
     if numbers.len() == 1 { all } else { format!("({all})") }
 }
 
-/// The pixels of a picture, in an order in which a wrong guess is soon found out.
-struct Search<'a> {
-    step: Step,
-    yours: &'a RgbImage,
-    order: Vec<(u32, u32)>,
-}
-
-impl<'a> Search<'a> {
-    fn new(step: Step, yours: &'a RgbImage, ours: &RgbImage) -> Self {
-        let (columns, rows) = yours.dimensions();
-        let count = u64::from(columns) * u64::from(rows);
-        // All pixels, scattered; 7919 is a prime that divides no number of them.
-        let places = (0..count).map(|k| k * 7919 % count);
-        let places = places.map(|k| {
-            ((k % u64::from(columns)) as u32, (k / u64::from(columns)) as u32)
-        });
-        let differs =
-            |&(i, j): &(u32, u32)| yours.get_pixel(i, j) != ours.get_pixel(i, j);
-        let (mut order, others): (Vec<_>, Vec<_>) = places.partition(differs);
-        order.extend(others);
-        Self { step, yours, order }
-    }
-
-    /// Whether the step draws the picture of these scenes.
-    fn is_it(&self, scenes: &Scenes) -> bool {
-        let camera = camera(self.yours.width(), self.yours.height());
-        self.order.iter().all(|&(i, j)| {
-            let ray = camera.ray(i.into(), j.into());
-            scenes.pixel(self.step, &ray) == self.yours.get_pixel(i, j).0
-        })
-    }
+/// The ray and the pixel of each place, in an order in which a wrong guess is soon found
+/// out: those that differ first, scattered.
+fn scattered(yours: &RgbImage, ours: &RgbImage) -> Vec<(Ray, [u8; 3])> {
+    let (columns, rows) = yours.dimensions();
+    let camera = camera(columns, rows);
+    let count = u64::from(columns) * u64::from(rows);
+    // 7919 is a prime that divides no number of pixels.
+    let places = (0..count).map(|k| k * 7919 % count);
+    let places = places.map(|k| {
+        ((k % u64::from(columns)) as u32, (k / u64::from(columns)) as u32)
+    });
+    let (mut order, others): (Vec<_>, Vec<_>) =
+        places.partition(|&(i, j)| yours.get_pixel(i, j) != ours.get_pixel(i, j));
+    order.extend(others);
+    let pixels = order
+        .into_iter()
+        .map(|(i, j)| (camera.ray(i.into(), j.into()), yours.get_pixel(i, j).0));
+    pixels.collect()
 }

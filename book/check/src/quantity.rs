@@ -1,179 +1,135 @@
 use crate::Step;
-use crate::scenes::{LIGHTS, OBJECTS, Scenes};
-use glam::DVec3;
+use crate::scene::Scene;
+use step05_phong::Surface;
 
-type Get = Box<dyn Fn(&Scenes) -> Vec<f64>>;
-type Set = Box<dyn Fn(&mut Scenes, &[f64])>;
-
-/// One or three numbers of a scene, which stand in one line of a file.
+/// One or three numbers of each object or of each light, which stand in one place of a
+/// file.
 pub(crate) struct Quantity {
-    /// What "is at" or "is" the value.
-    pub subject: String,
-    /// "at " before the value of a place, or nothing.
-    pub at: &'static str,
+    /// What it is of its owner; nothing where it is the owner's place.
+    pub name: &'static str,
+    /// Whose it is.
+    pub owner: Owner,
+    /// The first step that has it.
+    pub since: Step,
     /// Such as `step03_nearest/objects.rs`.
     pub file: &'static str,
-    /// Values that a reader may have typed for one of the numbers.
-    pub values: Vec<f64>,
-    /// Of what sort it is: those of one sort may have changed places.
-    pub sort: &'static str,
-    /// Reads it.
-    pub get: Get,
+    /// How many numbers of the three it has.
+    pub count: usize,
+    /// What a reader may have typed: multiples of 1 / the last number, from the first
+    /// number to the second.
+    pub range: (i32, i32, i32),
+    /// Reads that of owner k.
+    pub get: fn(&Scene, usize) -> [f64; 3],
     /// Changes it.
-    pub set: Set,
+    pub set: fn(&mut Scene, usize, [f64; 3]),
 }
 
-/// All multiples of 1 / `parts` from `start` to `end`.
-fn multiples(start: i32, end: i32, parts: i32) -> impl Iterator<Item = f64> {
-    let all = start * parts..=end * parts;
-    all.map(move |k| f64::from(k) / f64::from(parts))
+/// Who has a quantity.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Owner {
+    Object,
+    Light,
+    Scene,
 }
 
-const OBJECTS_FILE: &str = "step03_nearest/objects.rs";
-const LIGHTS_FILE: &str = "step04_diffuse/scene.rs";
-const MATERIALS_FILE: &str = "step05_phong/scene.rs";
+/// As most of them are: a colour of an object.
+const COLOUR: Quantity = Quantity {
+    name: "the colour of ",
+    owner: Owner::Object,
+    since: Step::Nearest,
+    file: "step03_nearest/objects.rs",
+    count: 3,
+    range: (0, 5, 100),
+    get: |scene, k| scene.objects[k].material.surface.diffuse.into(),
+    set: |scene, k, v| {
+        scene.objects[k].material.surface = Surface::of(v.into());
+    },
+};
 
-/// All quantities of a step's scene.
-pub(crate) fn quantities(step: Step, scenes: &Scenes) -> Vec<Quantity> {
-    let mut all = vec![];
-    let count = scenes.spheres(step).len();
-    for (k, name) in OBJECTS.into_iter().enumerate().take(count) {
-        all.extend(sphere(step, k));
-        if Step::Nearest <= step {
-            all.push(quantity(
-                "the colour of",
-                name,
-                OBJECTS_FILE,
-                move |s| s.flat[k].material.to_array().into(),
-                move |s, v| s.set_colour(k, DVec3::from_slice(v)),
-            ));
-        }
-        if step == Step::Phong {
-            all.extend(material(k));
-        }
-    }
-    if Step::Diffuse <= step {
-        all.push(quantity(
-            "L_a of",
-            "the scene",
-            LIGHTS_FILE,
-            |s| s.matt.ambient_light.to_array().into(),
-            |s, v| s.set_ambient(DVec3::from_slice(v)),
-        ));
-        for (k, name) in LIGHTS.into_iter().enumerate() {
-            all.extend(light(k));
-            if step == Step::Phong {
-                all.push(quantity(
-                    "L_s of",
-                    name,
-                    MATERIALS_FILE,
-                    move |s| s.shiny.lights[k].specular.to_array().into(),
-                    move |s, v| s.shiny.lights[k].specular = DVec3::from_slice(v),
-                ));
-            }
-        }
-    }
-    all
-}
-
-/// Numbers that are colours, of 0 to 5.
-fn quantity(
-    sort: &'static str,
-    owner: &str,
-    file: &'static str,
-    get: impl Fn(&Scenes) -> Vec<f64> + 'static,
-    set: impl Fn(&mut Scenes, &[f64]) + 'static,
-) -> Quantity {
-    let values = multiples(0, 5, 100).collect();
-    let subject = format!("{sort} {owner}");
-    let (get, set) = (Box::new(get), Box::new(set));
-    Quantity { subject, at: "", file, values, sort, get, set }
-}
-
-fn sphere(step: Step, k: usize) -> [Quantity; 2] {
-    let (name, file) = match step {
-        Step::Sphere => ("the sphere", "step02_sphere/picture.rs"),
-        _ => (OBJECTS[k], OBJECTS_FILE),
-    };
-    let centre = quantity(
-        "the centre of",
-        name,
-        file,
-        move |s| s.spheres(step)[k].centre.to_array().into(),
-        move |s, v| s.set_sphere(step, k, |one| one.centre = DVec3::from_slice(v)),
-    );
-    let radius = quantity(
-        "the radius of",
-        name,
-        file,
-        move |s| vec![s.spheres(step)[k].radius],
-        move |s, v| s.set_sphere(step, k, |one| one.radius = v[0]),
-    );
-    let places = multiples(-50, 50, 100).collect();
-    [
-        Quantity { subject: name.to_owned(), at: "at ", values: places, ..centre },
-        Quantity { values: multiples(0, 60, 100).skip(1).collect(), ..radius },
-    ]
-}
-
-fn material(k: usize) -> [Quantity; 2] {
-    let specular = quantity(
-        "R_s of",
-        OBJECTS[k],
-        MATERIALS_FILE,
-        move |s| vec![s.shiny.objects[k].material.specular.x],
-        move |s, v| s.shiny.objects[k].material.specular = DVec3::splat(v[0]),
-    );
-    let shininess = quantity(
-        "n of",
-        OBJECTS[k],
-        MATERIALS_FILE,
-        move |s| vec![s.shiny.objects[k].material.shininess.into()],
-        move |s, v| s.shiny.objects[k].material.shininess = v[0] as i32,
-    );
-    [specular, Quantity { values: multiples(0, 1000, 1).collect(), ..shininess }]
-}
-
-fn light(k: usize) -> [Quantity; 3] {
-    let position = quantity(
-        "the position of",
-        LIGHTS[k],
-        LIGHTS_FILE,
-        move |s| s.matt.lights[k].position.to_array().into(),
-        move |s, v| s.set_light(k, |one| one.position = DVec3::from_slice(v)),
-    );
-    let diffuse = quantity(
-        "L_d of",
-        LIGHTS[k],
-        LIGHTS_FILE,
-        move |s| s.matt.lights[k].diffuse.to_array().into(),
-        move |s, v| s.set_light(k, |one| one.diffuse = DVec3::from_slice(v)),
-    );
-    let attenuation = quantity(
-        "(a, b, c) of",
-        LIGHTS[k],
-        LIGHTS_FILE,
-        move |s| {
-            let one = s.matt.lights[k].attenuation;
-            vec![one.a, one.b, one.c]
+/// All numbers of the scenes.
+pub(crate) const QUANTITIES: [Quantity; 10] = [
+    Quantity {
+        name: "",
+        since: Step::Sphere,
+        range: (-50, 50, 100),
+        get: |scene, k| scene.objects[k].sphere.centre.into(),
+        set: |scene, k, v| scene.objects[k].sphere.centre = v.into(),
+        ..COLOUR
+    },
+    Quantity {
+        name: "the radius of ",
+        since: Step::Sphere,
+        count: 1,
+        range: (0, 60, 100),
+        get: |scene, k| [scene.objects[k].sphere.radius; 3],
+        set: |scene, k, [r, ..]| scene.objects[k].sphere.radius = r,
+        ..COLOUR
+    },
+    COLOUR,
+    Quantity {
+        name: "R_s of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        count: 1,
+        get: |scene, k| scene.objects[k].material.specular.into(),
+        set: |scene, k, v| scene.objects[k].material.specular = v.into(),
+        ..COLOUR
+    },
+    Quantity {
+        name: "n of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        count: 1,
+        range: (0, 1000, 1),
+        get: |scene, k| [scene.objects[k].material.shininess.into(); 3],
+        set: |scene, k, [n, ..]| scene.objects[k].material.shininess = n as i32,
+        ..COLOUR
+    },
+    Quantity {
+        name: "L_a of ",
+        owner: Owner::Scene,
+        get: |scene, _| scene.ambient_light.into(),
+        set: |scene, _, v| scene.ambient_light = v.into(),
+        ..DIFFUSE
+    },
+    Quantity {
+        name: "",
+        range: (-20, 20, 100),
+        get: |scene, k| scene.lights[k].point_light.position.into(),
+        set: |scene, k, v| scene.lights[k].point_light.position = v.into(),
+        ..DIFFUSE
+    },
+    DIFFUSE,
+    Quantity {
+        name: "(a, b, c) of ",
+        range: (0, 20, 1000),
+        get: |scene, k| {
+            let attenuation = scene.lights[k].point_light.attenuation;
+            [attenuation.a, attenuation.b, attenuation.c]
         },
-        move |s, v| {
-            s.set_light(k, |one| {
-                let parts = &mut one.attenuation;
-                (parts.a, parts.b, parts.c) = (v[0], v[1], v[2]);
-            });
+        set: |scene, k, [a, b, c]| {
+            scene.lights[k].point_light.attenuation =
+                step05_phong::Attenuation { a, b, c };
         },
-    );
-    let places = multiples(-20, 20, 100).collect();
-    let parts = multiples(0, 1, 1000).chain(multiples(1, 20, 10)).collect();
-    [
-        Quantity {
-            subject: LIGHTS[k].to_owned(),
-            at: "at ",
-            values: places,
-            ..position
-        },
-        diffuse,
-        Quantity { values: parts, ..attenuation },
-    ]
-}
+        ..DIFFUSE
+    },
+    Quantity {
+        name: "L_s of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        get: |scene, k| scene.lights[k].specular.into(),
+        set: |scene, k, v| scene.lights[k].specular = v.into(),
+        ..DIFFUSE
+    },
+];
+
+/// As most of a light's are.
+const DIFFUSE: Quantity = Quantity {
+    name: "L_d of ",
+    owner: Owner::Light,
+    since: Step::Diffuse,
+    file: "step04_diffuse/scene.rs",
+    get: |scene, k| scene.lights[k].point_light.diffuse.into(),
+    set: |scene, k, v| scene.lights[k].point_light.diffuse = v.into(),
+    ..COLOUR
+};

@@ -1,4 +1,4 @@
-use crate::{Mistake, Step, mistakes};
+use crate::{Mistake, mistakes};
 use image::RgbImage;
 
 const TABLE: &str = include_str!("../mistakes/table.txt");
@@ -17,35 +17,36 @@ fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
     })
 }
 
-/// A number of 32 bits that stands for a text.
-fn key(text: &str) -> u32 {
-    (fnv(text.bytes()) >> 32) as u32
-}
-
-/// What stands for the code of a file: its comments draw nothing.
-pub fn code_key(text: &str) -> u32 {
-    let lines = text.lines().map(str::trim);
-    let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
-    key(&code.collect::<Vec<_>>().join("\n"))
-}
-
-impl Mistake {
-    /// What stands for it in the table.
-    pub fn key(&self) -> u32 {
-        key(&[&self.file, &self.old, &self.new].map(|part| &part[..]).join("\n"))
-    }
-}
-
 /// What was drawn of one mistake: a line of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The mistake's.
-    pub mistake: u32,
-    /// That of the code of its file when it was drawn.
-    pub file: u32,
+    /// What stands for the mistake and for the code of its file when it was drawn.
+    pub key: u32,
     /// The sum of the picture of its step and of each later one, or of its exercise; None
     /// where that is right all the same, or can't be drawn.
     pub sums: Vec<Option<u64>>,
+}
+
+impl Row {
+    /// The key of a mistake, where `text` is that of its file: comments draw nothing.
+    pub fn key(mistake: &Mistake, text: &str) -> u32 {
+        let lines = text.lines().map(str::trim);
+        let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
+        let Mistake { file, old, new, .. } = mistake;
+        let all =
+            [&file[..], old, new].into_iter().chain(code).flat_map(str::bytes);
+        (fnv(all) >> 32) as u32
+    }
+
+    /// Its line.
+    pub fn line(&self) -> String {
+        let sum = |sum: &Option<u64>| match sum {
+            Some(sum) => format!(" {sum:016x}"),
+            None => " -".to_owned(),
+        };
+        let sums: String = self.sums.iter().map(sum).collect();
+        format!("{:08x}{sums}\n", self.key)
+    }
 }
 
 /// The sums of all pictures that are right, by their names.
@@ -56,43 +57,25 @@ pub fn locked_sums() -> impl Iterator<Item = (&'static str, u64)> {
     })
 }
 
-/// The table as it is checked in.
+/// The rows of the table that is checked in, a mistake each, in the order of the list.
 pub fn rows() -> impl Iterator<Item = Row> {
-    read(TABLE)
-}
-
-/// A table, from its text.
-pub fn read(text: &str) -> impl Iterator<Item = Row> {
-    text.lines().filter_map(|line| {
-        let mut parts = line.split(' ');
-        let mut key = || u32::from_str_radix(parts.next()?, 16).ok();
-        let (mistake, file) = (key()?, key()?);
-        let sums = parts.map(|sum| u64::from_str_radix(sum, 16).ok());
-        Some(Row { mistake, file, sums: sums.collect() })
+    TABLE.lines().filter_map(|line| {
+        let (key, sums) = line.split_once(' ')?;
+        let key = u32::from_str_radix(key, 16).ok()?;
+        let sums = sums.split(' ').map(|sum| u64::from_str_radix(sum, 16).ok());
+        Some(Row { key, sums: sums.collect() })
     })
-}
-
-impl Row {
-    /// Its line.
-    pub fn line(&self) -> String {
-        let sum = |sum: &Option<u64>| match sum {
-            Some(sum) => format!(" {sum:016x}"),
-            None => " -".to_owned(),
-        };
-        let sums: String = self.sums.iter().map(sum).collect();
-        format!("{:08x} {:08x}{sums}", self.mistake, self.file)
-    }
 }
 
 /// The mistakes that give a picture, to the last pixel, each with the name of what was
 /// drawn; the likeliest first, which are those that the book shows and small ones.
 pub fn known(sum: u64) -> Vec<(Mistake, String)> {
-    let mistakes = mistakes();
-    let mut known: Vec<_> = rows()
-        .filter_map(|row| {
+    let all = mistakes().into_iter().zip(rows());
+    let mut known: Vec<_> = all
+        .filter_map(|(mistake, row)| {
             let at = row.sums.iter().position(|one| *one == Some(sum))?;
-            let mistake = mistakes.iter().find(|one| one.key() == row.mistake)?;
-            Some((mistake.clone(), mistake.drawn().nth(at)?))
+            let name = mistake.drawn().into_iter().nth(at)?;
+            Some((mistake, name))
         })
         .collect();
     known.sort_by_key(|(mistake, _)| {
@@ -100,17 +83,4 @@ pub fn known(sum: u64) -> Vec<(Mistake, String)> {
         (mistake.shown.is_none(), mistake.new.lines().count(), size)
     });
     known
-}
-
-impl Mistake {
-    /// The names of the pictures that it may spoil, in their order.
-    pub fn drawn(&self) -> impl Iterator<Item = String> {
-        let exercise = self.file.split("/examples/").nth(1);
-        let exercise = exercise.map(|file| file.trim_end_matches(".rs").to_owned());
-        let steps = self.step().filter(|_| exercise.is_none()).into_iter();
-        let steps = steps.flat_map(|first| {
-            Step::ALL.into_iter().filter(move |step| first <= *step)
-        });
-        exercise.into_iter().chain(steps.map(|step| step.name().to_owned()))
-    }
 }

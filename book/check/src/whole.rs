@@ -1,29 +1,28 @@
 use crate::Locked;
 use crate::place::{Place, place};
-use glam::{DMat3, DVec3};
 use image::RgbImage;
+use image::imageops::{flip_horizontal, rotate90, rotate180, rotate270};
 
 /// What was made of a whole picture: half a sentence after "your picture is", and where
 /// to look for the reason, if that is clear.
 pub(crate) struct Whole {
-    /// Such as "ours upside down".
+    /// Such as "step05_phong upside down".
     pub text: String,
     /// Where to go back to.
     pub place: Option<Place>,
 }
 
-type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
+type Turn = fn(&RgbImage) -> RgbImage;
 
-/// Where each place of a picture comes from in one that has `(w, h)` pixels.
 const TURNS: [(&str, Turn); 8] = [
-    ("as it is", |_, (i, j)| (i, j)),
-    ("upside down", |(_, h), (i, j)| (i, h - 1 - j)),
-    ("mirrored, left for right", |(w, _), (i, j)| (w - 1 - i, j)),
-    ("turned half around", |(w, h), (i, j)| (w - 1 - i, h - 1 - j)),
-    ("transposed, its rows as columns", |_, (i, j)| (j, i)),
-    ("turned a quarter to the right", |(_, h), (i, j)| (j, h - 1 - i)),
-    ("turned a quarter to the left", |(w, _), (i, j)| (w - 1 - j, i)),
-    ("transposed and turned", |(w, h), (i, j)| (w - 1 - j, h - 1 - i)),
+    ("", RgbImage::clone),
+    (" upside down", |one| rotate180(&flip_horizontal(one))),
+    (" mirrored, left for right", flip_horizontal),
+    (" turned half around", rotate180),
+    (" transposed, its rows as columns", |one| rotate270(&flip_horizontal(one))),
+    (" turned a quarter to the right", rotate90),
+    (" turned a quarter to the left", rotate270),
+    (" transposed and turned", |one| rotate90(&flip_horizontal(one))),
 ];
 
 /// The orders of red, green and blue.
@@ -47,133 +46,66 @@ pub(crate) fn whole(yours: &RgbImage, ours: &Locked) -> Option<Whole> {
     }
     let ours = &ours.picture;
     for (turned, turn) in TURNS {
+        let ours = turn(ours);
+        if ours.dimensions() != yours.dimensions() {
+            continue;
+        }
         for (swapped, order) in ORDERS {
-            if let Some(beyond) = turn_explains(yours, ours, turn, order) {
+            let few = yours.pixels().len() / 500;
+            let pairs = yours.pixels().zip(ours.pixels());
+            let wrong = pairs.filter(|(a, b)| a.0 != order.map(|k| b[k]));
+            let beyond = wrong.take(few + 1).count();
+            let is_same = turned.is_empty() && swapped.is_empty();
+            if beyond <= few && !is_same {
                 let but = match beyond {
                     0 => String::new(),
                     beyond => format!(" but for {beyond} pixels"),
                 };
-                let text = format!("{name} {turned}{swapped}{but}");
+                let text = format!("{name}{turned}{swapped}{but}");
                 let place = match turned {
-                    "as it is" => place("step01_rays/rgb8.rs"),
+                    "" => place("step01_rays/rgb8.rs"),
                     _ => place("step01_rays/camera.rs"),
                 };
                 return Some(Whole { text, place });
             }
         }
     }
-    if yours.dimensions() != ours.dimensions() {
-        return None;
-    }
-    let told = grey(yours, ours).or_else(|| curve(yours, ours))?;
-    let text = format!("{name} {told}");
+    let is_grey = yours.pixels().all(|pixel| pixel.0 == [pixel[0]; 3]);
+    let text = match is_grey {
+        true => "grey in every pixel".to_owned(),
+        false => format!("{name} {}", curve(yours, ours)?),
+    };
     Some(Whole { text, place: place("step01_rays/rgb8.rs") })
 }
 
-/// How many pixels are not those of ours, turned and with its channels in another order;
-/// None where they are more than a few, or where nothing was changed.
-fn turn_explains(
-    yours: &RgbImage,
-    ours: &RgbImage,
-    turn: Turn,
-    order: [usize; 3],
-) -> Option<usize> {
-    let (w, h) = ours.dimensions();
-    let (columns, rows) = yours.dimensions();
-    let is_upright = (columns, rows) == (w, h);
-    // A turn by a quarter asks for a picture of the other shape.
-    let is_quarter = turn((8, 8), (1, 0)).1 != turn((8, 8), (0, 0)).1;
-    let fits = if is_quarter { (columns, rows) == (h, w) } else { is_upright };
-    if !fits {
-        return None;
-    }
-    let few = yours.pixels().len() / 500;
-    let differs = yours.enumerate_pixels().filter(|(i, j, pixel)| {
-        let (k, l) = turn((w, h), (*i, *j));
-        let from = ours.get_pixel(k, l).0;
-        pixel.0 != order.map(|channel| from[channel])
-    });
-    let beyond = differs.take(few + 1).count();
-    let is_same = order == [0, 1, 2] && turn((8, 8), (1, 2)) == (1, 2);
-    (beyond <= few && !is_same).then_some(beyond)
-}
-
-/// Whether all is grey that is not in ours, and of which weights it was made.
-fn grey(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
-    let is_grey =
-        |picture: &RgbImage| picture.pixels().all(|pixel| pixel.0 == [pixel[0]; 3]);
-    if !is_grey(yours) || is_grey(ours) {
-        return None;
-    }
-    let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-    let pairs = || {
-        let ours = ours.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from)));
-        ours.zip(yours.pixels().map(|pixel| f64::from(pixel[0])))
-    };
-    for (rgb, grey) in pairs() {
-        matrix += DMat3::from_cols(rgb * rgb.x, rgb * rgb.y, rgb * rgb.z);
-        right += rgb * grey;
-    }
-    let weights = matrix.inverse() * right;
-    pairs().all(|(rgb, grey)| (weights.dot(rgb) - grey).abs() < 1.5).then(|| {
-        let [r, g, b] = weights.to_array().map(|one| {
-            let hundredths = (100.0 * one).round() + 0.0;
-            format!("{:.2}", hundredths / 100.0)
-        });
-        format!("in grey, of {r} red + {g} green + {b} blue").replace('-', "−")
-    })
-}
-
-/// Whether each byte follows from ours alone, as where it is gamma-encoded or cut off.
+/// Whether each byte follows from ours alone, as where it is gamma-encoded or cut off,
+/// and most of them are others.
 fn curve(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let mut ranges = [(255_u8, 0_u8); 256];
     for (yours, ours) in yours.as_raw().iter().zip(ours.as_raw()) {
         let (least, most) = &mut ranges[usize::from(*ours)];
         (*least, *most) = ((*least).min(*yours), (*most).max(*yours));
     }
-    let known =
-        || (0..=255_u8).zip(ranges).filter(|(_, (least, most))| least <= most);
-    let is_curve =
-        |(from, (least, most)): (u8, (u8, u8))| from == 255 || most - least < 2;
-    if known().count() < 16 || !known().all(is_curve) {
-        // The sky alone has few of them that are not changed.
+    let known: Vec<_> =
+        (0..=255).zip(ranges).filter(|(_, (least, most))| least <= most).collect();
+    // The sky alone has few of them, and what was clamped may be anything.
+    let is_curve = 16 <= known.len()
+        && yours.dimensions() == ours.dimensions()
+        && known.iter().all(|(from, (a, b))| *from == 255 || b - a < 2);
+    let changed: Vec<_> =
+        known.iter().filter(|(from, (a, b))| (*a, *b) != (*from, *from)).collect();
+    if !is_curve || changed.len() < known.len().div_ceil(2) {
         return None;
     }
-    let is_clear = |from: u8| from == 0 || from == 255;
-    let wrong =
-        known().find(|(from, range)| *range != (*from, *from) && 100 <= *from);
-    let all_right =
-        known().all(|(from, range)| is_clear(from) || range == (from, from));
-    if all_right {
-        return Some(
-            "but for what is brighter than 1, which is not clamped".to_owned(),
-        );
-    }
-    let changed = known().filter(|(from, range)| *range != (*from, *from)).count();
-    if 2 * changed < known().count() {
-        return None;
-    }
-    if known()
-        .all(|(from, (least, _))| from <= least.saturating_add(1) && least <= from)
-    {
-        return Some("with bytes that are cut off, not rounded".to_owned());
-    }
-    let power = |(from, (least, most)): (u8, (u8, u8))| {
-        let [a, b] = [f64::from(from), f64::midpoint(least.into(), most.into())];
-        (30..220).contains(&from).then(|| (b / 255.0).ln() / (a / 255.0).ln())
+    let middle = |(from, _): &&&(u8, (u8, u8))| from.abs_diff(128);
+    let (from, (to, _)) = changed.iter().min_by_key(middle)?;
+    let power = (f64::from(*to) / 255.0).ln() / (f64::from(*from) / 255.0).ln();
+    let gamma = match power {
+        0.3..0.8 => format!(", as by the power 1/{:.1} (gamma)", 1.0 / power),
+        1.2..3.0 => format!(", as by the power {power:.1} (gamma)"),
+        _ => String::new(),
     };
-    let powers: Vec<f64> = known().filter_map(power).collect();
-    let mean = powers.iter().sum::<f64>() / powers.len() as f64;
-    if !powers.is_empty()
-        && powers.iter().all(|one| (one / mean - 1.0).abs() < 0.05)
-    {
-        let power = if mean < 1.0 {
-            format!("1/{:.1}", 1.0 / mean)
-        } else {
-            format!("{mean:.1}")
-        };
-        return Some(format!("with each intensity to the power {power} (gamma)"));
-    }
-    let (from, (to, _)) = wrong?;
-    Some(format!("with each byte changed, whatever it shows: {from} is {to}"))
+    Some(format!(
+        "with bytes that follow from ours, whatever they show: {from} is {to}{gamma}"
+    ))
 }

@@ -1,5 +1,6 @@
 use crate::{Locked, Step};
 use image::RgbImage;
+use image::imageops::thumbnail;
 
 /// The one of `names` that a file's own name tells: `step03_nearest.png`,
 /// `my_lens-2.png`, `step3.png`.
@@ -32,21 +33,11 @@ fn has_word(text: &str, word: &str) -> bool {
 
 /// The picture that is most like yours, whatever its size.
 pub(crate) fn nearest<'a>(yours: &RgbImage, asked: &[&'a Locked]) -> &'a Locked {
-    let at = |picture: &RgbImage, k: u32, l: u32| {
-        let (columns, rows) = picture.dimensions();
-        let place = |k: u32, of: u32, all: u32| (2 * k + 1) * all / (2 * of);
-        *picture.get_pixel(place(k, 64, columns), place(l, 36, rows))
-    };
-    let far = |one: &&&Locked| -> u64 {
-        let places = (0..36).flat_map(|l| (0..64).map(move |k| (k, l)));
-        let apart = places.map(|(k, l)| {
-            let [a, b] = [at(yours, k, l), at(&one.picture, k, l)];
-            a.0.into_iter()
-                .zip(b.0)
-                .map(|(a, b)| u64::from(a.abs_diff(b)))
-                .sum::<u64>()
-        });
-        apart.sum()
+    let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
+    let yours = small(yours);
+    let far = |one: &&&Locked| {
+        let pairs = yours.iter().zip(small(&one.picture));
+        pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
     };
     asked.iter().min_by_key(far).unwrap_or(&asked[0])
 }

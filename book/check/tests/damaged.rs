@@ -1,35 +1,23 @@
 //! Whatever the bytes of a file are, there is an answer, and soon.
 
 use check::{Answer, Locked, Step, camera, check};
+use fastrand::Rng;
 use image::codecs::png::PngEncoder;
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, Rgba};
 use std::io::Cursor;
 
-/// Numbers without any pattern, the same in each run.
-struct Random(u64);
-
-impl Random {
-    /// A number below `end`.
-    fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % end as u64) as usize
-    }
-}
-
 /// Changes a few bytes, or leaves some out, or doubles them.
-fn mutate(file: &mut Vec<u8>, random: &mut Random) {
-    for _ in 0..=random.below(3) {
-        let (at, end) = (random.below(file.len()), random.below(file.len() + 1));
-        match random.below(6) {
+fn mutate(file: &mut Vec<u8>, random: &mut Rng) {
+    for _ in 0..=random.usize(..3) {
+        let (at, end) = (random.usize(..file.len()), random.usize(..=file.len()));
+        match random.u8(..6) {
             0 => file.truncate(at.max(1)),
             1 if at < end => drop(file.drain(at..end.min(at + 9))),
             2 => {
                 let again = file[at..(at + 9).min(file.len())].to_vec();
                 drop(file.splice(at..at, again));
             }
-            _ => file[at] = random.below(256) as u8,
+            _ => file[at] = random.u8(..),
         }
     }
 }
@@ -37,27 +25,14 @@ fn mutate(file: &mut Vec<u8>, random: &mut Random) {
 /// Writes the checksum of each chunk anew, so that a change is not noticed at once.
 fn mend(file: &mut [u8]) {
     let mut at = 8;
-    while let Some(size) = file.get(at..at + 4) {
-        let size =
-            size.iter().fold(0, |size, byte| 256 * size + usize::from(*byte));
-        let Some(data) = file.get(at + 4..(at + 8).saturating_add(size)) else {
-            return;
-        };
-        let sum = checksum(data).to_be_bytes();
-        let Some(place) = file.get_mut(at + 8 + size..at + 12 + size) else {
-            return;
-        };
+    while let Some(size) = file.get(at..).and_then(|rest| rest.first_chunk()) {
+        let end = (at + 8).saturating_add(u32::from_be_bytes(*size) as usize);
+        let Some(data) = file.get(at + 4..end) else { return };
+        let sum = crc32fast::hash(data).to_be_bytes();
+        let Some(place) = file.get_mut(end..end + 4) else { return };
         place.copy_from_slice(&sum);
-        at += size + 12;
+        at = end + 4;
     }
-}
-
-/// The checksum of a chunk, as the PNG specification has it.
-fn checksum(data: &[u8]) -> u32 {
-    let bit = |sum: u32| (sum >> 1) ^ if sum & 1 == 1 { 0xEDB8_8320 } else { 0 };
-    let byte =
-        |sum: u32, byte: &u8| (0..8).fold(sum ^ u32::from(*byte), |s, _| bit(s));
-    !data.iter().fold(!0, byte)
 }
 
 #[test]
@@ -69,7 +44,7 @@ fn two_thousand_damaged_files_give_answers() {
         .write_image(&picture, 16, 9, ExtendedColorType::Rgb8)
         .expect("a picture");
     let ours = [Locked { name: Step::Rays.name().to_owned(), picture }];
-    let (mut random, mut codes) = (Random(0x5EED), [0; 3]);
+    let (mut random, mut codes) = (Rng::with_seed(0x5EED), [0; 3]);
     for k in 0..2000 {
         let mut file = whole.clone();
         mutate(&mut file, &mut random);

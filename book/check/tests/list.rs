@@ -1,8 +1,8 @@
 //! The list of mistakes, and what was made of it.
 
-use check::{Row, code_key, known, locked_sums, mistakes, places, rows, sum};
+use check::{Mistake, Row, known, locked_sums, mistakes, places, rows, sum};
 use compare::workspace;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::process::Command;
 use std::{env, fs};
 
@@ -18,7 +18,7 @@ fn each_mistake_can_be_made() {
     for mistake in mistakes() {
         let applied = mistake.applied(&text(&mistake.file));
         let is_change = mistake.old != mistake.new;
-        if applied.is_none() || !is_change || !seen.insert(mistake.key()) {
+        if applied.is_none() || !is_change || !seen.insert(Row::key(&mistake, "")) {
             wrong.push(format!(
                 "{}: {}\n{}",
                 mistake.file,
@@ -36,23 +36,22 @@ fn each_mistake_can_be_made() {
 
 #[test]
 fn the_table_knows_each_mistake() {
-    let rows: HashMap<u32, Row> = rows().map(|row| (row.mistake, row)).collect();
-    let mut wrong = vec![];
-    for mistake in mistakes() {
-        let row = rows.get(&mistake.key());
-        let is_drawn = row.is_some_and(|row| {
-            row.file == code_key(&text(&mistake.file))
-                && row.sums.iter().any(Option::is_some)
-        });
+    let (all, rows) = (mistakes(), rows().collect::<Vec<_>>());
+    let is_known = |mistake: &Mistake, row: Option<&Row>| {
         let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
         let mut pictures = pictures.map(|(name, _)| {
             workspace().join(format!("book/check/mistakes/pictures/{name}.png"))
         });
-        if !is_drawn || !pictures.all(|path| path.exists()) {
-            wrong.push(format!("{}: {}", mistake.file, mistake.title));
-        }
-    }
+        row.is_some_and(|row| {
+            row.key == Row::key(mistake, &text(&mistake.file))
+                && row.sums.iter().any(Option::is_some)
+        }) && pictures.all(|path| path.exists())
+    };
+    let pairs = all.iter().zip(0..).filter(|(one, k)| !is_known(one, rows.get(*k)));
+    let wrong: Vec<_> =
+        pairs.map(|(one, _)| format!("{}: {}", one.file, one.title)).collect();
     assert!(wrong.is_empty(), "the table is old, {AGAIN}:\n{}", wrong.join("\n"));
+    assert_eq!(all.len(), rows.len(), "{AGAIN}");
 }
 
 #[test]

@@ -6,24 +6,25 @@
 //! words, those that have one of them in their title or file. `--again 5` draws five,
 //! others after each commit, and says whether the table has what they give.
 
-mod batch;
-mod source;
+mod copy;
 
-use batch::Batch;
-use check::{Locked, Mistake, Row, code_key, mistakes, read_table, sum};
+use check::{Locked, Mistake, Row, Step, mistakes, rows, sum};
 use compare::workspace;
+use copy::Copy;
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs, io, process::ExitCode};
 
-/// So many are compiled at once.
-const AT_ONCE: usize = 40;
-
 fn main() -> ExitCode {
-    match run(&env::args().skip(1).collect::<Vec<_>>()) {
+    let words: Vec<_> = env::args().skip(1).collect();
+    let done = match &words[..] {
+        [option, count] if option == "--again" => again(count),
+        words => draw(words),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(what) => {
             eprintln!("error: {what}");
@@ -36,85 +37,74 @@ fn folder() -> PathBuf {
     workspace().join("book/check/mistakes")
 }
 
-fn run(words: &[String]) -> Result<(), String> {
-    let table = folder().join("table.txt");
-    let text = fs::read_to_string(&table).unwrap_or_default();
-    let mut rows: HashMap<u32, Row> =
-        read_table(&text).map(|row| (row.mistake, row)).collect();
-    let locked = Locked::all()?;
-    let all = mistakes();
-    if let [option, count] = words
-        && option == "--again"
-    {
-        return again(&all, &rows, &locked, count.parse().unwrap_or(5));
-    }
-    let mut asked = vec![];
-    for mistake in &all {
-        let row = rows.get(&mistake.key());
-        let is_new = row.is_none_or(|row| row.file != file_key(mistake));
-        let is_named = words.iter().any(|word| {
+/// What stands for a mistake in the table.
+fn key(mistake: &Mistake) -> u32 {
+    let text = fs::read_to_string(workspace().join(&mistake.file));
+    Row::key(mistake, &text.unwrap_or_default())
+}
+
+/// All pictures that are right.
+fn locked() -> io::Result<Vec<Locked>> {
+    let exercises = exercises::PICTURES.iter().map(|(name, _)| *name);
+    let names = Step::ALL.map(Step::name).into_iter().chain(exercises);
+    names.map(|name| Locked::read(name).map_err(io::Error::other)).collect()
+}
+
+/// Draws those that are new or asked for.
+fn draw(words: &[String]) -> io::Result<()> {
+    let mut known: HashMap<u32, Row> = rows().map(|row| (row.key, row)).collect();
+    let (locked, all) = (locked()?, mistakes());
+    let is_asked = |mistake: &&Mistake| match words {
+        [] => {
+            let is_seen = shown(mistake).all(|(path, _)| path.exists());
+            !known.contains_key(&key(mistake)) || !is_seen
+        }
+        words => words.iter().any(|word| {
             mistake.title.contains(word) || mistake.file.contains(word)
-        });
-        if if words.is_empty() { is_new || is_unseen(mistake) } else { is_named } {
-            asked.push(mistake);
-        }
-    }
-    // What the book shows comes first, then what is sooner compiled.
-    asked.sort_by_key(|mistake| (mistake.shown.is_none(), mistake.drawn().count()));
+        }),
+    };
+    let asked: Vec<_> = all.iter().filter(is_asked).collect();
     println!("{} of {} mistakes are drawn", asked.len(), all.len());
-    let mut batch = Batch::new().map_err(|error| error.to_string())?;
-    for (k, some) in asked.chunks(AT_ONCE).enumerate() {
-        for (mistake, pictures) in batch.draw(some).map_err(|e| e.to_string())? {
-            let row = row(mistake, &pictures, &locked);
-            if row.sums.iter().all(Option::is_none) {
-                println!("shows nowhere: {} ({})", mistake.title, mistake.file);
-            }
-            rows.insert(row.mistake, row);
-            show(mistake, &pictures).map_err(|error| error.to_string())?;
+    let copy = Copy::new()?;
+    for (mistake, k) in asked.iter().zip(1..) {
+        let pictures = copy.draw(mistake)?;
+        let row = row(mistake, &pictures, &locked);
+        if row.sums.iter().all(Option::is_none) {
+            println!("shows nowhere: {} ({})", mistake.title, mistake.file);
         }
-        write(&table, &all, &rows, &locked)?;
-        println!("{} of {}", (AT_ONCE * (k + 1)).min(asked.len()), asked.len());
+        known.insert(row.key, row);
+        show(mistake, &pictures)?;
+        if k % 50 == 0 {
+            println!("{k} of {}", asked.len());
+            write(&all, &known, &locked)?;
+        }
     }
-    write(&table, &all, &rows, &locked)
+    write(&all, &known, &locked)
 }
 
 /// Draws `count` of all, and compares with the table.
-fn again(
-    all: &[Mistake],
-    rows: &HashMap<u32, Row>,
-    locked: &[Locked],
-    count: usize,
-) -> Result<(), String> {
-    let head = fs::read_to_string(workspace().join(".git/logs/HEAD"));
-    let start = code_key(&head.unwrap_or_default()) as usize;
-    let some = (0..count).map(|k| &all[(start + k * 211) % all.len()]);
-    let some: Vec<_> = some.collect();
-    let mut batch = Batch::new().map_err(|error| error.to_string())?;
-    for (mistake, pictures) in batch.draw(&some).map_err(|e| e.to_string())? {
-        if rows.get(&mistake.key()) != Some(&row(mistake, &pictures, locked)) {
-            return Err(format!("the table is wrong about {}", mistake.title));
+fn again(count: &str) -> io::Result<()> {
+    let count: usize = count.parse().map_err(io::Error::other)?;
+    let locked = locked()?;
+    let all: Vec<_> = mistakes().into_iter().zip(rows()).collect();
+    let head = fs::read(workspace().join(".git/logs/HEAD")).unwrap_or_default();
+    let copy = Copy::new()?;
+    for k in 0..count {
+        let (mistake, known) = &all[(head.len() + k * 211) % all.len()];
+        if row(mistake, &copy.draw(mistake)?, &locked) != *known {
+            let what = format!("the table is wrong about {}", mistake.title);
+            return Err(io::Error::other(what));
         }
         println!("as in the table: {}", mistake.title);
     }
     Ok(())
 }
 
-/// What stands for the text of its file.
-fn file_key(mistake: &Mistake) -> u32 {
-    let text = fs::read_to_string(workspace().join(&mistake.file));
-    code_key(&text.unwrap_or_default())
-}
-
-/// The names of its small pictures, each with the step that is drawn.
-fn shown(mistake: &Mistake) -> impl Iterator<Item = (PathBuf, String)> {
+/// Its small pictures, each with the name of what is drawn.
+fn shown(mistake: &Mistake) -> impl Iterator<Item = (PathBuf, &'static str)> {
     let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
     let path = |name: &str| folder().join(format!("pictures/{name}.png"));
-    pictures.map(move |(name, step)| (path(name), step.name().to_owned()))
-}
-
-/// Whether the book shows it, and its picture is not there.
-fn is_unseen(mistake: &Mistake) -> bool {
-    shown(mistake).any(|(path, _)| !path.exists())
+    pictures.map(move |(name, step)| (path(name), step.name()))
 }
 
 /// Its line of the table, from what was drawn.
@@ -123,29 +113,27 @@ fn row(
     pictures: &[(String, RgbImage)],
     locked: &[Locked],
 ) -> Row {
-    let right = |name: &str| locked.iter().find(|one| one.name == name);
-    let sums = mistake.drawn().map(|name| {
+    let sums = mistake.drawn().into_iter().map(|name| {
+        let right = locked.iter().find(|one| one.name == name);
         let (_, picture) = pictures.iter().find(|(its, _)| *its == name)?;
-        let is_right = right(&name).is_some_and(|one| one.picture == *picture);
+        let is_right = right.is_some_and(|one| one.picture == *picture);
         (!is_right).then(|| sum(picture))
     });
-    let sums = sums.collect();
-    Row { mistake: mistake.key(), file: file_key(mistake), sums }
+    Row { key: key(mistake), sums: sums.collect() }
 }
 
 /// Writes its small pictures.
 fn show(mistake: &Mistake, pictures: &[(String, RgbImage)]) -> io::Result<()> {
     for (path, step) in shown(mistake) {
-        let Some((_, picture)) = pictures.iter().find(|(name, _)| *name == step)
-        else {
+        let drawn = pictures.iter().find(|(name, _)| name == step);
+        let Some((_, picture)) = drawn else {
             println!("not drawn: {}", path.display());
             continue;
         };
-        fs::create_dir_all(folder().join("pictures"))?;
-        let small = thumbnail(picture, 320, 180);
-        let file = fs::File::create(&path)?;
         let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
+        let file = fs::File::create(&path)?;
         let encoder = PngEncoder::new_with_quality(file, best, filter);
+        let small = thumbnail(picture, 320, 180);
         small.write_with_encoder(encoder).map_err(io::Error::other)?;
     }
     Ok(())
@@ -153,17 +141,18 @@ fn show(mistake: &Mistake, pictures: &[(String, RgbImage)]) -> io::Result<()> {
 
 /// Writes the table: the sums of what is right, then a row for each mistake.
 fn write(
-    table: &Path,
     all: &[Mistake],
-    rows: &HashMap<u32, Row>,
+    known: &HashMap<u32, Row>,
     locked: &[Locked],
-) -> Result<(), String> {
+) -> io::Result<()> {
     let mut text = String::new();
     for Locked { name, picture } in locked {
         text += &format!("= {name} {:016x}\n", sum(picture));
     }
-    let known = all.iter().filter_map(|mistake| rows.get(&mistake.key()));
-    known.for_each(|row| text += &(row.line() + "\n"));
-    let saved = fs::write(table, text);
-    saved.map_err(|error| format!("can't write {}: {error}", table.display()))
+    for mistake in all {
+        let key = key(mistake);
+        let none = || Row { key, sums: vec![None] };
+        text += &known.get(&key).cloned().unwrap_or_else(none).line();
+    }
+    fs::write(folder().join("table.txt"), text)
 }
