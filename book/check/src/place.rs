@@ -47,36 +47,17 @@ pub(crate) fn back(places: &[Place]) -> String {
     let Some(Place { step, section, .. }) = places.first() else {
         return String::new();
     };
-    let of = |step: Step| places.iter().filter(move |place| place.step == step);
-    let compare = Step::ALL.into_iter().filter_map(|step| {
-        let files: Vec<_> = of(step).map(|place| place.file).collect();
-        let folder = format!("in steps/{}/src", step.name());
-        (!files.is_empty()).then(|| format!("{} {folder}", and(&files)))
-    });
-    let mut tests: Vec<_> =
-        of(*step).flat_map(|place| place.tests.split(", ")).collect();
+    let files: Vec<_> = places.iter().map(Place::path).collect();
+    let own = places.iter().filter(|place| place.step == *step);
+    let mut tests: Vec<_> = own.flat_map(|place| place.tests.split(", ")).collect();
     tests.dedup();
+    let name = step.name();
     format!(
         "Go back to step {}, \"{section}\", and compare with {}.\n\
-         Your tests by hand name the function: {}, of which {} goes through it.\n",
+         Your tests by hand name the function: cargo test -p {name} --test by_hand, of \
+         which {} goes through it.\n",
         step.number(),
-        and(&compare.collect::<Vec<_>>()),
-        command(*step),
+        files.join(", "),
         tests.join(" or "),
     )
-}
-
-/// How to run the tests by hand of a step.
-pub(crate) fn command(step: Step) -> String {
-    format!("cargo test -p {} --test by_hand", step.name())
-}
-
-fn and<T: AsRef<str>>(names: &[T]) -> String {
-    let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
-    match &names[..] {
-        [all @ .., last] if !all.is_empty() => {
-            format!("{} and {last}", all.join(", "))
-        }
-        _ => names.join(""),
-    }
 }

@@ -80,6 +80,10 @@ fn what_was_made_of_the_whole_is_told() {
             (mapped(&ours, &|c| c.map(power)), "as by the power 1/1.8 (gamma)"),
             (mapped(&ours, &|_| [7, 8, 9]), "one colour, (7, 8, 9)"),
             (resize(&ours, 240, 135, FilterType::Triangle), "made into 240×135"),
+            (
+                resize(&ours, 1280, 720, FilterType::CatmullRom),
+                "made into 1280×720",
+            ),
             (crop_imm(&ours, 100, 150, 300, 200).to_image(), "columns 100 to 399"),
             (shot, "from column 30 and row 60 on"),
         ] {
