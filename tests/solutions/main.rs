@@ -11,14 +11,7 @@ use compare::Difference;
 use exercises::*;
 use glam::DVec3;
 use std::fs;
-use step01_rays::Ray;
 use tests::{camera, here, locked};
-
-/// The rays through all pixels of the camera.
-fn rays_of_camera() -> impl Iterator<Item = Ray> {
-    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
-    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
-}
 
 /// The unit vector at `angle` from the y axis.
 fn from_angle(angle: f64) -> DVec3 {

@@ -1,11 +1,10 @@
-use crate::rays_of_camera;
 use exercises::many::Tree;
 use exercises::*;
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
 use step03_nearest::{Camera, OBJECTS, Object, Ray, Sphere, nearest};
-use tests::{camera, point, rays, sphere, unit};
+use tests::{camera, point, rays, rays_of_camera, sphere, unit};
 
 #[test]
 fn up_to_4_samples_jitter_draws_the_same_picture() {

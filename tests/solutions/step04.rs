@@ -1,4 +1,3 @@
-use crate::rays_of_camera;
 use exercises::*;
 use glam::DVec3;
 use image::Rgb;
@@ -7,7 +6,7 @@ use step04_diffuse::{
     Attenuation, COOL, Object, PointLight, Ray, Surface, SurfacePoint, WARM,
     diffuse, scene, visible_point,
 };
-use tests::{camera, point, unit};
+use tests::{camera, point, rays_of_camera, unit};
 
 const GREY: DVec3 = DVec3::splat(0.5);
 

@@ -1,11 +1,11 @@
-use crate::{from_angle, rays_of_camera};
+use crate::from_angle;
 use exercises::glass::Glass;
 use exercises::mirror::Mirror;
 use exercises::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use step05_phong::*;
-use tests::{camera, locked, unit};
+use tests::{camera, locked, rays_of_camera, unit};
 
 fn without_mirrors() -> Scene<Mirror, Light> {
     let mut scene = mirror::mirrors();

@@ -13,13 +13,10 @@ use std::process::Command;
 use tests::{locked, target};
 
 /// The crates, in the order in which a reader writes them.
-pub const STEPS: [&str; 5] = [
-    "step01_rays",
-    "step02_sphere",
-    "step03_nearest",
-    "step04_diffuse",
-    "step05_phong",
-];
+pub const STEPS: [&str; 5] = {
+    let [rays, sphere, nearest, diffuse, phong] = exercises::STEPS;
+    [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
+};
 
 /// The manifest of the states; with the features of the book's builder, so that nothing is
 /// compiled once more.
