@@ -95,6 +95,16 @@ pub fn camera() -> Camera {
     Camera::new(640, 360, 60_f64.to_radians())
 }
 
+/// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.
+pub fn slide_matrix() -> Camera {
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
+}
+
 /// The five steps: the name of each, and its picture.
 pub const STEPS: [(&str, Picture); 5] = [
     ("step01_rays", step01_rays::picture),

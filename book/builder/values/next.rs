@@ -1,7 +1,7 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
 use super::Value;
-use super::measure::{count, counted, short, vector};
+use super::measure::{count, counted, number, vector};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{
@@ -26,8 +26,8 @@ pub const VALUES: &[Value] = &[
     ("next-lamps-in-front", || {
         counted(|ray| lamps(ray).into_iter().filter(|cosine| 0.0 < *cosine).count())
     }),
-    ("next-half-byte", || short(light_of_byte(128.0))),
-    ("next-byte-of-half", || short(byte_of_light(0.5))),
+    ("next-half-byte", || number(light_of_byte(128.0))),
+    ("next-byte-of-half", || number(byte_of_light(0.5))),
 ];
 
 /// How many mirrors that reflect this part leave less than one step of 8 bits.

@@ -21,7 +21,7 @@ pub use exercises::{camera, row::Row};
 pub use quadratic::{discriminant, roots};
 
 mod live;
-pub use live::{Handle, Knob, Live, Numbers, Sight};
+pub use live::{Handle, Knob, Live, Numbers, Sight, number, vector};
 
 mod figures;
 mod own_scene;
