@@ -7,7 +7,7 @@ mod rays;
 mod refusals;
 
 pub use exercises::camera;
-pub use locked::{Locking, here, locked, target};
+pub use locked::{Locking, locked, target};
 pub use program::{Program, assert_program};
 pub use rays::{point, rays, rays_of_camera, sphere, unit};
 

@@ -1,4 +1,3 @@
-use crate::from_angle;
 use exercises::glass::Glass;
 use exercises::mirror::Mirror;
 use exercises::*;
@@ -58,6 +57,11 @@ fn nothing_mirrors_itself() {
 }
 
 // glass
+
+/// The unit vector at `angle` from the y axis.
+fn from_angle(angle: f64) -> DVec3 {
+    DVec3::new(angle.sin(), angle.cos(), 0.0)
+}
 
 /// What a ray along `v` sees in glass with the normal `n`, where `next` is the colour
 /// that a ray from there sees.
