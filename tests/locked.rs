@@ -1,4 +1,4 @@
-use compare::{Difference, panels};
+use compare::{Difference, panels, workspace};
 use image::{ImageFormat, RgbImage};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, assert_binary_snapshot};
@@ -6,9 +6,12 @@ use std::panic::{catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::{env, fs, io::Cursor};
 
+/// The folder of the locked pictures.
+const SNAPSHOTS: &str = "tests/snapshots";
+
 /// The locked picture `name`, from its snapshot.
 pub fn locked(name: &str) -> RgbImage {
-    let path = here().join(format!("snapshots/{name}.snap.png"));
+    let path = workspace().join(format!("{SNAPSHOTS}/{name}.snap.png"));
     let picture = image::open(&path);
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
@@ -32,7 +35,7 @@ impl Locking {
             .write_to(&mut png, ImageFormat::Png)
             .expect("a picture in memory can be encoded");
         let mut settings = Settings::clone_current();
-        settings.set_snapshot_path(here().join("snapshots"));
+        settings.set_snapshot_path(workspace().join(SNAPSHOTS));
         settings.set_prepend_module_to_snapshot(false);
         settings.set_omit_expression(true);
         settings.set_comparator(Box::new(Pixels { name: name.to_owned() }));
@@ -47,8 +50,9 @@ impl Locking {
         // What an earlier run left to be reviewed is accepted with the picture.
         if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
             for end in ["snap.new", "snap.new.png"] {
-                let _ =
-                    fs::remove_file(here().join(format!("snapshots/{name}.{end}")));
+                let _ = fs::remove_file(
+                    workspace().join(format!("{SNAPSHOTS}/{name}.{end}")),
+                );
             }
         }
         if asserted.is_err() {
@@ -112,11 +116,6 @@ fn differences() -> PathBuf {
     let folder = target().join("differences");
     fs::create_dir_all(&folder).expect("a folder in the target folder");
     folder
-}
-
-/// The folder of these tests, which may have moved since they were compiled.
-pub fn here() -> PathBuf {
-    env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs the tests").into()
 }
 
 /// The target folder, marked by Cargo, in which this test program lies.

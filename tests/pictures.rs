@@ -1,7 +1,7 @@
 //! The locked pictures, of the steps, the exercises, the chapters and the cover: what is
 //! tested before all else.
 
-use exercises::{mirror, terms};
+use exercises::{mirror, slide_matrix, terms};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use step01_rays::Camera;
@@ -11,14 +11,7 @@ use tests::{Locking, camera};
 #[test]
 fn the_pictures_are_locked() {
     let mut locking = Locking::default();
-    let steps: [(_, exercises::Picture); 5] = [
-        ("step01_rays", step01_rays::picture),
-        ("step02_sphere", step02_sphere::picture),
-        ("step03_nearest", step03_nearest::picture),
-        ("step04_diffuse", step04_diffuse::picture),
-        ("step05_phong", step05_phong::picture),
-    ];
-    for (name, picture) in steps.iter().chain(exercises::PICTURES) {
+    for (name, picture) in exercises::STEPS.iter().chain(exercises::PICTURES) {
         locking.assert(name, &picture(&camera(), 1));
     }
     let term = |term| terms::picture(&camera(), term);
@@ -33,16 +26,6 @@ fn the_pictures_are_locked() {
     locking.assert("cover", &step05_phong::picture(&large, 4));
     locking.assert("goodbye", &mirror::picture(&large, 2));
     locking.finish();
-}
-
-/// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.
-fn slide_matrix() -> Camera {
-    let mut camera = camera();
-    let tan = -camera.matrix.z_axis.x;
-    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
-    camera.matrix.y_axis.y = -2.0 * upright;
-    camera.matrix.z_axis.y = upright;
-    camera
 }
 
 /// The shadows of rays that start on the surface itself.

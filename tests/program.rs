@@ -1,6 +1,6 @@
-use crate::locked::{here, locked, target};
+use crate::locked::{locked, target};
 use crate::refusals;
-use compare::Difference;
+use compare::{Difference, workspace};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -99,7 +99,7 @@ fn build(name: &str) {
     } else {
         cargo.args(["--target", platform]);
     }
-    let built = cargo.current_dir(here()).status();
+    let built = cargo.current_dir(workspace()).status();
     let built = built.is_ok_and(|status| status.success());
     assert!(built, "cargo build --workspace --bin {name} fails");
 }

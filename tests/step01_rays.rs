@@ -1,16 +1,14 @@
 //! Step 1: the rays, the camera, the render loop and the program around the
 //! picture.
 
-use exercises::row;
-use glam::{DVec2, DVec3};
+use exercises::row::Row;
+use glam::DVec3;
 use image::Rgb;
-use row::Row;
-use std::collections::HashSet;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use step01_rays::{AspectRatio, Camera, Ray, render, rgb8};
+use step01_rays::{AspectRatio, Camera, render, rgb8};
 use tests::{Program, assert_program, camera};
 
 /// Fields of view in degrees, from narrow to wide.
@@ -86,44 +84,13 @@ fn the_program_tells_on_a_terminal_how_long_a_slow_picture_takes() {
     let ended = end.arg(slow.id().to_string()).status().expect("the program kill");
     assert!(ended.success() && slow.wait().is_ok(), "it runs still");
     assert!(told.starts_with("This takes about "), "{told}");
-    let quick = on_a_terminal("--width 2").wait_with_output().expect("it ends");
-    let text = String::from_utf8_lossy(&quick.stdout);
-    assert!(text.starts_with("step01_rays.png: 2×1 pixels in"), "{text}");
-}
-
-#[test]
-fn r_of_t_is_s_plus_t_v() {
-    let ray = Ray {
-        start: DVec3::new(1.0, 2.0, 3.0),
-        direction: DVec3::new(0.0, -2.0, 4.0),
+    // On a busy machine, even a quick one may seem slow once.
+    let is_quick = |_| {
+        let quick = on_a_terminal("--width 2").wait_with_output();
+        let quick = quick.expect("it ends").stdout;
+        quick.starts_with("step01_rays.png: 2×1 pixels in".as_bytes())
     };
-    assert_eq!(ray.at(0.0), ray.start);
-    assert_eq!(ray.at(1.5), DVec3::new(1.0, -1.0, 9.0));
-    assert_eq!(ray.at(-1.0), DVec3::new(1.0, 4.0, -1.0));
-}
-
-#[test]
-fn the_row_encloses_theta_and_is_its_own_mirror_image() {
-    for degrees in ANGLES {
-        let row = Row::new(5, f64::to_radians(degrees));
-        let all: Vec<DVec2> = (0..5).map(|i| row.direction(i.into())).collect();
-        assert!(close(all[0].angle_to(all[4]).abs().to_degrees(), degrees));
-        for (left, right) in all.iter().zip(all.iter().rev()) {
-            assert!(close(left.x, -right.x) && left.y == 1.0 && right.y == 1.0);
-        }
-        assert!(all[0].x < 0.0);
-    }
-}
-
-#[test]
-fn neighbours_in_the_row_differ_by_d() {
-    let row = Row::new(640, 60_f64.to_radians());
-    let d = row.matrix.x_axis;
-    assert!(close(d.x, 2.0 * 30_f64.to_radians().tan() / 639.0) && d.y == 0.0);
-    for i in 0..639 {
-        let i = f64::from(i);
-        assert!((row.direction(i + 1.0) - row.direction(i)).distance(d) < 1e-12);
-    }
+    assert!((0..5).any(is_quick), "of a quick picture, more is told");
 }
 
 #[test]
@@ -138,18 +105,6 @@ fn outermost_columns_enclose_theta_and_are_mirror_images() {
         assert!(top.distance(-bottom.with_z(1.0)) < 1e-12, "{top} {bottom}");
         assert!(top.x < 0.0 && 0.0 < top.y && top.z == -1.0);
     }
-}
-
-#[test]
-fn neighbouring_rays_differ_by_d_u_and_d_v() {
-    let camera = camera();
-    let (d_u, d_v) = (camera.matrix.x_axis, camera.matrix.y_axis);
-    for (i, j) in [(0.0, 0.0), (17.0, 300.0), (638.0, 358.0)] {
-        let v = camera.ray(i, j).direction;
-        assert!((camera.ray(i + 1.0, j).direction - v).distance(d_u) < 1e-12);
-        assert!((camera.ray(i, j + 1.0).direction - v).distance(d_v) < 1e-12);
-    }
-    assert!(0.0 < d_u.x && d_v.y < 0.0);
 }
 
 #[test]
@@ -192,11 +147,12 @@ fn the_rows_of_a_ratio_are_rounded_and_at_least_one() {
 
 #[test]
 fn the_middle_row_of_the_camera_is_the_row_in_2d() {
-    let (camera, row) = (Camera::new(9, 5, 1.2), Row::new(9, 1.2));
-    for i in 0..9 {
-        let (v, flat) =
-            (camera.ray(i.into(), 2.0).direction, row.direction(i.into()));
-        assert!(close(v.x, flat.x) && v.y.abs() < 1e-12 && v.z == -flat.y);
+    for theta in ANGLES.map(f64::to_radians) {
+        let (camera, row) = (Camera::new(9, 5, theta), Row::new(9, theta));
+        for i in (0..9).map(f64::from) {
+            let (v, flat) = (camera.ray(i, 2.0).direction, row.direction(i));
+            assert!(close(v.x, flat.x) && v.y.abs() < 1e-12 && v.z == -flat.y);
+        }
     }
 }
 
@@ -209,50 +165,24 @@ fn every_ray_starts_at_c() {
 
 #[test]
 fn samples_are_the_centres_of_the_sub_pixels() {
-    for samples in 1..=4 {
+    for samples in 1..=4_u32 {
         let camera = Camera::new(4, 3, 1.0);
-        let seen = Mutex::new(Vec::new());
+        let seen = Mutex::new(vec![]);
         render(&camera, samples, |ray| {
-            seen.lock()
-                .expect("no panic")
-                .push(camera.matrix.inverse() * ray.direction);
+            let place = camera.matrix.inverse() * ray.direction;
+            // In halves of a sub-pixel, from the corner of the picture.
+            let place = (place + 0.5) * f64::from(2 * samples);
+            assert!((place - place.round()).truncate().length() < 1e-9);
+            let place = [place.x.round() as u32, place.y.round() as u32];
+            seen.lock().expect("no panic").push(place);
             DVec3::ZERO
         });
-        let seen = seen.into_inner().expect("no panic");
-        assert_eq!(seen.len(), (12 * samples * samples) as usize);
-        // In units of half a sub-pixel from the corner of the picture, every place
-        // is odd.
-        let halves = f64::from(2 * samples);
-        let places: HashSet<_> = seen
-            .iter()
-            .map(|place| {
-                let [u, v] = [place.x, place.y].map(|at| (at + 0.5) * halves);
-                assert!(
-                    (u - u.round()).abs() < 1e-9 && (v - v.round()).abs() < 1e-9
-                );
-                assert!(u.round() as i64 % 2 == 1 && v.round() as i64 % 2 == 1);
-                (u.round() as i64, v.round() as i64)
-            })
-            .collect();
-        assert_eq!(places.len(), seen.len());
+        let mut seen = seen.into_inner().expect("no panic");
+        seen.sort_unstable();
+        let odd = |pixels: u32| (1..2 * samples * pixels).step_by(2);
+        let all = odd(4).flat_map(|x| odd(3).map(move |y| [x, y]));
+        assert_eq!(seen, all.collect::<Vec<_>>());
     }
-}
-
-#[test]
-fn the_samples_of_a_pixel_are_cast_from_left_to_right_and_down() {
-    let camera = Camera::new(2, 1, 1.0);
-    let seen = Mutex::new(Vec::new());
-    render(&camera, 3, |ray| {
-        seen.lock()
-            .expect("no panic")
-            .push(camera.matrix.inverse() * ray.direction);
-        DVec3::ZERO
-    });
-    let seen = seen.into_inner().expect("no panic");
-    let left: Vec<_> = seen.iter().filter(|place| place.x < 0.5).collect();
-    assert_eq!(left.len(), 9);
-    assert!(left.chunks(3).all(|row| row[0].x < row[1].x && row[1].x < row[2].x));
-    assert!(left[0].y < left[3].y && left[3].y < left[6].y);
 }
 
 #[test]

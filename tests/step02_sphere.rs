@@ -3,7 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere, quadratic};
-use tests::{assert_program, point, rays};
+use tests::{assert_program, rays};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
@@ -47,11 +47,6 @@ fn a_quadratic_needs_its_square() {
     quadratic(0.0, 1.0, 1.0);
 }
 
-/// How far the line of `ray` passes from `point`.
-fn apart(point: DVec3, ray: &Ray) -> f64 {
-    (point - ray.start).cross(ray.direction).length() / ray.direction.length()
-}
-
 proptest! {
     #[test]
     fn a_hit_satisfies_the_equation_of_the_sphere((sphere, ray) in rays()) {
@@ -63,7 +58,8 @@ proptest! {
 
     #[test]
     fn a_ray_misses_when_its_line_passes_outside((sphere, ray) in rays()) {
-        let apart = apart(sphere.centre, &ray);
+        let v = ray.direction.normalize();
+        let apart = (sphere.centre - ray.start).cross(v).length();
         prop_assume!((apart - sphere.radius).abs() > 1e-6);
         let count = ts(sphere.intersect(&ray)).len();
         prop_assert_eq!(count, if apart < sphere.radius { 2 } else { 0 });
@@ -74,37 +70,5 @@ proptest! {
         let roots = sphere.intersect(&ray);
         let above = ts(roots).into_iter().filter(|t| 0.0 < *t);
         prop_assert_eq!(roots.first_hit(), above.reduce(f64::min));
-    }
-
-    #[test]
-    fn the_smaller_root_comes_first((sphere, ray) in rays()) {
-        prop_assert!(ts(sphere.intersect(&ray)).is_sorted());
-    }
-
-    #[test]
-    fn scaling_v_by_k_divides_t_by_k((sphere, ray) in rays(), k in 0.1..10.0_f64) {
-        let scaled = Ray { direction: k * ray.direction, ..ray };
-        // At a tangent or from the surface, rounding decides which root is hit.
-        prop_assume!((apart(sphere.centre, &ray) - sphere.radius).abs() > 1e-4);
-        prop_assume!((sphere.centre.distance(ray.start) - sphere.radius).abs() > 1e-4);
-        let hits = (sphere.intersect(&ray).first_hit(), sphere.intersect(&scaled).first_hit());
-        prop_assert_eq!(hits.0.is_some(), hits.1.is_some());
-        if let (Some(t), Some(u)) = hits {
-            prop_assert!((t - u * k).abs() < 1e-5 * (1.0 + t));
-            prop_assert!(ray.at(t).distance(scaled.at(u)) < 1e-5);
-        }
-    }
-
-    #[test]
-    fn moving_everything_by_one_offset_changes_nothing((sphere, ray) in rays(), by in point()) {
-        let moved = Sphere { centre: sphere.centre + by, ..sphere };
-        let ray_moved = Ray { start: ray.start + by, ..ray };
-        // At a tangent, rounding decides how many roots there are.
-        prop_assume!((apart(sphere.centre, &ray) - sphere.radius).abs() > 1e-6);
-        let (ts, us) = (ts(sphere.intersect(&ray)), ts(moved.intersect(&ray_moved)));
-        prop_assert_eq!(ts.len(), us.len());
-        for (t, u) in ts.iter().zip(us) {
-            prop_assert!((t - u).abs() < 1e-4 * (1.0 + t.abs()));
-        }
     }
 }

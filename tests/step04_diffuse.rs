@@ -1,12 +1,12 @@
 //! Step 4: the normal, ambient and diffuse light.
 
-use glam::{DVec3, Vec3Swizzles};
+use glam::DVec3;
 use proptest::prelude::*;
 use step04_diffuse::{
     Attenuation, COOL, OBJECTS, Object, PointLight, Ray, Sphere, Surface, WARM,
     ambient, colour, diffuse, normal, scene, visible_point,
 };
-use tests::{assert_program, point, rays, unit};
+use tests::{assert_program, point, rays};
 
 const GREY: Surface =
     Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
@@ -35,20 +35,6 @@ fn ambient_light_is_r_a_times_l_a() {
 fn a_surface_of_one_colour_reflects_it_in_both_terms() {
     let colour = DVec3::new(0.1, 0.2, 0.3);
     assert_eq!(Surface::of(colour), Surface { ambient: colour, diffuse: colour });
-}
-
-#[test]
-fn head_on_the_whole_light_is_scattered() {
-    let lit = diffuse(DVec3::Y, DVec3::Y, 5.0, &GREY, &light(1.0, 0.0, 0.0));
-    assert_eq!(lit, DVec3::new(0.5, 0.25, 0.125));
-}
-
-#[test]
-fn at_60_degrees_half_of_it_is_scattered() {
-    let angle = 60_f64.to_radians();
-    let l = DVec3::new(angle.sin(), angle.cos(), 0.0);
-    let lit = diffuse(DVec3::Y, l, 5.0, &GREY, &light(1.0, 0.0, 0.0));
-    assert!(lit.distance(DVec3::new(0.25, 0.125, 0.0625)) < 1e-15);
 }
 
 #[test]
@@ -116,26 +102,11 @@ proptest! {
     }
 
     #[test]
-    fn light_is_never_negative(n in unit(), l in unit(), d in 0.1..50.0, r_d in 0.0..1.0) {
-        let lit = diffuse(n, l, d, &Surface::of(DVec3::splat(r_d)), &light(0.1, 0.2, 0.3));
-        prop_assert!(0.0 <= lit.min_element());
-    }
-
-    #[test]
     fn from_anywhere_l_has_length_1_and_leads_to_the_light(p in point()) {
         let light = light(1.0, 0.0, 0.0);
         prop_assume!(0.01 < p.distance(light.position));
         let (l, d) = light.direction_from(p);
         prop_assert!((l.length() - 1.0).abs() < 1e-12);
         prop_assert!((p + d * l).distance(light.position) < 1e-9);
-    }
-
-    #[test]
-    fn swapping_red_and_blue_swaps_them_in_the_result(n in unit(), l in unit(), r_d in unit()) {
-        let r_d = r_d.abs();
-        let white = light(1.0, 0.0, 0.1);
-        let swapped = PointLight { diffuse: white.diffuse.zyx(), ..white };
-        let lit = diffuse(n, l, 3.0, &Surface::of(r_d), &white);
-        prop_assert_eq!(diffuse(n, l, 3.0, &Surface::of(r_d.zyx()), &swapped), lit.zyx());
     }
 }

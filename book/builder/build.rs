@@ -1,4 +1,4 @@
-use crate::{Files, Page, Site, chapter, links, picture, pictures, print, styles};
+use crate::{Files, Page, Site, assets, chapter, links, picture, print, styles};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 use rayon::iter::{
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub fn build(workspace: &Path) -> Result<(PathBuf, Site)> {
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = workspace.join("target/book");
-    pictures::write(workspace)?;
+    assets::write(workspace)?;
     expand(&mut book, workspace)?;
     book.build()?;
     let folder = book.build_dir_for("html");

@@ -40,7 +40,7 @@ mod this_pixel;
 
 mod chapter;
 
-mod pictures;
+mod assets;
 
 mod links;
 mod print;

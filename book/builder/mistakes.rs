@@ -1,6 +1,6 @@
+use crate::assets::SMALL;
 use crate::markdown::inline;
 use crate::picture::Picture;
-use crate::pictures::SMALL;
 use check::{Mistake, Shown, Step, mistakes};
 use live::escape;
 use std::path::Path;

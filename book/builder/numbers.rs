@@ -35,7 +35,7 @@ pub fn in_formula(
 ) -> Result<String, String> {
     let marked =
         replace(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
-            Some(("value", name)) => Ok(values::get(name)?.to_owned()),
+            Some(("value", name)) => values::get(name),
             Some(("number", which)) => Ok(format!("\\text{{⟦{which}⟧}}")),
             _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
         })?;

@@ -1,6 +1,6 @@
+use crate::assets::HALF;
 use crate::files::CHAPTERS;
 use crate::markdown::inline;
-use crate::pictures::HALF;
 use crate::{controls, this_pixel};
 use image::image_dimensions;
 use live::{Live, escape};

@@ -1,6 +1,6 @@
-//! The steps' examples as a library: what is drawn on the way and the solutions of the
-//! exercises. This is the only place that reaches into their folders; who wants to draw
-//! one of them takes it from here.
+//! The steps' pictures and their examples as a library: what is drawn on the way and the
+//! solutions of the exercises. This is the only place that reaches into the folders of
+//! examples; who wants to draw one takes it from here.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
 #![allow(
@@ -89,7 +89,32 @@ pub mod terms;
 /// Draws a picture for a camera, with so many rays a pixel each way.
 pub type Picture = fn(&Camera, u32) -> RgbImage;
 
-/// The pictures by their names, in the order of the chapters.
+/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees, which the programs
+/// turn into radians; π/3 is another number in its last digit.
+pub fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
+
+/// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.
+pub fn slide_matrix() -> Camera {
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
+}
+
+/// The five steps: the name of each, and its picture.
+pub const STEPS: [(&str, Picture); 5] = [
+    ("step01_rays", step01_rays::picture),
+    ("step02_sphere", step02_sphere::picture),
+    ("step03_nearest", step03_nearest::picture),
+    ("step04_diffuse", step04_diffuse::picture),
+    ("step05_phong", step05_phong::picture),
+];
+
+/// The pictures of the examples by their names, in the order of the chapters.
 pub const PICTURES: &[(&str, Picture)] = &[
     ("gradient", |_, _| gradient::picture()),
     ("graticule", graticule::picture),

@@ -7,27 +7,14 @@ mod step03;
 mod step04;
 mod step05;
 
-use compare::Difference;
+use compare::{Difference, workspace};
 use exercises::*;
-use glam::DVec3;
 use std::fs;
-use step01_rays::Ray;
-use tests::{camera, here, locked};
-
-/// The rays through all pixels of the camera.
-fn rays_of_camera() -> impl Iterator<Item = Ray> {
-    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
-    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
-}
-
-/// The unit vector at `angle` from the y axis.
-fn from_angle(angle: f64) -> DVec3 {
-    DVec3::new(angle.sin(), angle.cos(), 0.0)
-}
+use tests::{camera, locked};
 
 /// The names of what is in the folder `path` of the workspace.
 fn files(path: &str) -> impl Iterator<Item = String> {
-    let files = fs::read_dir(here().join("..").join(path)).expect(path).flatten();
+    let files = fs::read_dir(workspace().join(path)).expect(path).flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
     names.filter(|name| !name.starts_with('.'))
 }
@@ -50,8 +37,7 @@ fn what_draws_a_step_in_another_way_draws_its_picture() {
 
 #[test]
 fn no_exercise_is_forgotten() {
-    let text =
-        |path: &str| fs::read_to_string(here().join("..").join(path)).expect(path);
+    let text = |path: &str| fs::read_to_string(workspace().join(path)).expect(path);
     let mut missing = vec![];
     let after = ["way_back", "faster"];
     let after =

@@ -1,12 +1,10 @@
-use crate::rays_of_camera;
 use exercises::many::Tree;
 use exercises::*;
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
-use step02_sphere::Roots;
 use step03_nearest::{Camera, OBJECTS, Object, Ray, Sphere, nearest};
-use tests::{camera, point, rays, sphere, unit};
+use tests::{camera, point, rays, rays_of_camera, sphere, unit};
 
 #[test]
 fn up_to_4_samples_jitter_draws_the_same_picture() {
@@ -27,23 +25,6 @@ fn each_random_ray_stays_in_its_sub_pixel() {
         let off = (inverse * ray.direction - place) * f64::from(side);
         assert!(off.abs().max_element() < 0.5 + 1e-9, "{x}, {y}: {off}");
     }
-}
-
-#[test]
-fn the_noise_is_even_and_neighbours_do_not_go_together() {
-    let (side, mut bins, mut together) = (300, [[0; 8]; 8], [0.0; 3]);
-    for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
-        let [u, v] = jitter::noise(x, y);
-        bins[(8.0 * u) as usize][(8.0 * v) as usize] += 1;
-        let [right, below] = [jitter::noise(x + 1, y), jitter::noise(x, y + 1)];
-        for (sum, other) in together.iter_mut().zip([v, right[0], below[0]]) {
-            *sum += 12.0 * (u - 0.5) * (other - 0.5) / f64::from(side * side);
-        }
-    }
-    // 1406 of the 90,000 fall into each of 64 bins, give or take 5 times √1406.
-    assert!(bins.iter().flatten().all(|n| (1218..1595).contains(n)), "{bins:?}");
-    // The correlation of chance is about 1/√90,000.
-    assert!(together.iter().all(|sum| sum.abs() < 0.017), "{together:?}");
 }
 
 #[test]
@@ -111,27 +92,6 @@ proptest! {
         if let (Some(p), Some(d)) = (p, d) {
             prop_assert!((p.distance(start) - d).abs() < 1e-9);
         }
-    }
-
-    #[test]
-    fn what_rays_of_a_plane_meet_is_in_boxes_that_the_plane_cuts(
-        list in vec(sphere(), 0..30), start in point(), u in unit(), w in unit()
-    ) {
-        prop_assume!(0.1 < u.cross(w).length());
-        let objects = list.into_iter().enumerate();
-        let objects = objects.map(|(material, sphere)| Object { sphere, material });
-        let mut sorted: Vec<_> = objects.collect();
-        let objects = sorted.clone();
-        let cut = Tree::new(&mut sorted).cut(start, u.cross(w));
-        for k in 0..32 {
-            let (sin, cos) = (f64::from(k) / 5.0).sin_cos();
-            let ray = Ray { start, direction: sin * u + cos * w };
-            let hit = objects.iter().filter(|o| o.sphere.intersect(&ray) != Roots::None);
-            prop_assert!(hit.into_iter().all(|object| cut.contains(&object)));
-        }
-        // Not all boxes are cut by a plane that is far away.
-        let away = DVec3::new(0.0, 100.0, 0.0);
-        prop_assert!(Tree::new(&mut sorted).cut(away, DVec3::Y).is_empty());
     }
 
     #[test]

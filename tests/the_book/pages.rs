@@ -3,7 +3,7 @@
 
 use super::assert_none;
 use super::built::book;
-use ::book::{Page, all, text};
+use ::book::{all, text};
 use std::collections::HashSet;
 
 /// What is only there when a directive or a formula was not expanded.
@@ -98,22 +98,4 @@ fn letters(css: &str, family: &str) -> Vec<[u32; 2]> {
             [number(first), number(last)]
         })
         .collect()
-}
-
-#[test]
-fn every_slide_has_a_home() {
-    let book = book();
-    let rows =
-        include_str!("slides.md").lines().filter(|line| line.starts_with('|'));
-    let homeless = rows.skip(2).filter(|row| {
-        let home =
-            row.trim_matches(['|', ' ']).rsplit(" | ").next().unwrap_or_default();
-        let is_there = |page: &Page| {
-            page.name.strip_suffix(".html") == Some(home)
-                || page.all("[id]").iter().any(|one| one.attr("id") == Some(home))
-        };
-        home != "—" && !book.pages.values().any(is_there)
-    });
-    let homeless: Vec<_> = homeless.map(|row| format!("No home: {row}")).collect();
-    assert_none(&homeless);
 }

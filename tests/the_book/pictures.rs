@@ -3,16 +3,9 @@
 
 use super::assert_none;
 use super::built::{book, files};
-use image::RgbImage;
 use image::imageops::thumbnail;
-use live::{LIVE, Live, Sight};
+use live::{LIVE, Sight};
 use std::collections::HashMap;
-
-/// The name of what answers, and its picture as it is printed, if it is one.
-fn printed(live: &Live) -> Option<(String, RgbImage)> {
-    let Sight::Picture(picture) = live.printed() else { return None };
-    Some((live.name.to_owned(), picture))
-}
 
 #[test]
 fn every_picture_is_locked_or_drawn_by_our_code() {
@@ -20,7 +13,10 @@ fn every_picture_is_locked_or_drawn_by_our_code() {
         let picture = thumbnail(&step.picture(&live::camera(), 1), 320, 180);
         (format!("{}-small", step.name()), picture)
     });
-    let printed = LIVE.iter().filter_map(printed);
+    let printed = LIVE.iter().filter_map(|live| match live.printed() {
+        Sight::Picture(picture) => Some((live.name.to_owned(), picture)),
+        Sight::Drawing(_) => None,
+    });
     let mut right: HashMap<_, _> = small.chain(printed).collect();
     let decoded = |png: &[u8]| Some(image::load_from_memory(png).ok()?.to_rgb8());
     for (file, png) in files("book/check/mistakes/pictures").0 {

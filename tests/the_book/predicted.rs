@@ -1,92 +1,65 @@
 //! What a chapter asks its reader to predict, where the answer is a run: the program that
 //! the reader has there, changed as the question says, shows what the answer says.
 
-use super::built::book;
-use ::book::text;
 use glam::DVec3;
 use step02_sphere::{Ray, Roots, SPHERE, Sphere};
-use step03_nearest::{OBJECTS, Object};
-use tests::camera;
+use step03_nearest::{OBJECTS, Object, colour, nearest};
+use tests::rays_of_camera;
 
-/// Fails unless a question on the page begins with these words.
-#[track_caller]
-fn assert_asked(page: &str, question: &str) {
-    let book = book();
-    let asked = book.pages[page].all("details.predict > summary");
-    let mut asked = asked.into_iter().map(|one| text(one).replace('\n', " "));
-    assert!(
-        asked.any(|words| words.contains(question)),
-        "{page} does not ask {question:?}."
-    );
-}
-
-/// The rays of the course's pictures.
-fn rays() -> impl Iterator<Item = Ray> {
-    let camera = camera();
-    let pixels =
-        (0..camera.v_res).flat_map(move |j| (0..camera.h_res).map(move |i| (i, j)));
-    pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
-}
-
+/// "In `sphere.rs`, you move the direction as you move the start."
 #[test]
 fn no_sphere_is_seen_along_directions_that_were_moved() {
-    assert_asked(
-        "step02_sphere.html",
-        "you move the direction as you move the start",
-    );
     let moved = |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
-    let mut moved = rays().map(moved);
+    let mut moved = rays_of_camera().map(moved);
     assert!(moved.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));
 }
 
+/// "You put the centre of `SPHERE` at the eye."
 #[test]
 fn all_is_red_from_within_the_sphere() {
-    assert_asked("step02_sphere.html", "the centre of SPHERE at the eye");
     let around = Sphere { centre: DVec3::ZERO, ..SPHERE };
-    assert!(rays().all(|ray| around.intersect(&ray).first_hit().is_some()));
+    assert!(
+        rays_of_camera().all(|ray| around.intersect(&ray).first_hit().is_some())
+    );
 }
 
+/// "In `nearest`, you keep the first hit that the loop finds."
 #[test]
 fn of_the_first_in_the_list_much_is_gone() {
-    assert_asked("step03_nearest.html", "you keep the first hit");
     let (mut seen, mut shown) = ([0.0; 9], [0.0; 9]);
-    for ray in rays() {
-        let t = |k: usize| {
-            OBJECTS[k].sphere.intersect(&ray).first_hit().map(|t| (t, k))
-        };
-        let hits: Vec<_> = (0..9).filter_map(t).collect();
-        let Some(&(_, first)) = hits.first() else { continue };
+    for ray in rays_of_camera() {
+        let t = |k: &usize| OBJECTS[*k].sphere.intersect(&ray).first_hit();
+        let Some(first) = (0..9).find(|k| t(k).is_some()) else { continue };
+        let hit = nearest(&OBJECTS, &ray).map(|hit| hit.t);
+        let front = (0..9).find(|k| t(k) == hit).expect("it is the nearest");
         shown[first] += 1.0;
-        let nearest = hits.iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        seen[nearest.map_or(first, |hit| hit.1)] += 1.0;
+        seen[front] += 1.0;
     }
-    let left = |k: usize| shown[k] / seen[k];
-    assert_eq!(left(2), 0.0, "golden");
-    assert!(0.0 < left(6) && left(6) < 0.05, "{} of white is left", left(6));
-    assert!(0.2 < left(5) && left(5) < 0.8, "{} of teal is left", left(5));
+    let [golden, teal, white] = [2, 5, 6].map(|k| shown[k] / seen[k]);
+    assert_eq!(golden, 0.0);
+    assert!(0.0 < white && white < 0.05, "{white} of white is left");
+    assert!(0.2 < teal && teal < 0.8, "{teal} of teal is left");
 }
 
+/// "The centre of the green sphere is above you and to the right."
 #[test]
 fn the_ball_behind_you_is_seen_to_the_left_and_below() {
-    assert_asked("step03_nearest.html", "The centre of the green sphere is above");
     let Object { sphere: green, .. } = OBJECTS[4];
-    let lines = rays().filter(|ray| green.intersect(ray) != Roots::None);
+    let lines = rays_of_camera().filter(|ray| green.intersect(ray) != Roots::None);
     let middle: DVec3 = lines.map(|ray| ray.direction).sum();
     assert!(0.0 < green.centre.x && 0.0 < green.centre.y);
     assert!(middle.x < 0.0 && middle.y < 0.0);
 }
 
+/// "Add a ball with its centre at the eye and a radius of 100."
 #[test]
 fn a_ball_around_the_scene_is_its_sky() {
-    assert_asked("step03_nearest.html", "Add a ball with its centre at the eye");
-    let objects = exercises::my_scene::objects();
-    let sky = DVec3::new(0.1, 0.2, 0.3);
-    let mut more = objects.clone();
+    let (objects, material) = (exercises::my_scene::objects(), DVec3::splat(0.2));
     let sphere = Sphere { centre: DVec3::ZERO, radius: 100.0 };
-    more.push(Object { sphere, material: sky });
-    for ray in rays() {
-        let hit = step03_nearest::nearest(&objects, &ray);
-        let colour = hit.map_or(sky, |hit| hit.object.material);
-        assert_eq!(step03_nearest::colour(&more, &ray), colour);
+    let more = [&objects[..], &[Object { sphere, material }]].concat();
+    for ray in rays_of_camera() {
+        let hit = nearest(&objects, &ray);
+        let seen = hit.map_or(material, |hit| hit.object.material);
+        assert_eq!(colour(&more, &ray), seen);
     }
 }

@@ -6,20 +6,16 @@ use book::Files;
 use compare::{Difference, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
-use std::env::consts::EXE_SUFFIX;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tests::{locked, target};
 
 /// The crates, in the order in which a reader writes them.
-pub const STEPS: [&str; 5] = [
-    "step01_rays",
-    "step02_sphere",
-    "step03_nearest",
-    "step04_diffuse",
-    "step05_phong",
-];
+pub const STEPS: [&str; 5] = {
+    let [rays, sphere, nearest, diffuse, phong] = exercises::STEPS;
+    [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
+};
 
 /// The manifest of the states; with the features of the book's builder, so that nothing is
 /// compiled once more.
@@ -160,30 +156,18 @@ impl Typist {
         build(cargo.args(["--config", "profile.dev.package.states.opt-level=0"]))
     }
 
-    /// Builds examples of a crate, or tells the errors and warnings.
-    pub fn build_examples(&self, step: &str, examples: &[&str]) -> Result<()> {
-        let mut words = vec!["build", "-p", step];
-        words.extend(examples.iter().flat_map(|name| ["--example", name]));
-        let output = self.cargo(&words).output()?;
-        let text = String::from_utf8_lossy(&output.stderr);
-        ensure!(output.status.success() && text.is_empty(), "{text}");
-        Ok(())
-    }
-
-    /// The picture that an example draws with these options, once it is built; `scene`
-    /// tells it which, if it has several.
+    /// The picture that an example of a crate draws with these options; a warning is an
+    /// error.
     pub fn draw(
         &self,
+        step: &str,
         example: &str,
         options: &str,
-        scene: usize,
     ) -> Result<RgbImage> {
-        let file = format!("target/debug/examples/{example}{EXE_SUFFIX}");
-        let mut program = Command::new(self.folder.join(file));
-        program.args(options.split_whitespace()).env("SCENE", scene.to_string());
-        let output = program.current_dir(&self.folder).output()?;
+        let mut cargo = self.cargo(&["run", "-p", step, "--example", example]);
+        let output = cargo.arg("--").args(options.split_whitespace()).output()?;
         let told = String::from_utf8_lossy(&output.stderr);
-        ensure!(output.status.success(), "{told}");
+        ensure!(output.status.success() && told.is_empty(), "{told}");
         Ok(image::open(self.folder.join(format!("{example}.png")))?.to_rgb8())
     }
 

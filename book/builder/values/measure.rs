@@ -2,14 +2,32 @@
 
 use compare::Difference;
 use glam::DVec3;
-pub use live::{camera, discriminant, roots};
+pub use live::{camera, discriminant, number, roots, vector};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
 use step05_phong::{
-    Ray, SurfacePoint, colour, direction_colour, picture, reflect, render, scene,
-    specular, visible_point,
+    Material, Object, Ray, SurfacePoint, colour, direction_colour, nearest,
+    picture, reflect, render, scene, specular, visible_point,
 };
+
+/// The pixel of the worked examples of light: its column i and its row j.
+pub const PIXEL: [u32; 2] = [470, 120];
+
+/// A number that the page tells of a pixel of a picture.
+pub fn told(picture: &str, pixel: [u32; 2], which: &str) -> String {
+    let live = live::find(picture).expect("a picture that answers");
+    let mut values = live.values();
+    values[..2].copy_from_slice(&pixel.map(f64::from));
+    let told = (live.numbers)(&values).remove(which);
+    told.unwrap_or_else(|| panic!("{picture} has no {which}"))
+}
+
+/// The object that a pixel of the final picture shows.
+pub fn object([i, j]: [u32; 2]) -> Object<Material> {
+    let (scene, ray) = (scene(), camera().ray(i.into(), j.into()));
+    *nearest(&scene.objects, &ray).expect("it shows one").object
+}
 
 /// A ray along −z that starts at (x, 0, z).
 pub fn ahead(x: f64, z: f64) -> Ray {
@@ -38,7 +56,7 @@ pub fn pixels(length: f64) -> f64 {
 
 /// Both t, with "and" between them.
 pub fn both(sphere: &Sphere, ray: &Ray) -> String {
-    roots(sphere, ray).map(short).join(" and ")
+    roots(sphere, ray).map(number).join(" and ")
 }
 
 /// Without the test of n·l: how many pixels of the final picture change, and by how
@@ -67,13 +85,6 @@ pub static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
     }
 });
 
-/// A number with four digits after the point, zeros at the end left out.
-pub fn short(number: f64) -> String {
-    let text = format!("{number:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_string() } else { text.to_string() }
-}
-
 /// A number with one digit after the point.
 pub fn tenths(number: f64) -> String {
     format!("{number:.1}")
@@ -89,12 +100,7 @@ pub fn grouped(number: f64) -> String {
         .collect()
 }
 
-/// A vector as (x, y, z).
-pub fn vector(vector: DVec3) -> String {
-    format!("({})", vector.to_array().map(short).join(", "))
-}
-
 /// An 8-bit colour as (red, green, blue).
 pub fn rgb(channels: [u8; 3]) -> String {
-    format!("({})", channels.map(|channel| channel.to_string()).join(", "))
+    vector(channels.map(f64::from))
 }

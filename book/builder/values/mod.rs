@@ -2,7 +2,6 @@
 
 mod measure;
 mod next;
-mod pixel;
 mod slips;
 mod step01;
 mod step02;
@@ -37,8 +36,8 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     KNOWN.keys().copied()
 }
 
-/// The value of this name.
-pub fn get(name: &str) -> Result<&'static str, String> {
-    let value = KNOWN.get(name).map(|value| value.as_str());
+/// The value of this name, with a hyphen for a minus.
+pub fn get(name: &str) -> Result<String, String> {
+    let value = KNOWN.get(name).map(|value| value.replace('−', "-"));
     value.ok_or(format!("there is no value {name}"))
 }

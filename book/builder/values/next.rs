@@ -1,11 +1,12 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
 use super::Value;
-use super::measure::{count, counted, short, vector};
+use super::measure::{camera, count, counted, number, vector};
+use exercises::{gamma::srgb, look_at::look_at};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{
-    OBJECTS, Object, PointLight, Ray, Sphere, scene, visible_point,
+    Camera, OBJECTS, Object, PointLight, Ray, scene, visible_point,
 };
 
 pub const VALUES: &[Value] = &[
@@ -26,8 +27,8 @@ pub const VALUES: &[Value] = &[
     ("next-lamps-in-front", || {
         counted(|ray| lamps(ray).into_iter().filter(|cosine| 0.0 < *cosine).count())
     }),
-    ("next-half-byte", || short(light_of_byte(128.0))),
-    ("next-byte-of-half", || short(byte_of_light(0.5))),
+    ("next-half-byte", || number(light_of_byte(128.0))),
+    ("next-byte-of-half", || format!("{:.0}", 255.0 * srgb(0.5))),
 ];
 
 /// How many mirrors that reflect this part leave less than one step of 8 bits.
@@ -53,21 +54,13 @@ fn lamps(ray: &Ray) -> Vec<f64> {
 /// The basis x', y', z' of a camera at (4, 2, 0) that looks at the middle of the
 /// largest sphere, as columns.
 fn basis() -> DMat3 {
-    let Sphere { centre, .. } = OBJECTS[0].sphere;
-    let z = (DVec3::new(4.0, 2.0, 0.0) - centre).normalize();
-    let x = DVec3::Y.cross(z).normalize();
-    DMat3::from_cols(x, z.cross(x), z)
+    let own = Camera { matrix: DMat3::IDENTITY, ..camera() };
+    let target = OBJECTS[0].sphere.centre;
+    look_at(&own, DVec3::new(4.0, 2.0, 0.0), target, 0.0).matrix
 }
 
 /// The part of a screen's light that a byte of sRGB stands for.
 fn light_of_byte(byte: f64) -> f64 {
     let x = byte / 255.0;
     if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
-}
-
-/// The byte of sRGB that stands for a part of a screen's light.
-fn byte_of_light(x: f64) -> f64 {
-    let encoded =
-        if x <= 0.0031308 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round()
 }

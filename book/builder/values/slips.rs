@@ -2,8 +2,9 @@
 
 use super::Value;
 use super::measure::{
-    UNGATED, ahead, both, camera, discriminant, grouped, pixels, short, tenths,
+    UNGATED, ahead, both, camera, discriminant, grouped, number, pixels, tenths,
 };
+use exercises::slide_matrix;
 use glam::DVec3;
 use live::Row;
 use std::f64::consts::FRAC_PI_3;
@@ -12,78 +13,70 @@ use step02_sphere::SPHERE;
 use step05_phong::reflect;
 
 pub const VALUES: &[Value] = &[
-    ("slips-first-v0-y", || short(upright())),
-    ("slips-first-v0-pixels", || short(pixels(upright() - top(&camera())))),
-    ("slips-slide-v0-y", || short(top(&slide()))),
-    ("slips-slide-v0-pixels", || short(pixels(top(&slide()) - top(&camera())))),
-    ("slips-slide-d-v", || short(slide().matrix.y_axis.y)),
+    ("slips-first-v0-y", || number(upright())),
+    ("slips-first-v0-pixels", || number(pixels(upright() - top(&camera())))),
+    ("slips-slide-v0-y", || number(top(&slide_matrix()))),
+    ("slips-slide-v0-pixels", || {
+        number(pixels(top(&slide_matrix()) - top(&camera())))
+    }),
+    ("slips-slide-d-v", || number(slide_matrix().matrix.y_axis.y)),
     ("slips-meant-d-v", || format!("{:.6}", -2.0 * upright() / 359.0)),
-    ("slips-meant-ratio", || short(pixels(2.0 * upright() / 359.0))),
+    ("slips-meant-ratio", || number(pixels(2.0 * upright() / 359.0))),
     ("slips-slide-times", || {
-        grouped(slide().matrix.y_axis.y / camera().matrix.y_axis.y)
+        grouped(slide_matrix().matrix.y_axis.y / camera().matrix.y_axis.y)
     }),
     ("slips-slide-row-0", || row(0.0)),
     ("slips-slide-row-1", || row(1.0)),
     ("slips-slide-row-2", || row(2.0)),
     ("slips-slide-row-10", || row(10.0)),
     ("slips-slide-row-359", || row(359.0)),
-    ("slips-slide-angle-0", || tenths(degrees_down(&slide(), 0.0))),
-    ("slips-slide-angle-1", || tenths(degrees_down(&slide(), 1.0))),
-    ("slips-slide-angle-2", || tenths(degrees_down(&slide(), 2.0))),
-    ("slips-slide-angle-10", || tenths(degrees_down(&slide(), 10.0))),
-    ("slips-slide-angle-359", || tenths(degrees_down(&slide(), 359.0))),
+    ("slips-slide-angle-0", || tenths(degrees_down(&slide_matrix(), 0.0))),
+    ("slips-slide-angle-1", || tenths(degrees_down(&slide_matrix(), 1.0))),
+    ("slips-slide-angle-2", || tenths(degrees_down(&slide_matrix(), 2.0))),
+    ("slips-slide-angle-10", || tenths(degrees_down(&slide_matrix(), 10.0))),
+    ("slips-slide-angle-359", || tenths(degrees_down(&slide_matrix(), 359.0))),
     ("slips-angle-0", || tenths(degrees_down(&camera(), 0.0))),
     ("slips-angle-1", || tenths(degrees_down(&camera(), 1.0))),
     ("slips-angle-2", || tenths(degrees_down(&camera(), 2.0))),
     ("slips-angle-10", || tenths(degrees_down(&camera(), 10.0))),
     ("slips-angle-359", || tenths(degrees_down(&camera(), 359.0))),
-    ("slips-row-last", || short(flat().direction(639.0).x)),
-    ("slips-row-beyond", || short(flat().direction(640.0).x)),
+    ("slips-row-last", || number(flat().direction(639.0).x)),
+    ("slips-row-beyond", || number(flat().direction(640.0).x)),
     ("slips-row-angle", || {
         let angle = flat().direction(640.0).angle_to(flat().direction(0.0));
-        short(angle.to_degrees())
+        number(angle.to_degrees())
     }),
-    ("slips-i-twice-2", || short(pixels(twice(2.0) - flat().direction(0.0).x))),
-    ("slips-i-twice-last", || short(twice(639.0))),
-    ("slips-pass-b", || short(SPHERE.coefficients(&ahead(1.1, 0.0)).1)),
-    ("slips-pass-c", || short(SPHERE.coefficients(&ahead(1.1, 0.0)).2)),
-    ("slips-pass-discriminant", || short(discriminant(&SPHERE, &ahead(1.1, 0.0)))),
+    ("slips-i-twice-2", || number(pixels(twice(2.0) - flat().direction(0.0).x))),
+    ("slips-i-twice-last", || number(twice(639.0))),
+    ("slips-pass-b", || number(SPHERE.coefficients(&ahead(1.1, 0.0)).1)),
+    ("slips-pass-c", || number(SPHERE.coefficients(&ahead(1.1, 0.0)).2)),
+    ("slips-pass-discriminant", || number(discriminant(&SPHERE, &ahead(1.1, 0.0)))),
     ("slips-pass-real", || {
         let (a, b, _) = SPHERE.coefficients(&ahead(1.1, 0.0));
-        short(-b / (2.0 * a))
+        number(-b / (2.0 * a))
     }),
     ("slips-pass-imaginary", || {
         let ray = ahead(1.1, 0.0);
         let (a, _, _) = SPHERE.coefficients(&ray);
-        short((-discriminant(&SPHERE, &ray)).sqrt() / (2.0 * a))
+        number((-discriminant(&SPHERE, &ray)).sqrt() / (2.0 * a))
     }),
     ("slips-inside", || both(&SPHERE, &ahead(0.0, -5.0))),
     ("slips-behind", || both(&SPHERE, &ahead(0.0, -10.0))),
     ("slips-behind-discriminant", || {
-        short(discriminant(&SPHERE, &ahead(0.0, -10.0)))
+        number(discriminant(&SPHERE, &ahead(0.0, -10.0)))
     }),
-    ("slips-gate-n-l", || short(behind().0)),
-    ("slips-gate-r-v", || short(behind().1)),
+    ("slips-gate-n-l", || number(behind().0)),
+    ("slips-gate-r-v", || number(behind().1)),
     ("slips-gate-pixels", || grouped(UNGATED.0 as f64)),
     ("slips-gate-most", || UNGATED.1.to_string()),
     ("slips-v-angle", || {
-        short(degrees_down(&camera(), 359.0) - degrees_down(&camera(), 0.0))
+        number(degrees_down(&camera(), 359.0) - degrees_down(&camera(), 0.0))
     }),
 ];
 
 /// vRes / hRes · tan(θ/2).
 fn upright() -> f64 {
     360.0 / 640.0 * (FRAC_PI_3 / 2.0).tan()
-}
-
-/// The camera with the matrix on the slide "A Basic 3D Camera Matrix".
-fn slide() -> Camera {
-    let mut camera = camera();
-    let tan = -camera.matrix.z_axis.x;
-    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
-    camera.matrix.y_axis.y = -2.0 * upright;
-    camera.matrix.z_axis.y = upright;
-    camera
 }
 
 /// The y of V_0.
@@ -93,7 +86,7 @@ fn top(camera: &Camera) -> f64 {
 
 /// The height of a row's directions with the matrix on the slide.
 fn row(j: f64) -> String {
-    short(slide().ray(0.0, j).direction.y)
+    number(slide_matrix().ray(0.0, j).direction.y)
 }
 
 /// How many degrees below the horizon a camera looks through a row, in the middle

@@ -1,30 +1,30 @@
 //! The numbers of the introduction and of chapter 1.
 
 use super::Value;
-use super::measure::{camera, rgb, short, tenths, vector};
+use super::measure::{camera, number, rgb, tenths, vector};
 use live::Row;
 use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, direction_colour, picture};
 
 pub const VALUES: &[Value] = &[
-    ("camera-tan", || short((FRAC_PI_3 / 2.0).tan())),
-    ("camera-v0-x", || short(camera().matrix.z_axis.x)),
-    ("camera-v0-y", || short(camera().matrix.z_axis.y)),
-    ("step01-row-d", || short(row().matrix.x_axis.x)),
-    ("step01-row-v0", || short(row().direction(0.0).x)),
-    ("step01-row-v6", || short(row().direction(6.0).x)),
+    ("camera-tan", || number((FRAC_PI_3 / 2.0).tan())),
+    ("camera-v0-x", || number(camera().matrix.z_axis.x)),
+    ("camera-v0-y", || number(camera().matrix.z_axis.y)),
+    ("step01-row-d", || number(row().matrix.x_axis.x)),
+    ("step01-row-v0", || number(row().direction(0.0).x)),
+    ("step01-row-v6", || number(row().direction(6.0).x)),
     ("step01-row-middle-angle", || between(2.0, 3.0)),
     ("step01-row-edge-angle", || between(0.0, 1.0)),
     ("step01-row-short-angle", || between(0.0, 6.0 * 6.0 / 7.0)),
     ("step01-step", || format!("{:.6}", camera().matrix.x_axis.x)),
     ("step01-down", || format!("{:.6}", camera().matrix.y_axis.y)),
-    ("step01-pixel-x", || short(camera().ray(480.0, 90.0).direction.x)),
-    ("step01-pixel-y", || short(camera().ray(480.0, 90.0).direction.y)),
+    ("step01-pixel-x", || number(camera().ray(480.0, 90.0).direction.x)),
+    ("step01-pixel-y", || number(camera().ray(480.0, 90.0).direction.y)),
     ("step01-pixel-intensity", || {
         vector(direction_colour(&camera().ray(480.0, 90.0)))
     }),
     ("step01-pixel-colour", || pixel(480, 90)),
-    ("step01-corner-length", || short(camera().ray(0.0, 0.0).direction.length())),
+    ("step01-corner-length", || number(camera().ray(0.0, 0.0).direction.length())),
     ("step01-top-left", || pixel(0, 0)),
     ("step01-top-right", || pixel(639, 0)),
     ("step01-bottom-left", || pixel(0, 359)),

@@ -2,40 +2,40 @@
 
 use super::Value;
 use super::measure::{
-    ahead, camera, counted, discriminant, pixels, roots, short, tenths, vector,
+    ahead, camera, counted, discriminant, number, pixels, roots, tenths, vector,
 };
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
 
 pub const VALUES: &[Value] = &[
-    ("sphere-a", || short(SPHERE.coefficients(&pixel()).0)),
-    ("sphere-b", || short(SPHERE.coefficients(&pixel()).1)),
-    ("sphere-c", || short(SPHERE.coefficients(&pixel()).2)),
-    ("sphere-discriminant", || short(discriminant(&SPHERE, &pixel()))),
-    ("sphere-near", || short(roots(&SPHERE, &pixel())[0])),
-    ("step02-axis-a", || short(SPHERE.coefficients(&axis()).0)),
-    ("step02-axis-b", || short(SPHERE.coefficients(&axis()).1)),
-    ("step02-axis-c", || short(SPHERE.coefficients(&axis()).2)),
-    ("step02-behind-b", || short(SPHERE.coefficients(&ahead(0.0, -10.0)).1)),
-    ("step02-behind-near", || short(roots(&SPHERE, &ahead(0.0, -10.0))[0])),
-    ("step02-behind-far", || short(roots(&SPHERE, &ahead(0.0, -10.0))[1])),
-    ("step02-axis-near", || short(roots(&SPHERE, &axis())[0])),
-    ("step02-axis-far", || short(roots(&SPHERE, &axis())[1])),
-    ("step02-v-x", || short(pixel().direction.x)),
-    ("step02-v-y", || short(pixel().direction.y)),
-    ("step02-far", || short(roots(&SPHERE, &pixel())[1])),
+    ("sphere-a", || number(SPHERE.coefficients(&pixel()).0)),
+    ("sphere-b", || number(SPHERE.coefficients(&pixel()).1)),
+    ("sphere-c", || number(SPHERE.coefficients(&pixel()).2)),
+    ("sphere-discriminant", || number(discriminant(&SPHERE, &pixel()))),
+    ("sphere-near", || number(roots(&SPHERE, &pixel())[0])),
+    ("step02-axis-a", || number(SPHERE.coefficients(&axis()).0)),
+    ("step02-axis-b", || number(SPHERE.coefficients(&axis()).1)),
+    ("step02-axis-c", || number(SPHERE.coefficients(&axis()).2)),
+    ("step02-behind-b", || number(SPHERE.coefficients(&ahead(0.0, -10.0)).1)),
+    ("step02-behind-near", || number(roots(&SPHERE, &ahead(0.0, -10.0))[0])),
+    ("step02-behind-far", || number(roots(&SPHERE, &ahead(0.0, -10.0))[1])),
+    ("step02-axis-near", || number(roots(&SPHERE, &axis())[0])),
+    ("step02-axis-far", || number(roots(&SPHERE, &axis())[1])),
+    ("step02-v-x", || number(pixel().direction.x)),
+    ("step02-v-y", || number(pixel().direction.y)),
+    ("step02-far", || number(roots(&SPHERE, &pixel())[1])),
     ("step02-point", || vector(point())),
-    ("step02-long", || short(pixel().direction.length())),
-    ("step02-distance", || short(point().length())),
+    ("step02-long", || number(pixel().direction.length())),
+    ("step02-distance", || number(point().length())),
     ("step02-rays", || counted(|_| 1)),
     ("step02-touches", || {
         counted(|ray| (discriminant(&SPHERE, ray) == 0.0).into())
     }),
-    ("step02-edge", || short((1.0_f64 / 24.0).sqrt())),
+    ("step02-edge", || number((1.0_f64 / 24.0).sqrt())),
     ("step02-edge-pixels", || tenths(pixels((1.0_f64 / 24.0).sqrt()))),
     ("step02-fifth-pixels", || tenths(pixels(0.2))),
     ("step02-rim-radius", || format!("{:.2}", rim().0)),
-    ("step02-rim-depth", || short(rim().1)),
+    ("step02-rim-depth", || number(rim().1)),
     ("step02-columns", || {
         let shows = |&i: &u32| is_met(&camera().ray(i.into(), 180.0));
         (0..640).filter(shows).count().to_string()

@@ -1,7 +1,7 @@
 //! The numbers of chapter 3.
 
 use super::Value;
-use super::measure::{both, camera, counted, pixels, short, tenths, vector};
+use super::measure::{both, camera, counted, number, pixels, tenths, vector};
 use glam::DVec3;
 use std::sync::LazyLock;
 use step02_sphere::Roots;
@@ -33,18 +33,28 @@ pub const VALUES: &[Value] = &[
         SCENE.iter().filter(met).count().to_string()
     }),
     ("step03-nearest", || {
-        nearest(&SCENE, &crowded()).map_or("none".to_string(), |hit| short(hit.t))
+        nearest(&SCENE, &crowded()).map_or("none".to_string(), |hit| number(hit.t))
     }),
     ("step03-check-centre", || {
         vector(
-            (1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.centre).sum(),
+            (1..)
+                .zip(OBJECTS)
+                .map(|(k, o)| f64::from(k) * o.sphere.centre)
+                .sum::<DVec3>(),
         )
     }),
     ("step03-check-radius", || {
-        short((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.radius).sum())
+        number(
+            (1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.radius).sum(),
+        )
     }),
     ("step03-check-colour", || {
-        vector((1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.material).sum())
+        vector(
+            (1..)
+                .zip(OBJECTS)
+                .map(|(k, o)| f64::from(k) * o.material)
+                .sum::<DVec3>(),
+        )
     }),
     ("step03-gap", || {
         let gap = |s: &Sphere| {
@@ -52,7 +62,7 @@ pub const VALUES: &[Value] = &[
             (apart - sphere(1).radius - s.radius).abs()
         };
         let gaps = [0, 2, 3, 5, 6, 7].map(|index| gap(sphere(index)));
-        short(gaps.into_iter().fold(0.0, f64::max))
+        number(gaps.into_iter().fold(0.0, f64::max))
     }),
     ("step03-edge-left", || ground_row(0.0)),
     ("step03-edge-middle", || ground_row(320.0)),

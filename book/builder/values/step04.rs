@@ -1,37 +1,38 @@
 //! The numbers of chapter 4.
 
 use super::Value;
-use super::measure::{camera, counted, rgb, short, vector};
-use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
+use super::measure::{PIXEL, camera, counted, number, object, told, vector};
 use glam::DVec3;
-use step04_diffuse::{AMBIENT, COOL, Ray, WARM, colour, nearest, picture, scene};
+use step04_diffuse::{
+    AMBIENT, COOL, Ray, WARM, colour, nearest, scene, visible_point,
+};
 
 pub const VALUES: &[Value] = &[
-    ("step04-ray-direction", || vector(ray().direction)),
-    ("step04-t", || short(hit().0)),
-    ("step04-p", || vector(warm().point.p)),
-    ("step04-p-column", || column(warm().point.p)),
-    ("step04-centre", || vector(hit().1.sphere.centre)),
-    ("step04-centre-column", || column(hit().1.sphere.centre)),
-    ("step04-radius", || short(hit().1.sphere.radius)),
-    ("step04-n-column", || column(warm().point.n)),
-    ("step04-surface", || vector(hit().1.material.surface.diffuse)),
-    ("step04-ambient", || vector(example().ambient)),
-    ("step04-warm-l", || vector(warm().l)),
-    ("step04-warm-d", || short(warm().d)),
-    ("step04-warm-divisor", || short(WARM.attenuation.at(warm().d))),
-    ("step04-warm-cosine", || short(warm().cosine)),
-    ("step04-warm-diffuse", || vector(warm().diffuse)),
-    ("step04-cool-l", || vector(cool().l)),
-    ("step04-cool-d", || short(cool().d)),
-    ("step04-cool-divisor", || short(COOL.attenuation.at(cool().d))),
-    ("step04-cool-cosine", || short(cool().cosine)),
-    ("step04-cool-diffuse", || vector(cool().diffuse)),
-    ("step04-sum", || vector(example().ambient + example().diffuse)),
-    ("step04-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
-    ("step04-behind-cosine", || short(lit((380, 136), 1).cosine)),
-    ("step04-peach", || short(blueness(WARM.diffuse))),
-    ("step04-orange", || format!("{:.2}", blueness(plaster((380, 136))))),
+    ("step04-ray-direction", || at("V")),
+    ("step04-t", || at("t")),
+    ("step04-p", || at("p")),
+    ("step04-p-column", || column(&at("p"))),
+    ("step04-centre", || vector(object(PIXEL).sphere.centre)),
+    ("step04-centre-column", || column(&vector(object(PIXEL).sphere.centre))),
+    ("step04-radius", || number(object(PIXEL).sphere.radius)),
+    ("step04-n-column", || column(&at("n"))),
+    ("step04-surface", || vector(object(PIXEL).material.surface.diffuse)),
+    ("step04-ambient", || at("ambient")),
+    ("step04-warm-l", || at("l warm")),
+    ("step04-warm-d", || at("d warm")),
+    ("step04-warm-divisor", || at("divisor warm")),
+    ("step04-warm-cosine", || at("nl warm")),
+    ("step04-warm-diffuse", || at("diffuse warm")),
+    ("step04-cool-l", || at("l cool")),
+    ("step04-cool-d", || at("d cool")),
+    ("step04-cool-divisor", || at("divisor cool")),
+    ("step04-cool-cosine", || at("nl cool")),
+    ("step04-cool-diffuse", || at("diffuse cool")),
+    ("step04-sum", || at("sum")),
+    ("step04-pixel", || at("bytes")),
+    ("step04-behind-cosine", || told("step04_diffuse", BEHIND, "nl cool")),
+    ("step04-peach", || number(blueness(WARM.diffuse))),
+    ("step04-orange", || format!("{:.2}", blueness(plaster()))),
     ("step04-clipped", || {
         let scene = scene();
         let is_seen = |ray: &Ray| nearest(&scene.objects, ray).is_some();
@@ -40,22 +41,34 @@ pub const VALUES: &[Value] = &[
     }),
 ];
 
+/// A number of the pixel of the worked example.
+fn at(which: &str) -> String {
+    told("step04_diffuse", PIXEL, which)
+}
+
+/// A pixel that the cool light is behind.
+const BEHIND: [u32; 2] = [380, 136];
+
 /// How much blue a light has for its red.
 fn blueness(light: DVec3) -> f64 {
     light.z / light.x
 }
 
-/// The light that the example `plaster` adds up at a pixel, negative cosines and all.
-fn plaster(pixel: (u32, u32)) -> DVec3 {
-    let lamps = [WARM, COOL].into_iter().enumerate().map(|(k, lamp)| {
-        let lit = lit(pixel, k);
-        lit.cosine * lamp.diffuse / lamp.attenuation.at(lit.d)
+/// The light that the example `plaster` adds up there, negative cosines and all.
+fn plaster() -> DVec3 {
+    let (scene, [i, j]) = (scene(), BEHIND.map(f64::from));
+    let point = visible_point(&scene.objects, &camera().ray(i, j));
+    let lamps = point.iter().flat_map(|point| {
+        [WARM, COOL].map(|lamp| {
+            let (l, d) = lamp.direction_from(point.p);
+            point.n.dot(l) * lamp.diffuse / lamp.attenuation.at(d)
+        })
     });
     AMBIENT + lamps.sum::<DVec3>()
 }
 
-/// A vector as a column, for a formula.
-fn column(vector: DVec3) -> String {
-    let rows = vector.to_array().map(short).join(r" \\ ");
+/// A vector such as (1, 2, 3) as a column, for a formula.
+fn column(vector: &str) -> String {
+    let rows = vector.trim_matches(['(', ')']).replace(", ", r" \\ ");
     format!(r"\begin{{bmatrix}} {rows} \end{{bmatrix}}")
 }

@@ -1,29 +1,30 @@
 //! The numbers of chapter 5.
 
 use super::Value;
-use super::measure::{UNGATED, camera, rgb, short, tenths, vector};
-use super::pixel::{PIXEL, cool, example, hit, lit, ray, warm};
-use step05_phong::{Material, Object, picture, scene, terms};
+use super::measure::{PIXEL, UNGATED, camera, number, object, tenths, told};
+use step05_phong::{Material, Object, scene};
 
 pub const VALUES: &[Value] = &[
-    ("step05-v", || vector(warm().v)),
-    ("step05-v-length", || short(ray().direction.length())),
-    ("step05-warm-r", || vector(warm().r)),
-    ("step05-warm-alignment", || short(warm().alignment)),
-    ("step05-warm-specular", || vector(warm().specular)),
-    ("step05-cool-r", || vector(cool().r)),
-    ("step05-cool-alignment", || short(cool().alignment)),
-    ("step05-cool-angle", || tenths(cool().alignment.acos().to_degrees())),
-    ("step05-cool-power", || {
-        short(cool().alignment.powi(hit().1.material.shininess))
+    ("step05-v", || at("v")),
+    ("step05-v-length", || number(length(PIXEL))),
+    ("step05-warm-r", || at("r warm")),
+    ("step05-warm-alignment", || at("rv warm")),
+    ("step05-warm-specular", || at("specular warm")),
+    ("step05-cool-r", || at("r cool")),
+    ("step05-cool-alignment", || at("rv cool")),
+    ("step05-cool-angle", || {
+        let cosine: f64 =
+            at("rv cool").replace('−', "-").parse().unwrap_or(f64::NAN);
+        tenths(cosine.acos().to_degrees())
     }),
-    ("step05-cool-specular", || vector(cool().specular)),
-    ("step05-shininess", || hit().1.material.shininess.to_string()),
-    ("step05-r-s", || short(hit().1.material.specular.x)),
-    ("step05-diffuse", || vector(example().diffuse)),
-    ("step05-specular", || vector(example().specular)),
-    ("step05-sum", || vector(example().sum())),
-    ("step05-pixel", || rgb(picture(&camera(), 1).get_pixel(PIXEL.0, PIXEL.1).0)),
+    ("step05-cool-power", || at("power cool")),
+    ("step05-cool-specular", || at("specular cool")),
+    ("step05-shininess", || at("shininess")),
+    ("step05-r-s", || number(object(PIXEL).material.specular.x)),
+    ("step05-diffuse", || at("diffuse")),
+    ("step05-specular", || at("specular")),
+    ("step05-sum", || at("sum")),
+    ("step05-pixel", || at("bytes")),
     ("step05-half-1", || half_width(1.0)),
     ("step05-half-10", || half_width(10.0)),
     ("step05-half-16", || half_width(16.0)),
@@ -31,36 +32,47 @@ pub const VALUES: &[Value] = &[
     ("step05-half-300", || half_width(300.0)),
     ("step05-gate-pixels", || UNGATED.0.to_string()),
     ("step05-gate-most", || UNGATED.1.to_string()),
-    ("step05-edge-cosine", || short(lit((605, 165), 1).cosine)),
-    ("step05-edge-below", || short(lit((605, 166), 1).cosine)),
-    ("step05-edge-alignment", || short(lit((605, 165), 1).alignment)),
-    ("step05-edge-specular", || vector(lit((605, 165), 1).specular)),
-    ("step05-teal-v-length", || short(teal().0)),
-    ("step05-teal-specular", || {
-        let ray = camera().ray(583.0, 215.0);
-        terms(&scene(), &ray).map_or(String::new(), |terms| vector(terms.specular))
-    }),
+    ("step05-edge-cosine", || told("step05_phong", EDGE, "nl cool")),
+    ("step05-edge-below", || told("step05_phong", BELOW, "nl cool")),
+    ("step05-edge-alignment", || told("step05_phong", EDGE, "rv cool")),
+    ("step05-edge-specular", || told("step05_phong", EDGE, "specular cool")),
+    ("step05-teal-v-length", || number(length(TEAL))),
+    ("step05-teal-specular", || told("step05_phong", TEAL, "specular")),
     ("step05-check-r-s", || {
         let r_s = |(k, object): (usize, &Object<Material>)| {
             (k + 1) as f64 * object.material.specular.x
         };
-        short(scene().objects.iter().enumerate().map(r_s).sum())
+        number(scene().objects.iter().enumerate().map(r_s).sum())
     }),
     ("step05-check-n", || {
         let n =
             |(k, object): (i32, &Object<Material>)| k * object.material.shininess;
         (1..).zip(&scene().objects).map(n).sum::<i32>().to_string()
     }),
-    ("step05-teal-power", || short(teal().0.powi(teal().1))),
+    ("step05-teal-power", || {
+        number(length(TEAL).powi(object(TEAL).material.shininess))
+    }),
 ];
+
+/// The last pixel above the edge of a highlight, and the one below it.
+const EDGE: [u32; 2] = [605, 165];
+const BELOW: [u32; 2] = [605, 166];
+
+/// A pixel in the highlight of the teal sphere.
+const TEAL: [u32; 2] = [583, 215];
+
+/// A number of the pixel of the worked example.
+fn at(which: &str) -> String {
+    told("step05_phong", PIXEL, which)
+}
+
+/// The length of V through a pixel.
+fn length(pixel: [u32; 2]) -> f64 {
+    let [i, j] = pixel.map(f64::from);
+    camera().ray(i, j).direction.length()
+}
 
 /// The angle in degrees at which cosⁿ is 1/2.
 fn half_width(n: f64) -> String {
     tenths(0.5_f64.powf(1.0 / n).acos().to_degrees())
-}
-
-/// The length of V through a pixel that sees the teal sphere, and its shininess.
-fn teal() -> (f64, i32) {
-    let shininess = lit((583, 215), 0).point.material.shininess;
-    (camera().ray(583.0, 215.0).direction.length(), shininess)
 }

@@ -17,17 +17,17 @@ mod svg;
 pub use svg::{Drawing, View, escape, italic};
 
 mod quadratic;
-pub use exercises::row::Row;
+pub use exercises::{camera, row::Row};
 pub use quadratic::{discriminant, roots};
 
 mod live;
-pub use live::{Handle, Knob, Live, Numbers, Sight};
+pub use live::{Handle, Knob, Live, Numbers, Sight, number, vector};
 
 mod figures;
 mod own_scene;
 mod pictures;
 pub use own_scene::own_scene;
-pub use pictures::{camera, object_names};
+pub use pictures::object_names;
 
 use std::sync::LazyLock;
 

@@ -4,14 +4,8 @@ use live::{Sight, find, own_scene};
 
 #[test]
 fn a_picture_as_printed_is_that_of_its_step() {
-    let camera = live::camera();
-    for (name, picture) in [
-        ("step01_rays", step01_rays::picture(&camera, 1)),
-        ("step02_sphere", step02_sphere::picture(&camera, 1)),
-        ("step03_nearest", step03_nearest::picture(&camera, 1)),
-        ("step04_diffuse", step04_diffuse::picture(&camera, 1)),
-        ("step05_phong", step05_phong::picture(&camera, 1)),
-    ] {
+    for (name, picture) in exercises::STEPS {
+        let picture = picture(&live::camera(), 1);
         let printed = find(name).expect("it answers").printed();
         let is_same = matches!(printed, Sight::Picture(ours) if ours == picture);
         assert!(is_same, "{name} is another picture");

@@ -14,9 +14,31 @@ mod check;
 #[cfg(feature = "check")]
 pub use check::{check, keep};
 
-mod answer;
-pub use answer::answer;
-
 // A name that is kept for the page counts as unsafe, as it could clash with another.
 #[allow(unsafe_code)]
 mod page;
+
+use live::Answer;
+
+/// Answers a request.
+///
+/// - `check NAME FILE` is about the file whose bytes came with it: see
+///   [`check`](check()).
+/// - `draw NAME` gives a picture of ours: see [`draw`].
+/// - `drawn NAME` brings its pixels: see [`keep`].
+/// - Every other goes to [`live::answer`].
+#[cfg_attr(not(feature = "check"), expect(unused_variables))]
+pub fn answer(request: &str, file: &[u8]) -> Answer {
+    match request.split_once(' ') {
+        #[cfg(feature = "check")]
+        Some(("check", words)) => check(words, file),
+        #[cfg(feature = "check")]
+        Some(("drawn", name)) => keep(name, file),
+        #[cfg(feature = "pictures")]
+        Some(("draw", name)) => draw(name),
+        #[cfg(feature = "live")]
+        _ => live::answer(request),
+        #[cfg(not(feature = "live"))]
+        _ => Answer::default(),
+    }
+}

@@ -4,7 +4,7 @@
 //! needs no second target.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 use std::{env, fs};
 
@@ -22,20 +22,11 @@ const MODULES: [(&str, &str); 3] = [
 ];
 
 fn main() -> ExitCode {
-    let Err(error) = run() else { return ExitCode::SUCCESS };
+    let Err(error) = MODULES.into_iter().try_for_each(compile) else {
+        return ExitCode::SUCCESS;
+    };
     eprintln!("{error}");
     ExitCode::FAILURE
-}
-
-fn run() -> Result<(), Box<dyn Error>> {
-    if !has_target()? {
-        return Err(format!(
-            "Rust can't compile for the browser yet. Install what it needs, and try again:\n\n    \
-             rustup target add {TARGET}\n"
-        )
-        .into());
-    }
-    MODULES.into_iter().try_for_each(compile)
 }
 
 /// Compiles the package with one of its features.
@@ -77,22 +68,4 @@ fn sources() -> Vec<PathBuf> {
     let own = || env::home_dir().unwrap_or_default().join(".cargo");
     let folders = fs::read_dir(home.unwrap_or_else(own).join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()
-}
-
-/// Whether the compiler has a library for the target.
-fn has_target() -> Result<bool, Box<dyn Error>> {
-    let rustc = env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
-    let asked = Command::new(rustc)
-        .args(["--print", "target-libdir", "--target", TARGET])
-        .output()?;
-    let Ok(mut files) =
-        fs::read_dir(Path::new(str::from_utf8(&asked.stdout)?.trim()))
-    else {
-        return Ok(false);
-    };
-    Ok(files.any(|file| {
-        file.is_ok_and(|file| {
-            file.file_name().to_string_lossy().starts_with("libcore-")
-        })
-    }))
 }

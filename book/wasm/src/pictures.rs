@@ -1,13 +1,4 @@
-use exercises::{PICTURES, Picture};
-
-/// The pictures of the five steps.
-const STEPS: [(&str, Picture); 5] = [
-    ("step01_rays", step01_rays::picture),
-    ("step02_sphere", step02_sphere::picture),
-    ("step03_nearest", step03_nearest::picture),
-    ("step04_diffuse", step04_diffuse::picture),
-    ("step05_phong", step05_phong::picture),
-];
+use exercises::{PICTURES, STEPS};
 
 /// The names of all pictures, those of the steps first.
 ///

@@ -42,12 +42,6 @@ pub fn object_names() -> [&'static str; 9] {
     OBJECTS.map(|name| name.trim_end_matches(" sphere"))
 }
 
-/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees, which the programs
-/// turn into radians; π/3 is another number in its last digit.
-pub fn camera() -> Camera {
-    Camera::new(640, 360, 60_f64.to_radians())
-}
-
 /// What `camera` sees of a scene of step 5, one ray a pixel. In a page, the example
 /// `fast` draws it, as a dragged picture has to follow; the tests compare what it draws
 /// with `colour`.

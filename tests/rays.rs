@@ -1,7 +1,14 @@
+use exercises::camera;
 use glam::DVec3;
 use proptest::prelude::*;
 use step01_rays::Ray;
 use step02_sphere::Sphere;
+
+/// The rays through all pixels of the camera.
+pub fn rays_of_camera() -> impl Iterator<Item = Ray> {
+    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
+    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+}
 
 /// Points within 10 of the origin along each axis.
 pub fn point() -> impl Strategy<Value = DVec3> {
