@@ -3,7 +3,7 @@
 
 mod module;
 
-use ::check::camera;
+use ::check::{camera, names};
 use compare::workspace;
 use image::{ImageFormat, RgbImage};
 use live::{Answer, Knob, LIVE, Live};
@@ -14,7 +14,7 @@ use proptest::test_runner::TestRunner;
 use std::fs;
 use std::io::Cursor;
 use tests::{is_thorough, locked};
-use wasm::{NAMES, answer};
+use wasm::answer;
 
 /// Fails if the module `name` answers otherwise than our code.
 #[track_caller]
@@ -53,7 +53,7 @@ fn live_wasm_is_up_to_date() {
 fn pictures_wasm_is_up_to_date() {
     let mut module = Module::checked_in("pictures");
     // Small ones, as a module is slow where no browser compiles it.
-    for name in NAMES {
+    for name in names() {
         let request = format!("draw {name} 32");
         let ours = answer(&request, b"");
         assert_same("pictures", &request, &ours, module.answer(&request, b""));
@@ -66,7 +66,7 @@ fn pictures_wasm_is_up_to_date() {
 fn check_wasm_is_up_to_date() {
     let mut module = Module::checked_in("check");
     // As book/theme/live.js does, keep the pictures that it asks for.
-    let steps = NAMES.into_iter().filter(|name| name.starts_with("step"));
+    let steps = names().into_iter().filter(|name| name.starts_with("step"));
     for name in steps.chain(["gradient"]) {
         let (request, pixels) = (format!("drawn {name}"), locked(name).into_raw());
         answer(&request, &pixels);

@@ -1,5 +1,5 @@
-use crate::pictures::{NAMES, SIZE};
-use ::check::{Locked, Step};
+use crate::pictures::SIZE;
+use ::check::{Locked, Step, names};
 use image::RgbImage;
 use live::Answer;
 use live::json;
@@ -20,7 +20,7 @@ thread_local! {
 pub fn check(words: &str, file: &[u8]) -> Answer {
     let (name, called) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
-        "*" => check::by_file(called, NAMES.into_iter()),
+        "*" => check::by_file(called, names().into_iter()),
         name => Some(name),
     };
     let sum = check::read(Cursor::new(file)).map(|(yours, _)| check::sum(&yours));
@@ -32,7 +32,8 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
             is_asked || is == Some(known) || Step::named(known).is_some()
         };
         let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
-        let missing = NAMES.into_iter().filter(|one| may_be(one) && !is_kept(one));
+        let missing =
+            names().into_iter().filter(|one| may_be(one) && !is_kept(one));
         let missing: Vec<_> = missing.map(json::text).collect();
         if missing.is_empty() {
             return said(check::check(Cursor::new(file), called, name, ours));
@@ -51,7 +52,7 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
     let picture = picture.expect("all pixels of a picture of ours");
-    let place = |name: &str| NAMES.iter().position(|known| *known == name);
+    let place = |name: &str| names().iter().position(|known| *known == name);
     OURS.with_borrow_mut(|ours| {
         let at = ours.partition_point(|one| place(&one.name) < place(name));
         ours.insert(at, Locked { name: name.to_owned(), picture });

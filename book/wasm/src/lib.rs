@@ -4,8 +4,6 @@
 
 #[cfg(any(feature = "check", feature = "pictures"))]
 mod pictures;
-#[cfg(any(feature = "check", feature = "pictures"))]
-pub use pictures::NAMES;
 #[cfg(feature = "pictures")]
 pub use pictures::draw;
 

@@ -1,23 +1,4 @@
-use exercises::{PICTURES, STEPS};
-
-/// The names of all pictures, those of the steps first.
-///
-/// They are taken out when this is compiled: what knows the names need not hold what
-/// draws.
-pub const NAMES: [&str; STEPS.len() + PICTURES.len()] = {
-    let mut names = [""; STEPS.len() + PICTURES.len()];
-    let mut k = 0;
-    while k < names.len() {
-        names[k] = match k.checked_sub(STEPS.len()) {
-            None => STEPS[k].0,
-            Some(k) => PICTURES[k].0,
-        };
-        k += 1;
-    }
-    names
-};
-
-/// Columns and rows of each.
+/// Columns and rows of each picture.
 pub const SIZE: [u32; 2] = [640, 360];
 
 /// A picture, drawn by the course's own code: red, green and blue of each pixel. The words
@@ -26,7 +7,7 @@ pub const SIZE: [u32; 2] = [640, 360];
 pub fn draw(words: &str) -> live::Answer {
     let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
     let columns = columns.parse().unwrap_or(SIZE[0]);
-    let mut all = STEPS.iter().chain(PICTURES);
+    let mut all = exercises::STEPS.iter().chain(exercises::PICTURES);
     let Some((_, picture)) = all.find(|(known, _)| *known == name) else {
         return live::Answer::default();
     };
