@@ -20,7 +20,7 @@ pub(crate) fn light(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
         _ => "step04_diffuse/picture.rs",
     };
     let dark: &[_] = match is_flat(pixels) {
-        true => &[AMBIENT, LAMPS, own, "step04_diffuse/surface.rs"],
+        true => &[AMBIENT, LAMPS, DIFFUSE, own],
         false => &[DIFFUSE, NORMAL, LIGHT, own],
     };
     let shiny = [SPECULAR, PHONG, REFLECT, MATERIALS];

@@ -14,6 +14,7 @@ pub(crate) fn options(
 ) -> Option<String> {
     let (columns, rows) = yours.dimensions();
     let read = Sky::read(yours).map(|sky| fov(&sky, columns));
+    let read = read.filter(|fov| 1.0 <= *fov);
     for fov in [Some(FOV), read].into_iter().flatten() {
         let camera = Camera::new(columns, rows, fov.to_radians());
         for samples in 1..=16 {
@@ -29,7 +30,9 @@ pub(crate) fn options(
                     "Right, but with other options: this is the picture of {name}, in every \
                      pixel, at {columns}×{rows} pixels, {fov}° and {samples}×{samples} rays a \
                      pixel.\nThe locked picture is drawn without options, which is --width \
-                     640 --aspect 16:9 --fov 60 --samples 1.\n"
+                     640 --aspect 16:9 --fov 60 --samples 1. Did you give none? Then compare \
+                     with camera.rs, render.rs, aspect_ratio.rs and program.rs in \
+                     steps/step01_rays/src.\n"
                 ));
             }
         }

@@ -49,8 +49,12 @@ pub(crate) fn back(places: &[Place]) -> String {
     };
     let files: Vec<_> = places.iter().map(Place::path).collect();
     let own = places.iter().filter(|place| place.step == *step);
-    let mut tests: Vec<_> = own.flat_map(|place| place.tests.split(", ")).collect();
-    tests.dedup();
+    let mut tests = vec![];
+    for test in own.flat_map(|place| place.tests.split(", ")) {
+        if !tests.contains(&test) {
+            tests.push(test);
+        }
+    }
     let name = step.name();
     format!(
         "Go back to step {}, \"{section}\", and compare with {}.\n\

@@ -49,6 +49,8 @@ fn nearest_in_a_crowd() {
 fn picture_of_a_crowd() {
     let camera = Camera::new(640, 360, FRAC_PI_3);
     assert_eq!(picture(&camera, 1)[(195, 237)].0, [232, 87, 71]);
+    // Without the red sphere in front, the ray sees the blue one.
+    near(colour(&OBJECTS[1..], &through_the_crowd()), [0.44, 0.47, 0.78]);
     let sky = camera.ray(0.0, 0.0);
     assert_eq!(colour(&OBJECTS, &sky), direction_colour(&sky));
 }
