@@ -64,10 +64,10 @@ pub fn figure() -> Live {
     let Attenuation { a, b, c } = WARM.attenuation;
     Live {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
-        caption: "What is left of a light at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
-                  alone it never fades. $b$ takes most of it near the light, $c$ takes little there and \
-                  most of it far away. The last curve has some of each, and is the warm light's<span class='move'>, until you change it</span>; \
-                  at $d = 6$ it leaves {{#number attenuation:share}}.",
+        caption: "How much of a light is left at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
+                  alone it never fades. With $b$ it fades at once, with $c$ slowly at first and then faster. \
+                  The fourth curve has some of each. It starts as the warm light's<span class='move'>; change it</span>. \
+                  At $d = 6$ it leaves {{#number attenuation:share}}.",
         knobs: [("a", a, 2.0, 20.0), ("b", b, 1.0, 100.0), ("c", c, 0.5, 200.0)]
             .map(|(symbol, value, max, steps)| {
                 let min = if symbol == "a" { 0.1 } else { 0.0 };
