@@ -70,11 +70,11 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
 }
 
 // Code: colours, when it comes near the view or is printed, and a button that copies a listing.
-{
+const isWhole = document.body.matches(".whole");
+function colour() {
     const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
-    const colour = code => hljs.highlightBlock(code);
-    if (document.body.matches(".whole")) codes.forEach(colour);
-    else whenNear(codes, colour);
+    if (isWhole) codes.forEach(code => hljs.highlightBlock(code));
+    else whenNear(codes, code => hljs.highlightBlock(code));
 }
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const caption = code.closest(".listing")?.querySelector("figcaption");
@@ -103,3 +103,13 @@ addEventListener("keydown", event => {
     const link = rel && document.querySelector(`.turn a[rel=${rel}]`);
     if (link) location.href = link.href;
 });
+
+// What a page can be read without comes once it is shown: colours, what answers, and the search.
+requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
+    const answers = isWhole ? [] : ["theme/live.js"];
+    for (const file of ["highlight.js", ...answers, "elasticlunr.min.js", "mark.min.js", "searcher.js"]) {
+        const script = Object.assign(document.createElement("script"), { src: path_to_root + file, async: false });
+        if (file === "highlight.js") script.onload = colour;
+        document.head.append(script);
+    }
+})));
