@@ -76,7 +76,7 @@ pub fn figure() -> Live {
     Live {
         title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
         caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
-                  you see. $k$ is the sphere's place in the list; it has no say in this. \
+                  you see. $k$ is the sphere's place in the list; here it doesn't matter. \
                   <span class='move'>Drag another sphere in front.</span>",
         knobs: [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]]
             .into_iter()

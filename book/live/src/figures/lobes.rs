@@ -53,8 +53,8 @@ fn draw(values: &[f64]) -> Drawing {
 pub fn figure() -> Live {
     Live {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
-        caption: "The lobes of $\\max(r \\cdot v, 0)^n$. Look along any direction $v$: the farther away the outline \
-                  is, the brighter the highlight. All are equally bright along $r$; a larger $n$ leaves less to the sides. \
+        caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
+                  the further away is the outline there. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
         knobs: vec![

@@ -42,8 +42,8 @@ fn draw() -> Drawing {
 pub fn figure() -> Live {
     Live {
         title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
-        caption: "The same two rays, cut at three places. Behind the pinhole, the image of the arrow is upside down. \
-                  At the same distance in front of it, the image has the same size, and is upright.",
+        caption: "Two rays to the ends of an arrow. Behind the pinhole, its image is upside down. At the same distance \
+                  in front, it has the same size, and is upright.",
         ..Live::new("pinhole", |_| Sight::Drawing(draw()))
     }
 }

@@ -82,7 +82,7 @@ pub fn figure() -> Live {
         title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
         caption: "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
                   Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
-                  <span class='move'>Open the view by the tip of $V_0$, and add rays.</span>",
+                  <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>",
         knobs: vec![
             Knob::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
             Knob::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),

@@ -96,8 +96,8 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
 pub fn figure() -> Live {
     Live {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
-        caption: "The three cases. Where the parabola crosses 0, the ray meets the circle: straight above \
-                  each root is its point. The discriminant says which case it is before any root is known. \
+        caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the ray meets the circle, at the point \
+                  straight above. The discriminant says which case it is before any root is known. \
                   <span class='move'>Drag a ray until it touches.</span>",
         // In sixteenths, sums and products are exact: so a ray that touches does so to the
         // last digit.
