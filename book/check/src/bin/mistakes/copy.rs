@@ -36,6 +36,8 @@ impl Copy {
         let is_step = Step::named(&names[0]).is_some();
         let mut build = Command::new("cargo");
         build.args(["build", "--quiet", "--offline"]).current_dir(&self.folder);
+        build.env("CARGO_TARGET_DIR", self.folder.join("target"));
+        build.env_remove("CARGO_BUILD_TARGET");
         match is_step {
             true => build.arg("--bins"),
             false => build.args(["--example", &names[0]]),
