@@ -1,7 +1,7 @@
 use crate::Step;
 use crate::scene::COUNT;
 use crate::seen::Pixels;
-use crate::stages::{Wrong, wrong};
+use crate::stages::{MATERIALS, Wrong, wrong};
 
 const AMBIENT: &str = "step04_diffuse/ambient.rs";
 const DIFFUSE: &str = "step04_diffuse/diffuse.rs";
@@ -11,10 +11,9 @@ const NORMAL: &str = "step04_diffuse/surface_point.rs";
 const SPECULAR: &str = "step05_phong/specular.rs";
 const REFLECT: &str = "step05_phong/reflect.rs";
 const PHONG: &str = "step05_phong/phong.rs";
-const MATERIALS: &str = "step05_phong/scene.rs";
 
 /// The light: where none reaches, each lamp, and the highlights.
-pub(crate) fn light(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
+pub(crate) fn light(pixels: &Pixels, right: &mut Vec<String>) -> Option<Wrong> {
     let own = match pixels.step {
         Step::Phong => PHONG,
         _ => "step04_diffuse/picture.rs",
@@ -40,6 +39,9 @@ pub(crate) fn light(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
             let is_lit = seen.object.is_some() && seen.lit == lit;
             seen.shines == shines && (shines || is_lit)
         });
+        let is_part = pixels.step == Step::Phong && lit != [false; 2] && !shines;
+        let name =
+            format!("{name}{}", if is_part { " (without highlights)" } else { "" });
         if 0 < some {
             return wrong(format!("{some} of {all} pixels {name}"), files);
         }

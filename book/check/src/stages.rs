@@ -18,7 +18,7 @@ const SPHERE: &str = "step02_sphere/sphere.rs";
 const QUADRATIC: &str = "step02_sphere/quadratic.rs";
 const NEAREST: &str = "step03_nearest/nearest.rs";
 const OBJECTS: &str = "step03_nearest/objects.rs";
-const MATERIALS: &str = "step05_phong/scene.rs";
+pub(crate) const MATERIALS: &str = "step05_phong/scene.rs";
 
 /// Which stages of a picture are right, the first that is not, and where to go back to.
 ///
@@ -47,7 +47,11 @@ pub(crate) fn wrong(text: String, files: &[&'static str]) -> Option<Wrong> {
 }
 
 /// The rays, as the sky has them.
-fn sky(pixels: &Pixels, yours: &RgbImage, right: &mut Vec<&str>) -> Option<Wrong> {
+fn sky(
+    pixels: &Pixels,
+    yours: &RgbImage,
+    right: &mut Vec<String>,
+) -> Option<Wrong> {
     let size @ (columns, rows) = yours.dimensions();
     let ours = Sky::of(&camera(columns, rows));
     let (some, all) = pixels.wrong(|seen| seen.object.is_none());
@@ -66,14 +70,14 @@ fn sky(pixels: &Pixels, yours: &RgbImage, right: &mut Vec<&str>) -> Option<Wrong
         _ if pixels.step == Step::Rays => wrong(text, &[SKY, RGB8]),
         None if 0 < some => None,
         _ => {
-            right.push("the rays");
+            right.push("the rays".to_owned());
             None
         }
     }
 }
 
 /// Which pixels show an object, and which the sky.
-fn outlines(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
+fn outlines(pixels: &Pixels, right: &mut Vec<String>) -> Option<Wrong> {
     let own = match pixels.step {
         Step::Sphere => "step02_sphere/picture.rs",
         _ => OBJECTS,
@@ -85,7 +89,7 @@ fn outlines(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
     let (gone, all) =
         some.iter().map(|k| gone(*k)).fold((0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
     if gone + extra == 0 {
-        right.push("the outlines");
+        right.push("the outlines".to_owned());
     }
     if gone + extra < 4 {
         return None;
@@ -109,7 +113,7 @@ fn outlines(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
 }
 
 /// Which object is in front, and whether only one of them is wrong.
-fn objects(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
+fn objects(pixels: &Pixels, right: &mut Vec<String>) -> Option<Wrong> {
     let is_wrong = |k| pixels.wrong(|seen| seen.object == Some(k)).0 != 0;
     let (some, names) = pixels.those(is_wrong);
     let (crowded, all) = pixels.wrong(|seen| seen.is_crowded);
@@ -134,7 +138,7 @@ fn objects(pixels: &Pixels, right: &mut Vec<&str>) -> Option<Wrong> {
         ),
         _ => {
             if crowded == 0 {
-                right.push("which object is in front");
+                right.push("which object is in front".to_owned());
             }
             return None;
         }

@@ -55,8 +55,11 @@ pub(crate) fn whole(yours: &RgbImage, ours: &Locked) -> Option<Whole> {
             let pairs = yours.pixels().zip(ours.pixels());
             let wrong = pairs.filter(|(a, b)| a.0 != order.map(|k| b[k]));
             let beyond = wrong.take(few + 1).count();
-            let is_same = turned.is_empty() && swapped.is_empty();
-            if beyond <= few && !is_same {
+            if beyond <= few {
+                if turned.is_empty() && swapped.is_empty() {
+                    // A few pixels are wrong, and nothing was made of the whole.
+                    return None;
+                }
                 let but = match beyond {
                     0 => String::new(),
                     beyond => format!(" but for {beyond} pixels"),
@@ -70,8 +73,9 @@ pub(crate) fn whole(yours: &RgbImage, ours: &Locked) -> Option<Whole> {
             }
         }
     }
-    let is_grey = yours.pixels().all(|pixel| pixel.0 == [pixel[0]; 3]);
-    let text = match is_grey {
+    let is_grey =
+        |picture: &RgbImage| picture.pixels().all(|pixel| pixel.0 == [pixel[0]; 3]);
+    let text = match is_grey(yours) && !is_grey(ours) {
         true => "grey in every pixel".to_owned(),
         false => format!("{name} {}", curve(yours, ours)?),
     };

@@ -92,6 +92,10 @@ fn what_was_made_of_the_whole_is_told() {
             assert!(told.contains(words), "{name}: {words}: {text}");
         }
     }
+    // What is grey in ours as well explains nothing.
+    let mut depth = right("depth");
+    depth.put_pixel(9, 9, Rgb([9; 3]));
+    assert!(!said(&depth, "depth").contains("grey"));
 }
 
 #[test]
@@ -158,12 +162,15 @@ fn where_to_look_is_told() {
         ),
         (
             shiny(|scene| every_light(scene, diffuse)),
-            &["where the warm light alone reaches", "diffuse.rs"],
+            &[
+                "where the warm light alone reaches (without highlights)",
+                "diffuse.rs",
+            ],
         ),
         (
             shiny(|scene| every_light(scene, specular)),
             &[
-                "where both lights reach.\nFirst wrong: ",
+                "both lights reach (without highlights).\nFirst wrong: ",
                 "highlights",
                 "specular.rs",
             ],
