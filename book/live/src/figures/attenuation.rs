@@ -66,7 +66,7 @@ pub fn figure() -> Live {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
         caption: "How much of a light is left at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
                   alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
-                  but far away it leaves less than $b$. The curve of the warm light<span class='move'>, until you change it,</span> \
+                  but far away, $b$ leaves more. The curve of the warm light<span class='move'>, until you change it,</span> \
                   has some of each; at $d = 6$ it leaves {{#number attenuation:share}}.",
         knobs: [("a", a, 2.0, 20.0), ("b", b, 1.0, 100.0), ("c", c, 0.5, 200.0)]
             .map(|(symbol, value, max, steps)| {

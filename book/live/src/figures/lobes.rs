@@ -54,7 +54,7 @@ pub fn figure() -> Live {
     Live {
         title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
         caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
-                  the further away is the outline there. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
+                  the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
         knobs: vec![
