@@ -141,7 +141,9 @@ async function answers(tab, figure, isWide, fail) {
       ...[...one.querySelectorAll('canvas')].map(canvas => canvas.toDataURL()),
       ...[...one.querySelectorAll('.handle')].map(handle => handle.style.cssText)]));
   };
-  const [printed, reset] = [await seen(), figure.locator('.reset')];
+  const reset = figure.locator('.reset');
+  await reset.evaluate(one => { one.disabled = false; one.click(); }); // Now all is drawn.
+  const printed = await seen();
   const moved = async how => {
     if (await seen() === printed) fail(`${name} does not change by ${how}`);
     if (await reset.isDisabled()) return;

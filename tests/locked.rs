@@ -65,8 +65,9 @@ impl Locking {
         let Self { changed, count } = self;
         assert!(
             changed.is_empty(),
-            "{} of {count} pictures changed: {}.\nEach stands beside the locked one and \
-             the difference in {}. Look at them. Are they meant to change? Then \
+            "{} of {count} pictures changed: {}.\nIn {} are, from left to right, the new \
+             one, the locked one and the difference: orange where the new one is \
+             brighter, else blue. Look at them. Are they meant to change? Then \
              `INSTA_UPDATE=always cargo test` locks them anew.",
             changed.len(),
             changed.join(", "),
@@ -92,7 +93,7 @@ impl Comparator for Pixels {
         };
         println!("{}: {difference}.", self.name);
         let path = differences().join(format!("{}.png", self.name));
-        let panels = panels([("new", &new), ("locked", &locked)]);
+        let panels = panels(&new, &locked);
         if let Err(error) = panels.save(&path) {
             println!("{}: {error}", path.display());
         }

@@ -87,7 +87,8 @@ function liven(figure, module) {
     const about = ask(module, `about ${name}`);
     let values = about.values;
 
-    // The stage: the drawing or the picture, and above it the handles.
+    // The stage: the drawing or the picture, and above it the handles. What is printed stays to be
+    // seen until something is moved.
     const still = figure.querySelector("svg, img");
     const stage = make("div", { class: "stage" });
     still.replaceWith(stage);
@@ -95,14 +96,9 @@ function liven(figure, module) {
         ? [Number(still.getAttribute("width")), Number(still.getAttribute("height"))]
         : [still.viewBox.baseVal.width, still.viewBox.baseVal.height];
     let sight = still;
-    let drawn;
-    if (still.tagName === "IMG") {
-        sight = make("canvas", { role: "img", "aria-label": still.alt, width: size[0], height: size[1] });
-        stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
-    } else {
-        drawn = still.querySelector("g");
-    }
-    stage.append(sight);
+    if (still.tagName === "IMG") stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
+    still.draggable = false;
+    stage.append(still);
 
     // What waits to be asked: of each thing that is moved, only the last gesture before a frame counts.
     const waiting = new Map();
@@ -119,7 +115,7 @@ function liven(figure, module) {
     const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
     // Ranges, switches and lists are printed; they are those of what no handle turns there.
-    const printed = ask(module, request("show"));
+    const printed = ask(module, request("tell"));
     const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
     const controls = figure.querySelector(".knobs");
     const knobs = about.values.map((_, k) => {
@@ -192,8 +188,9 @@ function liven(figure, module) {
     // A press on no handle of a picture brings the one there that asks.
     const asking = about.handles.findIndex(handle => handle.isAsking);
     if (asking >= 0) {
-        sight.classList.add("asked-by-press");
-        sight.addEventListener("click", event => {
+        stage.classList.add("asked-by-press");
+        stage.addEventListener("click", event => {
+            if (event.target !== sight) return;
             reveal();
             later(asking, () => request("drag", asking, ...place(event)));
             handles[asking].focus({ preventScroll: true });
@@ -214,10 +211,14 @@ function liven(figure, module) {
         values = answer.values;
         if (answer.size) {
             const [width, height] = answer.size;
+            if (sight === still) {
+                sight = make("canvas", { role: "img", "aria-label": still.alt });
+                still.replaceWith(sight);
+            }
             if (sight.width !== width || sight.height !== height) Object.assign(sight, { width, height });
             sight.getContext("2d").putImageData(new ImageData(answer.pixels, width, height), 0, 0);
         } else if (answer.drawing !== undefined) {
-            drawn.innerHTML = answer.drawing;
+            still.querySelector("g").innerHTML = answer.drawing;
         }
         if (beside) beside.innerHTML = answer.beside;
         knobs.forEach((knob, k) => {
@@ -305,10 +306,11 @@ function looking(form) {
         }
         if (!size) return [said];
         const [width, height] = [size[0] / 3, size[1]];
-        const panels = ["Yours.", "Ours.", "Where they differ."].map((label, k) => {
-            const canvas = make("canvas", { role: "img", "aria-label": label, width, height });
+        const labels = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
+        const panels = labels.map((label, k) => {
+            const canvas = make("canvas", { "aria-hidden": "true", width, height });
             canvas.getContext("2d").putImageData(new ImageData(pixels, ...size), -k * width, 0);
-            return canvas;
+            return make("span", {}, canvas, label);
         });
         return [said, make("span", { class: "panels" }, ...panels)];
     };

@@ -37,6 +37,7 @@ fn live_wasm_is_up_to_date() {
         let mut all = vec![
             format!("about {}", live.name),
             format!("show {}{}", live.name, words(&printed(live))),
+            format!("tell {}{}", live.name, words(&printed(live))),
         ];
         for _ in 0..if is_thorough() { 2 } else { 1 } {
             let tree = requests(live).new_tree(&mut runner).expect("requests");

@@ -76,8 +76,7 @@ pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
     if let Some(drawn) = &drawn {
         text += &pixel(yours, drawn, step.filter(|_| is_size));
     }
-    let difference =
-        drawn.map(|drawn| panels([("yours", yours), ("ours", &drawn)]));
+    let difference = drawn.map(|drawn| panels(yours, &drawn));
     Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 

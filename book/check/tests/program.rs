@@ -35,7 +35,7 @@ fn the_program_ends_with_0_1_or_2() {
     let (_, text) = said(&folder, &["my.png"]);
     let (_, panels) = text.trim().rsplit_once("side by side: ").expect("a path");
     let panels = image::open(panels).expect("a picture");
-    assert_eq!((panels.width(), panels.height()), (3 * 640, 380));
+    assert_eq!((panels.width(), panels.height()), (3 * 640, 360));
     assert!(
         text.contains(
             "Column 320, row 180: yours is (0, 0, 0), ours (232, 87, 71)"

@@ -1,7 +1,6 @@
 //! Two pictures: how they differ, in a sentence and side by side.
 
 mod difference;
-mod label;
 mod panels;
 mod workspace;
 

@@ -1,35 +1,24 @@
 use crate::apart;
-use crate::label::{self, write};
 use image::{GenericImage, Rgb, RgbImage};
 
 const BRIGHTER: Rgb<u8> = Rgb([255, 140, 0]);
 const DARKER: Rgb<u8> = Rgb([60, 140, 255]);
 const WHITE: Rgb<u8> = Rgb([255; 3]);
 
-/// As wide as the longest label, at least.
-const WIDTH: u32 = 23 * label::SIZE.0;
-
-/// Two pictures and where they differ, side by side, with their names above.
+/// Two pictures and where they differ, side by side.
 ///
 /// In the third panel pixels that are equal are a dark grey; the others are orange where
 /// the first picture is brighter, else blue, the brighter the farther apart, and so are
 /// those that only one of them has. A pixel that is alone there has a frame around it.
-pub fn panels(
-    [(name, first), (other, second)]: [(&str, &RgbImage); 2],
-) -> RgbImage {
-    let width = first.width().max(second.width()).max(WIDTH);
+pub fn panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
+    let width = first.width().max(second.width());
     let height = first.height().max(second.height());
-    let top = label::SIZE.1;
-    let mut panels = RgbImage::new(3 * width, top + height);
-    write(&mut panels, 2, name, WHITE);
-    write(&mut panels, width + 2, other, WHITE);
-    let x = write(&mut panels, 2 * width + 2, name, WHITE);
-    let x = write(&mut panels, x, "brighter", BRIGHTER);
-    write(&mut panels, x, "darker", DARKER);
-    // They fit: the panels are as large as the larger of them.
-    let _ = panels.copy_from(first, 0, top);
-    let _ = panels.copy_from(second, width, top);
-    let _ = panels.copy_from(&compared(first, second), 2 * width, top);
+    let mut panels = RgbImage::new(3 * width, height);
+    for (panel, k) in [first, second, &compared(first, second)].into_iter().zip(0..)
+    {
+        // It fits: a panel is as large as the largest of them.
+        let _ = panels.copy_from(panel, k * width, 0);
+    }
     panels
 }
 
@@ -100,23 +89,13 @@ fn frame(panel: &mut RgbImage, (i, j): (u32, u32)) {
 mod tests {
     use super::*;
 
-    /// The third panel of two pictures.
-    fn third(first: &RgbImage, second: &RgbImage) -> RgbImage {
-        let panels = panels([("new", first), ("locked", second)]);
-        let (x, width) =
-            (panels.width() / 3 * 2, first.width().max(second.width()));
-        let height = panels.height() - label::SIZE.1;
-        image::imageops::crop_imm(&panels, x, label::SIZE.1, width, height)
-            .to_image()
-    }
-
     #[test]
     fn a_single_pixel_has_a_frame_and_tells_whether_it_is_brighter() {
         let locked = RgbImage::from_pixel(40, 30, Rgb([90, 90, 90]));
         for (byte, most) in [(91, 0), (89, 2)] {
             let mut new = locked.clone();
             new.put_pixel(20, 10, Rgb([90, byte, 90]));
-            let panel = third(&new, &locked);
+            let panel = compared(&new, &locked);
             let differ = panel.enumerate_pixels().filter(|(.., p)| differs(p));
             let differ: Vec<_> = differ.map(|(i, j, p)| (i, j, p.0)).collect();
             assert_eq!(differ.len(), 1);
@@ -125,26 +104,15 @@ mod tests {
             assert_eq!(colour.iter().max(), Some(&colour[most]));
             assert_eq!(panel.pixels().filter(|p| **p == WHITE).count(), 40);
         }
-        assert!(third(&locked, &locked).pixels().all(|p| *p == Rgb([15; 3])));
+        assert!(compared(&locked, &locked).pixels().all(|p| *p == Rgb([15; 3])));
     }
 
     #[test]
     fn what_only_one_of_them_has_is_marked() {
         let (tall, wide) = (RgbImage::new(2, 3), RgbImage::new(4, 1));
         for (first, second) in [(&tall, &wide), (&wide, &tall)] {
-            for (i, j, pixel) in third(first, second).enumerate_pixels() {
+            for (i, j, pixel) in compared(first, second).enumerate_pixels() {
                 assert_eq!(differs(pixel), (i < 2) != (j < 1), "{i}, {j}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_letter_of_the_labels_is_there() {
-        for word in ["yours", "ours", "locked", "new", "brighter", "darker"] {
-            for letter in word.chars() {
-                let mut panel = RgbImage::new(20, 20);
-                write(&mut panel, 0, &letter.to_string(), WHITE);
-                assert!(panel.pixels().any(|p| *p == WHITE), "{letter}");
             }
         }
     }

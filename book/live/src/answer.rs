@@ -23,11 +23,12 @@ impl Answer {
 ///
 /// - `about NAME`: its handles, and the values of its knobs in the printed book.
 /// - `show NAME VALUES`: what it shows at these values.
+/// - `tell NAME VALUES`: the same, where it is there to be seen already.
 /// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
 /// - `open NAME ADDRESS`: what it shows at the values of an address.
 ///
-/// A handle that asks leaves what is seen as it is, and nothing is drawn.
+/// A handle that asks leaves what is seen as it is: then nothing is drawn, nor for `tell`.
 pub fn answer(request: &str) -> Answer {
     answered(request)
         .unwrap_or_else(|| refused(&format!("There is no answer to {request}.")))
@@ -51,6 +52,7 @@ fn answered(request: &str) -> Option<Answer> {
     match (verb, &numbers?[..]) {
         ("about", _) => Some(about(live)),
         ("show", values) => Some(show(live, &live.allowed(values)?, true)),
+        ("tell", values) => Some(show(live, &live.allowed(values)?, false)),
         (_, [handle, x, y, values @ ..]) => {
             let handle = live.handles.get(*handle as usize)?;
             let (values, by) = (live.allowed(values)?, dvec2(*x, *y));

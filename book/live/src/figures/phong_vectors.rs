@@ -1,5 +1,5 @@
 use crate::camera;
-use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
+use crate::live::{Handle, Knob, Live, Sight, digits, named};
 use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};
@@ -99,12 +99,7 @@ pub fn figure() -> Live {
             },
         )],
         numbers: |values| {
-            let all = Vectors::new(values);
-            named([
-                ("angle", digits(1, all.angle())),
-                ("nl", number(all.n.dot(all.l))),
-                ("rv", number(all.r().dot(all.v))),
-            ])
+            named([("angle", digits(1, Vectors::new(values).angle()))])
         },
         ..Live::new("phong-vectors", |values| Sight::Drawing(draw(values)))
     }

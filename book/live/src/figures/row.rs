@@ -100,7 +100,6 @@ pub fn figure() -> Live {
                 ("hRes", number(values[0])),
                 ("angle", number(values[1])),
                 ("D", number(row.matrix.x_axis.x)),
-                ("first", number(row.matrix.y_axis.x)),
             ])
         },
         ..Live::new("row", |values| Sight::Drawing(draw(values)))

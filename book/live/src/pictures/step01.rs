@@ -1,4 +1,4 @@
-use crate::live::{Knob, Live, Sight, named, number};
+use crate::live::{Knob, Live, Sight};
 use step01_rays::{AspectRatio, Camera, Ray, direction_colour, render};
 
 /// The lecture's four; 16:9 is printed.
@@ -26,13 +26,6 @@ pub fn picture() -> Live {
             Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
             Knob::switch("normalised", false),
         ],
-        numbers: |values| {
-            let camera = camera(values);
-            named([
-                ("rows", camera.v_res.to_string()),
-                ("step", number(camera.matrix.x_axis.x)),
-            ])
-        },
         ..Live::new("step01_rays", |values| {
             let is_unit = values[3] == 1.0;
             let colour = |ray: &Ray| {
