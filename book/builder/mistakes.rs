@@ -44,7 +44,7 @@ impl Entry<'_> {
     fn small(&self, workspace: &Path) -> Result<String, String> {
         let picture = self.picture(&self.shown.sees.replace('`', ""));
         let picture = picture.html(workspace)?;
-        Ok(format!("- [{picture} {}](#{})\n", self.title(), self.name))
+        Ok(format!("- [{picture} {}](#{})\n", self.title()?, self.name))
     }
 
     fn whole(&self, workspace: &Path) -> Result<String, String> {
@@ -65,7 +65,7 @@ impl Entry<'_> {
              <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
              style=\"background-image: url(pictures/mistake-{name}.png), url({right})\"></span>\
              </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
-            self.title(),
+            self.title()?,
             diff(mistake),
             inline(&formulas(shown.why))?,
             own.number(),
@@ -78,15 +78,15 @@ impl Entry<'_> {
     }
 
     /// With a capital letter, unless it begins with a symbol.
-    fn title(&self) -> String {
+    fn title(&self) -> Result<String, String> {
         let title = self.mistake.title;
         let word = title.split(' ').next().unwrap_or_default();
         let is_word =
             1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-        match title.split_at_checked(1) {
+        inline(&formulas(&match title.split_at_checked(1) {
             Some((first, rest)) if is_word => first.to_uppercase() + rest,
             _ => title.to_owned(),
-        }
+        }))
     }
 }
 
