@@ -49,9 +49,12 @@ fn shadowed() -> RgbImage {
     render(&camera(), 1, |ray| mirror::colour(&scene, ray, 0))
 }
 
-/// The white sphere: what is seen from column 53 and row 231 on, four times as large.
+/// The white sphere: a part of the picture with 2560 columns, from column 213 and row 926
+/// on.
 fn close_up() -> Camera {
-    let (whole, corner) = (camera(), DVec3::new(53.0, 231.0, 1.0));
-    let part = DMat3::from_cols(DVec3::X / 4.0, DVec3::Y / 4.0, corner);
-    Camera { matrix: whole.matrix * part, ..whole }
+    let Camera { matrix, centre, .. } =
+        Camera::new(2560, 1440, 60_f64.to_radians());
+    let corner = DVec3::new(213.0, 926.0, 1.0);
+    let part = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
+    Camera { matrix: matrix * part, centre, ..camera() }
 }
