@@ -52,9 +52,8 @@ fn shadowed() -> RgbImage {
 /// The white sphere: a part of the picture with 2560 columns, from column 213 and row 926
 /// on.
 fn close_up() -> Camera {
-    let Camera { matrix, centre, .. } =
-        Camera::new(2560, 1440, 60_f64.to_radians());
+    let whole = Camera::new(2560, 1440, 60_f64.to_radians());
     let corner = DVec3::new(213.0, 926.0, 1.0);
     let part = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
-    Camera { matrix: matrix * part, centre, ..camera() }
+    Camera { matrix: whole.matrix * part, ..camera() }
 }

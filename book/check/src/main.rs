@@ -82,7 +82,10 @@ fn saved(difference: &RgbImage, file: &Path) -> String {
         .and_then(|()| difference.save(&path));
     let path = path.display();
     match saved {
-        Ok(()) => format!("Yours, ours and the difference side by side: {path}"),
+        Ok(()) => format!(
+            "Yours, ours and the difference (orange where yours is brighter, else \
+             blue), side by side: {path}"
+        ),
         Err(error) => format!("{path} can't be written: {error}"),
     }
 }
