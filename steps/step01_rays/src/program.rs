@@ -38,7 +38,7 @@ fn png(name: &str) -> Result<String, &'static str> {
 }
 
 /// The program around a picture; it exits with 1 where the file can't be written.
-pub fn run(name: &str, picture: impl Fn(&Camera, u32) -> RgbImage) {
+pub fn run(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let Options { width, aspect, fov, samples, output } = Options::parse();
     let file = output.unwrap_or_else(|| format!("{name}.png"));
     let camera = |w| Camera::new(w, aspect.v_res(w), fov.to_radians());
