@@ -193,9 +193,13 @@ impl Typist {
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(what).args(["--offline", "--quiet"]);
         cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
-        // What the crates depend on is compiled already, for ours. As the crates have
-        // the names of ours, a setting of their own keeps them apart.
+        // What the crates depend on is compiled already, for ours, with the same settings.
+        // As the crates have the names of ours, a setting of their own keeps them apart.
         cargo.env("CARGO_BUILD_BUILD_DIR", target());
+        for profile in ["dev", "dev.build-override"] {
+            let setting = format!("profile.{profile}.codegen-units=4");
+            cargo.args(["--config", &setting]);
+        }
         // Each crate is compiled once or twice: there is nothing to keep for later.
         cargo.env("CARGO_INCREMENTAL", "0");
         // A command of the book says itself what insta is to do, and does it there.
