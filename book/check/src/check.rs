@@ -10,7 +10,6 @@ use crate::whole::whole;
 use crate::{Answer, Locked, Step, camera, png, whose};
 use compare::{Difference, apart, panels};
 use image::RgbImage;
-use std::io::{BufRead, Seek};
 
 /// The most pixels of a picture that is shown beside ours.
 const MOST: usize = 1 << 22;
@@ -20,7 +19,7 @@ const MOST: usize = 1 << 22;
 ///
 /// It takes nothing but what it is given: no file, no argument, no time.
 pub fn check(
-    png: impl BufRead + Seek,
+    png: &[u8],
     file: &str,
     name: Option<&str>,
     locked: &[Locked],

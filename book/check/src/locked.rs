@@ -1,8 +1,7 @@
 use crate::{locked_sums, png};
 use compare::workspace;
 use image::RgbImage;
-use std::fs::File;
-use std::io::BufReader;
+use std::fs;
 
 /// A picture to compare with.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,10 +22,10 @@ impl Locked {
     /// The one of this name.
     pub fn read(name: &str) -> Result<Self, String> {
         let path = format!("tests/snapshots/{name}.snap.png");
-        let file = File::open(workspace().join(&path));
+        let file = fs::read(workspace().join(&path));
         let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-        let picture = png::read(BufReader::new(file));
-        let (picture, _) = picture.map_err(|what| format!("{path} {what}"))?;
+        let (picture, _) =
+            png::read(&file).map_err(|what| format!("{path} {what}"))?;
         Ok(Self { name: name.to_owned(), picture })
     }
 }

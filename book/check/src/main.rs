@@ -3,8 +3,8 @@
 use check::{Answer, Locked, check, names, ticks};
 use clap::Parser;
 use image::RgbImage;
-use std::fs::{self, File};
-use std::io::{self, BufReader, Write};
+use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{env, process::ExitCode};
 
@@ -62,8 +62,8 @@ fn one(
     if !fs::metadata(file).map_err(unread)?.is_file() {
         return Err(format!("{shown} is not a file"));
     }
-    let png = BufReader::new(File::open(file).map_err(unread)?);
-    let mut answer = check(png, &shown, name, locked);
+    let png = fs::read(file).map_err(unread)?;
+    let mut answer = check(&png, &shown, name, locked);
     if let Some(difference) = &answer.difference {
         answer.text += &format!("\n{}", saved(difference, file));
     }

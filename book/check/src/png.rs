@@ -1,6 +1,6 @@
 use image::codecs::png::PngDecoder;
 use image::{ImageDecoder, Limits, Rgb, RgbImage};
-use std::io::{BufRead, Seek};
+use std::io::Cursor;
 
 /// The most columns and the most rows: as many as the programs of the steps draw.
 const MOST: u32 = 16384;
@@ -12,15 +12,15 @@ const MEMORY: u64 = 1 << 29;
 /// a sentence that says why it can't be read.
 ///
 /// The size is looked at before anything is read, so that no file fills the memory.
-pub fn read(mut file: impl BufRead + Seek) -> Result<(RgbImage, String), String> {
-    if let Some(other) = other_format(&mut file)? {
+pub fn read(file: &[u8]) -> Result<(RgbImage, String), String> {
+    if let Some(other) = other_format(file) {
         return Err(format!("is {other}"));
     }
     let damaged = |error| format!("is a damaged PNG file: {error}");
     let mut limits = Limits::default();
     limits.max_alloc = Some(MEMORY);
-    let mut decoder =
-        PngDecoder::with_limits(file, limits.clone()).map_err(damaged)?;
+    let decoder = PngDecoder::with_limits(Cursor::new(file), limits.clone());
+    let mut decoder = decoder.map_err(damaged)?;
     let ((width, height), colour) = (decoder.dimensions(), decoder.color_type());
     if MOST < width || MOST < height || MEMORY < decoder.total_bytes() {
         return Err(format!("is {width}×{height} pixels, which is too large"));
@@ -57,10 +57,8 @@ pub fn read(mut file: impl BufRead + Seek) -> Result<(RgbImage, String), String>
 }
 
 /// What a file is, by its first bytes, if it is not a PNG file.
-fn other_format(file: &mut impl BufRead) -> Result<Option<&'static str>, String> {
-    let start =
-        file.fill_buf().map_err(|error| format!("can't be read: {error}"))?;
-    Ok(match start {
+fn other_format(file: &[u8]) -> Option<&'static str> {
+    match file {
         [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1A, b'\n', ..] => None,
         [0xFF, 0xD8, ..] => Some("a JPEG, which has lost details; save it as PNG"),
         [b'G', b'I', b'F', ..] => {
@@ -68,5 +66,5 @@ fn other_format(file: &mut impl BufRead) -> Result<Option<&'static str>, String>
         }
         [] => Some("not a PNG file: it is empty"),
         _ => Some("not a PNG file"),
-    })
+    }
 }

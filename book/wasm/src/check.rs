@@ -4,7 +4,6 @@ use image::RgbImage;
 use live::Answer;
 use live::json;
 use std::cell::RefCell;
-use std::io::Cursor;
 
 thread_local! {
     /// The pictures that were drawn for us, in the order of their names.
@@ -23,7 +22,7 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         "*" => check::by_file(called, names().into_iter()),
         name => Some(name),
     };
-    let sum = check::read(Cursor::new(file)).map(|(yours, _)| check::sum(&yours));
+    let sum = check::read(file).map(|(yours, _)| check::sum(&yours));
     let is = |(_, right): &(_, u64)| sum.as_ref() == Ok(right);
     let is = check::locked_sums().find(is).map(|(name, _)| name);
     OURS.with_borrow(|ours| {
@@ -36,7 +35,7 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
             names().into_iter().filter(|one| may_be(one) && !is_kept(one));
         let missing: Vec<_> = missing.map(json::text).collect();
         if missing.is_empty() {
-            return said(check::check(Cursor::new(file), called, name, ours));
+            return said(check::check(file, called, name, ours));
         }
         Answer::of([("draw", json::list(missing))])
     })
