@@ -196,9 +196,13 @@ impl Typist {
         // What the crates depend on is compiled already, for ours, with the same settings.
         // As the crates have the names of ours, a setting of their own keeps them apart.
         cargo.env("CARGO_BUILD_BUILD_DIR", target());
-        for profile in ["dev", "dev.build-override"] {
-            let setting = format!("profile.{profile}.codegen-units=4");
-            cargo.args(["--config", &setting]);
+        for setting in [
+            "codegen-units=4",
+            "build-override.codegen-units=4",
+            "package.fdeflate.opt-level=3",
+            "package.miniz_oxide.opt-level=3",
+        ] {
+            cargo.args(["--config", &format!("profile.dev.{setting}")]);
         }
         // Each crate is compiled once or twice: there is nothing to keep for later.
         cargo.env("CARGO_INCREMENTAL", "0");
