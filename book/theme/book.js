@@ -69,12 +69,20 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     }
 }
 
+// Loads a script, once.
+const scripts = {};
+const load = file => scripts[file] ??= new Promise(done => {
+    const script = document.createElement("script");
+    document.head.append(Object.assign(script, { src: path_to_root + file, async: false, onload: done }));
+});
+
 // Code: colours, when it comes near the view or is printed, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
-function colour() {
+const colour = code => load("highlight.js").then(() => setTimeout(() => hljs.highlightBlock(code)));
+function colours() {
     const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
-    if (isWhole) codes.forEach(code => hljs.highlightBlock(code));
-    else whenNear(codes, code => hljs.highlightBlock(code));
+    if (isWhole) codes.forEach(colour);
+    else whenNear(codes, colour);
 }
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const caption = code.closest(".listing")?.querySelector("figcaption");
@@ -106,10 +114,7 @@ addEventListener("keydown", event => {
 
 // What a page can be read without comes once it is shown: colours, what answers, and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
-    const answers = isWhole ? [] : ["theme/live.js"];
-    for (const file of ["highlight.js", ...answers, "elasticlunr.min.js", "mark.min.js", "searcher.js"]) {
-        const script = Object.assign(document.createElement("script"), { src: path_to_root + file, async: false });
-        if (file === "highlight.js") script.onload = colour;
-        document.head.append(script);
-    }
+    colours();
+    if (!isWhole) load("theme/live.js");
+    ["elasticlunr.min.js", "mark.min.js", "searcher.js"].forEach(load);
 })));
