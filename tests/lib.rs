@@ -1,4 +1,4 @@
-//! What the tests of the five steps share: locked pictures, programs to run, rays,
+//! What the tests share: locked pictures, programs to run, rays,
 //! random input.
 
 mod locked;

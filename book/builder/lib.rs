@@ -16,7 +16,8 @@
 //! - a *box* (`predict`, `hints`, `aside` … `end`) is opened by its reader;
 //! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
-//!   was worked out above it, and `rust` tells what a week of Rust does not.
+//!   was worked out above it, and `rust` tells what a week of Rust does not;
+//! - `our-folder` is the folder in which the book is built.
 //!
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 

@@ -1,6 +1,5 @@
 //! The steps' pictures and their examples as a library: what is drawn on the way and the
-//! solutions of the exercises. This is the only place that reaches into the folders of
-//! examples; who wants to draw one takes it from here.
+//! solutions of the exercises. Who wants to draw one takes it from here.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
 #![allow(
@@ -114,7 +113,7 @@ pub const STEPS: [(&str, Picture); 5] = [
     ("step05_phong", step05_phong::picture),
 ];
 
-/// The pictures of the examples by their names, in the order of the chapters.
+/// The pictures of the examples by their names, step by step.
 pub const PICTURES: &[(&str, Picture)] = &[
     ("gradient", |_, _| gradient::picture()),
     ("graticule", graticule::picture),

@@ -297,11 +297,7 @@ function looking(form) {
         for (const line of text.split("\n")) {
             // What goes on in the next row begins where the line's own words do.
             const start = line.match(/^ +(\S.*?  +)?/)?.[0].length ?? 0;
-            const row = make("span", { style: `--start: ${start}ch` });
-            // Where to go back to is a link.
-            line.split(/([\w-]+\.html#[\w-]+)/).forEach((part, k) => {
-                row.append(k % 2 ? make("a", { href: path_to_root + part }, part) : part);
-            });
+            const row = make("span", { style: `--start: ${start}ch` }, line);
             said.append(row);
         }
         if (!size) return [said];

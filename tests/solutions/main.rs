@@ -48,7 +48,7 @@ fn no_exercise_is_forgotten() {
         let folder = format!("steps/{step}/examples");
         for file in files(&folder) {
             let name = file.trim_end_matches(".rs");
-            // These draw a picture of the step, or part of it.
+            // These draw a picture of the step, or part of it, or print.
             let is_drawn = name.ends_with("_starter")
                 || ["directions", "fast", "row", "terms"].contains(&name)
                 || exercises::PICTURES.iter().any(|(known, _)| *known == name);

@@ -64,7 +64,7 @@ impl Typist {
 
     /// Writes the files that the book has shown so far.
     ///
-    /// A part of a file goes where its caption says.
+    /// The parts of a file go in the order of its lines.
     pub fn write(&self, typed: &Typed) -> Result<()> {
         for (path, parts) in typed {
             let aside = self.folder.join("later").join(path);

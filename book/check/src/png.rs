@@ -2,7 +2,7 @@ use image::codecs::png::PngDecoder;
 use image::{ImageDecoder, Limits, Rgb, RgbImage};
 use std::io::Cursor;
 
-/// The most columns and the most rows: as many as the programs of the steps draw.
+/// The most columns and the most rows: twice as many columns as the programs of the steps draw.
 const MOST: u32 = 16384;
 
 /// The most memory that a picture may take, 16384×4096 pixels of 16 bits.

@@ -101,7 +101,7 @@ fn all_that_an_answer_leads_to_is_there() {
     }
 }
 
-/// Five of the list, others after each commit: it takes a minute, so it is done where
+/// Five of the list, others each time: it takes a minute, so it is done where
 /// THOROUGH is set.
 #[test]
 fn some_of_the_list_are_drawn_again() {

@@ -22,7 +22,7 @@ use live::Answer;
 ///
 /// - `check NAME FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
-/// - `draw NAME` gives a picture of ours: see [`draw`].
+/// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of ours: see [`draw`].
 /// - `drawn NAME` brings its pixels: see [`keep`].
 /// - Every other goes to [`live::answer`].
 #[cfg_attr(not(feature = "check"), expect(unused_variables))]

@@ -1,4 +1,4 @@
-//! The figures: each is drawn by the step's own functions. A file ends with the figure.
+//! The figures: each is drawn by the step's own functions.
 
 mod aspect_ratios;
 mod attenuation;
