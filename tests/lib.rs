@@ -1,5 +1,4 @@
-//! What the tests share: locked pictures, programs to run, rays,
-//! random input.
+//! What the tests share: locked pictures, programs to run, rays, random input.
 
 mod locked;
 mod program;
