@@ -1,115 +1,101 @@
 use compare::{Difference, panels, workspace};
 use image::{ImageFormat, RgbImage};
-use insta::internals::SnapshotContents;
-use insta::{Comparator, Settings, assert_binary_snapshot};
-use std::panic::{catch_unwind, set_hook, take_hook};
-use std::path::PathBuf;
-use std::{env, fs, io::Cursor};
+use insta::{Settings, assert_binary_snapshot};
+use std::io::{Cursor, ErrorKind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 /// The folder of the locked pictures.
 const SNAPSHOTS: &str = "tests/snapshots";
 
 /// The locked picture `name`, from its snapshot.
 pub fn locked(name: &str) -> RgbImage {
-    let path = workspace().join(format!("{SNAPSHOTS}/{name}.snap.png"));
+    let path = snapshot_path(name);
     let picture = image::open(&path);
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
 
-/// Pictures that are compared with their snapshots, one after the other; those that
-/// differ are told together.
-#[derive(Default)]
-pub struct Locking {
-    changed: Vec<String>,
-    count: usize,
-}
-
-impl Locking {
-    /// Compares every pixel of `picture` with the locked picture `name`.
-    ///
-    /// Where they differ, it says how, in one sentence, and writes a picture of the
-    /// difference to the target folder.
-    pub fn assert(&mut self, name: &str, picture: &RgbImage) {
-        let mut png = Cursor::new(Vec::new());
-        picture
-            .write_to(&mut png, ImageFormat::Png)
-            .expect("a picture in memory can be encoded");
-        let mut settings = Settings::clone_current();
-        settings.set_snapshot_path(workspace().join(SNAPSHOTS));
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.set_comparator(Box::new(Pixels { name: name.to_owned() }));
-        let assert =
-            || assert_binary_snapshot!(&format!("{name}.png"), png.into_inner());
-        // insta panics; its sentence would hide ours.
-        let hook = take_hook();
-        set_hook(Box::new(|_| {}));
-        let asserted = settings.bind(|| catch_unwind(assert));
-        set_hook(hook);
-        self.count += 1;
-        // What an earlier run left to be reviewed is accepted with the picture.
-        if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
-            for end in ["snap.new", "snap.new.png"] {
-                let _ = fs::remove_file(
-                    workspace().join(format!("{SNAPSHOTS}/{name}.{end}")),
-                );
-            }
+/// Fails unless `picture` is the locked picture `name` in every pixel.
+///
+/// A difference is told in one sentence and drawn into the target folder; the last line is
+/// the command that accepts the new picture.
+pub fn assert_locked(name: &str, picture: &RgbImage) {
+    let panels_path = differences().join(format!("{name}.png"));
+    let locked_file = fs::read(snapshot_path(name));
+    // insta compares files; the same picture from another PNG encoder is no change.
+    let file = match complaint(name, picture, &locked_file, &panels_path) {
+        None => {
+            let _ = fs::remove_file(&panels_path);
+            locked_file.expect("a file with the same picture")
         }
-        if asserted.is_err() {
-            self.changed.push(name.to_owned());
+        Some(complaint) => {
+            eprintln!("{complaint}");
+            png(picture)
         }
-    }
-
-    /// Fails if there is a picture that differs.
-    pub fn finish(self) {
-        let Self { changed, count } = self;
-        assert!(
-            changed.is_empty(),
-            "{} of {count} pictures changed: {}.\nIn {} are, from left to right, the new \
-             one, the locked one and the difference: orange where the new one is \
-             brighter, else blue. Look at them. Are they meant to change? Then \
-             `INSTA_UPDATE=always cargo test` locks them anew.",
-            changed.len(),
-            changed.join(", "),
-            differences().display()
-        );
-    }
-}
-
-/// Compares decoded pixels, so that the same picture from another PNG encoder is
-/// the same.
-#[derive(Clone)]
-struct Pixels {
-    name: String,
-}
-
-impl Comparator for Pixels {
-    fn matches(&self, locked: &insta::Snapshot, new: &insta::Snapshot) -> bool {
-        let (Some(locked), Some(new)) = (decoded(locked), decoded(new)) else {
-            return false;
-        };
-        let Some(difference) = Difference::between(&locked, &new) else {
-            return true;
-        };
-        println!("{}: {difference}.", self.name);
-        let path = differences().join(format!("{}.png", self.name));
-        let panels = panels(&new, &locked);
-        if let Err(error) = panels.save(&path) {
-            println!("{}: {error}", path.display());
-        }
-        false
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
-}
-
-fn decoded(snapshot: &insta::Snapshot) -> Option<RgbImage> {
-    let SnapshotContents::Binary(Some(png)) = snapshot.contents() else {
-        return None;
     };
-    Some(image::load_from_memory(png).ok()?.to_rgb8())
+    // insta writes it anew where it is to be reviewed, and forgets it where it is accepted.
+    let _ = fs::remove_file(snapshot_path(name).with_extension("new"));
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(workspace().join(SNAPSHOTS));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    if let Ok(path) = panels_path.strip_prefix(workspace()) {
+        settings.set_description(path.to_string_lossy().replace('\\', "/"));
+    }
+    let assert = || assert_binary_snapshot!(&format!("{name}.png"), file);
+    let asserted = catch_unwind(AssertUnwindSafe(|| settings.bind(assert)));
+    if let Err(panic) = asserted {
+        eprintln!(
+            "Is it meant? `INSTA_UPDATE=always cargo test --test pictures {name}` accepts it."
+        );
+        resume_unwind(panic);
+    }
+}
+
+/// How `picture` differs from the one in the locked file, drawn as panels, too; None where
+/// it does not.
+fn complaint(
+    name: &str,
+    picture: &RgbImage,
+    locked_file: &std::io::Result<Vec<u8>>,
+    panels_path: &Path,
+) -> Option<String> {
+    let decoded = match locked_file {
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            return Some(format!("{name} is not locked yet."));
+        }
+        Err(error) => {
+            return Some(format!("The snapshot of {name} can't be read: {error}."));
+        }
+        Ok(bytes) => image::load_from_memory(bytes),
+    };
+    let locked = match decoded {
+        Ok(locked) => locked.to_rgb8(),
+        Err(error) => {
+            return Some(format!("The snapshot of {name} is no picture: {error}."));
+        }
+    };
+    let difference = Difference::between(&locked, picture)?;
+    let shown = match panels(picture, &locked).save(panels_path) {
+        Ok(()) => {
+            "New, locked and difference (orange where the new one is brighter):"
+        }
+        Err(_) => "The difference can't be written to",
+    };
+    Some(format!("{name}: {difference}.\n{shown} {}", panels_path.display()))
+}
+
+/// The file of the locked picture `name`.
+fn snapshot_path(name: &str) -> PathBuf {
+    workspace().join(SNAPSHOTS).join(format!("{name}.snap.png"))
+}
+
+fn png(picture: &RgbImage) -> Vec<u8> {
+    let mut png = Cursor::new(Vec::new());
+    let written = picture.write_to(&mut png, ImageFormat::Png);
+    written.expect("a picture in memory can be encoded");
+    png.into_inner()
 }
 
 /// The folder of the pictures of differences.
