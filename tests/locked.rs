@@ -1,10 +1,10 @@
-use compare::{Difference, panels, workspace};
+use compare::{Difference, panels, target_folder, workspace};
 use image::{ImageFormat, RgbImage};
 use insta::{Settings, assert_binary_snapshot};
+use std::fs;
 use std::io::{Cursor, ErrorKind};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
 /// The folder of the locked pictures.
 const SNAPSHOTS: &str = "tests/snapshots";
@@ -100,15 +100,7 @@ fn png(picture: &RgbImage) -> Vec<u8> {
 
 /// The folder of the pictures of differences.
 fn differences() -> PathBuf {
-    let folder = target().join("differences");
+    let folder = target_folder().join("differences");
     fs::create_dir_all(&folder).expect("a folder in the target folder");
     folder
-}
-
-/// The target folder, marked by Cargo, in which this test program lies.
-pub fn target() -> PathBuf {
-    let program = env::current_exe().expect("a running program has a path");
-    let mut around = program.ancestors();
-    let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
-    target.expect("a target folder").to_owned()
 }

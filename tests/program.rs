@@ -1,10 +1,10 @@
-use crate::locked::{locked, target};
+use crate::locked;
 use crate::refusals;
-use compare::{Difference, workspace};
+use compare::{Difference, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
-use std::{env, fs};
+use std::{env, fs, process};
 
 /// A program of one of the five steps, run in a folder of its own.
 pub struct Program {
@@ -21,7 +21,10 @@ impl Program {
     pub fn new(name: &'static str, test: &str) -> Self {
         static BUILT: Once = Once::new();
         BUILT.call_once(|| build(name));
-        Self { name, folder: folder(&format!("{name}-{test}")) }
+        let folder = target_folder().join("tests");
+        let folder = folder.join(format!("{name}-{test}-{}", process::id()));
+        fs::create_dir_all(&folder).expect("a folder in the target folder");
+        Self { name, folder }
     }
 
     /// Runs it with the arguments in `line`, which are separated by single blanks.
@@ -72,19 +75,17 @@ pub fn assert_program(name: &'static str) {
     refusals::assert_refuses(&Program::new(name, "bad"));
 }
 
-/// An empty folder in the target folder.
-fn folder(name: &str) -> PathBuf {
-    let folder = target().join("tests").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder in the target folder");
-    folder
+impl Drop for Program {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.folder);
+    }
 }
 
 /// Builds the program `name` for this test's platform and profile: `cargo test` does not.
 ///
 /// With the features that the whole workspace asks for, as all else is built.
 fn build(name: &str) {
-    let (folder, target) = (profile(), target());
+    let (folder, target) = (profile(), target_folder());
     let inside =
         folder.strip_prefix(&target).expect("a folder in the target folder");
     let inside = inside.to_str().expect("Cargo's own names").replace('\\', "/");

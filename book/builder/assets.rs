@@ -2,12 +2,13 @@ use crate::files::{CHAPTERS, Files};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use check::Step;
+use compare::target_folder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
 use image::{RgbImage, load_from_memory};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
 use std::path::Path;
 
 /// What the file of a picture ends with that has half the size, for a small screen.
@@ -24,8 +25,10 @@ const WIDE: u32 = 1000;
 const MODULES: [&str; 3] = ["live", "check", "pictures"];
 
 /// Writes what the chapters show and what the pages load: the locked snapshots, those of
-/// the mistakes, and the modules. Removes all else.
+/// the mistakes, and the modules. Removes all else. One process does so at a time.
 pub fn write(workspace: &Path) -> Result<()> {
+    let lock = File::create(target_folder().join("book.lock"))?;
+    lock.lock()?;
     let folder = workspace.join(CHAPTERS).join("pictures");
     fs::create_dir_all(&folder)
         .with_context(|| format!("{} can't be made", folder.display()))?;
@@ -60,7 +63,7 @@ pub fn write(workspace: &Path) -> Result<()> {
         }
     }
     for stale in old.keys().filter(|name| !files.contains_key(*name)) {
-        fs::remove_file(folder.join(stale)).with_context(|| stale.clone())?;
+        let _ = fs::remove_file(folder.join(stale));
     }
     Ok(())
 }

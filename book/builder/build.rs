@@ -4,16 +4,44 @@ use mdbook_driver::MDBook;
 use rayon::iter::{
     IntoParallelIterator, IntoParallelRefIterator, ParallelIterator,
 };
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, process};
 
-/// Builds the book of a workspace; returns the folder of its pages, and what is in it.
+/// Builds the book of a workspace into `folder`; returns what is in it.
 ///
-/// A fault in a chapter stops it before any page is written. A link that leads
-/// nowhere is found when all are.
-pub fn build(workspace: &Path) -> Result<(PathBuf, Site)> {
+/// It is written beside the folder and put in place when it is whole, so that a fault
+/// leaves the book that was there.
+pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
+    let draft = sibling(folder, "draft");
+    let built = write_pages(workspace, &draft);
+    let placed = built.and_then(|site| replace(folder, &draft).map(|()| site));
+    let _ = fs::remove_dir_all(&draft);
+    placed
+}
+
+/// The name of a folder beside `folder` that no other process takes.
+fn sibling(folder: &Path, what: &str) -> PathBuf {
+    folder.with_extension(format!("{what}-{}", process::id()))
+}
+
+/// Moves the folder `new` to `folder`, and removes the one that was there.
+fn replace(folder: &Path, new: &Path) -> Result<()> {
+    let old = sibling(folder, "old");
+    let moved = (0..10).find_map(|_| {
+        // Another process may put its own in place between these two.
+        let _ = fs::rename(folder, &old);
+        let moved = fs::rename(new, folder);
+        let _ = fs::remove_dir_all(&old);
+        moved.ok()
+    });
+    moved.with_context(|| format!("{} can't be replaced", folder.display()))
+}
+
+/// Writes all pages into `folder`. A fault in a chapter stops it before any page is
+/// written; a link that leads nowhere is found when all are.
+fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
-    book.config.build.build_dir = workspace.join("target/book");
+    book.config.build.build_dir = folder.to_owned();
     assets::write(workspace)?;
     expand(&mut book, workspace)?;
     book.build()?;
@@ -34,7 +62,7 @@ pub fn build(workspace: &Path) -> Result<(PathBuf, Site)> {
     }
     site.files = files;
     tell(&links::faults(&site))?;
-    Ok((folder, site))
+    Ok(site)
 }
 
 /// Turns the chapters as they are written into plain Markdown.

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use clap::Parser;
+use compare::{target_folder, workspace};
 use std::io::{Write, stderr, stdout};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -25,7 +26,8 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
-    let (folder, site) = book::build(&compare::workspace())?;
+    let folder = target_folder().join("book");
+    let site = book::build(&workspace(), &folder)?;
     say(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
         site.chapters().len(),

@@ -1,12 +1,15 @@
 use book::{Files, Site};
-use compare::workspace;
+use compare::{target_folder, workspace};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::{fs, process};
 
-/// Our book, built now; one test reads it at a time.
+/// Our book, built now, in a folder of this process; one test reads it at a time.
 pub fn book() -> MutexGuard<'static, Site> {
     static BOOK: LazyLock<Mutex<Site>> = LazyLock::new(|| {
-        let built = book::build(&workspace());
-        Mutex::new(built.unwrap_or_else(|error| panic!("{error:#}")).1)
+        let folder = target_folder().join(format!("tests/book-{}", process::id()));
+        let built = book::build(&workspace(), &folder);
+        let _ = fs::remove_dir_all(folder);
+        Mutex::new(built.unwrap_or_else(|error| panic!("{error:#}")))
     });
     BOOK.lock().unwrap_or_else(PoisonError::into_inner)
 }

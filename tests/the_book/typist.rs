@@ -3,13 +3,13 @@ use super::reading::{Asked, FAILED};
 use super::typed::Typed;
 use anyhow::{Context, Result, bail, ensure};
 use book::Files;
-use compare::{Difference, workspace};
+use compare::{Difference, target_folder, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tests::{locked, target};
+use tests::locked;
 
 /// The crates, in the order in which a reader writes them.
 pub const STEPS: [&str; 5] = {
@@ -42,6 +42,8 @@ pub struct State {
 /// A reader's workspace: what the book shows, and nothing else.
 pub struct Typist {
     folder: PathBuf,
+    /// Locked, so that another process waits until this one has done.
+    _lock: File,
 }
 
 impl Typist {
@@ -49,7 +51,7 @@ impl Typist {
     ///
     /// A file that is moved keeps its time, so Cargo has nothing to do for it.
     pub fn new() -> Self {
-        let folder = target().join("typed");
+        let folder = target_folder().join("typed");
         let (steps, later) = (folder.join("steps"), folder.join("later/steps"));
         let put_aside = || -> Result<()> {
             fs::create_dir_all(&steps)?;
@@ -58,8 +60,11 @@ impl Typist {
             }
             Ok(fs::remove_dir_all(&steps)?)
         };
+        fs::create_dir_all(&folder).expect("a folder in the target folder");
+        let lock = File::create(folder.join("lock")).expect("a file there");
+        lock.lock().expect("other processes end");
         put_aside().expect("the files can be moved");
-        Self { folder }
+        Self { folder, _lock: lock }
     }
 
     /// Writes the files that the book has shown so far.
@@ -195,7 +200,7 @@ impl Typist {
         cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
         // What the crates depend on is compiled already, for ours, with the same settings.
         // As the crates have the names of ours, a setting of their own keeps them apart.
-        cargo.env("CARGO_BUILD_BUILD_DIR", target());
+        cargo.env("CARGO_BUILD_BUILD_DIR", target_folder());
         for setting in [
             "codegen-units=4",
             "build-override.codegen-units=4",

@@ -6,4 +6,4 @@ mod workspace;
 
 pub use difference::{Difference, apart};
 pub use panels::panels;
-pub use workspace::workspace;
+pub use workspace::{target_folder, workspace};

@@ -13,6 +13,15 @@ pub fn workspace() -> PathBuf {
     found.unwrap_or(compiled).to_owned()
 }
 
+/// The target folder, marked by Cargo, in which this program lies; that of the workspace
+/// where the program was taken elsewhere.
+pub fn target_folder() -> PathBuf {
+    let program = env::current_exe().unwrap_or_default();
+    let mut around = program.ancestors();
+    let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
+    target.map_or_else(|| workspace().join("target"), Path::to_owned)
+}
+
 fn upwards(start: &Path) -> Option<&Path> {
     let has = |folder: &Path| {
         ["Cargo.toml", "steps", "tests/snapshots"]
