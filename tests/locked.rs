@@ -1,8 +1,9 @@
 use compare::{Difference, panels, target_folder, workspace};
-use image::{ImageFormat, RgbImage};
+use image::RgbImage;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use insta::{Settings, assert_binary_snapshot};
 use std::fs;
-use std::io::{Cursor, ErrorKind};
+use std::io::{self, ErrorKind};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
@@ -58,7 +59,7 @@ pub fn assert_locked(name: &str, picture: &RgbImage) {
 fn complaint(
     name: &str,
     picture: &RgbImage,
-    locked_file: &std::io::Result<Vec<u8>>,
+    locked_file: &io::Result<Vec<u8>>,
     panels_path: &Path,
 ) -> Option<String> {
     let decoded = match locked_file {
@@ -91,11 +92,14 @@ fn snapshot_path(name: &str) -> PathBuf {
     workspace().join(SNAPSHOTS).join(format!("{name}.snap.png"))
 }
 
+/// A PNG file as small as the encoder can make it: the book shows it as it is.
 fn png(picture: &RgbImage) -> Vec<u8> {
-    let mut png = Cursor::new(Vec::new());
-    let written = picture.write_to(&mut png, ImageFormat::Png);
+    let mut png = vec![];
+    let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
+    let encoder = PngEncoder::new_with_quality(&mut png, best, filter);
+    let written = picture.write_with_encoder(encoder);
     written.expect("a picture in memory can be encoded");
-    png.into_inner()
+    png
 }
 
 /// The folder of the pictures of differences.

@@ -5,10 +5,10 @@ use check::Step;
 use compare::target_folder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
-use image::{RgbImage, load_from_memory};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use image::{ImageReader, RgbImage};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
+use std::io::Cursor;
 use std::path::Path;
 
 /// What the file of a picture ends with that has half the size, for a small screen.
@@ -24,8 +24,8 @@ const WIDE: u32 = 1000;
 /// those that it compares with.
 const MODULES: [&str; 3] = ["live", "check", "pictures"];
 
-/// Writes what the chapters show and what the pages load: the locked snapshots, those of
-/// the mistakes, and the modules. Removes all else. One process does so at a time.
+/// Writes what the chapters show and what the pages load: the locked snapshots as they are,
+/// the pictures of the mistakes, and the modules. Removes all else. One process does so at a time.
 pub fn write(workspace: &Path) -> Result<()> {
     let lock = File::create(target_folder().join("book.lock"))?;
     lock.lock()?;
@@ -37,17 +37,10 @@ pub fn write(workspace: &Path) -> Result<()> {
     let mistakes = mistakes.into_iter();
     let mut files: BTreeMap<_, _> =
         mistakes.map(|(name, bytes)| (format!("mistake-{name}"), bytes)).collect();
-    let locked = Files::read(&workspace.join("tests/snapshots"))?.0;
-    let packed = locked.par_iter().filter_map(|(name, bytes)| {
-        let name = name.strip_suffix(".snap.png")?;
-        let files = packed(name, bytes, &old);
-        Some(files.with_context(|| format!("the locked picture {name}")))
-    });
-    files.extend(packed.collect::<Result<Vec<_>>>()?.concat());
-    for name in Step::ALL.map(Step::name) {
-        let picture = decoded(&locked[&format!("{name}.snap.png")])?;
-        let small = png(&thumbnail(&picture, 320, 180))?;
-        files.insert(format!("{name}{SMALL}"), small);
+    for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
+        let Some(name) = name.strip_suffix(".snap.png") else { continue };
+        files.extend(smaller(name, &bytes).with_context(|| name.to_owned())?);
+        files.insert(format!("{name}.png"), bytes);
     }
     for name in MODULES {
         // A page that was opened from a folder may load scripts, and nothing else.
@@ -68,31 +61,20 @@ pub fn write(workspace: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The files of a locked picture, packed for a page, and of its half if it is wide; the
-/// `old` ones where they show it, as packing takes long.
-fn packed(
-    name: &str,
-    locked: &[u8],
-    old: &BTreeMap<String, Vec<u8>>,
-) -> Result<Vec<(String, Vec<u8>)>> {
-    let picture = decoded(locked)?;
-    let (width, height) = picture.dimensions();
-    let shows_it = |png: &Vec<u8>| decoded(png).is_ok_and(|old| old == picture);
-    let name = |end| format!("{name}{end}");
-    let (whole, half) = (name(".png"), name(HALF));
-    let old_whole = old.get(&whole).filter(|png| shows_it(png));
-    let mut files =
-        vec![(whole, old_whole.cloned().map_or_else(|| png(&picture), Ok)?)];
-    if WIDE <= width {
-        let old = old.get(&half).filter(|_| old_whole.is_some()).cloned();
-        let smaller = || png(&thumbnail(&picture, width / 2, height / 2));
-        files.push((half, old.map_or_else(smaller, Ok)?));
-    }
-    Ok(files)
-}
-
-fn decoded(png: &[u8]) -> Result<RgbImage> {
-    Ok(load_from_memory(png)?.into_rgb8())
+/// The smaller pictures that go with the locked picture `name`: half of a wide one, and a
+/// step's beside those of its mistakes.
+fn smaller(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
+    let (width, height) = ImageReader::new(Cursor::new(file))
+        .with_guessed_format()?
+        .into_dimensions()?;
+    let (end, part) = match Step::named(name) {
+        _ if WIDE <= width => (HALF, 2),
+        Some(_) => (SMALL, width / 320),
+        None => return Ok(None),
+    };
+    let picture = image::load_from_memory(file)?.into_rgb8();
+    let small = thumbnail(&picture, width / part, height / part);
+    Ok(Some((format!("{name}{end}"), png(&small)?)))
 }
 
 /// A PNG file of the picture, packed as well as the encoder can: a page waits for it.

@@ -17,12 +17,11 @@ pub const STEPS: [&str; 5] = {
     [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
 };
 
-/// The manifest of the states; with the features of the book's builder, so that nothing is
-/// compiled once more.
+/// The manifest of the states.
 const STATES: &str = "
     package = { name = \"states\", edition.workspace = true }
     [dependencies]
-    clap = { workspace = true, features = [\"env\", \"wrap_help\"] }
+    clap.workspace = true
     glam.workspace = true
     image.workspace = true
     rayon.workspace = true
@@ -157,8 +156,7 @@ impl Typist {
         }
         self.save("steps/states/Cargo.toml", STATES)?;
         self.save("steps/states/src/lib.rs", &lib)?;
-        let mut cargo = self.cargo(&["build", "-p", "states"]);
-        build(cargo.args(["--config", "profile.dev.package.states.opt-level=0"]))
+        build(&mut self.cargo(&["build", "-p", "states"]))
     }
 
     /// The picture that an example of a crate draws with these options; a warning is an
@@ -201,24 +199,13 @@ impl Typist {
         // What the crates depend on is compiled already, for ours, with the same settings.
         // As the crates have the names of ours, a setting of their own keeps them apart.
         cargo.env("CARGO_BUILD_BUILD_DIR", target_folder());
-        for setting in [
-            "codegen-units=4",
-            "build-override.codegen-units=4",
-            "package.fdeflate.opt-level=3",
-            "package.miniz_oxide.opt-level=3",
-        ] {
-            cargo.args(["--config", &format!("profile.dev.{setting}")]);
-        }
+        cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
         // Each crate is compiled once or twice: there is nothing to keep for later.
         cargo.env("CARGO_INCREMENTAL", "0");
         // A command of the book says itself what insta is to do, and does it there.
         cargo.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", &self.folder);
         // So that the programs are where we look for them.
         cargo.env_remove("CARGO_BUILD_TARGET");
-        for step in STEPS {
-            let setting = format!("profile.dev.package.{step}.opt-level=0");
-            cargo.args(["--config", &setting]);
-        }
         cargo
     }
 }
