@@ -1,7 +1,7 @@
 //! The numbers that chapter 2 works out or shows.
 
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_3;
+use std::{f64::consts::FRAC_PI_3, process::Command};
 use step02_sphere::*;
 
 fn ahead(x: f64, z: f64) -> Ray {
@@ -54,4 +54,14 @@ fn picture_of_a_disc() {
     assert_eq!(picture[(300, 150)].0, [232, 87, 71]);
     let sky = ahead(2.0, 0.0);
     assert_eq!(colour(&SPHERE, &sky), direction_colour(&sky));
+}
+
+#[test]
+fn run_with_samples() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/smooth.png");
+    let mut program = Command::new(env!("CARGO_BIN_EXE_step02_sphere"));
+    program.args("--width 64 --samples 2 --output".split(' ')).arg(file);
+    program.output().unwrap();
+    let smooth = picture(&Camera::new(64, 36, FRAC_PI_3), 2);
+    assert_eq!(image::open(file).unwrap().to_rgb8(), smooth);
 }
