@@ -1,4 +1,6 @@
-use crate::{Files, Page, Site, assets, chapter, links, picture, print, styles};
+use crate::{
+    Files, Page, Site, assets, chapter, links, picture, print, search, styles,
+};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 use rayon::iter::{
@@ -60,6 +62,9 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
         files.0.insert(page.name.clone(), html.into_bytes());
         site.pages.insert(page.name.clone(), page);
     }
+    let index = search::index(&site);
+    fs::write(folder.join(search::INDEX), &index)?;
+    files.0.insert(search::INDEX.to_owned(), index.into_bytes());
     site.files = files;
     tell(&links::faults(&site))?;
     Ok(site)

@@ -45,6 +45,7 @@ mod assets;
 
 mod links;
 mod print;
+mod search;
 mod styles;
 
 mod build;

@@ -1,10 +1,5 @@
 "use strict";
 
-// The search asks whether a key that is pressed belongs to something else on the page.
-function mdbook_something_else_has_focus(event) {
-    return /^(input|select|textarea)$/i.test(event.target.nodeName);
-}
-
 // Calls back, once for each element, when it comes near the view.
 function whenNear(elements, near) {
     const observer = new IntersectionObserver(entries => {
@@ -116,5 +111,5 @@ addEventListener("keydown", event => {
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     colours();
     if (!isWhole) load("theme/live.js");
-    ["elasticlunr.min.js", "mark.min.js", "searcher.js"].forEach(load);
+    load("theme/search.js");
 })));
