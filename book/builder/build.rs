@@ -1,11 +1,8 @@
-use crate::{
-    Files, Page, Site, assets, chapter, links, picture, print, search, styles,
-};
-use anyhow::{Context, Result, bail};
+use crate::preprocessor::{Course, report};
+use crate::{Files, Page, Site, links, picture, print, search, styles};
+use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
-use rayon::iter::{
-    IntoParallelIterator, IntoParallelRefIterator, ParallelIterator,
-};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::path::{Path, PathBuf};
 use std::{fs, process};
 
@@ -44,8 +41,7 @@ fn replace(folder: &Path, new: &Path) -> Result<()> {
 fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = folder.to_owned();
-    assets::write(workspace)?;
-    expand(&mut book, workspace)?;
+    book.with_preprocessor(Course);
     book.build()?;
     let folder = book.build_dir_for("html");
     let mut files = Files::read(&folder)?;
@@ -66,39 +62,8 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     fs::write(folder.join(search::INDEX), &index)?;
     files.0.insert(search::INDEX.to_owned(), index.into_bytes());
     site.files = files;
-    tell(&links::faults(&site))?;
+    report(&links::faults(&site))?;
     Ok(site)
-}
-
-/// Turns the chapters as they are written into plain Markdown.
-fn expand(book: &mut MDBook, workspace: &Path) -> Result<()> {
-    let url = book.config.get::<String>("output.html.git-repository-url")?;
-    let ours = our_folder(workspace, url.as_deref());
-    let texts: Vec<_> = book.book.chapters().map(|c| c.content.clone()).collect();
-    let expanded = texts.par_iter().map(|text| {
-        chapter::expand(&text.replace("{{#our-folder}}", &ours), workspace)
-    });
-    let expanded: Vec<_> = expanded.collect();
-    let mut expanded = expanded.into_iter();
-    let mut faults = vec![];
-    book.book.for_each_chapter_mut(|chapter| {
-        let Some((markdown, wrong)) = expanded.next() else { return };
-        chapter.content = markdown;
-        let file = chapter.source_path.clone().unwrap_or_default();
-        faults.extend(wrong.iter().map(|(line, what)| {
-            format!("book/chapters/{}:{line}: {what}", file.display())
-        }));
-    });
-    tell(&faults)
-}
-
-/// Where the reader finds our folder: a book that is published has a link to it, one
-/// that is built at home was built in it.
-fn our_folder(workspace: &Path, url: Option<&str>) -> String {
-    match url {
-        Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
-        None => format!("where this book was built: `{}`", workspace.display()),
-    }
 }
 
 /// What is done to a page that mdBook has written.
@@ -128,14 +93,4 @@ fn finish(page: &mut Page, files: &Files) -> Result<()> {
         page.remove(first);
     }
     Ok(())
-}
-
-/// An error that tells all faults at once, if there are any; it stops the build.
-fn tell(faults: &[String]) -> Result<()> {
-    let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
-    match faults.len() {
-        0 => Ok(()),
-        1 => bail!("{all}The book is not done: one fault."),
-        many => bail!("{all}The book is not done: {many} faults."),
-    }
 }

@@ -1,8 +1,9 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! `build` reads the chapters with mdBook, expands them, has mdBook write its pages and
-//! finishes those: styles inside, the first picture at once, the whole book arranged for
-//! paper. A page is read and changed as a tree. At the end each link is followed.
+//! `Course` is an mdBook preprocessor: it expands the chapters, for `mdbook serve` as for
+//! `cargo run`. `build` has mdBook write its pages and finishes those: styles inside, the
+//! first picture at once, the index of the search, the whole book arranged for paper. A
+//! page is read and changed as a tree. At the end each link is followed.
 //!
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
@@ -42,6 +43,7 @@ mod this_pixel;
 mod chapter;
 
 mod assets;
+mod preprocessor;
 
 mod links;
 mod print;
@@ -56,4 +58,5 @@ mod tests;
 pub use build::build;
 pub use files::Files;
 pub use page::{Page, all, text};
+pub use preprocessor::Course;
 pub use site::Site;

@@ -1,9 +1,11 @@
 //! Builds the book, and opens it with `--open`.
 
 use anyhow::Result;
-use clap::Parser;
+use book::Course;
+use clap::{Parser, Subcommand};
 use compare::{target_folder, workspace};
-use std::io::{Write, stderr, stdout};
+use mdbook_preprocessor::Preprocessor;
+use std::io::{Write, stderr, stdin, stdout};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -14,16 +16,43 @@ struct Options {
     /// Open the book in the browser
     #[arg(long)]
     open: bool,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Expand the chapters that mdBook writes to standard input: see book/book.toml
+    Preprocess {
+        /// What mdBook asks first: `supports`, and a renderer
+        #[arg(hide = true)]
+        question: Vec<String>,
+    },
 }
 
 fn main() -> ExitCode {
-    let Err(error) = run(&Options::parse()) else { return ExitCode::SUCCESS };
+    let options = Options::parse();
+    let done = match &options.command {
+        Some(Command::Preprocess { question }) if question.is_empty() => {
+            preprocess()
+        }
+        Some(Command::Preprocess { .. }) => Ok(()),
+        None => build(options.open),
+    };
+    let Err(error) = done else { return ExitCode::SUCCESS };
     let _ = writeln!(stderr(), "{error:#}");
     ExitCode::FAILURE
 }
 
+/// Reads the book that mdBook hands over, and writes it with its chapters expanded.
+fn preprocess() -> Result<()> {
+    let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
+    let book = Course.run(&context, book)?;
+    Ok(serde_json::to_writer(stdout(), &book)?)
+}
+
 /// Builds the book, says what was built and where, and opens it if that is asked for.
-fn run(options: &Options) -> Result<()> {
+fn build(is_opened: bool) -> Result<()> {
     let start = Instant::now();
     say("Building the book …");
     let folder = target_folder().join("book");
@@ -40,7 +69,7 @@ fn run(options: &Options) -> Result<()> {
     let index = folder.join("index.html");
     say(&format!("It begins at {}", index.display()));
     let patience = Duration::from_secs(2);
-    if options.open && open::that_detached_with_timeout(&index, patience).is_err() {
+    if is_opened && open::that_detached_with_timeout(&index, patience).is_err() {
         say("There is no browser here to open it with.");
     }
     Ok(())

@@ -68,7 +68,7 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
 const scripts = {};
 const load = file => scripts[file] ??= new Promise(done => {
     const script = document.createElement("script");
-    document.head.append(Object.assign(script, { src: path_to_root + file, async: false, onload: done }));
+    document.head.append(Object.assign(script, { src: path_to_root + file, async: false, onload: done, onerror: done }));
 });
 
 // Code: colours, when it comes near the view or is printed, and a button that copies a listing.

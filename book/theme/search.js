@@ -44,6 +44,7 @@
     }
 
     function show() {
+        if (!sections.length) return status.textContent = "There is no index here: cargo run makes it.";
         const words = parts(field.value);
         const found = words.length === 0 ? [] : sections.map(section => [score(section, words), section])
             .filter(([points]) => points).sort(([a], [b]) => b - a);

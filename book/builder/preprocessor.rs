@@ -1,0 +1,66 @@
+use crate::{assets, chapter};
+use anyhow::{Context, Result, bail};
+use mdbook_preprocessor::book::Book;
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::path::Path;
+
+/// What mdBook does with the chapters before it writes pages: directives are expanded, and
+/// what they show is put beside the chapters.
+pub struct Course;
+
+impl Preprocessor for Course {
+    /// Its name in `book.toml`, so that `cargo run` takes this one in place of the command
+    /// there.
+    fn name(&self) -> &str {
+        "course"
+    }
+
+    fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
+        let workspace =
+            context.root.parent().context("the book is in a workspace")?;
+        assets::write(workspace)?;
+        let url = context.config.get::<String>("output.html.git-repository-url")?;
+        expand(&mut book, workspace, &our_folder(workspace, url.as_deref()))?;
+        Ok(book)
+    }
+}
+
+/// Turns the chapters as they are written into plain Markdown.
+fn expand(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
+    let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
+    let expanded = texts.par_iter().map(|text| {
+        chapter::expand(&text.replace("{{#our-folder}}", our_folder), workspace)
+    });
+    let expanded: Vec<_> = expanded.collect();
+    let mut expanded = expanded.into_iter();
+    let mut faults = vec![];
+    book.for_each_chapter_mut(|chapter| {
+        let Some((markdown, wrong)) = expanded.next() else { return };
+        chapter.content = markdown;
+        let file = chapter.source_path.clone().unwrap_or_default();
+        faults.extend(wrong.iter().map(|(line, what)| {
+            format!("book/chapters/{}:{line}: {what}", file.display())
+        }));
+    });
+    report(&faults)
+}
+
+/// Where the reader finds our folder: a book that is published has a link to it, one
+/// that is built at home was built in it.
+fn our_folder(workspace: &Path, url: Option<&str>) -> String {
+    match url {
+        Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
+        None => format!("where this book was built: `{}`", workspace.display()),
+    }
+}
+
+/// An error that tells all faults at once, if there are any; it stops the build.
+pub fn report(faults: &[String]) -> Result<()> {
+    let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
+    match faults.len() {
+        0 => Ok(()),
+        1 => bail!("{all}The book is not done: one fault."),
+        many => bail!("{all}The book is not done: {many} faults."),
+    }
+}
