@@ -1,3 +1,4 @@
+use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, report};
 use crate::{Files, Page, Site, links, picture, print, search, styles};
 use anyhow::{Context, Result};
@@ -62,7 +63,8 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     fs::write(folder.join(search::INDEX), &index)?;
     files.0.insert(search::INDEX.to_owned(), index.into_bytes());
     site.files = files;
-    report(&links::faults(&site))?;
+    let chapters = Files::read(&workspace.join(CHAPTERS))?;
+    report(&links::faults(&site, &chapters))?;
     Ok(site)
 }
 

@@ -1,32 +1,57 @@
 //! Every link, anchor and picture leads to something in the book, and nothing is
 //! fetched from elsewhere.
 
-use crate::files::joined;
-use crate::{Site, text};
+use crate::files::{CHAPTERS, joined};
+use crate::{Files, Page, Site, text};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
-/// Each link that leads nowhere, and all that would be fetched from elsewhere.
-pub fn faults(site: &Site) -> Vec<String> {
+/// Each link that leads nowhere, and all that would be fetched from elsewhere: told with
+/// its line in the `chapters`, by their paths, where it stands in one.
+///
+/// The pages that repeat the chapters are looked at where these have no fault.
+pub fn faults(site: &Site, chapters: &Files) -> Vec<String> {
+    let is_copy =
+        |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
+    let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
+    let faults = faults_of(site, chapters, &pages);
+    if faults.is_empty() { faults_of(site, chapters, &copies) } else { faults }
+}
+
+fn faults_of(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
         page.all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
     });
     let ids = with_id.collect();
     let mut faults = vec![];
-    for page in site.pages.values() {
+    for page in pages {
         for element in page.html.root_element().descendent_elements() {
             for address in addresses(element) {
                 let what = resolve(site, &ids, &page.name, &address);
                 let is_link =
                     element.value().name() == "a" && is_elsewhere(&address);
                 let what = what.filter(|_| !is_link);
-                faults.extend(
-                    what.map(|what| format!("{} {what}", page.at(element))),
-                );
+                let place = || {
+                    source_line(chapters, &page.name, &address)
+                        .unwrap_or_else(|| page.at(element))
+                };
+                faults.extend(what.map(|what| format!("{} {what}", place())));
             }
         }
     }
     faults
+}
+
+/// The file and the line of the chapter of a page in which an address stands.
+fn source_line(chapters: &Files, page: &str, address: &str) -> Option<String> {
+    let file = page.replace(".html", ".md");
+    let written = [address.replace(".html", ".md"), address.to_owned()];
+    let is_there = |line: &str| {
+        written.iter().any(|one| line.contains(&format!("({one}")))
+            || line.contains(&format!("\"{address}\""))
+    };
+    let line = 1 + chapters.text(&file)?.lines().position(is_there)?;
+    Some(format!("{CHAPTERS}{file}:{line}: the link"))
 }
 
 /// Everything that an element leads to or loads.

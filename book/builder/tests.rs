@@ -116,9 +116,23 @@ fn a_link_that_leads_nowhere_is_a_fault() {
         let page = Page::new("a.html", &format!("<p id=\"i\">{fine}</p>{html}"));
         let files = Files([("a.html".to_owned(), vec![])].into());
         let site = Site { files, pages: [("a.html".to_owned(), page)].into() };
-        let faults = links::faults(&site);
+        let faults = links::faults(&site, &Files::default());
         assert!(faults.len() == 1 && faults[0].contains(what), "{faults:?}");
     }
+}
+
+#[test]
+fn a_fault_of_a_link_has_the_line_of_its_chapter() {
+    let html = "<p><a href=\"b.html#i\">b</a></p>";
+    let pages = ["a.html", "print.html"]
+        .map(|name| (name.to_owned(), Page::new(name, html)));
+    let site = Site { files: Files::default(), pages: pages.into() };
+    let chapter = b"# A\n\nSee [b](b.md#i).\n".to_vec();
+    let faults =
+        links::faults(&site, &Files([("a.md".to_owned(), chapter)].into()));
+    let told =
+        "book/chapters/a.md:3: the link leads to b.html, which is not in the book";
+    assert_eq!(faults, [told]);
 }
 
 #[test]
