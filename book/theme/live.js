@@ -12,6 +12,10 @@ const liveModule = (() => {
         const script = make("script", { src: `${path_to_root}pictures/${name}-module.js` });
         script.onerror = reject;
         document.head.append(script);
+    }).catch(error => {
+        // Who asks next tries again.
+        delete modules[name];
+        throw error;
     }).then(base64 => {
         const letters = atob(base64);
         const bytes = new Uint8Array(letters.length);
@@ -21,7 +25,8 @@ const liveModule = (() => {
     return {
         come: (name, base64) => come[name](base64),
         load,
-        get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports),
+        get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports)
+            .catch(error => { delete instances[name]; throw error; }),
     };
 })();
 
@@ -267,8 +272,14 @@ function liven(figure, module) {
         rest = setTimeout(() => history.replaceState(null, "", kept ? `#scene=${kept}` : location.pathname + location.search), 200);
     }
     const open = () => {
-        if (!location.hash.startsWith("#scene=")) return;
-        const answer = ask(module, `open ${name} ${location.hash.slice("#scene=".length)}`);
+        if (!location.hash.startsWith("#scene=")) {
+            // A heading was pressed: the page has gone there, and the address is the scene's again.
+            if (kept) history.replaceState(null, "", `#scene=${kept}`);
+            return;
+        }
+        // Some mail programs write a colon as %3A.
+        const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
+        const answer = ask(module, `open ${name} ${address}`);
         if (!answer.error) kept = answer.numbers.address;
         show(answer);
         refused.textContent = answer.error ? `${answer.error} Nothing has changed.` : "";
@@ -341,9 +352,11 @@ function looking(form) {
 }
 document.querySelectorAll("form[data-live=check]").forEach(looking);
 
-// A figure answers from when it comes near the view: only then is the module loaded.
-whenNear(document.querySelectorAll("figure[data-live]"), async figure => {
+// A figure answers from when it comes near the view: only then is the module loaded. Where that
+// fails, it is tried again while the figure is near.
+const wake = async figure => {
     const module = await liveModule.get("live").catch(() => null);
     if (module) liven(figure, module);
-    else figure.querySelector(".knobs").remove();
-});
+    else setTimeout(whenNear, 5000, [figure], wake);
+};
+whenNear(document.querySelectorAll("figure[data-live]"), wake);
