@@ -10,7 +10,7 @@
 //!    such as gamma (`whole`), cut out or scaled (`part`).
 //! 4. It is **in the list**: these very pixels are what a mistake that we know gives
 //!    (`listed`). The lists are the text files in `mistakes/`: a title, a file, what
-//!    stands there and what is written instead. The program `mistakes` has drawn them all,
+//!    stands there and what is written instead. The package `update` draws them all,
 //!    and the table has the sum of each picture.
 //! 5. **One number** of the scene is another: all numbers that somebody may have typed are
 //!    tried with the functions of the steps, as a scene is a value (`number`).

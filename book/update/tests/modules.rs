@@ -1,19 +1,14 @@
-//! What is checked in and made from the code is what the code says today: the modules that
-//! the pages load. One test for each, and a sentence that tells what makes it anew.
-
-mod module;
-
-use ::check::{camera, names};
+use crate::is_thorough;
+use crate::module::{self, Module};
+use check::{Locked, camera, names};
 use compare::workspace;
 use image::{ImageFormat, RgbImage};
 use live::{Answer, Knob, LIVE, Live};
-use module::Module;
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use std::fs;
 use std::io::Cursor;
-use tests::{is_thorough, locked};
 use wasm::answer;
 
 /// Fails if the module `name` answers otherwise than our code.
@@ -23,7 +18,7 @@ fn assert_same(name: &str, request: &str, ours: &Answer, theirs: Option<Answer>)
     assert!(
         is_same,
         "book/wasm/{name}.wasm is not what our code says (of {request:?}): \
-         `cargo run -p wasm` compiles it anew."
+         `cargo run -p update` compiles it anew."
     );
 }
 
@@ -85,8 +80,8 @@ fn check_wasm_is_up_to_date() {
             let text = fs::read(&path).expect("a list");
             assert!(
                 bytes.windows(text.len()).any(|part| part == text),
-                "book/wasm/check.wasm has another {}: `cargo run --bin mistakes` draws \
-                 what is new, then `cargo run -p wasm` compiles it anew.",
+                "book/wasm/check.wasm has another {}: `cargo run -p update` compiles it \
+                 anew.",
                 path.display()
             );
         }
@@ -118,6 +113,10 @@ fn no_path_of_a_machine_stands_in_a_module() {
             assert!(!text.contains(path), "{path} stands in {name}.wasm");
         }
     }
+}
+
+fn locked(name: &str) -> RgbImage {
+    Locked::read(name).expect("a locked picture").picture
 }
 
 fn png(picture: &RgbImage) -> Vec<u8> {

@@ -1,0 +1,50 @@
+//! Makes anew what is made from the code and checked in: the table and the small pictures of
+//! the mistakes, then the modules of the book's pages, in which the table lies.
+
+mod batch;
+mod mistakes;
+mod modules;
+
+use clap::{Parser, value_parser};
+use std::error::Error;
+use std::process::ExitCode;
+
+/// Draws the mistakes whose text, file or right picture has changed, then compiles the
+/// modules of the book's pages.
+#[derive(Parser)]
+struct Options {
+    /// Draw the mistakes that have one of these words in their title or file instead
+    words: Vec<String>,
+    /// Draw all mistakes instead
+    #[arg(long, conflicts_with = "words")]
+    all: bool,
+    /// Only draw so many random mistakes, and compare them with the table
+    #[arg(long, value_name = "COUNT", conflicts_with_all = ["words", "all"])]
+    #[arg(value_parser = value_parser!(u16).range(1..))]
+    sample: Option<u16>,
+    /// Seed of the random choice; another each time by default
+    #[arg(long, requires = "sample")]
+    seed: Option<u64>,
+}
+
+fn main() -> ExitCode {
+    let Err(error) = update(&Options::parse()) else { return ExitCode::SUCCESS };
+    eprintln!("error: {error}");
+    ExitCode::FAILURE
+}
+
+fn update(options: &Options) -> Result<(), Box<dyn Error>> {
+    if let Some(count) = options.sample {
+        let seed = options.seed.unwrap_or_else(|| fastrand::u64(..));
+        return mistakes::compare_sample(count.into(), seed);
+    }
+    // Minutes would be lost if this were told after the mistakes.
+    modules::require_target()?;
+    mistakes::draw(|mistake, is_current| match &options.words[..] {
+        [] => options.all || !is_current,
+        words => words.iter().any(|word| {
+            mistake.title.contains(word) || mistake.file.contains(word)
+        }),
+    })?;
+    modules::compile()
+}

@@ -1,0 +1,137 @@
+use crate::batch::{self, Pictures};
+use check::{Locked, Mistake, Row, Step, locked_sums, mistakes, rows, sum};
+use compare::workspace;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::imageops::thumbnail;
+use std::collections::HashMap;
+use std::error::Error;
+use std::path::PathBuf;
+use std::{fs, io};
+
+/// Draws the mistakes that `is_drawn` selects, told whether the table is current about each;
+/// writes the table and the small pictures.
+pub fn draw(
+    is_drawn: impl Fn(&Mistake, bool) -> bool,
+) -> Result<(), Box<dyn Error>> {
+    let (locked, all) = (locked()?, mistakes());
+    let drawn = rows().filter(|row| row.sums.iter().any(Option::is_some));
+    let mut table: HashMap<u32, Row> = drawn.map(|row| (row.key, row)).collect();
+    // Where what is right is another picture, so is what a mistake makes of it.
+    let right: HashMap<_, _> = locked_sums().collect();
+    let is_new = |one: &&Locked| right.get(&*one.name) != Some(&sum(&one.picture));
+    let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
+    let is_current = |mistake: &Mistake| {
+        table.contains_key(&key(mistake))
+            && !mistake.drawn().iter().any(|name| new.contains(&name))
+            && small_pictures(mistake).all(|(path, _)| path.exists())
+    };
+    let chosen = all.iter().filter(|one| is_drawn(one, is_current(one))).collect();
+    batch::draw(chosen, |mistake, pictures| {
+        let row = row(mistake, &pictures, &locked);
+        if row.sums.iter().all(Option::is_none) {
+            println!("shows nowhere: {} ({})", mistake.title, mistake.file);
+        }
+        table.insert(row.key, row);
+        write_small_pictures(mistake, &pictures)
+    })?;
+    write_table(&all, &table, &locked)?;
+    Ok(())
+}
+
+/// Draws `count` random mistakes; fails where the table has something else of one.
+pub fn compare_sample(count: usize, seed: u64) -> Result<(), Box<dyn Error>> {
+    println!("seed {seed}");
+    let (locked, all) = (locked()?, mistakes());
+    let rows: HashMap<_, _> = rows().map(|row| (row.key, row)).collect();
+    let mut wrong = vec![];
+    let chosen = fastrand::Rng::with_seed(seed).choose_multiple(&all, count);
+    batch::draw(chosen, |mistake, pictures| {
+        let row = row(mistake, &pictures, &locked);
+        if rows.get(&row.key) != Some(&row) {
+            wrong.push(format!("{} ({})", mistake.title, mistake.file));
+        }
+        Ok(())
+    })?;
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => {
+            Err(format!("the table is wrong about {}", wrong.join(", ")).into())
+        }
+    }
+}
+
+fn folder() -> PathBuf {
+    workspace().join("book/check/mistakes")
+}
+
+/// The key of a mistake in the table, with its file as it is now.
+fn key(mistake: &Mistake) -> u32 {
+    let text = fs::read_to_string(workspace().join(&mistake.file));
+    Row::key(mistake, &text.unwrap_or_default())
+}
+
+/// All locked pictures that somebody may draw.
+fn locked() -> Result<Vec<Locked>, String> {
+    let exercises = exercises::PICTURES.iter().map(|(name, _)| *name);
+    Step::ALL
+        .map(Step::name)
+        .into_iter()
+        .chain(exercises)
+        .map(Locked::read)
+        .collect()
+}
+
+/// The paths of a mistake's small pictures, each with the name of what is drawn.
+fn small_pictures(
+    mistake: &Mistake,
+) -> impl Iterator<Item = (PathBuf, &'static str)> {
+    let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
+    let path = |name: &str| folder().join(format!("pictures/{name}.png"));
+    pictures.map(move |(name, step)| (path(name), step.name()))
+}
+
+/// A mistake's row of the table.
+fn row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> Row {
+    let sums = mistake.drawn().into_iter().zip(0..).map(|(name, k)| {
+        let picture = pictures.get(k)?.as_ref()?;
+        let is_right = |one: &Locked| one.name == name && one.picture == *picture;
+        (!locked.iter().any(is_right)).then(|| sum(picture))
+    });
+    Row { key: key(mistake), sums: sums.collect() }
+}
+
+fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
+    for (path, step) in small_pictures(mistake) {
+        let names = mistake.drawn().into_iter();
+        let mut drawn = names.zip(pictures).filter(|(name, _)| *name == step);
+        let Some((_, Some(picture))) = drawn.next() else {
+            println!("not drawn: {}", path.display());
+            continue;
+        };
+        let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
+        let mut file = vec![];
+        let encoder = PngEncoder::new_with_quality(&mut file, best, filter);
+        let small = thumbnail(picture, 320, 180);
+        small.write_with_encoder(encoder).map_err(io::Error::other)?;
+        fs::write(path, file)?;
+    }
+    Ok(())
+}
+
+/// Writes the table: the hashes of what is right, then a row for each mistake.
+fn write_table(
+    all: &[Mistake],
+    table: &HashMap<u32, Row>,
+    locked: &[Locked],
+) -> io::Result<()> {
+    let mut text = String::new();
+    for Locked { name, picture } in locked {
+        text += &format!("= {name} {:016x}\n", sum(picture));
+    }
+    for mistake in all {
+        let key = key(mistake);
+        let unknown = || Row { key, sums: vec![None] };
+        text += &table.get(&key).cloned().unwrap_or_else(unknown).line();
+    }
+    fs::write(folder().join("table.txt"), text)
+}

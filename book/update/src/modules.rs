@@ -1,0 +1,90 @@
+//! Compiles the package `wasm` for the browser: a module of what answers in the pages, one of
+//! `check`, one of the pictures that it compares with. They are checked in, as who builds the
+//! book needs no second target.
+
+use compare::{target_folder, workspace};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::Command;
+use std::{env, fs};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The modules: each is a feature of the package, with flags of its own for the
+/// compiler. The largest is to have few copies of small functions.
+const MODULES: [(&str, &str); 3] = [
+    ("live", ""),
+    ("pictures", ""),
+    (
+        "check",
+        "-C llvm-args=-inline-threshold=25 -C llvm-args=-inlinehint-threshold=10",
+    ),
+];
+
+/// Fails where this machine can't compile for the browser.
+pub fn require_target() -> Result<(), Box<dyn Error>> {
+    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+    let arguments = ["--print", "target-libdir", "--target", TARGET];
+    let output = Command::new(rustc).args(arguments).output()?;
+    let folder = String::from_utf8_lossy(&output.stdout);
+    if output.status.success() && fs::exists(folder.trim())? {
+        return Ok(());
+    }
+    Err(format!(
+        "Rust's target for the browser is missing: `rustup target add {TARGET}`"
+    )
+    .into())
+}
+
+/// Compiles all modules; Cargo knows what has changed.
+pub fn compile() -> Result<(), Box<dyn Error>> {
+    // No path of this machine stands in what is checked in.
+    let paths = registry_sources().into_iter();
+    let paths: Vec<_> = paths
+        .map(|path| format!("--remap-path-prefix={}=", path.display()))
+        .collect();
+    for (feature, flags) in MODULES {
+        let flags =
+            flags.split_whitespace().chain(paths.iter().map(|path| &**path));
+        let folder = target_folder().join("wasm");
+        let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
+            .args(["rustc", "--package", "wasm", "--lib", "--profile", "wasm"])
+            .args(["--no-default-features", "--features", feature])
+            .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
+            .arg(&folder)
+            .args([
+                "--",
+                "-C",
+                "strip=symbols",
+                "-C",
+                "link-arg=--compress-relocations",
+            ])
+            .env("CARGO_ENCODED_RUSTFLAGS", flags.collect::<Vec<_>>().join("\x1f"))
+            .current_dir(workspace())
+            .status()?;
+        if !status.success() {
+            return Err(format!("the module {feature} does not compile").into());
+        }
+        let path = format!("book/wasm/{feature}.wasm");
+        let module = fs::read(folder.join(TARGET).join("wasm/wasm.wasm"))?;
+        let is_new =
+            fs::read(workspace().join(&path)).ok().as_ref() != Some(&module);
+        if is_new {
+            fs::write(workspace().join(&path), &module)?;
+        }
+        println!(
+            "{path}: {} bytes{}",
+            module.len(),
+            if is_new { ", new" } else { "" }
+        );
+    }
+    Ok(())
+}
+
+/// The folders of the packages' sources, one for each registry.
+fn registry_sources() -> Vec<PathBuf> {
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let default = || env::home_dir().unwrap_or_default().join(".cargo");
+    let folders = fs::read_dir(home.unwrap_or_else(default).join("registry/src"));
+    folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()
+}

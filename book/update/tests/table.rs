@@ -1,0 +1,54 @@
+use check::{Locked, Mistake, Row, known, locked_sums, mistakes, rows, sum};
+use compare::workspace;
+use std::fs;
+use std::process::Command;
+
+const AGAIN: &str = "`cargo run -p update` makes it anew";
+
+#[test]
+fn the_table_knows_each_mistake() {
+    let (all, rows) = (mistakes(), rows().collect::<Vec<_>>());
+    let is_known = |mistake: &Mistake, row: Option<&Row>| {
+        let text = fs::read_to_string(workspace().join(&mistake.file));
+        let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
+        let mut pictures = pictures.map(|(name, _)| {
+            workspace().join(format!("book/check/mistakes/pictures/{name}.png"))
+        });
+        row.is_some_and(|row| {
+            row.key == Row::key(mistake, &text.unwrap_or_default())
+                && row.sums.iter().any(Option::is_some)
+        }) && pictures.all(|path| path.exists())
+    };
+    let pairs = all.iter().zip(0..).filter(|(one, k)| !is_known(one, rows.get(*k)));
+    let wrong: Vec<_> =
+        pairs.map(|(one, _)| format!("{}: {}", one.file, one.title)).collect();
+    assert!(wrong.is_empty(), "the table is old, {AGAIN}:\n{}", wrong.join("\n"));
+    assert_eq!(all.len(), rows.len(), "{AGAIN}");
+}
+
+#[test]
+fn the_table_knows_what_is_right() {
+    let locked = Locked::all().expect("locked pictures");
+    let names: Vec<_> = locked_sums().map(|(name, _)| name).collect();
+    for (Locked { name, picture }, (_, right)) in locked.iter().zip(locked_sums()) {
+        assert_eq!(right, sum(picture), "{name} has changed: {AGAIN}");
+        assert!(
+            known(right).iter().all(|(_, of)| of != name),
+            "{name}: it is right"
+        );
+    }
+    let steps = exercises::STEPS.iter().chain(exercises::PICTURES);
+    let drawn: Vec<_> = steps.map(|(name, _)| *name).collect();
+    assert_eq!(drawn, names, "the table is old, {AGAIN}");
+}
+
+/// Five of the list, others each time: it takes a minute, so it is done where THOROUGH is set.
+#[test]
+fn some_of_the_list_are_drawn_again() {
+    if crate::is_thorough() {
+        let program = env!("CARGO_BIN_EXE_update");
+        let output = Command::new(program).args(["--sample", "5"]).output();
+        let output = output.expect("the program runs");
+        assert!(output.status.success(), "{AGAIN}: {output:?}");
+    }
+}
