@@ -25,14 +25,14 @@ const MAIN: &str = include_str!("batch_main.rs");
 /// The camera of the course's pictures, in code.
 const CAMERA: &str = "Camera::new(640, 360, 60_f64.to_radians())";
 
-/// The files of the program around the pictures.
-const AROUND: [&str; 2] = ["program", "aspect_ratio"];
+/// The modules of a step with the program around its picture.
+const PROGRAM: [&str; 2] = ["program", "aspect_ratio"];
 
 /// Mistakes in one program: as many as a compiler takes with little memory.
 const COUNT: usize = 100;
 
 /// Draws `mistakes`, and hands each to `finish` with its pictures; without any where it does
-/// not compile, or brings the program down.
+/// not compile, never ends or crashes.
 pub fn draw<'a>(
     mut mistakes: Vec<&'a Mistake>,
     mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
@@ -40,122 +40,126 @@ pub fn draw<'a>(
     let (start, all) = (Instant::now(), mistakes.len());
     println!("{all} mistakes to draw");
     while !mistakes.is_empty() {
-        let mut batch: Vec<_> =
-            mistakes.drain(..COUNT.min(mistakes.len())).collect();
-        write_program(&batch)?;
+        let count = COUNT.min(mistakes.len());
+        write_package(&mistakes[..count])?;
         let faulty = compile()?;
         for k in faulty.iter().rev() {
-            let mistake = batch.remove(*k);
-            println!("does not compile: {} ({})", mistake.title, mistake.file);
+            let mistake = mistakes.remove(*k);
+            println!("does not compile: {}", describe(mistake));
             finish(mistake, vec![])?;
         }
-        if faulty.is_empty() {
-            let mut program = cargo("run");
-            program.stdout(Stdio::piped()).stderr(Stdio::null());
-            let mut program = program.spawn()?;
-            let mut output = program.stdout.take().map(BufReader::new);
-            let mut is_running = true;
-            while is_running && !batch.is_empty() {
-                let mistake = batch.remove(0);
-                let pictures = mistake.drawn().into_iter();
-                let pictures = pictures.map(|_| read_picture(output.as_mut()?));
-                let pictures: Option<Pictures> = pictures.collect();
-                is_running = pictures.is_some();
-                if !is_running {
-                    let Mistake { title, file, .. } = mistake;
-                    println!("never ends, or crashes: {title} ({file})");
-                }
-                finish(mistake, pictures.unwrap_or_default())?;
-            }
-            program.wait()?;
-        }
         // What is left is compiled again, without those.
-        mistakes.splice(..0, batch);
-        let drawn = all - mistakes.len();
-        let left = start.elapsed() * mistakes.len() as u32 / drawn as u32;
-        println!("{drawn} of {all} drawn, about {} s left", left.as_secs());
+        if faulty.is_empty() {
+            let drawn = draw_batch(&mistakes[..count], &mut finish)?;
+            mistakes.drain(..drawn);
+        }
+        let done = all - mistakes.len();
+        let left = start.elapsed() * mistakes.len() as u32 / done as u32;
+        println!("{done} of {all} done, about {} s left", left.as_secs());
     }
     Ok(())
 }
 
-/// Writes the package: its manifest, a module for each mistake, and what `main` draws.
-fn write_program(mistakes: &[&Mistake]) -> io::Result<()> {
+/// Runs the program until it ends, and returns the number of mistakes that are finished.
+fn draw_batch<'a>(
+    mistakes: &[&'a Mistake],
+    mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
+) -> io::Result<usize> {
+    let mut run = cargo("run");
+    let mut program = run.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
+    let mut output = BufReader::new(program.stdout.take().expect("it is piped"));
+    let mut count = 0;
+    for mistake in mistakes {
+        count += 1;
+        let names = mistake.drawn().into_iter();
+        let pictures = names.map(|_| read_picture(&mut output)).collect();
+        let Some(pictures) = pictures else {
+            println!("never ends, or crashes: {}", describe(mistake));
+            finish(mistake, vec![])?;
+            break;
+        };
+        finish(mistake, pictures)?;
+    }
+    drop(output);
+    program.wait()?;
+    Ok(count)
+}
+
+/// Writes the package: its manifest, a module for each mistake, and the lists of what its
+/// main file draws.
+fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
     let folder = target_folder().join("mistakes");
     let _ = fs::remove_dir_all(folder.join("src"));
-    let [course, exercises] = ["Cargo.toml", "book/exercises/Cargo.toml"].map(read);
-    let (course, exercises) = (course?, exercises?);
-    let section = |text: &str, name: &str| {
-        let found = text.split("\n[").find(|section| section.starts_with(name));
-        found.map_or(String::new(), |section| format!("\n[{section}\n"))
-    };
-    let root = workspace().display().to_string().replace('\\', "/");
-    let versions = section(&course, "workspace.dependencies]");
-    let versions = versions.replace("path = \"", &format!("path = \"{root}/"));
-    let used = section(&exercises, "dependencies]") + "clap.workspace = true\n";
-    write(&folder.join("Cargo.toml"), &(MANIFEST.to_owned() + &versions + &used))?;
+    write(&folder.join("Cargo.toml"), &manifest()?)?;
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
-
-    let (mut modules, mut pictures, mut programs) =
-        (String::new(), String::new(), vec![]);
+    let (mut modules, mut pictures, mut programs) = (vec![], vec![], vec![]);
     for (mistake, k) in mistakes.iter().zip(0..) {
-        let (names, step) =
-            (mistake.drawn(), mistake.step().map_or("", Step::name));
         let source = folder.join(format!("src/m{k}"));
-        let is_around = AROUND
-            .iter()
-            .any(|name| mistake.file.ends_with(&format!("/{name}.rs")));
-        for name in &names {
+        let own_step = mistake.step().map_or("", Step::name);
+        let names = mistake.drawn();
+        let text: String =
+            names.iter().map(|name| format!("pub mod {name};\n")).collect();
+        write(&source.join("mod.rs"), &text)?;
+        modules.push(format!("mod m{k};"));
+        for name in names {
             let path = format!("m{k}::{name}");
-            let is_step = Step::named(name).is_some();
+            let is_step = Step::named(&name).is_some();
             if is_step {
-                write_step(&source.join(name), mistake, name, k)?;
+                write_step(&source.join(&name), mistake, &name, k)?;
             } else {
-                let beside = format!("#[path = \"{root}/steps/{step}/examples/");
-                let text = apply(mistake)?.replace("#[path = \"", &beside);
+                // An example may have the module of another in it.
+                let folder =
+                    format!("#[path = \"{}/steps/{own_step}/examples/", root());
+                let text = apply(mistake)?.replace("#[path = \"", &folder);
                 write(&source.join(format!("{name}.rs")), &text)?;
             }
-            let camera = if is_step { &path } else { step };
-            pictures += &match &**name {
-                _ if is_around => {
-                    format!("    || draw_with_program({}),\n", programs.len())
+            let camera = if is_step { &path } else { own_step };
+            pictures.push(match &*name {
+                _ if is_program(&mistake.file) => {
+                    programs
+                        .push(format!("|| {path}::run(\"\", {path}::picture),"));
+                    format!("|| draw_with_program({}),", programs.len() - 1)
                 }
-                "gradient" => format!("    {path}::picture,\n"),
-                _ => format!("    || {path}::picture(&{camera}::{CAMERA}, 1),\n"),
-            };
-            if is_around {
-                programs.push(format!(
-                    "    || {path}::run(\"{name}\", {path}::picture),\n"
-                ));
-            }
+                "gradient" => format!("{path}::picture,"),
+                _ => format!("|| {path}::picture(&{camera}::{CAMERA}, 1),"),
+            });
         }
-        let names: String =
-            names.iter().map(|name| format!("pub mod {name};\n")).collect();
-        write(&source.join("mod.rs"), &names)?;
-        modules += &format!("mod m{k};\n");
     }
-    let text = format!(
-        "{MAIN}\n{modules}\nconst PICTURES: &[fn() -> RgbImage] = &[\n{pictures}];\n\n\
-         const PROGRAMS: &[fn()] = &[\n{}];\n",
-        programs.concat()
+    let [modules, pictures, programs] =
+        [modules, pictures, programs].map(|lines| lines.join("\n"));
+    let main = format!(
+        "{MAIN}\n{modules}\n\nconst PICTURES: &[fn() -> RgbImage] = &[\n{pictures}\n];\n\n\
+         const PROGRAMS: &[fn()] = &[\n{programs}\n];\n"
     );
-    write(&folder.join("src/main.rs"), &text)
+    write(&folder.join("src/main.rs"), &main)
+}
+
+/// The manifest: it needs what the examples and the program around a picture need.
+fn manifest() -> io::Result<String> {
+    let section = |path: &str, name: &str| {
+        let text = read(path)?;
+        let found = text.split("\n[").find(|section| section.starts_with(name));
+        Ok::<_, io::Error>(found.unwrap_or_default().to_owned())
+    };
+    let versions = section("Cargo.toml", "workspace.dependencies]")?;
+    let versions = versions.replace("path = \"", &format!("path = \"{}/", root()));
+    let used = section("book/exercises/Cargo.toml", "dependencies]")?;
+    Ok(format!("{MANIFEST}\n[{versions}\n[{used}\nclap.workspace = true\n"))
 }
 
 /// Writes the library of a step, with the mistake, as a part of module `k`. The program
-/// around the pictures is that of the course, unless the mistake is there.
+/// around the picture is that of the course, unless the mistake is there.
 fn write_step(
     folder: &Path,
     mistake: &Mistake,
     step: &str,
     k: usize,
 ) -> io::Result<()> {
-    let is_around = |path: &str| {
-        AROUND.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
-    };
+    let is_left_out = |path: &str| is_program(path) && !is_program(&mistake.file);
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
-        if file == "main.rs" || is_around(&path) && !is_around(&mistake.file) {
+        if file == "main.rs" || is_left_out(&path) {
             continue;
         }
         let mut text =
@@ -167,18 +171,23 @@ fn write_step(
                 &format!("use crate::m{k}::{name}"),
             );
         }
-        if !is_around(&mistake.file) {
-            for name in AROUND {
-                text = text.replace(
-                    &format!("mod {name};"),
-                    &format!("use ::{step} as {name};"),
-                );
-            }
+        for name in
+            PROGRAM.iter().filter(|name| is_left_out(&format!("/{name}.rs")))
+        {
+            text = text.replace(
+                &format!("mod {name};"),
+                &format!("use ::{step} as {name};"),
+            );
         }
         let file = if file == "lib.rs" { "mod.rs" } else { &file };
         write(&folder.join(file), &text)?;
     }
     Ok(())
+}
+
+/// Whether a file belongs to the program around a picture.
+fn is_program(path: &str) -> bool {
+    PROGRAM.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
 }
 
 /// Compiles the program, and returns the numbers of the modules that have errors.
@@ -206,7 +215,7 @@ fn cargo(command: &str) -> Command {
     cargo
         .args([command, "--quiet", "--offline", "--target-dir"])
         .arg(folder.join("target"));
-    cargo.current_dir(folder);
+    cargo.current_dir(folder).env_remove("CARGO_BUILD_TARGET");
     cargo
 }
 
@@ -220,11 +229,21 @@ fn read_picture(output: &mut impl BufRead) -> Option<Option<RgbImage>> {
     Some(Some(image).filter(|image| !image.is_empty()))
 }
 
+/// The title and the file of a mistake.
+pub fn describe(mistake: &Mistake) -> String {
+    format!("{} ({})", mistake.title, mistake.file)
+}
+
+/// The folder of the course, as it can be quoted.
+fn root() -> String {
+    workspace().display().to_string().replace('\\', "/")
+}
+
 /// The text of a mistake's file, with the mistake in it.
 fn apply(mistake: &Mistake) -> io::Result<String> {
     mistake.applied(&read(&mistake.file)?).ok_or_else(|| {
-        let Mistake { title, file, .. } = mistake;
-        io::Error::other(format!("{title}: its text is not in {file}, once"))
+        let mistake = describe(mistake);
+        io::Error::other(format!("the text is not there, or not once: {mistake}"))
     })
 }
 

@@ -9,7 +9,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::{env, fs, panic, thread, time::Duration};
 
 fn main() {
-    if let Ok(number) = env::var("PROGRAM") {
+    if let Ok(number) = env::var("BATCH_PROGRAM") {
         return PROGRAMS[number.parse::<usize>().unwrap()]();
     }
     panic::set_hook(Box::new(|_| {}));
@@ -32,7 +32,7 @@ fn main() {
 fn draw_with_program(number: usize) -> RgbImage {
     let _ = fs::remove_file("picture.png");
     let mut program = Command::new(env::current_exe().unwrap());
-    program.env("PROGRAM", number.to_string()).args(["--output", "picture.png"]);
+    program.env("BATCH_PROGRAM", number.to_string()).args(["--output", "picture.png"]);
     program.output().unwrap();
     image::open("picture.png").unwrap().to_rgb8()
 }

@@ -13,10 +13,10 @@ use std::process::ExitCode;
 /// modules of the book's pages.
 #[derive(Parser)]
 struct Options {
-    /// Draw the mistakes that have one of these words in their title or file instead
+    /// Draw the mistakes that have one of these words in their title or file, too
     words: Vec<String>,
-    /// Draw all mistakes instead
-    #[arg(long, conflicts_with = "words")]
+    /// Draw all mistakes
+    #[arg(long)]
     all: bool,
     /// Only draw so many random mistakes, and compare them with the table
     #[arg(long, value_name = "COUNT", conflicts_with_all = ["words", "all"])]
@@ -40,11 +40,11 @@ fn update(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     // Minutes would be lost if this were told after the mistakes.
     modules::require_target()?;
-    mistakes::draw(|mistake, is_current| match &options.words[..] {
-        [] => options.all || !is_current,
-        words => words.iter().any(|word| {
+    mistakes::draw(|mistake| {
+        let is_in = |word: &String| {
             mistake.title.contains(word) || mistake.file.contains(word)
-        }),
+        };
+        options.all || options.words.iter().any(is_in)
     })?;
     modules::compile()
 }

@@ -1,4 +1,4 @@
-use crate::batch::{self, Pictures};
+use crate::batch::{self, Pictures, describe};
 use check::{Locked, Mistake, Row, Step, locked_sums, mistakes, rows, sum};
 use compare::workspace;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -8,11 +8,9 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::{fs, io};
 
-/// Draws the mistakes that `is_drawn` selects, told whether the table is current about each;
+/// Draws the mistakes about which the table is old, and those that `is_chosen` selects;
 /// writes the table and the small pictures.
-pub fn draw(
-    is_drawn: impl Fn(&Mistake, bool) -> bool,
-) -> Result<(), Box<dyn Error>> {
+pub fn draw(is_chosen: impl Fn(&Mistake) -> bool) -> Result<(), Box<dyn Error>> {
     let (locked, all) = (locked()?, mistakes());
     let drawn = rows().filter(|row| row.sums.iter().any(Option::is_some));
     let mut table: HashMap<u32, Row> = drawn.map(|row| (row.key, row)).collect();
@@ -25,11 +23,11 @@ pub fn draw(
             && !mistake.drawn().iter().any(|name| new.contains(&name))
             && small_pictures(mistake).all(|(path, _)| path.exists())
     };
-    let chosen = all.iter().filter(|one| is_drawn(one, is_current(one))).collect();
-    batch::draw(chosen, |mistake, pictures| {
+    let chosen = all.iter().filter(|one| is_chosen(one) || !is_current(one));
+    batch::draw(chosen.collect(), |mistake, pictures| {
         let row = row(mistake, &pictures, &locked);
         if row.sums.iter().all(Option::is_none) {
-            println!("shows nowhere: {} ({})", mistake.title, mistake.file);
+            println!("shows nowhere: {}", describe(mistake));
         }
         table.insert(row.key, row);
         write_small_pictures(mistake, &pictures)
@@ -48,16 +46,14 @@ pub fn compare_sample(count: usize, seed: u64) -> Result<(), Box<dyn Error>> {
     batch::draw(chosen, |mistake, pictures| {
         let row = row(mistake, &pictures, &locked);
         if rows.get(&row.key) != Some(&row) {
-            wrong.push(format!("{} ({})", mistake.title, mistake.file));
+            wrong.push(describe(mistake));
         }
         Ok(())
     })?;
-    match wrong.is_empty() {
-        true => Ok(()),
-        false => {
-            Err(format!("the table is wrong about {}", wrong.join(", ")).into())
-        }
+    if wrong.is_empty() {
+        return Ok(());
     }
+    Err(format!("the table is wrong about {}", wrong.join(", ")).into())
 }
 
 fn folder() -> PathBuf {
