@@ -5,8 +5,6 @@ use exercises::row::Row;
 use glam::DVec3;
 use image::Rgb;
 use std::fs;
-use std::io::{BufRead, BufReader};
-use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use step01_rays::{AspectRatio, Camera, render, rgb8};
 use tests::{Program, assert_program, camera};
@@ -30,7 +28,7 @@ fn the_program_says_what_it_wrote() {
         program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.starts_with("small.png: 64×48 pixels in "), "{text}");
-    assert!(output.stderr.is_empty(), "progress where nobody sees it: {output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
     assert!(text.ends_with("s\n") && text.lines().count() == 1, "{text}");
 }
 
@@ -51,7 +49,7 @@ fn the_program_allows_the_limits() {
         "--width 2",
         "--width 8192 --aspect 8192:1",
         "--width 2 --aspect 1:4",
-        "--aspect 1e8:1",
+        "--aspect 1e9:1",
         "--fov 0.001 --width 2",
         "--fov 179.999 --width 2",
         "--samples 16 --width 2",
@@ -63,34 +61,6 @@ fn the_program_allows_the_limits() {
         let output = program.run(line);
         assert!(output.status.success(), "{line}: {output:?}");
     }
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn the_program_tells_on_a_terminal_how_long_a_slow_picture_takes() {
-    let program = Program::new("step01_rays", "slow");
-    let on_a_terminal = |line: &str| {
-        let command = format!("'{}' {line}", program.path().display());
-        let mut script = Command::new("script");
-        script.args(["-qfec", &command, "/dev/null"]).current_dir(&program.folder);
-        script.stdout(Stdio::piped()).spawn().expect("the program script")
-    };
-    // So many rays that it takes seconds anywhere; nobody waits for the end.
-    let mut slow = on_a_terminal("--width 8192 --samples 16");
-    let told = BufReader::new(slow.stdout.take().expect("a pipe")).lines().next();
-    let told = told.and_then(Result::ok).unwrap_or_default();
-    // Asked to end, `script` ends the program with it, even where nobody hears a hang-up.
-    let mut end = Command::new("kill");
-    let ended = end.arg(slow.id().to_string()).status().expect("the program kill");
-    assert!(ended.success() && slow.wait().is_ok(), "it runs still");
-    assert!(told.starts_with("This takes about "), "{told}");
-    // On a busy machine, even a quick one may seem slow once.
-    let is_quick = |_| {
-        let quick = on_a_terminal("--width 2").wait_with_output();
-        let quick = quick.expect("it ends").stdout;
-        quick.starts_with("step01_rays.png: 2×1 pixels in".as_bytes())
-    };
-    assert!((0..5).any(is_quick), "of a quick picture, more is told");
 }
 
 #[test]
@@ -128,18 +98,10 @@ fn the_rows_of_a_ratio_are_rounded_and_at_least_one() {
     assert_eq!(rows("2.35:1"), Ok(272));
     assert_eq!(rows("1281:1"), Ok(1));
     assert_eq!(rows("1:4"), Ok(2560));
+    assert_eq!([rows("1e9:1"), rows("1e308:1e308")], [Ok(1), Ok(640)]);
     for text in [
-        "",
-        "16",
-        "16:0",
-        "0:9",
-        "-4:-3",
-        "1:2:3",
-        "nan:1",
-        "1:inf",
-        "inf:inf",
+        "", "16", "16:0", "0:9", "-4:-3", "1:2:3", "nan:1", "1:inf", "inf:inf",
         "1:4.1",
-        "1e308:1e308",
     ] {
         assert!(rows(text).is_err(), "{text}");
     }

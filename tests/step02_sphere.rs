@@ -12,11 +12,7 @@ fn ahead(x: f64, z: f64) -> Ray {
 }
 
 fn ts(roots: Roots) -> Vec<f64> {
-    match roots {
-        Roots::None => vec![],
-        Roots::One(t) => vec![t],
-        Roots::Two(near, far) => vec![near, far],
-    }
+    roots.iter().collect()
 }
 
 #[test]
@@ -26,7 +22,7 @@ fn the_program_draws_helps_and_refuses() {
 
 #[test]
 fn the_discriminant_tells_three_cases_apart() {
-    assert_eq!(quadratic(1.0, 0.0, 1.0), Roots::None);
+    assert_eq!(quadratic(1.0, 0.0, 1.0), Roots::Zero);
     assert_eq!(quadratic(2.0, -8.0, 8.0), Roots::One(2.0));
     assert_eq!(quadratic(2.0, -10.0, 8.0), Roots::Two(1.0, 4.0));
     assert_eq!(quadratic(0.5, 1.0, -4.0), Roots::Two(-4.0, 2.0));
@@ -36,7 +32,7 @@ fn the_discriminant_tells_three_cases_apart() {
 fn a_tangent_touches_once_and_a_miss_not_at_all() {
     assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)), Roots::One(5.0));
     assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)).first_hit(), Some(5.0));
-    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)), Roots::None);
+    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)), Roots::Zero);
     assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)).first_hit(), None);
 }
 

@@ -14,7 +14,9 @@ fn at(z: f64) -> Sphere {
 /// The spheres as objects whose material is their place in the list.
 fn numbered(spheres: &[Sphere]) -> Vec<Object<usize>> {
     let numbered = spheres.iter().enumerate();
-    numbered.map(|(material, &sphere)| Object { sphere, material }).collect()
+    numbered
+        .map(|(material, &sphere)| Object { name: "ball", sphere, material })
+        .collect()
 }
 
 /// t of the nearest hit, and the place of its sphere in the list.

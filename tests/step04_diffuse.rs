@@ -3,13 +3,13 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use step04_diffuse::{
-    Attenuation, COOL, OBJECTS, Object, PointLight, Ray, Sphere, Surface, WARM,
+    Attenuation, COOL, Matte, OBJECTS, Object, PointLight, Ray, Sphere, WARM,
     ambient, colour, diffuse, normal, scene, visible_point,
 };
 use tests::{assert_program, point, rays};
 
-const GREY: Surface =
-    Surface { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
+const GREY: Matte =
+    Matte { ambient: DVec3::splat(0.5), diffuse: DVec3::splat(0.5) };
 
 /// A light of colour (1, 0.5, 0.25) with the given a, b and c.
 fn light(a: f64, b: f64, c: f64) -> PointLight {
@@ -27,25 +27,25 @@ fn the_program_draws_helps_and_refuses() {
 
 #[test]
 fn ambient_light_is_r_a_times_l_a() {
-    let surface = Surface { ambient: DVec3::new(1.0, 0.5, 0.0), ..GREY };
-    assert_eq!(ambient(&surface, GREY.ambient), DVec3::new(0.5, 0.25, 0.0));
+    let material = Matte { ambient: DVec3::new(1.0, 0.5, 0.0), ..GREY };
+    assert_eq!(ambient(&material, GREY.ambient), DVec3::new(0.5, 0.25, 0.0));
 }
 
 #[test]
 fn a_surface_of_one_colour_reflects_it_in_both_terms() {
     let colour = DVec3::new(0.1, 0.2, 0.3);
-    assert_eq!(Surface::of(colour), Surface { ambient: colour, diffuse: colour });
+    assert_eq!(Matte::of(colour), Matte { ambient: colour, diffuse: colour });
 }
 
 #[test]
 fn each_of_a_b_and_c_attenuates_alone() {
-    let at_3 = |a, b, c| Attenuation { a, b, c }.at(3.0);
+    let at_3 = |a, b, c| Attenuation { a, b, c }.divisor(3.0);
     assert_eq!(
         [at_3(2.0, 0.0, 0.0), at_3(0.0, 2.0, 0.0), at_3(0.0, 0.0, 2.0)],
         [2.0, 6.0, 18.0]
     );
     assert_eq!(at_3(1.0, 2.0, 3.0), 34.0);
-    let white = Surface::of(DVec3::ONE);
+    let white = Matte::of(DVec3::ONE);
     let lit = |a, b, c| diffuse(DVec3::Y, DVec3::Y, 4.0, &white, &light(a, b, c)).x;
     assert_eq!(
         [lit(2.0, 0.0, 0.0), lit(0.0, 1.0, 0.0), lit(0.0, 0.0, 1.0)],
@@ -58,8 +58,7 @@ fn the_scene_is_that_of_step_3_in_two_lights() {
     let scene = scene();
     assert_eq!(scene.lights, [WARM, COOL]);
     for (lit, flat) in scene.objects.iter().zip(OBJECTS) {
-        let material = Surface::of(flat.material);
-        assert_eq!(*lit, Object { sphere: flat.sphere, material });
+        assert_eq!(*lit, flat.with_material(Matte::of(flat.material)));
     }
     assert_eq!(scene.objects.len(), 9);
 }
@@ -67,7 +66,7 @@ fn the_scene_is_that_of_step_3_in_two_lights() {
 #[test]
 fn a_pixel_is_the_sum_of_the_ambient_term_and_every_light() {
     // The ray through the middle of the largest sphere meets it head-on.
-    let [Object { sphere, material: r }, ..] = OBJECTS;
+    let [Object { sphere, material: r, .. }, ..] = OBJECTS;
     let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
     let p = sphere.centre * (1.0 - sphere.radius / sphere.centre.length());
     let n = (p - sphere.centre) / sphere.radius;
@@ -96,7 +95,7 @@ proptest! {
         prop_assert!((sphere.centre + sphere.radius * n).distance(ray.at(t)) < 1e-9);
         let behind = Sphere { centre: ray.start - 9.0 * ray.direction, radius: 0.1 };
         let objects = [(behind, 'b'), (sphere, 's')];
-        let objects = objects.map(|(sphere, material)| Object { sphere, material });
+        let objects = objects.map(|(sphere, material)| Object { name: "ball", sphere, material });
         let point = visible_point(&objects, &ray).map(|point| (point.p, point.n, *point.material));
         prop_assert_eq!(point, Some((ray.at(t), n, 's')));
     }

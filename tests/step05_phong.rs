@@ -3,14 +3,14 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    Attenuation, Light, Material, OBJECTS, Phong, PointLight, Ray, Surface,
+    Attenuation, Light, Material, Matte, OBJECTS, Phong, PointLight, Ray,
     SurfacePoint, ambient, colour, diffuse, phong, reflect, scene, specular, terms,
     visible_point,
 };
 use tests::{assert_program, camera, point, unit};
 
 const MATERIAL: Material = Material {
-    surface: Surface {
+    matte: Matte {
         ambient: DVec3::new(0.1, 0.2, 0.3),
         diffuse: DVec3::new(0.4, 0.5, 0.6),
     },
@@ -61,7 +61,7 @@ fn a_light_behind_the_surface_gives_neither_diffuse_nor_specular_light() {
     let (l, _) = behind.point_light.direction_from(DVec3::ZERO);
     assert!(n.dot(l) < 0.0 && 0.2 < reflect(n, l).dot(v));
     let sum = from(DVec3::ZERO, n, v, DVec3::ONE, &[behind]);
-    assert_eq!(sum.sum(), MATERIAL.surface.ambient);
+    assert_eq!(sum.sum(), MATERIAL.matte.ambient);
 }
 
 #[test]
@@ -78,10 +78,10 @@ fn the_sum_runs_over_all_lights_and_all_terms() {
     let (p, n, v) =
         (DVec3::new(0.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.0, 0.8, -0.6));
     let sum = from(p, n, v, GREY, &lights);
-    let mut expected = [MATERIAL.surface.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
+    let mut expected = [MATERIAL.matte.ambient * GREY, DVec3::ZERO, DVec3::ZERO];
     for light in &lights {
         let (l, d) = light.point_light.direction_from(p);
-        expected[1] += diffuse(n, l, d, &MATERIAL.surface, &light.point_light);
+        expected[1] += diffuse(n, l, d, &MATERIAL.matte, &light.point_light);
         expected[2] += specular(reflect(n, l), v, d, &MATERIAL, light);
     }
     assert_eq!([sum.ambient, sum.diffuse, sum.specular], expected);
@@ -102,10 +102,7 @@ fn v_is_a_unit_vector_to_the_eye() {
     assert!(0.1 < found.specular.max_element());
     assert!(found.specular.distance(sum.specular) < 1e-12);
     assert_eq!(colour(&scene, &ray), found.sum());
-    assert_eq!(
-        found.ambient,
-        ambient(&point.material.surface, scene.ambient_light)
-    );
+    assert_eq!(found.ambient, ambient(&point.material.matte, scene.ambient_light));
 }
 
 #[test]
@@ -113,13 +110,13 @@ fn each_object_has_the_place_and_the_colour_that_step_3_gave_it() {
     let scene = scene();
     assert_eq!(scene.objects.len(), 9);
     for (shiny, flat) in scene.objects.iter().zip(OBJECTS) {
-        assert_eq!(shiny.sphere, flat.sphere);
-        assert_eq!(shiny.material.surface, Surface::of(flat.material));
+        assert_eq!((shiny.name, shiny.sphere), (flat.name, flat.sphere));
+        assert_eq!(shiny.material.matte, Matte::of(flat.material));
     }
-    let matt = step04_diffuse::scene();
+    let matte = step04_diffuse::scene();
     let lights: Vec<_> =
         scene.lights.iter().map(|light| light.point_light).collect();
-    assert_eq!((scene.ambient_light, lights), (matt.ambient_light, matt.lights));
+    assert_eq!((scene.ambient_light, lights), (matte.ambient_light, matte.lights));
 }
 
 proptest! {
@@ -151,8 +148,8 @@ proptest! {
             point_light: PointLight { diffuse: white.point_light.diffuse.zyx(), ..white.point_light },
             specular: white.specular.zyx(),
         };
-        let surface = Surface { ambient: m.surface.ambient.zyx(), diffuse: m.surface.diffuse.zyx() };
-        let material = Material { surface, specular: m.specular.zyx(), ..m };
+        let matte = Matte { ambient: m.matte.ambient.zyx(), diffuse: m.matte.diffuse.zyx() };
+        let material = Material { matte, specular: m.specular.zyx(), ..m };
         let l_a = DVec3::new(0.1, 0.2, 0.3);
         let ray = Ray { start: p + v, direction: -v };
         let sum = phong(&SurfacePoint { p, n, material: &m }, &ray, l_a, &[white]).sum();

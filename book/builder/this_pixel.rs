@@ -1,6 +1,7 @@
 use crate::chapter::expand;
 use live::Live;
 use std::path::Path;
+use step03_nearest::OBJECTS;
 
 /// What is said of a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `2-4` is for the pictures of these steps.
@@ -15,8 +16,8 @@ const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 /// It is hidden until the first is asked; see book/theme/live.js.
 pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
-    let names = live::object_names().into_iter();
-    let count = if name.starts_with("step02") { 1 } else { names.len() };
+    let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
+    let names = OBJECTS.iter().map(|object| live::short_name(object.name));
     let rows: Vec<_> = names.take(count).enumerate().map(row).collect();
     let lines: Vec<_> =
         TEXT.lines().filter_map(|line| of_step(name, line)).collect();

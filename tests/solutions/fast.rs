@@ -55,7 +55,7 @@ fn colours() -> impl Strategy<Value = DVec3> {
 fn materials() -> impl Strategy<Value = Material> {
     let parts = (colours(), colours(), colours(), 1..400);
     parts.prop_map(|(ambient, diffuse, specular, shininess)| Material {
-        surface: Surface { ambient, diffuse },
+        matte: Matte { ambient, diffuse },
         specular,
         shininess,
     })
@@ -80,7 +80,14 @@ fn objects() -> impl Strategy<Value = Vec<Object<Material>>> {
         .prop_map(|(n, radius)| Sphere { centre: (radius + 1.0) * n, radius });
     let spheres = prop_oneof![4 => large, 2 => small, 1 => vast];
     let object = (spheres, materials());
-    vec(object.prop_map(|(sphere, material)| Object { sphere, material }), 0..25)
+    vec(
+        object.prop_map(|(sphere, material)| Object {
+            name: "ball",
+            sphere,
+            material,
+        }),
+        0..25,
+    )
 }
 
 fn scenes() -> impl Strategy<Value = Lit> {
@@ -127,11 +134,11 @@ proptest! {
         // A second one, which the ray touches.
         let radius = to_centre.reject_from(ray.direction).length();
         let touched = Sphere { radius, ..met };
-        let object = [Object { sphere: met, material: () }];
+        let object = [Object { name: "ball", sphere: met, material: () }];
         let Some(point) = visible_point(&object, &ray) else { return Ok(()) };
         let light = lamp(point.p + 4.0 * point.n - ray.direction);
         let scene = |sphere, ambient_light| {
-            let objects = vec![Object { sphere, material: BRIGHT }];
+            let objects = vec![Object { name: "ball", sphere, material: BRIGHT }];
             Scene { objects, ambient_light, lights: vec![light] }
         };
         let rest = colour(&scene(met, DVec3::ZERO), &ray);
@@ -145,7 +152,7 @@ proptest! {
 
 /// What leaves no zero anywhere, and reflects all ambient light.
 const BRIGHT: Material = Material {
-    surface: Surface { ambient: DVec3::ONE, diffuse: DVec3::new(0.3, 0.4, 0.35) },
+    matte: Matte { ambient: DVec3::ONE, diffuse: DVec3::new(0.3, 0.4, 0.35) },
     specular: DVec3::new(0.5, 0.6, 0.55),
     shininess: 13,
 };

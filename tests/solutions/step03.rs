@@ -21,7 +21,7 @@ fn each_random_ray_stays_in_its_sub_pixel() {
     for (x, y) in (0..400).flat_map(|y| (0..400).map(move |x| (x, y))) {
         let centre = |k: i32| (f64::from(k) + 0.5) / f64::from(side) - 0.5;
         let place = DVec3::new(centre(x), centre(y), 1.0);
-        let ray = jitter::jittered(&camera, side, place);
+        let ray = jitter::jittered(&camera, side, place.x, place.y);
         let off = (inverse * ray.direction - place) * f64::from(side);
         assert!(off.abs().max_element() < 0.5 + 1e-9, "{x}, {y}: {off}");
     }
@@ -52,7 +52,11 @@ fn the_tree_finds_what_the_loop_finds_and_asks_far_fewer() {
 /// of the spheres.
 #[track_caller]
 fn assert_found(spheres: impl IntoIterator<Item = Sphere>, ray: &Ray) {
-    let objects = spheres.into_iter().map(|sphere| Object { sphere, material: () });
+    let objects = spheres.into_iter().map(|sphere| Object {
+        name: "ball",
+        sphere,
+        material: (),
+    });
     let mut objects: Vec<_> = objects.collect();
     let t = nearest(&objects, ray).map(|hit| hit.t);
     let tree = Tree::new(&mut objects);

@@ -3,8 +3,8 @@ use glam::DVec3;
 use image::Rgb;
 use proptest::prelude::*;
 use step04_diffuse::{
-    Attenuation, COOL, Object, PointLight, Ray, Surface, SurfacePoint, WARM,
-    diffuse, scene, visible_point,
+    Attenuation, COOL, Matte, Object, PointLight, Ray, SurfacePoint, WARM, diffuse,
+    scene, visible_point,
 };
 use tests::{camera, point, rays_of_camera, unit};
 
@@ -34,8 +34,7 @@ fn the_curve_comes_after_the_mean() {
 /// The objects of the scene, each with its place in the list.
 fn numbered() -> Vec<Object<usize>> {
     let objects = scene().objects.into_iter().enumerate();
-    let numbered = |(material, Object { sphere, .. })| Object { sphere, material };
-    objects.map(numbered).collect()
+    objects.map(|(place, object)| object.with_material(place)).collect()
 }
 
 #[test]
@@ -87,7 +86,7 @@ proptest! {
         let sun::Sun { direction, diffuse: l_d } = sun::SUN;
         let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
         let light = PointLight { position: 1e9 * direction, diffuse: l_d, attenuation };
-        let ((l, d), grey) = (light.direction_from(p), Surface::of(GREY));
+        let ((l, d), grey) = (light.direction_from(p), Matte::of(GREY));
         let far = diffuse(n, l, d, &grey, &light);
         prop_assert!(sun::SUN.diffuse(n, &grey).distance(far) < 1e-7);
     }

@@ -43,8 +43,8 @@ fn more_than_ten_mirrors_change_no_pixel() {
 
 #[test]
 fn nothing_mirrors_itself() {
-    for Object { sphere, material } in mirror::mirrors().objects {
-        let perfect = Object { sphere, material: Mirror { k: 1.0, ..material } };
+    for mut perfect in mirror::mirrors().objects {
+        perfect.material.k = 1.0;
         let (ambient_light, objects) = (DVec3::ONE, vec![perfect]);
         let alone = Scene { objects, ambient_light, lights: vec![] };
         for ray in rays_of_camera().step_by(7) {
@@ -101,14 +101,14 @@ fn glass_mirrors_a_25th_of_the_light_head_on_and_all_of_it_along_the_surface() {
 #[test]
 fn glass_throws_no_shadow() {
     let hidden = |scene: Scene<Glass, Light>| {
-        let Object { sphere, material } = &scene.objects[0];
+        let Object { sphere, material, .. } = &scene.objects[0];
         let n = (sphere.centre - WARM.position).normalize();
         let point = SurfacePoint {
             p: sphere.centre + 1.01 * sphere.radius * n,
             n,
             material,
         };
-        glass::hidden(&scene.objects, &point, WARM.position)
+        glass::hidden_by_opaque(&scene.objects, &point, WARM.position)
     };
     assert!(hidden(without_glass()));
     assert!(!hidden(glass::glasses(1.5)));

@@ -45,7 +45,7 @@ fn of_the_first_in_the_list_much_is_gone() {
 #[test]
 fn the_ball_behind_you_is_seen_to_the_left_and_below() {
     let Object { sphere: green, .. } = OBJECTS[4];
-    let lines = rays_of_camera().filter(|ray| green.intersect(ray) != Roots::None);
+    let lines = rays_of_camera().filter(|ray| green.intersect(ray) != Roots::Zero);
     let middle: DVec3 = lines.map(|ray| ray.direction).sum();
     assert!(0.0 < green.centre.x && 0.0 < green.centre.y);
     assert!(middle.x < 0.0 && middle.y < 0.0);
@@ -56,7 +56,8 @@ fn the_ball_behind_you_is_seen_to_the_left_and_below() {
 fn a_ball_around_the_scene_is_its_sky() {
     let (objects, material) = (exercises::my_scene::objects(), DVec3::splat(0.2));
     let sphere = Sphere { centre: DVec3::ZERO, radius: 100.0 };
-    let more = [&objects[..], &[Object { sphere, material }]].concat();
+    let more =
+        [&objects[..], &[Object { name: "ball", sphere, material }]].concat();
     for ray in rays_of_camera() {
         let hit = nearest(&objects, &ray);
         let seen = hit.map_or(material, |hit| hit.object.material);

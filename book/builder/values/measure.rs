@@ -2,7 +2,7 @@
 
 use compare::Difference;
 use glam::DVec3;
-pub use live::{camera, discriminant, number, roots, vector};
+pub use live::{camera, discriminant, number, vector};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
@@ -56,7 +56,8 @@ pub fn pixels(length: f64) -> f64 {
 
 /// Both t, with "and" between them.
 pub fn both(sphere: &Sphere, ray: &Ray) -> String {
-    roots(sphere, ray).map(number).join(" and ")
+    let roots: Vec<_> = sphere.intersect(ray).iter().map(number).collect();
+    roots.join(" and ")
 }
 
 /// Without the test of n·l: how many pixels of the final picture change, and by how

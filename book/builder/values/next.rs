@@ -39,7 +39,7 @@ fn depth(part: f64) -> String {
 
 /// How many spheres of the scene the line of a ray meets.
 fn roots(ray: &Ray) -> usize {
-    let meets = |object: &&Object<_>| object.sphere.intersect(ray) != Roots::None;
+    let meets = |object: &&Object<_>| object.sphere.intersect(ray) != Roots::Zero;
     OBJECTS.iter().filter(meets).count()
 }
 

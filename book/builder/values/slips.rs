@@ -7,7 +7,6 @@ use super::measure::{
 use exercises::slide_matrix;
 use glam::DVec3;
 use live::Row;
-use std::f64::consts::FRAC_PI_3;
 use step01_rays::Camera;
 use step02_sphere::SPHERE;
 use step05_phong::reflect;
@@ -76,7 +75,7 @@ pub const VALUES: &[Value] = &[
 
 /// vRes / hRes · tan(θ/2).
 fn upright() -> f64 {
-    360.0 / 640.0 * (FRAC_PI_3 / 2.0).tan()
+    360.0 / 640.0 * (60_f64.to_radians() / 2.0).tan()
 }
 
 /// The y of V_0.
@@ -98,7 +97,7 @@ fn degrees_down(camera: &Camera, j: f64) -> f64 {
 
 /// The row of rays of the course's pictures.
 fn flat() -> Row {
-    Row::new(640, FRAC_PI_3)
+    Row::new(640, 60_f64.to_radians())
 }
 
 /// The x of V_i if D itself held a factor i, as on "Finding the Other Rays".

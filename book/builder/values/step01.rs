@@ -3,11 +3,10 @@
 use super::Value;
 use super::measure::{camera, number, rgb, tenths, vector};
 use live::Row;
-use std::f64::consts::FRAC_PI_3;
 use step01_rays::{AspectRatio, direction_colour, picture};
 
 pub const VALUES: &[Value] = &[
-    ("camera-tan", || number((FRAC_PI_3 / 2.0).tan())),
+    ("camera-tan", || number((60_f64.to_radians() / 2.0).tan())),
     ("camera-v0-x", || number(camera().matrix.z_axis.x)),
     ("camera-v0-y", || number(camera().matrix.z_axis.y)),
     ("step01-row-d", || number(row().matrix.x_axis.x)),
@@ -43,7 +42,7 @@ pub const VALUES: &[Value] = &[
 
 /// The row of the figure: 7 rays, 60 degrees.
 fn row() -> Row {
-    Row::new(7, FRAC_PI_3)
+    Row::new(7, 60_f64.to_radians())
 }
 
 /// The angle between two rays of that row, in degrees.

@@ -2,7 +2,7 @@
 
 use super::Value;
 use super::measure::{
-    ahead, camera, counted, discriminant, number, pixels, roots, tenths, vector,
+    ahead, camera, counted, discriminant, number, pixels, tenths, vector,
 };
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
@@ -12,18 +12,18 @@ pub const VALUES: &[Value] = &[
     ("sphere-b", || number(SPHERE.coefficients(&pixel()).1)),
     ("sphere-c", || number(SPHERE.coefficients(&pixel()).2)),
     ("sphere-discriminant", || number(discriminant(&SPHERE, &pixel()))),
-    ("sphere-near", || number(roots(&SPHERE, &pixel())[0])),
+    ("sphere-near", || number(near(&pixel()))),
     ("step02-axis-a", || number(SPHERE.coefficients(&axis()).0)),
     ("step02-axis-b", || number(SPHERE.coefficients(&axis()).1)),
     ("step02-axis-c", || number(SPHERE.coefficients(&axis()).2)),
     ("step02-behind-b", || number(SPHERE.coefficients(&ahead(0.0, -10.0)).1)),
-    ("step02-behind-near", || number(roots(&SPHERE, &ahead(0.0, -10.0))[0])),
-    ("step02-behind-far", || number(roots(&SPHERE, &ahead(0.0, -10.0))[1])),
-    ("step02-axis-near", || number(roots(&SPHERE, &axis())[0])),
-    ("step02-axis-far", || number(roots(&SPHERE, &axis())[1])),
+    ("step02-behind-near", || number(near(&ahead(0.0, -10.0)))),
+    ("step02-behind-far", || number(far(&ahead(0.0, -10.0)))),
+    ("step02-axis-near", || number(near(&axis()))),
+    ("step02-axis-far", || number(far(&axis()))),
     ("step02-v-x", || number(pixel().direction.x)),
     ("step02-v-y", || number(pixel().direction.y)),
-    ("step02-far", || number(roots(&SPHERE, &pixel())[1])),
+    ("step02-far", || number(far(&pixel()))),
     ("step02-point", || vector(point())),
     ("step02-long", || number(pixel().direction.length())),
     ("step02-distance", || number(point().length())),
@@ -43,7 +43,7 @@ pub const VALUES: &[Value] = &[
     ("step02-without-a", || {
         counted(|ray| {
             let (_, b, c) = SPHERE.coefficients(ray);
-            (quadratic(1.0, b, c) != Roots::None).into()
+            (quadratic(1.0, b, c) != Roots::Zero).into()
         })
     }),
     ("step02-normalised", || {
@@ -67,9 +67,19 @@ fn pixel() -> Ray {
     camera().ray(300.0, 150.0)
 }
 
+/// The smaller root of `ray` and the sphere.
+fn near(ray: &Ray) -> f64 {
+    SPHERE.intersect(ray).iter().next().expect("a root")
+}
+
+/// The larger root.
+fn far(ray: &Ray) -> f64 {
+    SPHERE.intersect(ray).iter().last().expect("a root")
+}
+
 /// Where it meets the sphere.
 fn point() -> DVec3 {
-    pixel().at(roots(&SPHERE, &pixel())[0])
+    pixel().at(near(&pixel()))
 }
 
 fn is_met(ray: &Ray) -> bool {

@@ -20,7 +20,7 @@ pub const VALUES: &[Value] = &[
         })
     }),
     ("step03-behind", || {
-        counted(|ray| (sphere(4).intersect(ray) != Roots::None).into())
+        counted(|ray| (sphere(4).intersect(ray) != Roots::Zero).into())
     }),
     ("step03-red", || both(sphere(0), &crowded())),
     ("step03-ground", || both(sphere(1), &crowded())),
@@ -28,7 +28,7 @@ pub const VALUES: &[Value] = &[
     ("step03-green", || both(sphere(4), &crowded())),
     ("step03-meets", || {
         let met = |object: &&Object<_>| {
-            object.sphere.intersect(&crowded()) != Roots::None
+            object.sphere.intersect(&crowded()) != Roots::Zero
         };
         SCENE.iter().filter(met).count().to_string()
     }),
@@ -85,7 +85,7 @@ pub const VALUES: &[Value] = &[
 /// The objects of the scene, each of which says its place in the list.
 static SCENE: LazyLock<Vec<Object<usize>>> = LazyLock::new(|| {
     let objects = OBJECTS.into_iter().enumerate();
-    objects.map(|(place, o)| Object { sphere: o.sphere, material: place }).collect()
+    objects.map(|(place, object)| object.with_material(place)).collect()
 });
 
 fn sphere(place: usize) -> &'static Sphere {

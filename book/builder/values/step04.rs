@@ -16,7 +16,7 @@ pub const VALUES: &[Value] = &[
     ("step04-centre-column", || column(&vector(object(PIXEL).sphere.centre))),
     ("step04-radius", || number(object(PIXEL).sphere.radius)),
     ("step04-n-column", || column(&at("n"))),
-    ("step04-surface", || vector(object(PIXEL).material.surface.diffuse)),
+    ("step04-surface", || vector(object(PIXEL).material.matte.diffuse)),
     ("step04-ambient", || at("ambient")),
     ("step04-warm-l", || at("l warm")),
     ("step04-warm-d", || at("d warm")),
@@ -61,7 +61,7 @@ fn plaster() -> DVec3 {
     let lamps = point.iter().flat_map(|point| {
         [WARM, COOL].map(|lamp| {
             let (l, d) = lamp.direction_from(point.p);
-            point.n.dot(l) * lamp.diffuse / lamp.attenuation.at(d)
+            point.n.dot(l) * lamp.diffuse / lamp.attenuation.divisor(d)
         })
     });
     AMBIENT + lamps.sum::<DVec3>()

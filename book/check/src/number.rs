@@ -60,8 +60,8 @@ fn owners(quantity: &Quantity, step: Step) -> Vec<String> {
             let count = scene(step).objects.len();
             (0..count).map(|k| object(step, k)).collect()
         }
-        Owner::Light => LIGHTS.into(),
-        Owner::Scene => vec!["the scene"],
+        Owner::Light => LIGHTS.map(String::from).into(),
+        Owner::Scene => vec!["the scene".to_string()],
     };
     names.iter().map(|name| format!("{}{name}", quantity.name)).collect()
 }

@@ -1,6 +1,6 @@
 use crate::Step;
 use crate::scene::Scene;
-use step05_phong::Surface;
+use step05_phong::Matte;
 
 /// One or three numbers of each object or of each light, which stand in one place of a
 /// file.
@@ -40,9 +40,9 @@ const COLOUR: Quantity = Quantity {
     file: "step03_nearest/objects.rs",
     count: 3,
     range: (0, 5, 100),
-    get: |scene, k| scene.objects[k].material.surface.diffuse.into(),
+    get: |scene, k| scene.objects[k].material.matte.diffuse.into(),
     set: |scene, k, v| {
-        scene.objects[k].material.surface = Surface::of(v.into());
+        scene.objects[k].material.matte = Matte::of(v.into());
     },
 };
 

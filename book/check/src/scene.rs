@@ -1,23 +1,10 @@
 use crate::Step;
 use glam::DVec3;
 use step01_rays::rgb8;
-use step05_phong::{Light, Material, Object, Ray};
+use step05_phong::{Light, Material, OBJECTS, Ray};
 
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
-
-/// What the objects of the course are called, in their order.
-const OBJECTS: [&str; 9] = [
-    "the red sphere",
-    "the ground",
-    "the golden sphere",
-    "the blue sphere",
-    "the green sphere",
-    "the teal sphere",
-    "the white sphere",
-    "the salmon sphere",
-    "the cream sphere",
-];
 
 /// How many objects there are.
 pub(crate) const COUNT: usize = OBJECTS.len();
@@ -26,8 +13,9 @@ pub(crate) const COUNT: usize = OBJECTS.len();
 pub(crate) const LIGHTS: [&str; 2] = ["the warm light", "the cool light"];
 
 /// What object `k` of a step is called.
-pub(crate) fn object(step: Step, k: usize) -> &'static str {
-    if step == Step::Sphere { "the sphere" } else { OBJECTS[k] }
+pub(crate) fn object(step: Step, k: usize) -> String {
+    let name = if step == Step::Sphere { "sphere" } else { OBJECTS[k].name };
+    format!("the {name}")
 }
 
 /// The scene of a step, without the objects that it has not got.
@@ -56,22 +44,24 @@ pub(crate) fn colour<'a>(
             Box::new(move |ray| step02_sphere::colour(&sphere, ray))
         }
         Step::Nearest => {
-            let flat = scene.objects.iter().map(|Object { sphere, material }| {
-                Object { sphere: *sphere, material: material.surface.diffuse }
-            });
+            let flat = scene
+                .objects
+                .iter()
+                .map(|object| object.with_material(object.material.matte.diffuse));
             let flat: Vec<_> = flat.collect();
             Box::new(move |ray| step03_nearest::colour(&flat, ray))
         }
         Step::Diffuse => {
-            let matt = scene.objects.iter().map(|Object { sphere, material }| {
-                Object { sphere: *sphere, material: material.surface }
-            });
-            let matt = step04_diffuse::Scene {
-                objects: matt.collect(),
+            let matte = scene
+                .objects
+                .iter()
+                .map(|object| object.with_material(object.material.matte));
+            let matte = step04_diffuse::Scene {
+                objects: matte.collect(),
                 ambient_light: scene.ambient_light,
                 lights: scene.lights.iter().map(|one| one.point_light).collect(),
             };
-            Box::new(move |ray| step04_diffuse::colour(&matt, ray))
+            Box::new(move |ray| step04_diffuse::colour(&matte, ray))
         }
         Step::Phong => Box::new(|ray| step05_phong::colour(scene, ray)),
     }

@@ -18,7 +18,7 @@ pub use svg::{Drawing, View, escape, italic};
 
 mod quadratic;
 pub use exercises::{camera, row::Row};
-pub use quadratic::{discriminant, roots};
+pub use quadratic::discriminant;
 
 mod live;
 pub use live::{Handle, Knob, Live, Numbers, Sight, number, vector};
@@ -27,7 +27,7 @@ mod figures;
 mod own_scene;
 mod pictures;
 pub use own_scene::own_scene;
-pub use pictures::object_names;
+pub use pictures::short_name;
 
 use std::sync::LazyLock;
 

@@ -1,13 +1,4 @@
-use step02_sphere::{Ray, Roots, Sphere};
-
-/// Both t, the same twice where the ray touches, NaN where it misses.
-pub fn roots(sphere: &Sphere, ray: &Ray) -> [f64; 2] {
-    match sphere.intersect(ray) {
-        Roots::None => [f64::NAN; 2],
-        Roots::One(t) => [t; 2],
-        Roots::Two(near, far) => [near, far],
-    }
-}
+use step02_sphere::{Ray, Sphere};
 
 /// b² − 4ac of a ray and a sphere.
 pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use image::RgbImage;
 use std::f64::consts::{PI, TAU};
-use step01_rays::{Camera, render, run};
+use step01_rays::{Camera, draw_pixels, mean, rgb8, run, sub_pixels};
 
 /// The unit vector at a longitude and a latitude; both are 0 ahead, along −z.
 pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
@@ -11,12 +11,12 @@ pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
     latitude.cos() * around + latitude.sin() * DVec3::Y
 }
 
-/// The direction V that belongs to a place (i, j, 1) of the panorama.
+/// The direction V that belongs to column `i` and row `j` of the panorama.
 ///
 /// All columns share the whole circle, all rows the half circle from pole to pole.
-pub fn panoramic(camera: &Camera, place: DVec3) -> DVec3 {
-    let across = (place.x + 0.5) / f64::from(camera.h_res);
-    let down = (place.y + 0.5) / f64::from(camera.v_res);
+pub fn panoramic(camera: &Camera, i: f64, j: f64) -> DVec3 {
+    let across = (i + 0.5) / f64::from(camera.h_res);
+    let down = (j + 0.5) / f64::from(camera.v_res);
     direction((across - 0.5) * TAU, (0.5 - down) * PI)
 }
 
@@ -37,10 +37,9 @@ fn colour(v: DVec3) -> DVec3 {
 
 /// The picture: the cube around the eye, all of it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
-    let inverse = camera.matrix.inverse();
-    render(camera, samples, |ray| {
-        colour(panoramic(camera, inverse * ray.direction))
+    let centres = sub_pixels(samples);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean(&centres, |u, v| colour(panoramic(camera, i + u, j + v))))
     })
 }
 

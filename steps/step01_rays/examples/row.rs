@@ -1,7 +1,6 @@
 //! The row of rays in a flat world: prints its directions.
 
 use glam::{DMat2, DVec2};
-use std::f64::consts::FRAC_PI_3;
 
 /// A row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
 pub struct Row {
@@ -26,7 +25,7 @@ impl Row {
 }
 
 fn main() {
-    let row = Row::new(7, FRAC_PI_3);
+    let row = Row::new(7, 60_f64.to_radians());
     for i in 0..7 {
         println!("V_{i} = {:.4}", row.direction(f64::from(i)));
     }

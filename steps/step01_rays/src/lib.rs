@@ -8,7 +8,7 @@ pub use camera::Camera;
 
 mod render;
 mod rgb8;
-pub use render::render;
+pub use render::{draw_pixels, mean, render, sub_pixels};
 pub use rgb8::rgb8;
 
 mod picture;

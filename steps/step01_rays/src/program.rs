@@ -1,7 +1,7 @@
 use crate::{AspectRatio, Camera};
 use clap::{Parser, value_parser};
 use image::{RgbImage, codecs::png::PngEncoder};
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::io::{Write, stdout};
 use std::{fs, process, time::Instant};
 
 /// Draws one picture of the course and saves it as a PNG file.
@@ -41,14 +41,8 @@ fn png(name: &str) -> Result<String, &'static str> {
 pub fn run(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let Options { width, aspect, fov, samples, output } = Options::parse();
     let file = output.unwrap_or_else(|| format!("{name}.png"));
-    let camera = |w| Camera::new(w, aspect.v_res(w), fov.to_radians());
-    let start = Instant::now();
-    picture(&camera(2.max(width / 8)), samples);
-    let seconds = 64.0 * start.elapsed().as_secs_f64();
-    if 2.0 < seconds && stderr().is_terminal() {
-        eprintln!("This takes about {seconds:.0} seconds.");
-    }
-    let (start, image) = (Instant::now(), picture(&camera(width), samples));
+    let camera = Camera::new(width, aspect.v_res(width), fov.to_radians());
+    let (start, image) = (Instant::now(), picture(&camera, samples));
     let (time, (w, h)) = (start.elapsed(), image.dimensions());
     let mut png = vec![];
     let encoded = image.write_with_encoder(PngEncoder::new(&mut png));

@@ -1,39 +1,64 @@
 use crate::{Camera, Ray, rgb8};
 use glam::DVec3;
-use image::RgbImage;
-use rayon::iter::{ParallelBridge, ParallelIterator};
+use image::{Rgb, RgbImage};
+use rayon::prelude::*;
 
-/// Draws the picture in which each pixel has the mean `colour` of the rays through it.
-///
-/// Each pixel is a grid of `samples` × `samples` sub-pixels, with a ray through the
-/// centre of each. All processors draw at once, a row each.
+/// Draws the picture of a camera's size that has `pixel(i, j)` in column i and row j.
+/// All processors draw at once, a row each.
+pub fn draw_pixels(
+    camera: &Camera,
+    pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync,
+) -> RgbImage {
+    let mut image = RgbImage::new(camera.h_res, camera.v_res);
+    let rows = image.par_chunks_exact_mut(3 * camera.h_res as usize);
+    rows.enumerate().for_each(|(j, row)| {
+        for (i, bytes) in row.chunks_exact_mut(3).enumerate() {
+            bytes.copy_from_slice(&pixel(i as f64, j as f64).0);
+        }
+    });
+    image
+}
+
+/// The centres of a pixel's sub-pixels, a grid of `samples` × `samples`: how far each is
+/// to the right of the pixel's own centre, and how far below.
+/// # Panics
+/// Where `samples` is 0: a pixel without a ray has no colour.
+pub fn sub_pixels(samples: u32) -> Vec<(f64, f64)> {
+    assert!(0 < samples, "a pixel needs a ray");
+    let side = f64::from(samples);
+    let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
+    let mut centres = vec![];
+    for v in (0..samples).map(offset) {
+        for u in (0..samples).map(offset) {
+            centres.push((u, v));
+        }
+    }
+    centres
+}
+
+/// The mean of `colour(u, v)` for all (u, v) of a list, such as `sub_pixels` makes.
+pub fn mean(places: &[(f64, f64)], colour: impl Fn(f64, f64) -> DVec3) -> DVec3 {
+    let mut sum = DVec3::ZERO;
+    for &(u, v) in places {
+        sum += colour(u, v);
+    }
+    sum / places.len() as f64
+}
+
+/// Draws the picture in which each pixel has the mean `colour` of the rays through it,
+/// one through the centre of each of its `samples` × `samples` sub-pixels.
 /// ```
 /// let camera = step01_rays::Camera::new(4, 3, 1.0);
 /// let red = step01_rays::render(&camera, 1, |_ray| glam::DVec3::X);
 /// assert_eq!(red.get_pixel(3, 2).0, [255, 0, 0]);
 /// ```
-/// # Panics
-/// Where `samples` is 0: a pixel without a ray has no colour.
 pub fn render(
     camera: &Camera,
     samples: u32,
     colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> RgbImage {
-    assert!(0 < samples, "a pixel needs a ray");
-    let side = f64::from(samples);
-    let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    let offsets: Vec<f64> = (0..samples).map(offset).collect();
-    let mut image = RgbImage::new(camera.h_res, camera.v_res);
-    image.enumerate_rows_mut().par_bridge().for_each(|(_, row)| {
-        for (i, j, pixel) in row {
-            let mut sum = DVec3::ZERO;
-            for v in &offsets {
-                for u in &offsets {
-                    sum += colour(&camera.ray(f64::from(i) + u, f64::from(j) + v));
-                }
-            }
-            *pixel = rgb8(sum / (side * side));
-        }
-    });
-    image
+    let centres = sub_pixels(samples);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean(&centres, |u, v| colour(&camera.ray(i + u, j + v))))
+    })
 }

@@ -1,8 +1,12 @@
 //! The numbers that chapter 1 works out or shows.
 
 use glam::{DMat3, DVec3};
-use std::{f64::consts::FRAC_PI_3, process::Command};
+use std::process::Command;
 use step01_rays::*;
+
+fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
 
 fn near(found: DVec3, printed: [f64; 3]) {
     assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");
@@ -16,7 +20,7 @@ fn ray_at() {
 
 #[test]
 fn camera_ray_of_a_pixel() {
-    let ray = Camera::new(640, 360, FRAC_PI_3).ray(480.0, 90.0);
+    let ray = camera().ray(480.0, 90.0);
     near(ray.direction, [0.29, 0.1617, -1.0]);
 }
 
@@ -38,9 +42,8 @@ fn render_of_places() {
 
 #[test]
 fn picture_of_a_pixel() {
-    let camera = Camera::new(640, 360, FRAC_PI_3);
-    near(direction_colour(&camera.ray(480.0, 90.0)), [0.787, 0.7485, 1.0]);
-    assert_eq!(picture(&camera, 1)[(480, 90)].0, [201, 191, 255]);
+    near(direction_colour(&camera().ray(480.0, 90.0)), [0.787, 0.7485, 1.0]);
+    assert_eq!(picture(&camera(), 1)[(480, 90)].0, [201, 191, 255]);
 }
 
 #[test]

@@ -21,7 +21,7 @@ impl Interval {
     pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
         match sphere.intersect(ray) {
             Roots::Two(enter, leave) => Some(Self { enter, leave }),
-            Roots::One(_) | Roots::None => None,
+            Roots::One(_) | Roots::Zero => None,
         }
     }
 

@@ -35,7 +35,7 @@ impl Quadric {
     /// Every t at which `ray` meets the quadric, the smaller first.
     pub fn intersect(&self, ray: &Ray) -> Roots {
         match self.coefficients(ray) {
-            (0.0, 0.0, _) => Roots::None,
+            (0.0, 0.0, _) => Roots::Zero,
             (0.0, b, c) => Roots::One(-c / b),
             (a, b, c) if a < 0.0 => quadratic(-a, -b, -c),
             (a, b, c) => quadratic(a, b, c),
@@ -44,13 +44,8 @@ impl Quadric {
 
     /// The first hit at a height y between `bottom` and `top`.
     pub fn first_between(&self, ray: &Ray, bottom: f64, top: f64) -> Option<f64> {
-        let (near, far) = match self.intersect(ray) {
-            Roots::None => return None,
-            Roots::One(t) => (t, t),
-            Roots::Two(near, far) => (near, far),
-        };
         let between = |t| (bottom..=top).contains(&ray.at(t).y);
-        [near, far].into_iter().find(|&t| 0.0 < t && between(t))
+        self.intersect(ray).iter().find(|&t| 0.0 < t && between(t))
     }
 
     /// The gradient of the left side at `p`, which points from inside to outside.

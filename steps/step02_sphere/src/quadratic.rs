@@ -1,8 +1,8 @@
 /// The real roots of a quadratic: three cases, told apart by D = b² − 4ac.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
-    /// D < 0: none; the ray misses.
-    None,
+    /// D < 0: no root; the ray misses.
+    Zero,
     /// D = 0: one; the ray touches.
     One(f64),
     /// D > 0: two, the smaller first; the ray goes in and comes out.
@@ -24,7 +24,7 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
     debug_assert!(0.0 < a, "a is not above 0");
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
-        Roots::None
+        Roots::Zero
     } else if d == 0.0 {
         Roots::One(-b / (2.0 * a))
     } else {
@@ -33,6 +33,16 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 }
 
 impl Roots {
+    /// The roots, one after the other, the smaller first.
+    pub fn iter(self) -> impl Iterator<Item = f64> {
+        let (first, second) = match self {
+            Roots::Zero => (None, None),
+            Roots::One(t) => (Some(t), None),
+            Roots::Two(t, u) => (Some(t), Some(u)),
+        };
+        first.into_iter().chain(second)
+    }
+
     /// The smallest t above 0: where a ray first meets the surface.
     /// Below 0 a root lies behind the ray; 0 is the starting point, and no hit.
     pub fn first_hit(self) -> Option<f64> {

@@ -1,15 +1,19 @@
 //! The numbers that chapter 2 works out or shows.
 
 use glam::DVec3;
-use std::{f64::consts::FRAC_PI_3, process::Command};
+use std::process::Command;
 use step02_sphere::*;
+
+fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
 
 fn ahead(x: f64, z: f64) -> Ray {
     Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z }
 }
 
 fn through_the_pixel() -> Ray {
-    Camera::new(640, 360, FRAC_PI_3).ray(300.0, 150.0)
+    camera().ray(300.0, 150.0)
 }
 
 fn near(found: f64, printed: f64) {
@@ -25,7 +29,7 @@ fn coefficients_along_the_axis() {
 fn quadratic_of_three_rays() {
     assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
     assert_eq!(quadratic(1.0, -10.0, 25.0), Roots::One(5.0));
-    assert_eq!(quadratic(1.0, -10.0, 28.0), Roots::None);
+    assert_eq!(quadratic(1.0, -10.0, 28.0), Roots::Zero);
 }
 
 #[test]
@@ -50,7 +54,7 @@ fn first_hit_of_five_starts() {
 
 #[test]
 fn picture_of_a_disc() {
-    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    let picture = picture(&camera(), 1);
     assert_eq!(picture[(300, 150)].0, [232, 87, 71]);
     let sky = ahead(2.0, 0.0);
     assert_eq!(colour(&SPHERE, &sky), direction_colour(&sky));
@@ -62,6 +66,6 @@ fn run_with_samples() {
     let mut program = Command::new(env!("CARGO_BIN_EXE_step02_sphere"));
     program.args("--width 64 --samples 2 --output".split(' ')).arg(file);
     program.output().unwrap();
-    let smooth = picture(&Camera::new(64, 36, FRAC_PI_3), 2);
+    let smooth = picture(&Camera::new(64, 36, 60_f64.to_radians()), 2);
     assert_eq!(image::open(file).unwrap().to_rgb8(), smooth);
 }

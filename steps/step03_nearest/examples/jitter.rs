@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, Ray, direction_colour, render, run};
+use step03_nearest::{
+    Camera, Ray, direction_colour, draw_pixels, mean, rgb8, run, sub_pixels,
+};
 
 /// Two numbers from 0 to 1 that look random, the same for the same `x` and `y`.
 pub fn noise(x: u32, y: u32) -> [f64; 2] {
@@ -13,15 +15,14 @@ pub fn noise(x: u32, y: u32) -> [f64; 2] {
     [h >> 32, h & 0xffff_ffff].map(|half| half as f64 / 2_f64.powi(32))
 }
 
-/// The ray through a random place of the sub-pixel whose centre is at (i, j, 1).
-///
-/// A pixel has `side` × `side` sub-pixels.
-pub fn jittered(camera: &Camera, side: u32, centre: DVec3) -> Ray {
+/// The ray through a random place of the sub-pixel whose centre is at (i, j), where a
+/// pixel has `side` × `side` sub-pixels.
+pub fn jittered(camera: &Camera, side: u32, i: f64, j: f64) -> Ray {
     let side = f64::from(side);
     // Column and row of the sub-pixel among those of the whole picture.
-    let (x, y) = ((centre.x + 0.5) * side, (centre.y + 0.5) * side);
+    let (x, y) = ((i + 0.5) * side, (j + 0.5) * side);
     let [u, v] = noise(x as u32, y as u32);
-    camera.ray(centre.x + (u - 0.5) / side, centre.y + (v - 0.5) / side)
+    camera.ray(i + (u - 0.5) / side, j + (v - 0.5) / side)
 }
 
 /// The colour that `ray` sees: rings around the middle, the further out the finer.
@@ -34,13 +35,14 @@ fn colour(ray: &Ray) -> DVec3 {
 /// The picture: rays on a grid on the left, random ones on the right; at least 4×4.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let side = samples.max(4);
-    // V = M (i, j, 1)ᵀ, so the inverse of M tells where in the picture a ray goes.
-    let inverse = camera.matrix.inverse();
-    render(camera, side, |ray| {
-        if ray.direction.x < 0.0 {
-            return colour(ray);
-        }
-        colour(&jittered(camera, side, inverse * ray.direction))
+    let centres = sub_pixels(side);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean(&centres, |u, v| {
+            let (i, j) = (i + u, j + v);
+            let ray = camera.ray(i, j);
+            let is_left = ray.direction.x < 0.0;
+            colour(&if is_left { ray } else { jittered(camera, side, i, j) })
+        }))
     })
 }
 

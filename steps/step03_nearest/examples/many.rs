@@ -48,13 +48,18 @@ impl Bounds {
 /// A tree of boxes: each holds a few objects, or two smaller trees.
 #[derive(Debug)]
 pub struct Tree<'a, M> {
-    bounds: Bounds,
-    content: Content<'a, M>,
+    /// The box around all that is in it.
+    pub bounds: Bounds,
+    /// What is in it.
+    pub content: Content<'a, M>,
 }
 
+/// What is in a box.
 #[derive(Debug)]
-enum Content<'a, M> {
+pub enum Content<'a, M> {
+    /// At most two objects.
     Few(&'a [Object<M>]),
+    /// The two halves of more.
     Halves(Box<[Tree<'a, M>; 2]>),
 }
 
@@ -98,26 +103,6 @@ impl<'a, M> Tree<'a, M> {
         }
         found
     }
-
-    /// The objects in boxes that the plane through `start` with this normal cuts, for a
-    /// whole packet of rays that lie in it, such as those of a row.
-    #[allow(dead_code, reason = "the example `fast` of step 5 takes packets")]
-    pub fn cut(&self, start: DVec3, normal: DVec3) -> Vec<&'a Object<M>> {
-        let normal = normal.normalize();
-        let (mut found, mut trees) = (vec![], vec![self]);
-        while let Some(Tree { bounds, content }) = trees.pop() {
-            let to_middle = (bounds.low + bounds.high) / 2.0 - start;
-            let reach = normal.abs().dot(bounds.high - bounds.low) / 2.0;
-            // Rounding makes far less of a difference.
-            let reach = reach + 1e-6 * to_middle.length();
-            match content {
-                _ if reach < normal.dot(to_middle).abs() => {}
-                Content::Few(objects) => found.extend(*objects),
-                Content::Halves(halves) => trees.extend(halves.iter()),
-            }
-        }
-        found
-    }
 }
 
 /// A sunflower of a thousand spheres: each is the golden angle further around than
@@ -131,13 +116,13 @@ pub fn sunflower() -> Vec<Object<DVec3>> {
         let p = 2.6 * out.sqrt() * around - 1.2 * out * DVec3::Y;
         let centre = DVec3::new(0.0, 0.85, -7.0) + tilt * p;
         let sphere = Sphere { centre, radius: 0.07 + 0.02 * out };
-        Object { sphere, material: petal(k) }
+        Object { name: "floret", sphere, material: floret(k) }
     };
     (0..1000).map(object).collect()
 }
 
-/// The colour of sphere `k`: from teal inside to blue outside, in three shades.
-fn petal(k: u32) -> DVec3 {
+/// The colour of floret `k`: from teal inside to blue outside, in three shades.
+fn floret(k: u32) -> DVec3 {
     let [red, _, golden, blue, _, teal, white, ..] = OBJECTS;
     let stops = [teal, white, golden, red, blue].map(|object| object.material);
     let out = 4.0 * f64::from(k) / 1000.0;

@@ -1,6 +1,9 @@
 //! Step 3, stage 2 of the lecture "Ray Casting": the nearest of several objects.
 
-pub use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
+pub use step02_sphere::{
+    Camera, Ray, Sphere, direction_colour, draw_pixels, mean, render, rgb8, run,
+    sub_pixels,
+};
 
 mod object;
 mod objects;

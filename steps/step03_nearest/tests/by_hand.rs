@@ -1,11 +1,14 @@
 //! The numbers that chapter 3 works out or shows.
 
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_3;
 use step03_nearest::*;
 
+fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
+
 fn through_the_crowd() -> Ray {
-    Camera::new(640, 360, FRAC_PI_3).ray(195.0, 237.0)
+    camera().ray(195.0, 237.0)
 }
 
 fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
@@ -16,7 +19,7 @@ fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
 #[test]
 fn objects_add_up() {
     let (mut centre, mut radius, mut colour) = (DVec3::ZERO, 0.0, DVec3::ZERO);
-    for (k, Object { sphere, material }) in (1..).map(f64::from).zip(OBJECTS) {
+    for (k, Object { sphere, material, .. }) in (1..).map(f64::from).zip(OBJECTS) {
         centre += k * sphere.centre;
         radius += k * sphere.radius;
         colour += k * material;
@@ -47,10 +50,9 @@ fn nearest_in_a_crowd() {
 
 #[test]
 fn picture_of_a_crowd() {
-    let camera = Camera::new(640, 360, FRAC_PI_3);
-    assert_eq!(picture(&camera, 1)[(195, 237)].0, [232, 87, 71]);
+    assert_eq!(picture(&camera(), 1)[(195, 237)].0, [232, 87, 71]);
     // Without the red sphere in front, the ray sees the blue one.
     near(colour(&OBJECTS[1..], &through_the_crowd()), [0.44, 0.47, 0.78]);
-    let sky = camera.ray(0.0, 0.0);
+    let sky = camera().ray(0.0, 0.0);
     assert_eq!(colour(&OBJECTS, &sky), direction_colour(&sky));
 }

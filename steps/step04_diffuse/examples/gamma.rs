@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::{Rgb, RgbImage};
-use step04_diffuse::{Camera, colour, run, scene};
+use step04_diffuse::{Camera, colour, draw_pixels, mean, run, scene, sub_pixels};
 
 /// The sRGB value of a linear intensity I, both from 0 to 1: a straight line near
 /// black, a power above.
@@ -19,17 +19,10 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
 /// The picture: as `render` draws it, with the curve after each pixel's mean.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    let side = f64::from(samples);
-    let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    RgbImage::from_fn(camera.h_res, camera.v_res, |i, j| {
-        let mut sum = DVec3::ZERO;
-        for v in (0..samples).map(offset) {
-            for u in (0..samples).map(offset) {
-                let ray = camera.ray(f64::from(i) + u, f64::from(j) + v);
-                sum += colour(&scene, &ray);
-            }
-        }
-        rgb8(sum / (side * side))
+    let centres = sub_pixels(samples);
+    draw_pixels(camera, |i, j| {
+        let ray = |u, v| camera.ray(i + u, j + v);
+        rgb8(mean(&centres, |u, v| colour(&scene, &ray(u, v))))
     })
 }
 

@@ -14,7 +14,7 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
         for light in &scene.lights {
             let (l, d) = light.direction_from(point.p);
             let cosine = l.dot(point.n);
-            intensity += cosine * light.diffuse / light.attenuation.at(d);
+            intensity += cosine * light.diffuse / light.attenuation.divisor(d);
         }
         0.8 * intensity
     })

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, Object, PointLight, Ray, Scene, Surface, SurfacePoint, ambient,
-    diffuse, direction_colour, nearest, render, run, scene, visible_point,
+    Camera, Matte, Object, PointLight, Ray, Scene, SurfacePoint, ambient, diffuse,
+    direction_colour, nearest, render, run, scene, visible_point,
 };
 
 /// How far above the surface a ray to a light starts.
@@ -23,7 +23,7 @@ pub fn hidden<M>(objects: &[Object<M>], point: &SurfacePoint<M>, q: DVec3) -> bo
 }
 
 /// The colour that `ray` sees.
-fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };

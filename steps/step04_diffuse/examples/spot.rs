@@ -3,7 +3,7 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Attenuation, Camera, PointLight, Ray, Scene, Surface, SurfacePoint, ambient,
+    Attenuation, Camera, Matte, PointLight, Ray, Scene, SurfacePoint, ambient,
     diffuse, direction_colour, render, run, scene, visible_point,
 };
 
@@ -33,7 +33,7 @@ impl SpotLight {
 const NIGHT: f64 = 0.4;
 
 /// The scene of step 4 at night.
-pub fn night() -> Scene<Surface, SpotLight> {
+pub fn night() -> Scene<Matte, SpotLight> {
     let Scene { objects, ambient_light, .. } = scene();
     let lights = vec![
         spot([-1.5, 4.5, -3.0], [-0.5, -1.4, -6.4], [1.0, 0.7, 0.4]),
@@ -53,7 +53,7 @@ fn spot(position: [f64; 3], target: [f64; 3], diffuse: [f64; 3]) -> SpotLight {
 }
 
 /// The colour that `ray` sees.
-fn colour(scene: &Scene<Surface, SpotLight>, ray: &Ray) -> DVec3 {
+fn colour(scene: &Scene<Matte, SpotLight>, ray: &Ray) -> DVec3 {
     let Some(SurfacePoint { p, n, material }) = visible_point(&scene.objects, ray)
     else {
         return NIGHT * direction_colour(ray);

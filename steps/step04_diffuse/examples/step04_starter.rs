@@ -3,12 +3,12 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, PointLight, Ray, Scene, Surface, ambient, diffuse, direction_colour,
+    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse, direction_colour,
     render, run, scene, visible_point,
 };
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
-fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };

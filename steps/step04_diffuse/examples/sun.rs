@@ -3,7 +3,7 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    COOL, Camera, PointLight, Ray, Scene, Surface, ambient, diffuse,
+    COOL, Camera, Matte, PointLight, Ray, Scene, ambient, diffuse,
     direction_colour, render, run, scene, visible_point,
 };
 
@@ -24,14 +24,14 @@ pub const SUN: Sun = Sun {
 
 impl Sun {
     /// I_d = R_d · max(l·n, 0) · L_d: l is the same everywhere, and there is no d.
-    pub fn diffuse(&self, n: DVec3, surface: &Surface) -> DVec3 {
+    pub fn diffuse(&self, n: DVec3, material: &Matte) -> DVec3 {
         let l = self.direction.normalize();
-        surface.diffuse * l.dot(n).max(0.0) * self.diffuse
+        material.diffuse * l.dot(n).max(0.0) * self.diffuse
     }
 }
 
 /// The colour that `ray` sees.
-fn colour(scene: &Scene<Surface, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
+fn colour(scene: &Scene<Matte, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };

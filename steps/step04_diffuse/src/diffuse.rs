@@ -1,4 +1,4 @@
-use crate::{PointLight, Surface};
+use crate::{Matte, PointLight};
 use glam::DVec3;
 
 /// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
@@ -7,8 +7,10 @@ pub fn diffuse(
     n: DVec3,
     l: DVec3,
     d: f64,
-    surface: &Surface,
+    material: &Matte,
     light: &PointLight,
 ) -> DVec3 {
-    surface.diffuse / light.attenuation.at(d) * n.dot(l).max(0.0) * light.diffuse
+    material.diffuse / light.attenuation.divisor(d)
+        * n.dot(l).max(0.0)
+        * light.diffuse
 }

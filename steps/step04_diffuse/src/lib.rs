@@ -1,17 +1,17 @@
 //! Step 4, stage 3 of the lecture "Ray Casting": ambient and diffuse light.
 
 pub use step03_nearest::{
-    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, nearest, render,
-    run,
+    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, draw_pixels, mean,
+    nearest, render, rgb8, run, sub_pixels,
 };
 
 mod surface_point;
 pub use surface_point::{SurfacePoint, normal, visible_point};
 
 mod ambient;
-mod surface;
+mod matte;
 pub use ambient::ambient;
-pub use surface::Surface;
+pub use matte::Matte;
 
 mod light;
 mod scene;

@@ -12,8 +12,8 @@ pub struct Attenuation {
 }
 
 impl Attenuation {
-    /// a + bd + cd² at the distance `d` from the light.
-    pub fn at(&self, d: f64) -> f64 {
+    /// a + bd + cd², what light is divided by at the distance `d`; above 0.
+    pub fn divisor(&self, d: f64) -> f64 {
         self.a + self.b * d + self.c * d * d
     }
 }

@@ -1,12 +1,12 @@
 use crate::{
-    Camera, PointLight, Ray, Scene, Surface, ambient, diffuse, direction_colour,
+    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse, direction_colour,
     render, scene, visible_point,
 };
 use glam::DVec3;
 use image::RgbImage;
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
-pub fn colour(scene: &Scene<Surface, PointLight>, ray: &Ray) -> DVec3 {
+pub fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };

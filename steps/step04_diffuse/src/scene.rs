@@ -1,4 +1,4 @@
-use crate::{Attenuation, OBJECTS, Object, PointLight, Surface};
+use crate::{Attenuation, Matte, OBJECTS, Object, PointLight};
 use glam::DVec3;
 
 /// What there is to see, and the light to see it in.
@@ -29,14 +29,11 @@ pub const COOL: PointLight = PointLight {
     attenuation: Attenuation { a: 0.5, b: 0.0, c: 0.02 },
 };
 
-/// The objects of step 3 with matt surfaces of their colours, and two lamps.
-pub fn scene() -> Scene<Surface, PointLight> {
-    let matt = |Object { sphere, material }| Object {
-        sphere,
-        material: Surface::of(material),
-    };
+/// The objects of step 3 in matte materials of their colours, and two lamps.
+pub fn scene() -> Scene<Matte, PointLight> {
+    let matte = |flat: Object<DVec3>| flat.with_material(Matte::of(flat.material));
     Scene {
-        objects: OBJECTS.map(matt).into(),
+        objects: OBJECTS.map(matte).into(),
         ambient_light: AMBIENT,
         lights: vec![WARM, COOL],
     }

@@ -1,11 +1,14 @@
 //! The numbers that chapter 4 works out or shows.
 
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_3;
 use step04_diffuse::*;
 
+fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
+
 fn ray(i: u32, j: u32) -> Ray {
-    Camera::new(640, 360, FRAC_PI_3).ray(i.into(), j.into())
+    camera().ray(i.into(), j.into())
 }
 
 fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
@@ -36,11 +39,11 @@ fn lights_of_a_pixel() {
     let SurfacePoint { p, n, material } = point;
     let (l, d) = WARM.direction_from(p);
     near(l, [-0.6076, 0.3612, 0.7074]);
-    near([d, WARM.attenuation.at(d), n.dot(l)], [10.9438, 1.5177, 0.1863]);
+    near([d, WARM.attenuation.divisor(d), n.dot(l)], [10.9438, 1.5177, 0.1863]);
     near(diffuse(n, l, d, material, &WARM), [0.1179, 0.0681, 0.044]);
     let (l, d) = COOL.direction_from(p);
     near(l, [0.8048, 0.3254, -0.4964]);
-    near([d, COOL.attenuation.at(d), n.dot(l)], [3.5422, 0.7509, 0.3414]);
+    near([d, COOL.attenuation.divisor(d), n.dot(l)], [3.5422, 0.7509, 0.3414]);
     near(diffuse(n, l, d, material, &COOL), [0.1964, 0.18, 0.2546]);
 }
 
@@ -52,6 +55,6 @@ fn colour_of_a_pixel() {
 
 #[test]
 fn picture_of_a_pixel() {
-    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    let picture = picture(&camera(), 1);
     assert_eq!(picture[(470, 120)].0, [158, 117, 136]);
 }

@@ -94,10 +94,9 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
     let scene = scene();
     let materials = scene.objects.iter().map(|object| object.material).cycle();
     let objects = spheres.into_iter().zip(materials);
+    let ball = |(sphere, material)| Object { name: "ball", sphere, material };
     Scene {
-        objects: objects
-            .map(|(sphere, material)| Object { sphere, material })
-            .collect(),
+        objects: objects.map(ball).collect(),
         lights: vec![Light { point_light, specular: DVec3::ONE }],
         ..scene
     }

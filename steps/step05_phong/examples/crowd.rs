@@ -40,7 +40,7 @@ pub fn crowd() -> Scene<Mirror, Light> {
         let marble = Sphere { centre, radius };
         if !scene.objects.iter().any(|object| overlap(&object.sphere, &marble)) {
             let material = material(seed, &scene);
-            scene.objects.push(Object { sphere: marble, material });
+            scene.objects.push(Object { name: "marble", sphere: marble, material });
         }
     }
     scene

@@ -3,7 +3,7 @@
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use many::Tree;
+use many::{Content, Tree};
 use rayon::prelude::*;
 use std::array::from_fn;
 use step05_phong::{Camera, Light, Material, Object, Scene, ambient, run, scene};
@@ -91,8 +91,8 @@ impl<S: Simd> Packet<'_, S> {
     #[inline(always)]
     fn phong(&self, t: f64x8<S>, object: usize) -> Vectors<S> {
         let &Self(simd, start, v, a, scene) = self;
-        let Object { sphere, material } = &scene.objects[object];
-        let (r_d, r_s) = (material.surface.diffuse, material.specular);
+        let Object { sphere, material, .. } = &scene.objects[object];
+        let (r_d, r_s) = (material.matte.diffuse, material.specular);
         let [zero, one] = [0.0, 1.0].map(|x| simd.splat_f64x8(x));
         let p: Vectors<S> = from_fn(|k| start[k] + t * v[k]);
         let n = from_fn(|k| (p[k] - sphere.centre[k]) / sphere.radius);
@@ -119,7 +119,7 @@ impl<S: Simd> Packet<'_, S> {
                 i_s = from_fn(|k| i_s[k] + shines.select(term(k), zero));
             }
         }
-        let i_a = ambient(&material.surface, scene.ambient_light);
+        let i_a = ambient(&material.matte, scene.ambient_light);
         from_fn(|k| i_a[k] + i_d[k] + i_s[k])
     }
 
@@ -140,6 +140,28 @@ impl<S: Simd> Packet<'_, S> {
     }
 }
 
+/// The objects in boxes that the plane through `start` with this normal cuts.
+fn objects_cut<'a, M>(
+    tree: &Tree<'a, M>,
+    start: DVec3,
+    normal: DVec3,
+) -> Vec<&'a Object<M>> {
+    let normal = normal.normalize();
+    let (mut found, mut trees) = (vec![], vec![tree]);
+    while let Some(Tree { bounds, content }) = trees.pop() {
+        let to_middle = (bounds.low + bounds.high) / 2.0 - start;
+        let reach = normal.abs().dot(bounds.high - bounds.low) / 2.0;
+        // Rounding makes far less of a difference.
+        let reach = reach + 1e-6 * to_middle.length();
+        match content {
+            _ if reach < normal.dot(to_middle).abs() => {}
+            Content::Few(objects) => found.extend(*objects),
+            Content::Halves(halves) => trees.extend(halves.iter()),
+        }
+    }
+    found
+}
+
 /// A camera, what it sees, the tree of that, and where in a pixel the rays go.
 type View<'a> = (&'a Camera, &'a Lit, &'a Tree<'a, usize>, &'a [f64]);
 
@@ -151,7 +173,7 @@ fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
     let mut sums = vec![[simd.splat_f64x8(0.0); 3]; row.len().div_ceil(24)];
     for j in offsets.iter().map(|v| j as f64 + v) {
         let (start, w) = (camera.centre, y * j + z);
-        let objects = tree.cut(start, w.cross(x)).into_iter();
+        let objects = objects_cut(tree, start, w.cross(x)).into_iter();
         let spans = objects.filter_map(|o| Span::new(o, start, x, w));
         let (mut spans, mut near) = (spans.collect::<Vec<_>>(), vec![]);
         spans.sort_by_key(|span| span.object);
@@ -182,8 +204,8 @@ fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
 pub fn draw(level: Level, camera: &Camera, samples: u32, scene: &Lit) -> RgbImage {
     let centre = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
     let offsets: Vec<f64> = (0..samples).map(centre).collect();
-    let place = |(k, o): (_, &Object<_>)| Object { sphere: o.sphere, material: k };
-    let mut objects: Vec<_> = scene.objects.iter().enumerate().map(place).collect();
+    let objects = scene.objects.iter().enumerate();
+    let mut objects: Vec<_> = objects.map(|(k, o)| o.with_material(k)).collect();
     let view = (camera, scene, &Tree::new(&mut objects), &*offsets);
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     let rows = image.par_chunks_exact_mut(3 * camera.h_res as usize).enumerate();

@@ -1,11 +1,17 @@
 //! The scene of step 5 with glass: rays that a surface bends by Snell's law and
 //! mirrors in Fresnel's part.
 
+#[path = "mirror.rs"]
+#[allow(dead_code, reason = "it is a program of its own, too")]
+mod mirror;
+
 use glam::DVec3;
 use image::RgbImage;
+use mirror::{OFFSET, hidden, shadowed_phong};
+use std::slice;
 use step05_phong::{
-    Camera, Light, Material, OBJECTS, Object, Ray, Scene, SurfacePoint,
-    direction_colour, phong, reflect, render, run, scene, visible_point,
+    Camera, Light, Material, Object, Ray, Scene, SurfacePoint, direction_colour,
+    reflect, render, run, scene, visible_point,
 };
 
 /// A material that may be glass.
@@ -18,18 +24,14 @@ pub struct Glass {
 
 /// The scene of step 5, its red and its white object of glass with this index.
 pub fn glasses(index: f64) -> Scene<Glass, Light> {
-    let [red, .., white, _, _] = OBJECTS;
     let Scene { objects, ambient_light, lights } = scene();
-    let glass = |Object { sphere, material }| {
-        let index = [red.sphere, white.sphere].contains(&sphere).then_some(index);
-        Object { sphere, material: Glass { material, index } }
-    };
-    let objects = objects.into_iter().map(glass).collect();
-    Scene { objects, ambient_light, lights }
+    let objects = objects.into_iter().map(|object| {
+        let is_glass = ["red sphere", "white sphere"].contains(&object.name);
+        let (material, index) = (object.material, is_glass.then_some(index));
+        object.with_material(Glass { material, index })
+    });
+    Scene { objects: objects.collect(), ambient_light, lights }
 }
-
-/// How far from a surface a ray starts, so that it does not meet that surface again.
-const OFFSET: f64 = 1e-9;
 
 /// `v` of any length, bent by Snell's law where it meets a surface whose unit normal
 /// `n` faces it; or None where the surface mirrors it all.
@@ -52,17 +54,14 @@ pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
 }
 
 /// Says whether something not of glass stands between `point` and a light at `q`.
-pub fn hidden(
+pub fn hidden_by_opaque(
     objects: &[Object<Glass>],
     point: &SurfacePoint<Glass>,
     q: DVec3,
 ) -> bool {
-    let start = point.p + OFFSET * point.n;
-    let to_light = Ray { start, direction: q - start };
-    objects.iter().any(|Object { sphere, material }| {
-        let t = sphere.intersect(&to_light).first_hit();
-        material.index.is_none() && t.is_some_and(|t| t < 1.0)
-    })
+    let mut opaque =
+        objects.iter().filter(|object| object.material.index.is_none());
+    opaque.any(|object| hidden(slice::from_ref(object), point, q))
 }
 
 /// The colour that `ray` sees by way of at most `depth` surfaces of glass.
@@ -70,13 +69,13 @@ pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut lights = scene.lights.clone();
-    lights.retain(|light| {
-        !hidden(&scene.objects, &point, light.point_light.position)
-    });
+    let is_hidden = |light: &Light| {
+        hidden_by_opaque(&scene.objects, &point, light.point_light.position)
+    };
     let SurfacePoint { p, n, material: Glass { material, index } } = point;
-    let terms =
-        phong(&SurfacePoint { p, n, material }, ray, scene.ambient_light, &lights);
+    let lit = SurfacePoint { p, n, material };
+    let (l_a, lights) = (scene.ambient_light, &scene.lights);
+    let terms = shadowed_phong(&lit, ray, l_a, lights, is_hidden);
     let Some(index) = *index else { return terms.sum() };
     if depth == 0 {
         return DVec3::ZERO;

@@ -26,7 +26,7 @@ pub fn specular(
     material: &Material,
     light: &Light,
 ) -> DVec3 {
-    material.specular / light.point_light.attenuation.at(d)
+    material.specular / light.point_light.attenuation.divisor(d)
         * n.dot(h).max(0.0).powi(4 * material.shininess)
         * light.specular
 }

@@ -1,21 +1,35 @@
 //! The scene of step 5 with shadows and mirrors: the whole of the lecture's
 //! "Ray-Tracing Algorithm".
 
+#[path = "../../step04_diffuse/examples/shadows.rs"]
+#[allow(dead_code, reason = "it is a program of its own, too")]
+mod shadows;
+
 use glam::DVec3;
 use image::RgbImage;
+pub use shadows::{OFFSET, hidden};
 use step05_phong::{
-    Camera, Light, Material, Object, Ray, Scene, SurfacePoint, direction_colour,
-    nearest, phong, reflect, render, run, scene, visible_point,
+    Camera, Light, Material, Phong, Ray, Scene, SurfacePoint, direction_colour,
+    phong, reflect, render, run, scene, visible_point,
 };
 
-/// How far above a surface a ray starts, so that it does not meet that surface again.
-const OFFSET: f64 = 1e-9;
-
-/// Says whether one of the `objects` stands between `point` and a light at `q`.
-pub fn hidden<M>(objects: &[Object<M>], point: &SurfacePoint<M>, q: DVec3) -> bool {
-    let start = point.p + OFFSET * point.n;
-    let to_light = Ray { start, direction: q - start };
-    nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
+/// The terms at `point`, without the light of the lamps that are hidden from it.
+pub fn shadowed_phong(
+    point: &SurfacePoint<Material>,
+    ray: &Ray,
+    ambient_light: DVec3,
+    lights: &[Light],
+    is_hidden: impl Fn(&Light) -> bool,
+) -> Phong {
+    let mut terms = phong(point, ray, ambient_light, &[]);
+    for light in lights {
+        if !is_hidden(light) {
+            let added = phong(point, ray, DVec3::ZERO, &[*light]);
+            terms.diffuse += added.diffuse;
+            terms.specular += added.specular;
+        }
+    }
+    terms
 }
 
 /// A material that is a mirror in part.
@@ -29,14 +43,19 @@ pub struct Mirror {
 /// The scene of step 5, each object with its k.
 pub fn mirrors() -> Scene<Mirror, Light> {
     let Scene { objects, ambient_light, lights } = scene();
-    // Red, ground, golden, blue, green, teal, white, salmon and cream.
-    let k = [0.15, 0.25, 0.4, 0.15, 0.0, 0.25, 0.85, 0.1, 0.0];
-    let mirror = |(Object { sphere, material }, k)| {
-        let material = Mirror { material, k };
-        Object { sphere, material }
+    let k = |name| match name {
+        "white sphere" => 0.85,
+        "golden sphere" => 0.4,
+        "ground" | "teal sphere" => 0.25,
+        "red sphere" | "blue sphere" => 0.15,
+        "salmon sphere" => 0.1,
+        _ => 0.0,
     };
-    let objects = objects.into_iter().zip(k).map(mirror).collect();
-    Scene { objects, ambient_light, lights }
+    let objects = objects.into_iter().map(|object| {
+        let material = object.material;
+        object.with_material(Mirror { material, k: k(object.name) })
+    });
+    Scene { objects: objects.collect(), ambient_light, lights }
 }
 
 /// The colour that `ray` sees by way of at most `depth` mirrors.
@@ -44,13 +63,12 @@ pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut lights = scene.lights.clone();
-    lights.retain(|light| {
-        !hidden(&scene.objects, &point, light.point_light.position)
-    });
+    let is_hidden =
+        |light: &Light| hidden(&scene.objects, &point, light.point_light.position);
     let SurfacePoint { p, n, material: Mirror { material, k } } = point;
-    let terms =
-        phong(&SurfacePoint { p, n, material }, ray, scene.ambient_light, &lights);
+    let point = SurfacePoint { p, n, material };
+    let (l_a, lights) = (scene.ambient_light, &scene.lights);
+    let terms = shadowed_phong(&point, ray, l_a, lights, is_hidden);
     if 0.0 < *k && 0 < depth {
         let direction = reflect(n, -ray.direction);
         let mirrored = Ray { start: p + OFFSET * n, direction };

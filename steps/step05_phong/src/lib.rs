@@ -1,9 +1,10 @@
 //! Step 5, stage 3 of the lecture "Ray Casting": specular light and the Phong sum.
 
 pub use step04_diffuse::{
-    AMBIENT, Attenuation, COOL, Camera, Hit, OBJECTS, Object, PointLight, Ray,
-    Scene, Sphere, Surface, SurfacePoint, WARM, ambient, diffuse, direction_colour,
-    nearest, normal, render, run, visible_point,
+    AMBIENT, Attenuation, COOL, Camera, Hit, Matte, OBJECTS, Object, PointLight,
+    Ray, Scene, Sphere, SurfacePoint, WARM, ambient, diffuse, direction_colour,
+    draw_pixels, mean, nearest, normal, render, rgb8, run, sub_pixels,
+    visible_point,
 };
 
 mod reflect;

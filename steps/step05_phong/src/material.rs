@@ -1,11 +1,11 @@
-use crate::Surface;
+use crate::Matte;
 use glam::DVec3;
 
-/// A surface that shines.
+/// A material that shines, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// R_a and R_d.
-    pub surface: Surface,
+    pub matte: Matte,
     /// R_s, the part of the light that it mirrors; 0 to 1 for red, green and blue.
     pub specular: DVec3,
     /// n, the shininess: the larger, the smaller the highlight; above 0.

@@ -39,13 +39,13 @@ pub fn phong(
     let SurfacePoint { p, n, material } = *point;
     let v = -ray.direction.normalize();
     let mut terms = Phong {
-        ambient: ambient(&material.surface, ambient_light),
+        ambient: ambient(&material.matte, ambient_light),
         diffuse: DVec3::ZERO,
         specular: DVec3::ZERO,
     };
     for light in lights {
         let (l, d) = light.point_light.direction_from(p);
-        terms.diffuse += diffuse(n, l, d, &material.surface, &light.point_light);
+        terms.diffuse += diffuse(n, l, d, &material.matte, &light.point_light);
         if 0.0 < n.dot(l) {
             terms.specular += specular(reflect(n, l), v, d, material, light);
         }

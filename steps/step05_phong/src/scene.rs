@@ -1,6 +1,4 @@
-use crate::{
-    AMBIENT, COOL, Light, Material, OBJECTS, Object, Scene, Surface, WARM,
-};
+use crate::{AMBIENT, COOL, Light, Material, Matte, OBJECTS, Object, Scene, WARM};
 use glam::DVec3;
 
 /// The scene of step 4, polished: R_s and n for each object, L_s for each light.
@@ -27,7 +25,6 @@ pub fn scene() -> Scene<Material, Light> {
 }
 
 fn polished(object: Object<DVec3>, r_s: f64, n: i32) -> Object<Material> {
-    let (surface, specular) = (Surface::of(object.material), DVec3::splat(r_s));
-    let material = Material { surface, specular, shininess: n };
-    Object { sphere: object.sphere, material }
+    let (matte, specular) = (Matte::of(object.material), DVec3::splat(r_s));
+    object.with_material(Material { matte, specular, shininess: n })
 }

@@ -14,7 +14,7 @@ pub fn specular(
     if cosine <= 0.0 {
         return DVec3::ZERO; // an even n would turn a cosine below 0 into light
     }
-    material.specular / light.point_light.attenuation.at(d)
+    material.specular / light.point_light.attenuation.divisor(d)
         * cosine.powi(material.shininess)
         * light.specular
 }

@@ -1,11 +1,14 @@
 //! The numbers that chapter 5 works out or shows.
 
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_3;
 use step05_phong::*;
 
+fn camera() -> Camera {
+    Camera::new(640, 360, 60_f64.to_radians())
+}
+
 fn terms_at(i: u32, j: u32) -> Phong {
-    let ray = Camera::new(640, 360, FRAC_PI_3).ray(i.into(), j.into());
+    let ray = camera().ray(i.into(), j.into());
     let mut scene = scene();
     scene.lights.reverse(); // a sum has no order
     terms(&scene, &ray).unwrap()
@@ -17,7 +20,7 @@ fn near(found: DVec3, printed: [f64; 3]) {
 
 #[test]
 fn reflect_at_a_pixel() {
-    let ray = Camera::new(640, 360, FRAC_PI_3).ray(470.0, 120.0);
+    let ray = camera().ray(470.0, 120.0);
     let SurfacePoint { p, n, .. } = visible_point(&OBJECTS, &ray).unwrap();
     near(reflect(n, WARM.direction_from(p).0), [0.8559, -0.2195, -0.4683]);
     near(reflect(n, COOL.direction_from(p).0), [-0.3498, -0.0657, 0.9345]);
@@ -55,8 +58,8 @@ fn terms_of_a_pixel() {
     near(terms.diffuse, [0.3143, 0.2481, 0.2986]);
     near(terms.specular, [0.2728, 0.382, 0.5456]);
     near(terms.sum(), [0.8943, 0.8413, 1.0795]);
-    let picture = picture(&Camera::new(640, 360, FRAC_PI_3), 1);
+    let picture = picture(&camera(), 1);
     assert_eq!(picture[(470, 120)].0, [228, 215, 255]);
-    let sky = Camera::new(640, 360, FRAC_PI_3).ray(0.0, 0.0);
+    let sky = camera().ray(0.0, 0.0);
     assert_eq!(colour(&scene(), &sky), direction_colour(&sky));
 }

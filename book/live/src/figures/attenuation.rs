@@ -9,7 +9,7 @@ fn chosen(values: &[f64]) -> Attenuation {
 
 /// What is left at the distance `d`, as a share of what it is at 0.
 fn share(attenuation: &Attenuation, d: f64) -> f64 {
-    attenuation.at(0.0) / attenuation.at(d)
+    attenuation.divisor(0.0) / attenuation.divisor(d)
 }
 
 /// Four curves, the last of which is `chosen`.

@@ -1,7 +1,7 @@
+use crate::camera;
 use crate::live::{Live, Sight, digits};
-use crate::pictures::{object_names, step03};
+use crate::pictures::{short_name, step03};
 use crate::svg::{Drawing, View};
-use crate::{camera, roots};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
@@ -23,25 +23,25 @@ pub fn draw(values: &[f64]) -> Drawing {
     let mut drawing = Drawing::new(480.0, 330.0);
     draw_depths(&mut drawing);
     // The largest, the ground, lies below the others.
-    let mut spheres: Vec<_> = OBJECTS.iter().zip(object_names()).collect();
-    spheres.sort_by(|(a, _), (b, _)| b.sphere.radius.total_cmp(&a.sphere.radius));
-    for (Object { sphere, .. }, _) in &spheres[1..] {
+    let mut objects = OBJECTS;
+    objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
+    for Object { sphere, .. } in &objects[1..] {
         let centre = VIEW.xy(sphere.centre.x, -sphere.centre.z);
         drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
     }
-    for (Object { sphere, .. }, name) in spheres {
+    for Object { name, sphere, .. } in &objects {
         let Some(cut) = cut(sphere, &ray) else { continue };
         let is_seen = seen.is_some_and(|hit| hit.object.sphere == *sphere);
         drawing.area(if is_seen { "object seen" } else { "object" }, &cut);
         let middle = cut.iter().sum::<DVec2>() / cut.len() as f64;
         let inside = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
-        drawing.label("quiet", inside, name);
+        drawing.label("quiet", inside, short_name(name));
     }
     let at = |t: f64| VIEW.xy(ray.at(t).x, t);
     drawing.line("guide", at(ENDS[0]), at(0.0));
     drawing.arrow("ray", at(0.0), at(ENDS[1]));
     drawing.dot("eye", at(0.0));
-    let roots = OBJECTS.iter().flat_map(|object| roots(&object.sphere, &ray));
+    let roots = OBJECTS.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
     for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
         drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
     }

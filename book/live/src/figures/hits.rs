@@ -1,5 +1,4 @@
 use crate::live::{Handle, Knob, Live, Sight};
-use crate::roots;
 use crate::svg::{Drawing, View};
 use glam::{DVec3, dvec2};
 use step03_nearest::{Object, Ray, Sphere, nearest};
@@ -20,7 +19,8 @@ fn handle(k: usize) -> Handle {
 fn objects(values: &[f64]) -> [Object<usize>; 3] {
     [(0, 1.0), (1, 0.7), (2, 0.8)].map(|(k, radius)| {
         let centre = DVec3::new(values[2 * k], values[2 * k + 1], 0.0);
-        Object { sphere: Sphere { centre, radius }, material: k }
+        let sphere = Sphere { centre, radius };
+        Object { name: "sphere", sphere, material: k }
     })
 }
 
@@ -31,7 +31,7 @@ fn draw(values: &[f64]) -> Drawing {
     let at = |t: f64| view.at(ray.at(t).truncate());
     let seen = nearest(&objects, &ray);
     let mut drawing = Drawing::new(480.0, 210.0);
-    for Object { sphere, material: k } in &objects {
+    for Object { sphere, material: k, .. } in &objects {
         let is_seen = seen.is_some_and(|hit| hit.object.material == *k);
         let class = if is_seen { "object seen" } else { "object" };
         let centre = view.at(sphere.centre.truncate());
@@ -45,8 +45,8 @@ fn draw(values: &[f64]) -> Drawing {
     drawing.arrow("ray", at(0.0), at(7.2));
     drawing.dot("eye", at(0.0));
     drawing.label("strong", at(0.0) + dvec2(0.0, -12.0), "$S$");
-    let every = objects.iter().flat_map(|object| roots(&object.sphere, &ray));
-    let mut every: Vec<f64> = every.filter(|t| !t.is_nan()).collect();
+    let every = objects.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
+    let mut every: Vec<f64> = every.collect();
     every.sort_by(f64::total_cmp);
     // Where a label stands already, the next goes below; "t =" is the first.
     let mut taken = vec![at(0.0).x];

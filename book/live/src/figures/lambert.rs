@@ -2,7 +2,7 @@ use crate::live::{Handle, Knob, Live, Sight, digits};
 use crate::svg::{Drawing, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
-use step04_diffuse::{Attenuation, PointLight, Surface, diffuse};
+use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 
 /// As far below the ground as the light on the right is still in the drawing, in
 /// degrees.
@@ -123,5 +123,5 @@ fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light =
         PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };
-    diffuse(DVec3::Y, l.extend(0.0), 1.0, &Surface::of(DVec3::ONE), &light).x
+    diffuse(DVec3::Y, l.extend(0.0), 1.0, &Matte::of(DVec3::ONE), &light).x
 }

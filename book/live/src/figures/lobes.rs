@@ -2,7 +2,7 @@ use crate::live::{Handle, Knob, Live, Sight};
 use crate::svg::{Drawing, View, degrees_left};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
-use step05_phong::{Attenuation, Light, Material, PointLight, Surface, specular};
+use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
@@ -76,8 +76,8 @@ pub fn figure() -> Live {
 
 /// What the step's own specular term makes of a white light, seen along `v`.
 fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
-    let surface = Surface::of(DVec3::ZERO);
-    let material = Material { surface, specular: DVec3::ONE, shininess };
+    let matte = Matte::of(DVec3::ZERO);
+    let material = Material { matte, specular: DVec3::ONE, shininess };
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let point_light =
         PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };

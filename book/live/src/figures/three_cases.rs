@@ -1,8 +1,8 @@
+use crate::discriminant;
 use crate::live::{Handle, Knob, Live, Sight, digits};
 use crate::svg::{Drawing, View};
-use crate::{discriminant, roots};
 use glam::{DVec2, DVec3, dvec2};
-use step02_sphere::{Ray, Sphere};
+use step02_sphere::{Ray, Roots, Sphere};
 
 /// The start of a case's ray.
 fn handle((case, name): (usize, &str)) -> Handle {
@@ -51,10 +51,10 @@ fn words(ray: &Ray) -> [String; 2] {
         _ => " > 0",
     };
     let t = |t: f64| digits(2, t);
-    let count = match roots(&SPHERE, ray) {
-        [near, _] if near.is_nan() => "no root".to_string(),
-        [near, far] if near == far => format!("one root: {}", t(near)),
-        [near, far] => format!("two roots: {}, {}", t(near), t(far)),
+    let count = match SPHERE.intersect(ray) {
+        Roots::Zero => "no root".to_string(),
+        Roots::One(touch) => format!("one root: {}", t(touch)),
+        Roots::Two(near, far) => format!("two roots: {}, {}", t(near), t(far)),
     };
     [format!("$D$ = {}{sign}", t(d)), count]
 }
@@ -83,7 +83,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
         .map(|t| below.xy(t, a * t * t + b * t + c))
         .collect();
     drawing.path("curve", &curve);
-    for t in roots(&SPHERE, ray).into_iter().filter(|t| !t.is_nan()) {
+    for t in SPHERE.intersect(ray).iter() {
         let class = if t <= 0.0 { "behind" } else { "hit" };
         drawing.line("guide", on_ray(t), below.xy(t, 0.0));
         drawing.dot(class, on_ray(t));

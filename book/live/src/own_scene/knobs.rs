@@ -1,8 +1,10 @@
 use crate::live::Knob;
-use crate::pictures::{OBJECTS, pixel};
+use crate::pictures::pixel;
 use glam::DVec3;
 use std::sync::LazyLock;
-use step05_phong::{Attenuation, Light, Object, PointLight, Sphere, scene};
+use step05_phong::{
+    Attenuation, Light, OBJECTS, Object, PointLight, Sphere, scene,
+};
 
 /// How many numbers a sphere has, and a light.
 pub const SPHERE: usize = 10;
@@ -25,11 +27,9 @@ pub static KNOBS: LazyLock<Vec<Knob>> = LazyLock::new(|| {
     let angle = Knob::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0);
     put("camera", vec![angle]);
     put("ambient light", colour(RGB, scene.ambient_light.into(), 1.0).into());
-    for (name, Object { sphere, material }) in
-        OBJECTS.into_iter().zip(scene.objects)
-    {
+    for Object { name, sphere, material } in scene.objects {
         let Sphere { centre, radius } = sphere;
-        let colour = material.surface.diffuse.into();
+        let colour = material.matte.diffuse.into();
         let (r_s, n) = (material.specular.x, material.shininess.into());
         put(name, ball(true, centre.into(), radius, colour, r_s, n));
     }

@@ -12,8 +12,7 @@ use crate::pictures::{shaded, step01};
 use glam::{DVec2, DVec3};
 use knobs::{AMBIENT, FIELD_OF_VIEW, KNOBS, LIGHT, LIGHTS, SPHERE, SPHERES};
 use step05_phong::{
-    Attenuation, Camera, Light, Material, Object, PointLight, Scene, Sphere,
-    Surface,
+    Attenuation, Camera, Light, Material, Matte, Object, PointLight, Scene, Sphere,
 };
 
 /// The camera, whose picture has so many columns.
@@ -25,22 +24,26 @@ fn camera(values: &[f64], columns: f64) -> Camera {
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
     // The first number of a thing is a switch.
     let is_there = |thing: &&[f64]| thing[0] == 1.0;
-    let objects = values[SPHERES..LIGHTS].chunks(SPHERE);
+    let objects = (SPHERES..LIGHTS).step_by(SPHERE);
     let lights = values[LIGHTS..].chunks(LIGHT);
     Scene {
-        objects: objects.filter(is_there).map(object).collect(),
+        objects: objects
+            .filter(|&first| values[first] == 1.0)
+            .map(|first| object(KNOBS[first].group, &values[first..]))
+            .collect(),
         ambient_light: DVec3::from_slice(&values[AMBIENT..]),
         lights: lights.filter(is_there).map(light).collect(),
     }
 }
 
-fn object(values: &[f64]) -> Object<Material> {
+fn object(name: &'static str, values: &[f64]) -> Object<Material> {
     let centre = DVec3::from_slice(&values[1..]);
-    let surface = Surface::of(DVec3::from_slice(&values[7..]));
+    let matte = Matte::of(DVec3::from_slice(&values[7..]));
     let (specular, shininess) = (DVec3::splat(values[5]), values[6] as i32);
     Object {
+        name,
         sphere: Sphere { centre, radius: values[4] },
-        material: Material { surface, specular, shininess },
+        material: Material { matte, specular, shininess },
     }
 }
 

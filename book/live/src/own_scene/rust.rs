@@ -21,21 +21,22 @@ pub fn text(scene: &Scene<Material, Light>, degrees: f64) -> String {
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{{
-    Attenuation, Camera, Light, Material, Object, PointLight, Scene, Sphere,
-    Surface, colour, render, run,
+    Attenuation, Camera, Light, Material, Matte, Object, PointLight, Scene, Sphere,
+    colour, render, run,
 }};
 
 /// A ball of one colour that mirrors `r_s` of the light; `n` is its shininess.
 {ball_is_used}fn ball(
+    name: &'static str,
     centre: [f64; 3],
     radius: f64,
     colour: [f64; 3],
     r_s: f64,
     n: i32,
 ) -> Object<Material> {{
-    let (surface, specular) = (Surface::of(colour.into()), DVec3::splat(r_s));
-    let material = Material {{ surface, specular, shininess: n }};
-    Object {{ sphere: Sphere {{ centre: centre.into(), radius }}, material }}
+    let (matte, specular) = (Matte::of(colour.into()), DVec3::splat(r_s));
+    let material = Material {{ matte, specular, shininess: n }};
+    Object {{ name, sphere: Sphere {{ centre: centre.into(), radius }}, material }}
 }}
 
 /// A lamp: where it is, L_d, L_s, and a, b and c.
@@ -85,10 +86,10 @@ fn list(items: impl Iterator<Item = String>) -> String {
 }
 
 /// A call of `ball`.
-fn ball(Object { sphere, material }: &Object<Material>) -> String {
-    let (centre, colour) = (array(sphere.centre), array(material.surface.diffuse));
+fn ball(Object { name, sphere, material }: &Object<Material>) -> String {
+    let (centre, colour) = (array(sphere.centre), array(material.matte.diffuse));
     let (r_s, n) = (material.specular.x, material.shininess);
-    format!("ball({centre}, {:?}, {colour}, {r_s:?}, {n})", sphere.radius)
+    format!("ball({name:?}, {centre}, {:?}, {colour}, {r_s:?}, {n})", sphere.radius)
 }
 
 /// A call of `lamp`, with a line for each of its arguments.

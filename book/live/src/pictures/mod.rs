@@ -24,22 +24,9 @@ pub fn all() -> [Live; 5] {
     ]
 }
 
-/// What the objects of the scene are called, in their order.
-pub const OBJECTS: [&str; 9] = [
-    "red sphere",
-    "ground",
-    "golden sphere",
-    "blue sphere",
-    "green sphere",
-    "teal sphere",
-    "white sphere",
-    "salmon sphere",
-    "cream sphere",
-];
-
-/// What the chapters call them, for short.
-pub fn object_names() -> [&'static str; 9] {
-    OBJECTS.map(|name| name.trim_end_matches(" sphere"))
+/// The name that the chapters give an object: a sphere is called by its colour.
+pub fn short_name(name: &str) -> &str {
+    name.trim_end_matches(" sphere")
 }
 
 /// What `camera` sees of a scene of step 5, one ray a pixel. In a page, the example

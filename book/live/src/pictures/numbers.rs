@@ -1,18 +1,17 @@
-use super::{met, pixel};
+use super::{met, pixel, short_name};
+use crate::discriminant;
 use crate::live::{Numbers, named, number, vector};
-use crate::{discriminant, roots};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step05_phong::{
     Light, Material, Object, Scene, SurfacePoint, phong, reflect, visible_point,
 };
 
-/// Everything on the way from a pixel of a scene to its three bytes. `names` are those
-/// of the objects, and `shading` is what there is between the nearest hit and the sum.
+/// Everything on the way from a pixel of a scene to its three bytes; `shading` is what
+/// there is between the nearest hit and the sum.
 pub fn numbers<M>(
     values: &[f64],
     objects: &[Object<M>],
-    names: &[&str],
     shading: impl FnOnce(&Ray) -> Option<Numbers>,
     colour: impl Fn(&Ray) -> DVec3,
 ) -> Numbers {
@@ -28,14 +27,16 @@ pub fn numbers<M>(
         let (a, b, c) = sphere.coefficients(&ray);
         let d = discriminant(sphere, &ray);
         let row = ["a", "b", "c", "D"].into_iter().zip([a, b, c, d].map(number));
-        let roots = ["near", "far"].into_iter().zip(roots(sphere, &ray).map(root));
+        let roots = sphere.intersect(&ray);
+        let roots = [roots.iter().next(), roots.iter().last()].map(root);
+        let roots = ["near", "far"].into_iter().zip(roots);
         let row = row.chain(roots);
         numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
     // What the ray meets, or else the colour of the sky; what there is not is empty.
     let (mut which, mut t, mut sky) = Default::default();
     if let Some((k, hit)) = met(objects, &ray) {
-        (which, t) = (names[k], number(hit));
+        (which, t) = (short_name(objects[k].name), number(hit));
     } else {
         sky = vector(direction_colour(&ray));
     }
@@ -45,8 +46,8 @@ pub fn numbers<M>(
 }
 
 /// A root, or what is written where there is none.
-fn root(t: f64) -> String {
-    if t.is_nan() { "–".to_string() } else { number(t) }
+fn root(t: Option<f64>) -> String {
+    t.map_or("–".to_string(), number)
 }
 
 /// From the point that a ray sees to what each lamp adds, and the terms.
@@ -72,7 +73,7 @@ pub fn shading(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Numbers> {
         let numbers = [
             ("l", vector(l)),
             ("d", number(d)),
-            ("divisor", number(light.point_light.attenuation.at(d))),
+            ("divisor", number(light.point_light.attenuation.divisor(d))),
             ("nl", number(n.dot(l))),
             ("diffuse", vector(alone.diffuse)),
             ("r", vector(r)),

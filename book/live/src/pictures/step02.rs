@@ -31,9 +31,9 @@ pub fn picture() -> Live {
         handles: vec![pixel::cross(), centre],
         numbers: |values| {
             let sphere = sphere(values);
-            let object = Object { sphere, material: () };
+            let object = Object { name: "the sphere", sphere, material: () };
             let colour = |ray: &_| colour(&sphere, ray);
-            numbers(values, &[object], &["the sphere"], |_| None, colour)
+            numbers(values, &[object], |_| None, colour)
         },
         ..Live::new("step02_sphere", |values| {
             let sphere = sphere(values);

@@ -1,5 +1,5 @@
 use super::numbers::numbers;
-use super::{object_names, pixel};
+use super::pixel;
 use crate::figures::from_above;
 use crate::live::{Live, Sight};
 use step03_nearest::{OBJECTS, colour, render};
@@ -10,9 +10,8 @@ pub fn picture() -> Live {
         knobs: pixel::knobs(470.0, 120.0),
         handles: vec![pixel::cross()],
         numbers: |values| {
-            let (objects, names) = (OBJECTS, object_names());
-            let colour = |ray: &_| colour(&objects, ray);
-            numbers(values, &objects, &names, |_| None, colour)
+            let colour = |ray: &_| colour(&OBJECTS, ray);
+            numbers(values, &OBJECTS, |_| None, colour)
         },
         beside: Some(("from-above", from_above)),
         ..Live::new("step03_nearest", |values| {

@@ -1,14 +1,12 @@
 use super::numbers::{numbers, shading};
-use super::{object_names, pixel};
+use super::pixel;
 use crate::live::{Handle, Knob, Live, Sight};
 use glam::{DVec2, DVec3};
-use step04_diffuse::{
-    COOL, Object, PointLight, Ray, Scene, Surface, WARM, colour, render,
-};
+use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};
 use step05_phong::{Light, Material};
 
 /// The scene with its lamps where these values have them.
-fn scene(values: &[f64]) -> Scene<Surface, PointLight> {
+fn scene(values: &[f64]) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
     for (light, first) in scene.lights.iter_mut().zip([3, 6]) {
         light.position = DVec3::from_slice(&values[first..]);
@@ -33,13 +31,12 @@ fn handle(words: &str, x: usize) -> Handle {
 }
 
 /// The same for step 5, in which nothing shines.
-fn matt(scene: &Scene<Surface, PointLight>) -> Scene<Material, Light> {
+fn matte(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     let specular = DVec3::ZERO;
-    let objects =
-        scene.objects.iter().map(|&Object { sphere, material: surface }| Object {
-            sphere,
-            material: Material { surface, specular, shininess: 1 },
-        });
+    let objects = scene.objects.iter().map(|object| {
+        let matte = object.material;
+        object.with_material(Material { matte, specular, shininess: 1 })
+    });
     let lights = scene.lights.iter();
     Scene {
         objects: objects.collect(),
@@ -72,9 +69,9 @@ pub fn picture() -> Live {
         handles: [pixel::cross()].into_iter().chain(lamps).collect(),
         numbers: |values| {
             let scene = scene(values);
-            let shading = |ray: &Ray| shading(&matt(&scene), ray);
+            let shading = |ray: &Ray| shading(&matte(&scene), ray);
             let colour = |ray: &Ray| colour(&scene, ray);
-            numbers(values, &scene.objects, &object_names(), shading, colour)
+            numbers(values, &scene.objects, shading, colour)
         },
         ..Live::new("step04_diffuse", |values| {
             let (camera, scene) = (pixel::camera(values), scene(values));

@@ -1,8 +1,8 @@
 use super::numbers::{numbers, shading};
-use super::{OBJECTS, met, object_names, pixel, shaded};
+use super::{pixel, shaded};
 use crate::live::{Knob, Live};
 use glam::DVec3;
-use step05_phong::{Light, Material, Ray, Scene, colour};
+use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest};
 
 /// The scene in the light of the terms that are switched on, that of the others being 0;
 /// each object has the n and the R_s of these values.
@@ -29,11 +29,11 @@ fn knobs(
     steps: f64,
 ) -> impl Iterator<Item = Knob> {
     let objects = step05_phong::scene().objects.into_iter();
-    objects.zip(OBJECTS).map(move |(object, name)| Knob {
-        words: format!("of the {name}"),
+    objects.map(move |object| Knob {
+        words: format!("of the {}", object.name),
         is_shown: |knob, values| {
-            let met = met(&step05_phong::scene().objects, &pixel::ray(values));
-            met.is_some_and(|(k, _)| knob.words.ends_with(OBJECTS[k]))
+            let hit = nearest(&OBJECTS, &pixel::ray(values));
+            hit.is_some_and(|hit| knob.words.ends_with(hit.object.name))
         },
         ..Knob::new([symbol, "", ""], value(&object.material), range, steps)
     })
@@ -54,7 +54,7 @@ pub fn picture() -> Live {
             let scene = scene(values);
             let shading = |ray: &Ray| shading(&scene, ray);
             let colour = |ray: &Ray| colour(&scene, ray);
-            numbers(values, &scene.objects, &object_names(), shading, colour)
+            numbers(values, &scene.objects, shading, colour)
         },
         ..Live::new("step05_phong", |values| {
             shaded(&pixel::camera(values), &scene(values))
