@@ -1,4 +1,7 @@
 //! Step 1, stage 1 of the lecture "Ray Casting": generate the rays from the eye.
+//!
+//! A [`Camera`] gives the [`Ray`] through any place (i, j) of a picture, from C along
+//! [D_u D_v V_0] (i, j, 1)ᵀ. [`render`] draws any function from rays to colours.
 
 mod ray;
 pub use ray::Ray;

@@ -19,29 +19,21 @@ pub fn draw_pixels(
     image
 }
 
-/// The centres of a pixel's sub-pixels, a grid of `samples` × `samples`: how far each is
-/// to the right of the pixel's own centre, and how far below.
+/// The centres of `samples` × `samples` sub-pixels, row by row: how far each is to the
+/// right of the pixel's own centre, and how far below.
 /// # Panics
 /// Where `samples` is 0: a pixel without a ray has no colour.
 pub fn sub_pixels(samples: u32) -> Vec<(f64, f64)> {
     assert!(0 < samples, "a pixel needs a ray");
     let side = f64::from(samples);
     let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    let mut centres = vec![];
-    for v in (0..samples).map(offset) {
-        for u in (0..samples).map(offset) {
-            centres.push((u, v));
-        }
-    }
-    centres
+    let place = |k: u32| (offset(k % samples), offset(k / samples));
+    (0..samples * samples).map(place).collect()
 }
 
 /// The mean of `colour(u, v)` for all (u, v) of a list, such as `sub_pixels` makes.
 pub fn mean(places: &[(f64, f64)], colour: impl Fn(f64, f64) -> DVec3) -> DVec3 {
-    let mut sum = DVec3::ZERO;
-    for &(u, v) in places {
-        sum += colour(u, v);
-    }
+    let sum: DVec3 = places.iter().map(|&(u, v)| colour(u, v)).sum();
     sum / places.len() as f64
 }
 

@@ -3,8 +3,10 @@ use glam::DVec3;
 
 /// A sphere, all points at the same distance from its centre (slide "The Sphere").
 /// ```
-/// let ahead = step02_sphere::Camera::new(3, 3, 1.0).ray(1.0, 1.0);
-/// assert_eq!(step02_sphere::SPHERE.intersect(&ahead).first_hit(), Some(4.0));
+/// use {glam::DVec3, step02_sphere::{Ray, Sphere}};
+/// let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
+/// let sphere = Sphere { centre: DVec3::new(4.0, 0.0, 0.0), radius: 1.0 };
+/// assert_eq!(sphere.coefficients(&ray), (1.0, -8.0, 15.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {

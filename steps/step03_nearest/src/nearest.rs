@@ -13,7 +13,7 @@ pub struct Hit<'a, M> {
 /// ```
 /// use step03_nearest::{Camera, OBJECTS, nearest};
 /// let golden = Camera::new(640, 360, 60_f64.to_radians()).ray(362.0, 286.0);
-/// assert_eq!(nearest(&OBJECTS, &golden).map(|hit| hit.object), Some(&OBJECTS[2]));
+/// assert_eq!(nearest(&OBJECTS, &golden).unwrap().object.name, "golden sphere");
 /// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
     let mut best: Option<Hit<M>> = None;

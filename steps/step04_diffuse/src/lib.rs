@@ -1,4 +1,7 @@
 //! Step 4, stage 3 of the lecture "Ray Casting": ambient and diffuse light.
+//!
+//! What a ray sees is the [`SurfacePoint`] of its nearest hit, in the light of a
+//! [`Scene`]: R_a L_a, and R_d / (a + bd + cd²) · max(n·l, 0) · L_d of each light.
 
 pub use step03_nearest::{
     Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, draw_pixels, mean,

@@ -1,6 +1,10 @@
 use glam::DVec3;
 
 /// How light fades with distance: it is divided by a + bd + cd².
+/// ```
+/// let fades = step04_diffuse::Attenuation { a: 1.0, b: 0.0, c: 0.25 };
+/// assert_eq!(fades.divisor(2.0), 2.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation {
     /// The part that does not change with distance.

@@ -23,13 +23,6 @@ impl Phong {
 
 /// The light that comes back along `ray` from `point` (slide "Phong Lighting").
 /// A light behind the surface gives no highlight; the slide has no such rule.
-/// ```
-/// use step05_phong::{Camera, phong, scene, visible_point};
-/// let (scene, ray) = (scene(), Camera::new(3, 3, 1.0).ray(1.0, 1.0));
-/// let point = visible_point(&scene.objects, &ray).expect("the red sphere");
-/// let terms = phong(&point, &ray, scene.ambient_light, &[]);
-/// assert_eq!(terms.sum(), terms.ambient);
-/// ```
 pub fn phong(
     point: &SurfacePoint<Material>,
     ray: &Ray,

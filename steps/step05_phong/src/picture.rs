@@ -12,6 +12,13 @@ pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Phong> {
 }
 
 /// The colour that `ray` sees: the sum of the terms, or else its own direction.
+/// ```
+/// use step05_phong::{Camera, colour, render, scene};
+/// let (mut scene, camera) = (scene(), Camera::new(64, 36, 60_f64.to_radians()));
+/// scene.lights.truncate(1); // the warm one
+/// let image = render(&camera, 1, |ray| colour(&scene, ray));
+/// # assert_ne!(image, step05_phong::picture(&camera, 1));
+/// ```
 pub fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     match terms(scene, ray) {
         Some(terms) => terms.sum(),
