@@ -37,7 +37,8 @@ fn png(name: &str) -> Result<String, &'static str> {
     if is_png { Ok(name.into()) } else { Err("allowed are names that end in .png") }
 }
 
-/// The program around a picture; it exits with 1 where the file can't be written.
+/// The program around a picture: draws it as its options say, and saves `name`.png or
+/// what `--output` says; it exits with 1 where the file can't be written.
 pub fn run(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let Options { width, aspect, fov, samples, output } = Options::parse();
     let file = output.unwrap_or_else(|| format!("{name}.png"));
