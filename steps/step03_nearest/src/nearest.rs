@@ -19,7 +19,7 @@ pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>>
     let mut best: Option<Hit<M>> = None;
     for object in objects {
         if let Some(t) = object.sphere.intersect(ray).first_hit()
-            && best.as_ref().is_none_or(|hit| t < hit.t)
+            && t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)
         {
             best = Some(Hit { t, object });
         }
