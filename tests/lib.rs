@@ -11,10 +11,3 @@ pub use locked::{assert_locked, locked};
 pub use locked_pictures::{LockedPicture, locked_pictures};
 pub use program::{Program, assert_program};
 pub use rays::{point, rays, rays_of_camera, sphere, unit};
-
-use std::env;
-
-/// Whether all cases of long lists are tried, as before a change lands: THOROUGH is set.
-pub fn is_thorough() -> bool {
-    env::var_os("THOROUGH").is_some()
-}

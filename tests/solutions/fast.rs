@@ -5,7 +5,7 @@ use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};
 use step05_phong::*;
-use tests::{is_thorough, point, sphere, unit};
+use tests::{point, sphere, unit};
 
 /// The sets of instructions that this machine has.
 fn levels() -> Vec<Level> {
@@ -107,10 +107,22 @@ fn scenes() -> impl Strategy<Value = Lit> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(if is_thorough() { 256 } else { 50 }))]
+    #![proptest_config(ProptestConfig::with_cases(50))]
 
     #[test]
     fn it_draws_any_scene_at_any_size(
+        camera in cameras(), scene in scenes(), samples in 1..4_u32
+    ) {
+        prop_assert_eq!(difference(&camera, samples, &scene), None);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    #[ignore = "takes a minute: cargo test -- --include-ignored"]
+    fn it_draws_many_scenes_at_any_size(
         camera in cameras(), scene in scenes(), samples in 1..4_u32
     ) {
         prop_assert_eq!(difference(&camera, samples, &scene), None);

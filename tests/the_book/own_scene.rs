@@ -60,8 +60,9 @@ fn fault(typist: &Typist, values: &[f64]) -> Option<String> {
     }
 }
 
-/// Fails unless the Rust that the page writes draws what it shows.
-pub fn the_rust_of_a_scene_draws_it() {
+#[test]
+#[ignore = "takes a minute: cargo test -- --include-ignored"]
+fn the_rust_of_a_scene_draws_it() {
     let empty = without(|knob| !knob.choices.is_empty());
     let in_a_sphere = without(|knob| {
         knob.group == "red sphere" && ["x", "y", "z"].contains(&knob.symbol)

@@ -3,14 +3,12 @@
 
 use super::built::book;
 use super::listing::{Listing, joined};
-use super::own_scene;
 use super::reading::{Asked, Event, events};
 use super::source::SOURCE;
 use super::typist::{STEPS, State, Typist};
 use ::book::Page;
 use anyhow::{Context, Result, ensure};
 use std::collections::BTreeMap;
-use tests::is_thorough;
 
 /// What was typed of each file.
 pub type Typed<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
@@ -79,14 +77,6 @@ fn states() -> Vec<State> {
     states
 }
 
-/// Types the whole book, and does what it says.
-fn type_book() -> Result<()> {
-    let (book, typist) = (book(), Typist::new());
-    let mut typed = Typed::new();
-    let mut pages = book.chapters().into_iter();
-    pages.try_for_each(|page| type_page(page, &typist, &mut typed))
-}
-
 /// A reader's workspace, once the whole book is typed.
 pub fn whole() -> Typist {
     let (book, typist) = (book(), Typist::new());
@@ -98,17 +88,21 @@ pub fn whole() -> Typist {
     typist
 }
 
-/// All that is typed, in one test: it goes into one folder, so that little is compiled
-/// twice, and other tests go on while Cargo is waited for. To run each command takes long
-/// even so.
+// Each of these has the one folder of the reader for itself, so that little is compiled
+// twice: the next waits.
+
 #[test]
-fn the_book_suffices() -> Result<()> {
+fn each_state_of_a_crate_compiles() -> Result<()> {
     let states = states();
     assert!(30 <= states.len());
-    whole().check_states(&states)?;
-    if is_thorough() {
-        type_book()?;
-        own_scene::the_rust_of_a_scene_draws_it();
-    }
-    Ok(())
+    whole().check_states(&states)
+}
+
+#[test]
+#[ignore = "takes minutes: cargo test -- --include-ignored"]
+fn each_command_does_what_its_page_says() -> Result<()> {
+    let (book, typist) = (book(), Typist::new());
+    let mut typed = Typed::new();
+    let mut pages = book.chapters().into_iter();
+    pages.try_for_each(|page| type_page(page, &typist, &mut typed))
 }
