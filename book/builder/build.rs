@@ -1,6 +1,6 @@
 use crate::files::CHAPTERS;
-use crate::preprocessor::{Course, report};
-use crate::{Files, Page, Site, links, picture, print, search, styles};
+use crate::preprocessor::{Course, fail_with_faults};
+use crate::{Files, Page, Site, inline_styles, links, paper_page, picture, search};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -12,29 +12,30 @@ use std::{fs, process};
 /// It is written beside the folder and put in place when it is whole, so that a fault
 /// leaves the book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
-    let draft = sibling(folder, "draft");
+    let draft = sibling_folder(folder, "draft");
     let built = write_pages(workspace, &draft);
-    let placed = built.and_then(|site| replace(folder, &draft).map(|()| site));
+    let placed =
+        built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
     let _ = fs::remove_dir_all(&draft);
     placed
 }
 
 /// The name of a folder beside `folder` that no other process takes.
-fn sibling(folder: &Path, what: &str) -> PathBuf {
+fn sibling_folder(folder: &Path, what: &str) -> PathBuf {
     folder.with_extension(format!("{what}-{}", process::id()))
 }
 
 /// Moves the folder `new` to `folder`, and removes the one that was there.
-fn replace(folder: &Path, new: &Path) -> Result<()> {
-    let old = sibling(folder, "old");
-    let moved = (0..10).find_map(|_| {
+fn replace_folder(folder: &Path, new: &Path) -> Result<()> {
+    let old = sibling_folder(folder, "old");
+    let result = (0..10).find_map(|_| {
         // Another process may put its own in place between these two.
         let _ = fs::rename(folder, &old);
-        let moved = fs::rename(new, folder);
+        let renamed = fs::rename(new, folder);
         let _ = fs::remove_dir_all(&old);
-        moved.ok()
+        renamed.ok()
     });
-    moved.with_context(|| format!("{} can't be replaced", folder.display()))
+    result.with_context(|| format!("{} can't be replaced", folder.display()))
 }
 
 /// Writes all pages into `folder`. A fault in a chapter stops it before any page is
@@ -49,7 +50,7 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let html: Vec<_> = files.texts(".html").collect();
     let pages = html.into_par_iter().map(|(name, html)| {
         let mut page = Page::new(name, html);
-        finish(&mut page, &files)?;
+        finish_page(&mut page, &files)?;
         let html = page.html.html();
         fs::write(folder.join(name), &html).with_context(|| name.to_owned())?;
         Ok((page, html))
@@ -64,20 +65,20 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     files.0.insert(search::INDEX.to_owned(), index.into_bytes());
     site.files = files;
     let chapters = Files::read(&workspace.join(CHAPTERS))?;
-    report(&links::faults(&site, &chapters))?;
+    fail_with_faults(&links::faults(&site, &chapters))?;
     Ok(site)
 }
 
-/// What is done to a page that mdBook has written.
-fn finish(page: &mut Page, files: &Files) -> Result<()> {
+/// Finishes a page that mdBook has written.
+fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
     // mdBook puts the title of a part into an item of its own, and HTML has no such item.
     page.change("li:empty", |_| String::new());
     match page.name.as_str() {
         "toc.html" => return Ok(()),
-        "print.html" => print::arrange(page)?,
+        "print.html" => paper_page::arrange(page)?,
         _ => {}
     }
-    styles::inline(page, files)?;
+    inline_styles::inline(page, files)?;
     // What may scroll sideways takes the focus, so that the keyboard can scroll it.
     for (selector, tag) in
         [("pre", "<pre"), (".table-wrapper", "<div"), (".formula", "<span")]

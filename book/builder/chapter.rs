@@ -1,10 +1,12 @@
-use crate::markdown::{self, directive};
-use crate::{check, details, figure, formula, listing, mistakes, numbers, picture};
+use crate::markdown::{self, parse_directive};
+use crate::{
+    check_form, figure, folded_box, formula, listing, mistakes, numbers, picture,
+};
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 use std::path::Path;
 
-/// What is wrong in a chapter: where, and what it is.
+/// A fault in a chapter: where it is, and a sentence about it.
 type Fault = (usize, String);
 
 /// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
@@ -13,9 +15,9 @@ pub fn expand(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
     let (edits, faults, code, listings, open_box) = Default::default();
     let mut chapter =
         Chapter { text, workspace, edits, faults, code, listings, open_box };
-    chapter.read();
-    chapter.numbers();
-    chapter.finish()
+    chapter.expand_blocks();
+    chapter.fill_placeholders();
+    chapter.apply_edits()
 }
 
 /// A chapter as it is read once, from top to bottom.
@@ -29,13 +31,13 @@ struct Chapter<'a> {
     code: Vec<Range<usize>>,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// Where the box begins that is open.
+    /// The place where the open box begins.
     open_box: Option<usize>,
 }
 
-/// What a part of a chapter turns out to be.
+/// A part of a chapter, by what becomes of it.
 enum Part {
-    /// Something that stays as it is.
+    /// Text that stays as it is.
     Plain,
     /// Code, in which nothing but numbers is looked for.
     Code,
@@ -46,38 +48,38 @@ enum Part {
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
 impl Chapter<'_> {
-    fn read(&mut self) {
+    fn expand_blocks(&mut self) {
         let events = Parser::new_ext(self.text, markdown::options());
         let events: Vec<_> = events.into_offset_iter().collect();
-        let mut from = 0;
+        let mut end_of_last = 0;
         for (index, (event, range)) in events.iter().enumerate() {
-            if range.start < from {
+            if range.start < end_of_last {
                 continue;
             }
-            match self.part(event, &events[index..], range) {
+            match self.replacement(event, &events[index..], range) {
                 Part::Plain => continue,
                 Part::Code => self.code.push(range.clone()),
-                Part::Replaced(with) => {
-                    let with = self.or_fault(range.start, with);
-                    self.edits.push((range.clone(), with));
+                Part::Replaced(text) => {
+                    let text = self.text_or_fault(range.start, text);
+                    self.edits.push((range.clone(), text));
                 }
             }
-            from = range.end;
+            end_of_last = range.end;
         }
         if let Some(at) = self.open_box {
             self.faults.push((at, "the box has no {{#end}}".to_owned()));
         }
     }
 
-    /// What is to stand at a place, or nothing and a fault.
-    fn or_fault(&mut self, at: usize, with: Result<String, String>) -> String {
-        with.unwrap_or_else(|what| {
-            self.faults.push((at, what));
+    /// The text for a place; an empty one, and a fault, for an error.
+    fn text_or_fault(&mut self, at: usize, text: Result<String, String>) -> String {
+        text.unwrap_or_else(|fault| {
+            self.faults.push((at, fault));
             String::new()
         })
     }
 
-    fn part(
+    fn replacement(
         &mut self,
         event: &Event,
         events: &Events,
@@ -85,26 +87,32 @@ impl Chapter<'_> {
     ) -> Part {
         let source = &self.text[range.clone()];
         Part::Replaced(match event {
-            Event::Start(Tag::CodeBlock(kind)) => return self.fence(kind, source),
-            Event::Start(Tag::Paragraph) => match self.paragraph(events, range) {
-                Some(html) => html.map(|html| format!("\n{html}\n")),
-                None => return Part::Plain,
-            },
+            Event::Start(Tag::CodeBlock(kind)) => {
+                return self.expand_fence(kind, source);
+            }
+            Event::Start(Tag::Paragraph) => {
+                match self.expand_paragraph(events, range) {
+                    Some(html) => html.map(|html| format!("\n{html}\n")),
+                    None => return Part::Plain,
+                }
+            }
             Event::Start(Tag::Image { dest_url, title, .. }) => {
                 let picture = picture::Picture::new(source, dest_url, title);
                 picture.html(self.workspace)
             }
             Event::InlineMath(latex) => formula::mathml(latex, false),
             Event::DisplayMath(latex) => formula::mathml(latex, true),
-            Event::Code(code) if is_name(code) => Ok(markdown::name(code)),
+            Event::Code(code) if is_breakable_name(code) => {
+                Ok(markdown::code_with_break_hints(code))
+            }
             Event::Code(_) => return Part::Code,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 if let Some(at) = source.find('$')
                     && !self.text[..range.start + at].ends_with(['\\', '$'])
                 {
-                    let what = "a $ that is no formula is written \\$, and a formula \
+                    let fault = "a $ that is no formula is written \\$, and a formula \
                                 has its end, pairs of braces, and no HTML around it";
-                    self.faults.push((range.start + at, what.to_owned()));
+                    self.faults.push((range.start + at, fault.to_owned()));
                 }
                 return Part::Plain;
             }
@@ -113,15 +121,15 @@ impl Chapter<'_> {
     }
 
     /// A fence: an include becomes a listing, commands get a caption.
-    fn fence(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
+    fn expand_fence(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
         let CodeBlockKind::Fenced(info) = kind else { return Part::Code };
-        let (language, whose) = info.split_once(',').unwrap_or((info, ""));
+        let (language, folder) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let html = if content.trim_start().starts_with("{{#include") {
             listing::html(language, &content, self.workspace, &mut self.listings)
         } else if language == "console" {
-            console(whose, &content)
+            console_figure(folder, &content)
         } else {
             return Part::Code;
         };
@@ -129,27 +137,27 @@ impl Chapter<'_> {
     }
 
     /// A paragraph that is one directive, or nothing but pictures.
-    fn paragraph(
+    fn expand_paragraph(
         &mut self,
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
         let source = self.text[range.clone()].trim();
-        let (kind, words) = directive(source).unwrap_or_default();
+        let (kind, words) = parse_directive(source).unwrap_or_default();
         Some(match (kind, words.trim()) {
             ("figure", name) => figure::html(name),
-            ("check", name) => check::html(name, self.workspace),
+            ("check", name) => check_form::html(name, self.workspace),
             ("mistakes", step) => mistakes::html(step, self.workspace),
             ("listing", words) => listing::moving(words, &mut self.listings),
-            ("by-hand", test) => Ok(by_hand(test)),
-            ("rust", words) => markdown::inline(words).map(|words| {
+            ("by-hand", test) => Ok(by_hand_note(test)),
+            ("rust", words) => markdown::inline_html(words).map(|words| {
                 format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")
             }),
             ("end", _) => match self.open_box.take() {
                 Some(_) => Ok("</details>\n".to_owned()),
                 None => Err("{{#end}} without a box to end".to_owned()),
             },
-            (kind, words) => match details::html(kind, words) {
+            (kind, words) => match folded_box::html(kind, words) {
                 Some(_) if self.open_box.is_some() => {
                     Err("a box can't hold another box".to_owned())
                 }
@@ -157,14 +165,14 @@ impl Chapter<'_> {
                     self.open_box = Some(range.start);
                     html
                 }
-                None => return self.pictures(events, range),
+                None => return self.expand_pictures(events, range),
             },
         })
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live}}`, that
     /// they answer, or by `{{#live own_scene}}`, what does.
-    fn pictures(
+    fn expand_pictures(
         &self,
         events: &Events,
         range: &Range<usize>,
@@ -180,7 +188,7 @@ impl Chapter<'_> {
                 rest = rest.replacen(markdown, "", 1);
             }
         }
-        let live = directive(rest.trim()).filter(|(kind, _)| *kind == "live");
+        let live = parse_directive(rest.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || rest.trim().is_empty();
         let live = live.map(|(_, name)| name);
         (is_whole && !pictures.is_empty())
@@ -188,27 +196,27 @@ impl Chapter<'_> {
     }
 
     /// Puts numbers in place, and finds directives that are left.
-    fn numbers(&mut self) {
+    fn fill_placeholders(&mut self) {
         let text = self.text;
-        let done: Vec<_> =
+        let replaced: Vec<_> =
             self.edits.iter().map(|(range, _)| range.clone()).collect();
         let inside = |ranges: &[Range<usize>], at| {
             ranges.iter().any(|one| one.contains(&at))
         };
         for (at, _) in text.match_indices("{{#") {
-            if inside(&done, at) {
+            if inside(&replaced, at) {
                 continue;
             }
             let end = text[at..].find("}}").map_or(text.len(), |end| at + end + 2);
             let minus = if inside(&self.code, at) { "-" } else { "−" };
-            let with = numbers::in_text(&text[at..end], minus);
-            let with = self.or_fault(at, with);
-            self.edits.push((at..end, with));
+            let number = numbers::in_text(&text[at..end], minus);
+            let number = self.text_or_fault(at, number);
+            self.edits.push((at..end, number));
         }
     }
 
     /// The chapter, with every edit made.
-    fn finish(mut self) -> (String, Vec<Fault>) {
+    fn apply_edits(mut self) -> (String, Vec<Fault>) {
         self.edits.sort_by_key(|(range, _)| range.start);
         let mut markdown = String::new();
         let mut from = 0;
@@ -235,21 +243,21 @@ impl Chapter<'_> {
 }
 
 /// Whether code is a name such as `Ray::at`, which may be broken.
-fn is_name(code: &str) -> bool {
+fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
 }
 
 /// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
-fn by_hand(test: &str) -> String {
-    let name = markdown::name(test);
+fn by_hand_note(test: &str) -> String {
+    let name = markdown::code_with_break_hints(test);
     format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
 }
 
-/// Commands, under a caption that says in whose folder they are meant, the reader's
+/// Commands, under a caption that says in folder folder they are meant, the reader's
 /// or ours.
-fn console(whose: &str, commands: &str) -> Result<String, String> {
-    let (whose, caption) = match whose {
+fn console_figure(folder: &str, commands: &str) -> Result<String, String> {
+    let (folder, caption) = match folder {
         "yours" => ("yours", "in your folder"),
         "yours,refused" => ("yours refused", "in your folder"),
         "yours,fails" => ("yours fails", "in your folder"),
@@ -257,7 +265,7 @@ fn console(whose: &str, commands: &str) -> Result<String, String> {
         _ => return Err("a console is console,yours or console,ours".to_string()),
     };
     Ok(format!(
-        "<figure class=\"console\" data-folder=\"{whose}\">\
+        "<figure class=\"console\" data-folder=\"{folder}\">\
          <figcaption>{caption}</figcaption>\n\n\
          ```console\n{commands}\n```\n\n</figure>\n"
     ))

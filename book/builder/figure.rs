@@ -1,5 +1,5 @@
 use crate::controls;
-use crate::markdown::inline;
+use crate::markdown::inline_html;
 use live::{LIVE, Live, Sight};
 
 /// The HTML of the figure called `name`.
@@ -19,6 +19,6 @@ pub fn html(name: &str) -> Result<String, String> {
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{knobs}\
          <figcaption>{}</figcaption></figure>\n",
         drawing.html(figure.title),
-        inline(figure.caption)?
+        inline_html(figure.caption)?
     ))
 }

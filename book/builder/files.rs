@@ -6,7 +6,7 @@ use std::{fs, io};
 pub const CHAPTERS: &str = "book/chapters/";
 
 /// The path to which `path` leads from the file or folder/ `from`.
-pub fn joined(from: &str, path: &str) -> String {
+pub fn resolve_path(from: &str, path: &str) -> String {
     let mut parts: Vec<&str> = from.split('/').collect();
     parts.pop();
     for part in path.split('/') {

@@ -11,7 +11,7 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
             format!("the formula {} does not parse: {error}", latex.trim())
         })
     })?;
-    let mathml = escape(&mathml);
+    let mathml = escape_markdown(&mathml);
     Ok(if display {
         format!(r#"<span class="formula">{mathml}</span>"#)
     } else {
@@ -21,7 +21,7 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
 
 /// Writes as entities what Markdown would read as markup between the tags of
 /// `mathml`.
-fn escape(mathml: &str) -> String {
+fn escape_markdown(mathml: &str) -> String {
     let mut escaped = String::with_capacity(mathml.len());
     let mut in_tag = false;
     for c in mathml.chars() {

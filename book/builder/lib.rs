@@ -31,24 +31,24 @@ mod markdown;
 mod numbers;
 mod values;
 
-mod check;
+mod check_form;
 mod controls;
-mod details;
 mod figure;
+mod folded_box;
 mod listing;
 mod mistakes;
 mod picture;
-mod this_pixel;
+mod pixel_panel;
 
 mod chapter;
 
-mod assets;
+mod generated_files;
 mod preprocessor;
 
+mod inline_styles;
 mod links;
-mod print;
+mod paper_page;
 mod search;
-mod styles;
 
 mod build;
 

@@ -1,7 +1,7 @@
 //! Every link, anchor and picture leads to something in the book, and nothing is
 //! fetched from elsewhere.
 
-use crate::files::{CHAPTERS, joined};
+use crate::files::{CHAPTERS, resolve_path};
 use crate::{Files, Page, Site, text};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
@@ -14,11 +14,11 @@ pub fn faults(site: &Site, chapters: &Files) -> Vec<String> {
     let is_copy =
         |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
     let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
-    let faults = faults_of(site, chapters, &pages);
-    if faults.is_empty() { faults_of(site, chapters, &copies) } else { faults }
+    let faults = page_faults(site, chapters, &pages);
+    if faults.is_empty() { page_faults(site, chapters, &copies) } else { faults }
 }
 
-fn faults_of(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
+fn page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
         page.all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
     });
@@ -27,15 +27,15 @@ fn faults_of(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
     for page in pages {
         for element in page.html.root_element().descendent_elements() {
             for address in addresses(element) {
-                let what = resolve(site, &ids, &page.name, &address);
+                let fault = address_fault(site, &ids, &page.name, &address);
                 let is_link =
                     element.value().name() == "a" && is_elsewhere(&address);
-                let what = what.filter(|_| !is_link);
+                let fault = fault.filter(|_| !is_link);
                 let place = || {
                     source_line(chapters, &page.name, &address)
                         .unwrap_or_else(|| page.at(element))
                 };
-                faults.extend(what.map(|what| format!("{} {what}", place())));
+                faults.extend(fault.map(|fault| format!("{} {fault}", place())));
             }
         }
     }
@@ -73,7 +73,7 @@ fn addresses(element: ElementRef) -> Vec<String> {
         }
     }
     if element.value().name() == "style" {
-        found.extend(urls(&text(element)).map(str::to_owned));
+        found.extend(style_urls(&text(element)).map(str::to_owned));
     }
     found
 }
@@ -84,9 +84,9 @@ fn is_elsewhere(address: &str) -> bool {
     address.starts_with('/') || scheme.contains(':')
 }
 
-/// What is wrong with an address in the file `from`, if it is not that of something in
-/// the book.
-fn resolve(
+/// The fault of an address in the file `from`; None where it leads to something in the
+/// book.
+fn address_fault(
     site: &Site,
     ids: &BTreeSet<(&str, Option<&str>)>,
     from: &str,
@@ -101,7 +101,7 @@ fn resolve(
     let (path, id) = address.split_once('#').unwrap_or((address, ""));
     let path = match path.split('?').next().unwrap_or_default() {
         "" => from.to_string(),
-        path => joined(from, path),
+        path => resolve_path(from, path),
     };
     if !site.files.0.contains_key(&path) {
         return Some(format!("leads to {path}, which is not in the book"));
@@ -111,7 +111,7 @@ fn resolve(
 }
 
 /// The address of everything that a style fetches: what is in `url(…)`.
-fn urls(css: &str) -> impl Iterator<Item = &str> {
+fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let inside =
         css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     inside.map(|url| url.trim().trim_matches(['"', '\'']))

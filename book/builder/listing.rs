@@ -1,4 +1,4 @@
-use crate::files::{CHAPTERS, joined};
+use crate::files::{CHAPTERS, resolve_path};
 use crate::numbers;
 use live::escape;
 use std::fs;
@@ -25,7 +25,7 @@ pub fn html(
         .filter(|rest| !rest.contains(['\n', '{', '}']))
         .ok_or("a listing is one {{#include path}} and nothing else")?;
     let (target, part) = target.split_once(':').unwrap_or((target, ".."));
-    let path = joined(CHAPTERS, target.trim());
+    let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(workspace.join(&path))
         .map_err(|_| format!("there is no file {target}"))?;
     let path = path.strip_prefix("book/reader/").unwrap_or(&path);

@@ -16,7 +16,7 @@ pub fn options() -> Options {
 
 /// The HTML of one paragraph of Markdown, formulas included, without the tags of
 /// the paragraph.
-pub fn inline(markdown: &str) -> Result<String, String> {
+pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, options()) {
         events.push(match event {
@@ -38,13 +38,13 @@ pub fn inline(markdown: &str) -> Result<String, String> {
 }
 
 /// The kind and the words of a directive such as `{{#figure ray}}`.
-pub fn directive(source: &str) -> Option<(&str, &str)> {
+pub fn parse_directive(source: &str) -> Option<(&str, &str)> {
     let inside = source.strip_prefix("{{#")?.strip_suffix("}}")?;
     Some(inside.split_once(' ').unwrap_or((inside, "")))
 }
 
 /// A name in code, which a narrow column may break after :: and _ and nowhere else.
-pub fn name(code: &str) -> String {
+pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
     format!("<code>{code}</code>")
 }

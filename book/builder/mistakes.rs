@@ -1,5 +1,5 @@
-use crate::assets::SMALL;
-use crate::markdown::inline;
+use crate::generated_files::THUMBNAIL_SUFFIX;
+use crate::markdown::inline_html;
 use crate::picture::Picture;
 use check::{Mistake, Shown, Step, mistakes};
 use live::escape;
@@ -22,11 +22,11 @@ pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
         entries.len()
     );
     for entry in &entries {
-        text += &entry.small(workspace)?;
+        text += &entry.contact_item(workspace)?;
     }
     text += "\n</div>\n";
     for entry in &entries {
-        text += &entry.whole(workspace)?;
+        text += &entry.section(workspace)?;
     }
     Ok(text)
 }
@@ -40,16 +40,16 @@ struct Entry<'a> {
 }
 
 impl Entry<'_> {
-    /// Its place on the contact sheet, which leads to the rest.
-    fn small(&self, workspace: &Path) -> Result<String, String> {
+    /// The item on the contact sheet, a link to its section.
+    fn contact_item(&self, workspace: &Path) -> Result<String, String> {
         let picture = self.picture(&self.shown.sees.replace('`', ""));
         let picture = picture.html(workspace)?;
         Ok(format!("- [{picture} {}](#{})\n", self.title()?, self.name))
     }
 
-    fn whole(&self, workspace: &Path) -> Result<String, String> {
+    fn section(&self, workspace: &Path) -> Result<String, String> {
         let Self { mistake, shown, name, step } = self;
-        let right = format!("pictures/{}{SMALL}", step.name());
+        let right = format!("pictures/{}{THUMBNAIL_SUFFIX}", step.name());
         let ours = Picture::plain("The right picture.", &right).html(workspace)?;
         let alt =
             format!("The picture of step {} with this mistake.", step.number());
@@ -66,8 +66,8 @@ impl Entry<'_> {
              style=\"background-image: url(pictures/mistake-{name}.png), url({right})\"></span>\
              </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
             self.title()?,
-            diff(mistake),
-            inline(&formulas(shown.why))?,
+            diff_figure(mistake),
+            inline_html(&with_formulas(shown.why))?,
             own.number(),
             shown.section,
         ))
@@ -83,15 +83,15 @@ impl Entry<'_> {
         let word = title.split(' ').next().unwrap_or_default();
         let is_word =
             1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-        inline(&formulas(&match title.split_at_checked(1) {
+        inline_html(&with_formulas(&match title.split_at_checked(1) {
             Some((first, rest)) if is_word => first.to_uppercase() + rest,
             _ => title.to_owned(),
         }))
     }
 }
 
-/// What stands in the file, and what is written instead.
-fn diff(mistake: &Mistake) -> String {
+/// The lines of the file, and those that are written instead.
+fn diff_figure(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {
         let lines = text.lines().map(|line| {
@@ -108,7 +108,7 @@ fn diff(mistake: &Mistake) -> String {
 }
 
 /// With symbols such as D_u as formulas.
-fn formulas(text: &str) -> String {
+fn with_formulas(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let is_symbol =
         |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');

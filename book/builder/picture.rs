@@ -1,7 +1,7 @@
-use crate::assets::HALF;
 use crate::files::CHAPTERS;
-use crate::markdown::inline;
-use crate::{controls, this_pixel};
+use crate::generated_files::HALF_SUFFIX;
+use crate::markdown::inline_html;
+use crate::{controls, pixel_panel};
 use image::image_dimensions;
 use live::{Live, escape};
 use std::path::Path;
@@ -60,7 +60,7 @@ impl Picture {
         let path = workspace.join(CHAPTERS).join(source);
         let (width, height) = image_dimensions(path)
             .map_err(|_| format!("there is no picture {source}"))?;
-        let half = source.replace(".png", HALF);
+        let half = source.replace(".png", HALF_SUFFIX);
         let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
             true => format!(
                 r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#,
@@ -93,13 +93,13 @@ pub fn figure(
             data = format!(" data-live=\"{}\"", answers.name);
             knobs = controls::html(answers);
             if answers.is_asked() {
-                below = this_pixel::html(answers, workspace)?;
+                below = pixel_panel::html(answers, workspace)?;
             }
         }
         let caption = match picture.caption.as_str() {
             "" => String::new(),
             markdown => {
-                format!("<figcaption>{}</figcaption>", inline(markdown)?)
+                format!("<figcaption>{}</figcaption>", inline_html(markdown)?)
             }
         };
         figures += &format!(

@@ -1,17 +1,17 @@
-use crate::{assets, chapter};
+use crate::{chapter, generated_files};
 use anyhow::{Context, Result, bail};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::Path;
 
-/// What mdBook does with the chapters before it writes pages: directives are expanded, and
-/// what they show is put beside the chapters.
+/// The preprocessor of the chapters: expands directives, and writes what they show beside
+/// the chapters.
 pub struct Course;
 
 impl Preprocessor for Course {
-    /// Its name in `book.toml`, so that `cargo run` takes this one in place of the command
-    /// there.
+    /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
+    /// the command there.
     fn name(&self) -> &str {
         "course"
     }
@@ -19,7 +19,7 @@ impl Preprocessor for Course {
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let workspace =
             context.root.parent().context("the book is in a workspace")?;
-        assets::write(workspace)?;
+        generated_files::write(workspace)?;
         let url = context.config.get::<String>("output.html.git-repository-url")?;
         expand(&mut book, workspace, &our_folder(workspace, url.as_deref()))?;
         Ok(book)
@@ -43,10 +43,10 @@ fn expand(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
             format!("book/chapters/{}:{line}: {what}", file.display())
         }));
     });
-    report(&faults)
+    fail_with_faults(&faults)
 }
 
-/// Where the reader finds our folder: a book that is published has a link to it, one
+/// The place of our folder, for a sentence: a book that is published has a link to it, one
 /// that is built at home was built in it.
 fn our_folder(workspace: &Path, url: Option<&str>) -> String {
     match url {
@@ -56,7 +56,7 @@ fn our_folder(workspace: &Path, url: Option<&str>) -> String {
 }
 
 /// An error that tells all faults at once, if there are any; it stops the build.
-pub fn report(faults: &[String]) -> Result<()> {
+pub fn fail_with_faults(faults: &[String]) -> Result<()> {
     let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
     match faults.len() {
         0 => Ok(()),

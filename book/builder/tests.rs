@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand;
-use crate::{Files, Page, Site, links, print, this_pixel, values};
+use crate::{Files, Page, Site, links, paper_page, pixel_panel, values};
 use compare::workspace;
 
 const RAY: &str = "../../steps/step01_rays/src/ray.rs";
@@ -93,7 +93,7 @@ fn a_picture_has_words_and_may_answer() {
 fn every_figure_and_every_value_is_used() {
     let files = Files::read(&workspace().join("book/chapters")).expect("chapters");
     let texts = files.texts(".md").map(|(_, text)| text);
-    let chapters: String = texts.chain([this_pixel::TEXT]).collect();
+    let chapters: String = texts.chain([pixel_panel::TEXT]).collect();
     let figures = live::LIVE
         .iter()
         .filter(|live| !live.title.is_empty())
@@ -145,12 +145,12 @@ fn on_paper_answers_come_behind_their_chapter() {
     let (one, two) = (chapter("one"), chapter("two"));
     let html = format!("<main>{one}{next}{two}{predict}{aside}end</main>");
     let mut page = Page::new("print.html", &html);
-    print::arrange(&mut page).expect("a book of two chapters");
+    paper_page::arrange(&mut page).expect("a book of two chapters");
     let text = crate::text(page.html.root_element());
     assert_eq!(
         text,
         "oneContentstwotwowhy? → 1by the wayitAnswers and hints1soend"
     );
     let torn = format!("<main>{one}{two}</main>");
-    assert!(print::arrange(&mut Page::new("print.html", &torn)).is_err());
+    assert!(paper_page::arrange(&mut Page::new("print.html", &torn)).is_err());
 }

@@ -1,8 +1,8 @@
 //! The numbers of the chapters, computed when the book is built.
 
+mod lecture_errata;
 mod measure;
 mod next;
-mod slips;
 mod step01;
 mod step02;
 mod step03;
@@ -23,7 +23,7 @@ static KNOWN: LazyLock<BTreeMap<&str, LazyLock<String>>> = LazyLock::new(|| {
         step03::VALUES,
         step04::VALUES,
         step05::VALUES,
-        slips::VALUES,
+        lecture_errata::VALUES,
         next::VALUES,
     ];
     let values = lists.into_iter().flatten();

@@ -15,7 +15,7 @@ pub fn arrange(page: &mut Page) -> Result<()> {
         let inside = |selector| all(part, selector).into_iter().next();
         match part.value().name() {
             "div" => {
-                before.push((part.id(), behind(&take(&mut answers))));
+                before.push((part.id(), answers_section(&take(&mut answers))));
                 breaks.push(part);
             }
             "h1" => {
@@ -63,7 +63,7 @@ pub fn arrange(page: &mut Page) -> Result<()> {
         contents[1..].concat()
     );
     before.push((breaks[0].id(), list));
-    before.extend(end.map(|end| (end, behind(&answers))));
+    before.extend(end.map(|end| (end, answers_section(&answers))));
     before.iter().for_each(|(node, html)| page.put(*node, html));
     gone.into_iter().for_each(|node| page.remove(node));
     // A picture that waits to be seen would not be on paper.
@@ -75,8 +75,8 @@ pub fn arrange(page: &mut Page) -> Result<()> {
     Ok(())
 }
 
-/// What stands behind a chapter with these answers.
-fn behind(answers: &str) -> String {
+/// The section with these answers, behind a chapter.
+fn answers_section(answers: &str) -> String {
     let heading =
         if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
     format!("{heading}{answers}")

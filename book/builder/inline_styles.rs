@@ -1,4 +1,4 @@
-use crate::files::joined;
+use crate::files::resolve_path;
 use crate::{Files, Page};
 use anyhow::{Context, Result, ensure};
 
@@ -11,7 +11,10 @@ pub fn inline(page: &mut Page, files: &Files) -> Result<()> {
     for link in &links {
         let path = link.attr("href").unwrap_or_default();
         let css = files.text(path);
-        styles += &moved(css.with_context(|| format!("there is no {path}"))?, path);
+        styles += &with_moved_addresses(
+            css.with_context(|| format!("there is no {path}"))?,
+            path,
+        );
     }
     let links: Vec<_> = links.iter().map(|link| link.id()).collect();
     page.put(links[0], &format!("<style>\n{styles}</style>"));
@@ -20,11 +23,11 @@ pub fn inline(page: &mut Page, files: &Files) -> Result<()> {
 }
 
 /// The style from the file `path` for a page: its addresses count from there.
-fn moved(css: &str, path: &str) -> String {
+fn with_moved_addresses(css: &str, path: &str) -> String {
     let mut parts = css.split("url(\"");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |css, part| {
         let (address, rest) = part.split_once('"').unwrap_or((part, ""));
-        css + "url(\"" + &joined(path, address) + "\"" + rest
+        css + "url(\"" + &resolve_path(path, address) + "\"" + rest
     })
 }

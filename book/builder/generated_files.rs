@@ -11,14 +11,14 @@ use std::fs::{self, File};
 use std::io::Cursor;
 use std::path::Path;
 
-/// What the file of a picture ends with that has half the size, for a small screen.
-pub const HALF: &str = "-half.png";
+/// The end of the name of a picture of half the size, for a small screen.
+pub const HALF_SUFFIX: &str = "-half.png";
 
-/// What the file of a step's picture ends with that is as small as those of mistakes.
-pub const SMALL: &str = "-small.png";
+/// The end of the name of a step's picture that is as small as those of mistakes.
+pub const THUMBNAIL_SUFFIX: &str = "-small.png";
 
 /// A wider picture has one of half the size beside it.
-const WIDE: u32 = 1000;
+const MIN_WIDTH_OF_HALF: u32 = 1000;
 
 /// The modules of the pages: what answers, what looks at a reader's picture, and what draws
 /// those that it compares with.
@@ -39,7 +39,9 @@ pub fn write(workspace: &Path) -> Result<()> {
         mistakes.map(|(name, bytes)| (format!("mistake-{name}"), bytes)).collect();
     for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
         let Some(name) = name.strip_suffix(".snap.png") else { continue };
-        files.extend(smaller(name, &bytes).with_context(|| name.to_owned())?);
+        files.extend(
+            smaller_picture(name, &bytes).with_context(|| name.to_owned())?,
+        );
         files.insert(format!("{name}.png"), bytes);
     }
     for name in MODULES {
@@ -63,22 +65,22 @@ pub fn write(workspace: &Path) -> Result<()> {
 
 /// The smaller pictures that go with the locked picture `name`: half of a wide one, and a
 /// step's beside those of its mistakes.
-fn smaller(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
+fn smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
     let (width, height) = ImageReader::new(Cursor::new(file))
         .with_guessed_format()?
         .into_dimensions()?;
     let (end, part) = match Step::named(name) {
-        _ if WIDE <= width => (HALF, 2),
-        Some(_) => (SMALL, width / 320),
+        _ if MIN_WIDTH_OF_HALF <= width => (HALF_SUFFIX, 2),
+        Some(_) => (THUMBNAIL_SUFFIX, width / 320),
         None => return Ok(None),
     };
     let picture = image::load_from_memory(file)?.into_rgb8();
     let small = thumbnail(&picture, width / part, height / part);
-    Ok(Some((format!("{name}{end}"), png(&small)?)))
+    Ok(Some((format!("{name}{end}"), encode_png(&small)?)))
 }
 
 /// A PNG file of the picture, packed as well as the encoder can: a page waits for it.
-fn png(picture: &RgbImage) -> Result<Vec<u8>> {
+fn encode_png(picture: &RgbImage) -> Result<Vec<u8>> {
     let mut png = vec![];
     let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
     let encoder = PngEncoder::new_with_quality(&mut png, best, filter);

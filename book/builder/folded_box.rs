@@ -1,4 +1,4 @@
-use crate::markdown::inline;
+use crate::markdown::inline_html;
 
 /// The boxes a chapter can have, and what stands before the author's own words in
 /// their heading.
@@ -8,7 +8,7 @@ const KINDS: [(&str, &str); 3] =
 /// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
 pub fn html(kind: &str, words: &str) -> Option<Result<String, String>> {
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
-    Some(inline(words).map(|words| {
+    Some(inline_html(words).map(|words| {
         format!(
             "<details class=\"{kind}\"><summary><span class=\"kind\">{label}</span> \
              <span>{words}</span></summary>\n"

@@ -3,9 +3,9 @@ use live::Live;
 use std::path::Path;
 use step03_nearest::OBJECTS;
 
-/// What is said of a pixel, with a number for each `{{#number name}}`. A line that
+/// The text about a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `2-4` is for the pictures of these steps.
-pub const TEXT: &str = include_str!("this_pixel.md");
+pub const TEXT: &str = include_str!("pixel_panel.md");
 
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
@@ -18,9 +18,9 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
     let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
     let names = OBJECTS.iter().map(|object| live::short_name(object.name));
-    let rows: Vec<_> = names.take(count).enumerate().map(row).collect();
+    let rows: Vec<_> = names.take(count).enumerate().map(object_row).collect();
     let lines: Vec<_> =
-        TEXT.lines().filter_map(|line| of_step(name, line)).collect();
+        TEXT.lines().filter_map(|line| line_of_step(name, line)).collect();
     let text = lines.join("\n").replace("{{#spheres}}", &rows.join("\n"));
     let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
     let text = text.replace("NAME:", &format!("{name}:"));
@@ -34,8 +34,8 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     ))
 }
 
-/// What a line says of the picture of a step; nothing where it is for other steps.
-fn of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
+/// A line as it is for the picture of a step; None where it is for other steps.
+fn line_of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
     let steps = line.split_once(' ').and_then(|(steps, rest)| {
         let (first, last) = steps.split_once('-')?;
         Some((first.parse::<u32>().ok()?..=last.parse().ok()?, rest))
@@ -46,7 +46,7 @@ fn of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
 }
 
 /// The row of one object.
-fn row((k, name): (usize, &str)) -> String {
+fn object_row((k, name): (usize, &str)) -> String {
     let cells: Vec<_> = COLUMNS
         .iter()
         .map(|column| format!("{{{{#number {column}{k}}}}}"))
