@@ -1,6 +1,6 @@
 use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, fail_with_faults};
-use crate::{Files, Page, Site, inline_styles, links, paper_page, picture, search};
+use crate::{Files, Page, Site, inline_styles, links, paper_page, search};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -78,22 +78,5 @@ fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
         "print.html" => paper_page::arrange(page)?,
         _ => {}
     }
-    inline_styles::inline(page, files)?;
-    // What may scroll sideways takes the focus, so that the keyboard can scroll it.
-    for (selector, tag) in
-        [("pre", "<pre"), (".table-wrapper", "<div"), (".formula", "<span")]
-    {
-        page.change(&format!("main {selector}"), |html| {
-            html.replacen(tag, &format!("{tag} tabindex=\"0\""), 1)
-        });
-    }
-    // A picture in a closed box comes with the page: no browser sees it come near.
-    page.change("main details img", |html| html.replace(picture::LAZY, ""));
-    // The first picture does not wait.
-    if let Some(first) = page.all("main img").first() {
-        let (first, html) = (first.id(), first.html());
-        page.put(first, &html.replace(picture::LAZY, " fetchpriority=\"high\""));
-        page.remove(first);
-    }
-    Ok(())
+    inline_styles::inline(page, files)
 }

@@ -17,7 +17,9 @@ pub fn expand(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
         Chapter { text, workspace, edits, faults, code, listings, open_box };
     chapter.expand_blocks();
     chapter.fill_placeholders();
-    chapter.apply_edits()
+    let (markdown, faults) = chapter.apply_edits();
+    // The first picture does not wait until it is near.
+    (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), faults)
 }
 
 /// A chapter as it is read once, from top to bottom.

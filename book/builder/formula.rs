@@ -13,7 +13,7 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
     })?;
     let mathml = escape_markdown(&mathml);
     Ok(if display {
-        format!(r#"<span class="formula">{mathml}</span>"#)
+        format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)
     } else {
         mathml
     })

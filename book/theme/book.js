@@ -98,6 +98,9 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
+// What may scroll sideways takes the focus, so that the keyboard can scroll it.
+document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
+
 // The arrow keys turn to the chapters before and after.
 addEventListener("keydown", event => {
     const busy = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target !== document.body;
