@@ -1,4 +1,4 @@
-use crate::{locked_sums, png};
+use crate::{locked_sums, read, sum};
 use compare::workspace;
 use image::RgbImage;
 use std::fs;
@@ -24,9 +24,14 @@ impl Locked {
         let path = format!("tests/snapshots/{name}.snap.png");
         let file = fs::read(workspace().join(&path));
         let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-        let (picture, _) =
-            png::read(&file).map_err(|what| format!("{path} {what}"))?;
-        Ok(Self { name: name.to_owned(), picture })
+        let picture = read(&file).map_err(|what| format!("{path} {what}"))?;
+        Ok(Self { name: name.to_owned(), picture: picture.pixels })
+    }
+
+    /// Whether it is the picture with which this program was compiled.
+    pub(crate) fn is_of_this_version(&self) -> bool {
+        let hash = sum(&self.picture);
+        locked_sums().any(|(name, right)| name == self.name && right == hash)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
-use check::{Answer, Locked, check, names, ticks};
+use check::{Answer, Locked, check, folder_report, names, printable, read_file};
 use clap::Parser;
 use image::RgbImage;
 use std::fs;
@@ -21,58 +21,62 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The picture that it should be, by default as the file is called, or the nearest
     name: Option<String>,
-    /// Where to look for every picture of the course
+    /// Where to look for every picture of the course; or a folder with one of them for
+    /// each student, who gets one line
     #[arg(long = "in", value_name = "FOLDER", default_value = ".")]
     #[arg(conflicts_with = "file")]
     folder: PathBuf,
+    /// Tells all of a folder as JSON
+    #[arg(long, conflicts_with = "file")]
+    json: bool,
 }
 
 fn main() -> ExitCode {
-    let Arguments { file, name, folder } = Arguments::parse();
+    let Arguments { file, name, folder, json } = Arguments::parse();
     let Answer { code, text, .. } = Locked::all()
         .and_then(|locked| match file {
-            None => whole(&folder, &locked),
-            Some(file) => one(&file, name.as_deref(), &locked),
+            None => check_folder(&folder, &locked, json),
+            Some(file) => check_file(&file, name.as_deref(), &locked),
         })
         .unwrap_or_else(|what| Answer::new(2, format!("error: {what}")));
     // Where nobody listens any more, there is nobody to tell.
     let _ = match code {
-        2 => writeln!(io::stderr(), "{text}"),
+        2 if !json => writeln!(io::stderr(), "{text}"),
         _ => writeln!(io::stdout(), "{text}"),
     };
     ExitCode::from(code)
 }
 
 /// Looks at every picture of the course in a folder.
-fn whole(folder: &Path, locked: &[Locked]) -> Result<Answer, String> {
+fn check_folder(
+    folder: &Path,
+    locked: &[Locked],
+    json: bool,
+) -> Result<Answer, String> {
     if !folder.is_dir() {
-        return Err(format!("{} is not a folder", folder.display()));
+        let shown = printable(&folder.display().to_string());
+        return Err(format!("{shown} is not a folder"));
     }
-    Ok(ticks(folder, locked))
+    Ok(folder_report(folder, locked, json))
 }
 
 /// Looks at one picture, and saves the difference.
-fn one(
+fn check_file(
     file: &Path,
     name: Option<&str>,
     locked: &[Locked],
 ) -> Result<Answer, String> {
-    let shown = file.display().to_string();
-    let unread = |error| format!("can't read {shown}: {error}");
-    if !fs::metadata(file).map_err(unread)?.is_file() {
-        return Err(format!("{shown} is not a file"));
-    }
-    let png = fs::read(file).map_err(unread)?;
-    let mut answer = check(&png, &shown, name, locked);
+    let png = read_file(file)?;
+    let mut answer = check(&png, &file.display().to_string(), name, locked);
     if let Some(difference) = &answer.difference {
-        answer.text += &format!("\n{}", saved(difference, file));
+        answer.text += &format!("\n{}", save_difference(difference, file));
     }
     Ok(answer)
 }
 
 /// Writes the picture of a difference into the target folder, from which this program
 /// runs, under the name of the reader's, and tells where it is.
-fn saved(difference: &RgbImage, file: &Path) -> String {
+fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let program = env::current_exe().unwrap_or_default();
     let folder = program.ancestors().nth(2).unwrap_or(Path::new("target"));
     let path = folder.join("check").join(file.file_name().unwrap_or_default());
@@ -80,7 +84,7 @@ fn saved(difference: &RgbImage, file: &Path) -> String {
     let saved = fs::create_dir_all(folder.join("check"))
         .map_err(Into::into)
         .and_then(|()| difference.save(&path));
-    let path = path.display();
+    let path = printable(&path.display().to_string());
     match saved {
         Ok(()) => format!(
             "Yours, ours and the difference (orange where yours is brighter, else \

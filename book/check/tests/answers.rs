@@ -77,7 +77,7 @@ fn what_was_made_of_the_whole_is_told() {
             (imageops::rotate90(&ours), "turned a quarter to the right"),
             (mapped(&ours, &|[r, g, b]| [b, g, r]), "red and blue swapped"),
             (mapped(&ours, &|[_, g, _]| [g; 3]), "grey in every pixel"),
-            (mapped(&ours, &|c| c.map(power)), "as by the power 1/1.8 (gamma)"),
+            (mapped(&ours, &|c| c.map(power)), "to the power 1/1.8 (gamma)"),
             (mapped(&ours, &|_| [7, 8, 9]), "one colour, (7, 8, 9)"),
             (resize(&ours, 240, 135, FilterType::Triangle), "made into 240×135"),
             (
@@ -100,8 +100,8 @@ fn what_was_made_of_the_whole_is_told() {
 
 #[test]
 fn one_number_is_told_with_its_owner() {
-    let golden = "the golden sphere is at (0.45, −1.27, −5.8) in your picture; it should \
-                  be at (0.45, −1.12, −5.8)";
+    let golden = "the golden sphere is at (0.45, −1.27, −5.8); it should be at (0.45, \
+                  −1.12, −5.8)";
     let cases: [(Change, &str); 4] = [
         (&|scene| scene.objects[2].sphere.centre.y = -1.27, golden),
         (
@@ -139,8 +139,7 @@ fn where_to_look_is_told() {
         (
             higher,
             &[
-                "of 92665 pixels of the sky.\n",
-                "x and y of D_v are about",
+                "with another camera: x and y of D_v are (0, −0.001934), not (0, −0.001807)",
                 "camera.rs",
             ],
         ),
@@ -150,29 +149,29 @@ fn where_to_look_is_told() {
         ),
         (
             shiny(|scene| scene.objects[7].sphere.centre += moved),
-            &["pixels of the salmon sphere show the sky", "objects.rs"],
+            &["pixels of the salmon sphere show the sky", "-p step03_nearest"],
         ),
         (
             shiny(|scene| scene.ambient_light *= 0.69),
             &[
-                "Right: the rays, the outlines",
-                "where no light reaches",
-                "ambient.rs",
+                "Right in every pixel: the sky.",
+                "of what no light reaches your colour is 0.69 times ours.",
+                "-p step04_diffuse",
             ],
         ),
         (
             shiny(|scene| every_light(scene, diffuse)),
             &[
-                "where the warm light alone reaches (without highlights)",
-                "diffuse.rs",
+                "Right in every pixel: the sky, what no light reaches.",
+                "-p step04_diffuse",
             ],
         ),
         (
             shiny(|scene| every_light(scene, specular)),
             &[
-                "both lights reach (without highlights).\nFirst wrong: ",
-                "highlights",
-                "specular.rs",
+                "both lights reach, without highlights.\nWrong: ",
+                "pixels of where highlights may be",
+                "test -p step05_phong --no",
             ],
         ),
     ];

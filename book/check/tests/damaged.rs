@@ -43,7 +43,7 @@ fn two_thousand_damaged_files_give_answers() {
     encoder
         .write_image(&picture, 16, 9, ExtendedColorType::Rgb8)
         .expect("a picture");
-    let ours = [Locked { name: Step::Rays.name().to_owned(), picture }];
+    let ours = [Locked::read("step01_rays").expect("a locked picture")];
     let (mut random, mut codes) = (Rng::with_seed(0x5EED), [0; 3]);
     for k in 0..2000 {
         let mut file = whole.clone();
@@ -55,7 +55,7 @@ fn two_thousand_damaged_files_give_answers() {
         assert!(!answer.text.is_empty());
         codes[usize::from(answer.code)] += 1;
     }
-    assert!(codes.iter().all(|count| 0 < *count), "{codes:?}");
+    assert!(codes[0] == 0 && 0 < codes[1] && 0 < codes[2], "{codes:?}");
 }
 
 #[test]

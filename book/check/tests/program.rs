@@ -69,7 +69,7 @@ fn what_can_not_be_looked_at_is_told_in_one_sentence() {
         (&["nowhere.png"][..], "can't read"),
         (&["."], "is not a file"),
         (&["empty.png"], "is not a PNG file"),
-        (&["text.png"], "is not a PNG file"),
+        (&["text.png"], "is not a PNG file, but text"),
         (&["photo.png"], "is a JPEG, which has lost details"),
         (&["short.png"], "is a damaged PNG file"),
         (&["huge.png"], "200000×200000 pixels, which is too large"),

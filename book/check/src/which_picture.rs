@@ -10,14 +10,14 @@ pub fn by_file<'a>(
 ) -> Option<&'a str> {
     let lower = file.to_ascii_lowercase();
     let file = lower.rsplit(['/', '\\']).next()?;
-    let told = names.clone().filter(|name| has_word(file, name));
-    told.max_by_key(|name| name.len()).or_else(|| {
-        let is_told = |step: &Step| {
+    let named = names.clone().filter(|name| has_word(file, name));
+    named.max_by_key(|name| name.len()).or_else(|| {
+        let is_named = |step: &Step| {
             let number = step.number();
             let words = [format!("step{number}"), format!("step0{number}")];
             words.iter().any(|word| has_word(file, word))
         };
-        let step = Step::ALL.into_iter().find(is_told)?;
+        let step = Step::ALL.into_iter().find(is_named)?;
         names.clone().find(|name| *name == step.name())
     })
 }
@@ -35,9 +35,25 @@ fn has_word(text: &str, word: &str) -> bool {
 pub(crate) fn nearest<'a>(yours: &RgbImage, asked: &[&'a Locked]) -> &'a Locked {
     let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
     let yours = small(yours);
-    let far = |one: &&&Locked| {
+    let distance = |one: &&&Locked| {
         let pairs = yours.iter().zip(small(&one.picture));
         pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
     };
-    asked.iter().min_by_key(far).unwrap_or(&asked[0])
+    asked.iter().min_by_key(distance).unwrap_or(&asked[0])
+}
+
+/// The exercises of each step, which are its examples.
+const EXERCISES: [(Step, &str); 5] = [
+    (Step::Rays, "gradient graticule look_at panorama rings"),
+    (Step::Sphere, "disc lens plane quadric"),
+    (Step::Nearest, "all_hits depth jitter many my_scene"),
+    (Step::Diffuse, "gamma normals plaster shadows snowman spot sun"),
+    (Step::Phong, "crowd glass halfway highlight marbles mirror"),
+];
+
+/// The step that an exercise extends.
+pub fn step_of_exercise(name: &str) -> Option<Step> {
+    let is_its =
+        |(_, names): &&(Step, &str)| names.split(' ').any(|known| known == name);
+    EXERCISES.iter().find(is_its).map(|(step, _)| *step)
 }

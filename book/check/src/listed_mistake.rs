@@ -1,5 +1,5 @@
-use crate::place::{Place, back};
-use crate::table::{known, sum};
+use crate::fingerprints::{known, sum};
+use crate::source_ref::{Place, back, test_command};
 use crate::{Mistake, Step};
 use image::RgbImage;
 use std::collections::BTreeMap;
@@ -10,8 +10,8 @@ const LINES: usize = 4;
 /// The most mistakes that are told with their titles.
 const TITLES: usize = 3;
 
-/// Where these very pixels are in the list: which mistakes give them.
-pub(crate) fn listed(yours: &RgbImage, asked: &str) -> Option<String> {
+/// Tells which mistakes of the list give these very pixels.
+pub(crate) fn listed_mistake(yours: &RgbImage, asked: &str) -> Option<String> {
     let mut all = known(sum(yours));
     if all.iter().any(|(_, name)| name == asked) {
         all.retain(|(_, name)| name == asked);
@@ -26,7 +26,7 @@ pub(crate) fn listed(yours: &RgbImage, asked: &str) -> Option<String> {
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
     all.iter().for_each(|(one, _)| *files.entry(&one.file).or_default() += 1);
     if 1 < files.len() {
-        return Some(start + &many(all.len(), first, files));
+        return Some(start + &in_several_files(all.len(), first, files));
     }
     let why = match &first.shown {
         Some(shown) if all.len() == 1 => format!("{}\n", shown.why),
@@ -41,13 +41,13 @@ pub(crate) fn listed(yours: &RgbImage, asked: &str) -> Option<String> {
     Some(format!(
         "{start}Not right: your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
         titles.join("; "),
-        diff(first),
+        format_diff(first),
         back_to(first),
     ))
 }
 
 /// Its diff, cut where it is long.
-fn diff(mistake: &Mistake) -> String {
+fn format_diff(mistake: &Mistake) -> String {
     let diff = mistake.diff();
     let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     match lines.len() {
@@ -66,23 +66,24 @@ fn back_to(mistake: &Mistake) -> String {
     back(&[place])
 }
 
-/// Many, in several files, of which there are so many each.
-fn many(count: usize, first: &Mistake, files: BTreeMap<&str, usize>) -> String {
-    let (mut tests, mut counts) = (String::new(), vec![]);
+/// Tells of mistakes in several files, of which there are so many each.
+fn in_several_files(
+    count: usize,
+    first: &Mistake,
+    files: BTreeMap<&str, usize>,
+) -> String {
+    let (mut steps, mut counts) = (vec![], vec![]);
     for (file, count) in files {
         let name = file.rsplit('/').next().unwrap_or_default();
         let Some(step) = Step::of(file) else { continue };
-        let test = format!(" -p {}", step.name());
-        if !tests.contains(&test) {
-            tests += &test;
-        }
+        steps.push(step);
         counts.push(format!("{count} in {name} of step {}", step.number()));
     }
     format!(
         "Not right: {count} mistakes that we know give this very picture, such as: {}.\n\
-         They are {}.\n\
-         Your tests by hand tell them apart: cargo test{tests} --test by_hand\n",
+         They are {}.\n{}",
         first.title,
         counts.join(", "),
+        test_command(&steps),
     )
 }

@@ -1,6 +1,6 @@
 use crate::Step;
 
-/// A file of a step, and where else a reader meets what is in it.
+/// A file of a step, with its section in the book and its tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// The step.
@@ -42,7 +42,7 @@ impl Place {
     }
 }
 
-/// Where to go back to, and the tests by hand that tell more: those of the first step.
+/// Tells where to go back to, and which tests by hand of the first step go through it.
 pub(crate) fn back(places: &[Place]) -> String {
     let Some(Place { step, section, .. }) = places.first() else {
         return String::new();
@@ -58,10 +58,26 @@ pub(crate) fn back(places: &[Place]) -> String {
     let name = step.name();
     format!(
         "Go back to step {}, \"{section}\", and compare with {}.\n\
-         Your tests by hand name the function: cargo test -p {name} --test by_hand, of \
-         which {} goes through it.\n",
+         The tests by hand that you type at the end of the chapter name the function: cargo \
+         test -p {name} --test by_hand, of which {} {} through it.\n",
         step.number(),
         files.join(", "),
-        tests.join(" or "),
+        tests.join(" and "),
+        if tests.len() == 1 { "goes" } else { "go" },
+    )
+}
+
+/// Tells which tests by hand to run: those of some steps.
+pub(crate) fn test_command(steps: &[Step]) -> String {
+    let mut steps = steps.to_vec();
+    steps.sort();
+    steps.dedup();
+    let packages: Vec<_> =
+        steps.iter().map(|step| format!("-p {}", step.name())).collect();
+    let chapters = if steps.len() == 1 { "the chapter" } else { "each chapter" };
+    format!(
+        "The tests by hand that you type at the end of {chapters} name the function: cargo \
+         test {} --no-fail-fast --test by_hand\n",
+        packages.join(" ")
     )
 }

@@ -6,14 +6,20 @@ use step05_phong::{Light, Material, OBJECTS, Ray};
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
 
+/// What turns an intensity into bytes.
+pub(crate) type Encode = fn(DVec3) -> [u8; 3];
+
+/// The encoding of the course.
+pub(crate) const ENCODE: Encode = |intensity| rgb8(intensity).0;
+
 /// How many objects there are.
-pub(crate) const COUNT: usize = OBJECTS.len();
+pub(crate) const OBJECT_COUNT: usize = OBJECTS.len();
 
 /// What the lights are called, in their order.
 pub(crate) const LIGHTS: [&str; 2] = ["the warm light", "the cool light"];
 
-/// What object `k` of a step is called.
-pub(crate) fn object(step: Step, k: usize) -> String {
+/// The name of object `k` of a step, with its article.
+pub(crate) fn object_name(step: Step, k: usize) -> String {
     let name = if step == Step::Sphere { "sphere" } else { OBJECTS[k].name };
     format!("the {name}")
 }
@@ -32,17 +38,16 @@ pub(crate) fn scene(step: Step) -> Scene {
     scene
 }
 
-/// The colour that a ray gets of a scene, by the functions of a step.
-pub(crate) fn colour<'a>(
-    step: Step,
-    scene: &'a Scene,
-) -> Box<dyn Fn(&Ray) -> DVec3 + 'a> {
+/// The intensity that a ray gets of a scene, by the functions of a step.
+pub(crate) fn intensity(step: Step, scene: &Scene) -> Box<dyn Fn(&Ray) -> DVec3> {
     match step {
         Step::Rays => Box::new(step01_rays::direction_colour),
-        Step::Sphere => {
-            let sphere = scene.objects[0].sphere;
-            Box::new(move |ray| step02_sphere::colour(&sphere, ray))
-        }
+        Step::Sphere => match scene.objects.first().map(|object| object.sphere) {
+            Some(sphere) => {
+                Box::new(move |ray| step02_sphere::colour(&sphere, ray))
+            }
+            None => Box::new(step01_rays::direction_colour),
+        },
         Step::Nearest => {
             let flat = scene
                 .objects
@@ -63,15 +68,18 @@ pub(crate) fn colour<'a>(
             };
             Box::new(move |ray| step04_diffuse::colour(&matte, ray))
         }
-        Step::Phong => Box::new(|ray| step05_phong::colour(scene, ray)),
+        Step::Phong => {
+            let scene = scene.clone();
+            Box::new(move |ray| step05_phong::colour(&scene, ray))
+        }
     }
 }
 
-/// The pixel that a ray gets of a scene, by the functions of a step.
-pub(crate) fn pixel<'a>(
-    step: Step,
-    scene: &'a Scene,
-) -> impl Fn(&Ray) -> [u8; 3] + 'a {
-    let colour = colour(step, scene);
-    move |ray| rgb8(colour(ray)).0
+/// The t and the number of each object that a ray meets, the nearest first.
+pub(crate) fn hits(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
+    let hit =
+        |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
+    let mut hits: Vec<_> = (0..scene.objects.len()).filter_map(hit).collect();
+    hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    hits
 }

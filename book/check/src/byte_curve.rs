@@ -1,0 +1,322 @@
+use crate::Step;
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::Explanation;
+use crate::step_scene::{ENCODE, Encode, intensity, scene};
+use glam::DVec3;
+
+/// Where intensities become bytes.
+const RGB8: &str = "step01_rays/rgb8.rs";
+
+fn channels(intensity: DVec3, byte: fn(f64) -> f64) -> [u8; 3] {
+    intensity.to_array().map(|c| byte(c) as u8)
+}
+
+fn rounded(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
+    intensity.to_array().map(|c| (255.0 * curve(c.clamp(0.0, 1.0)) + 0.5) as u8)
+}
+
+/// As many small tracers write bytes: a curve, cut at 0.999, times 256.
+fn cut(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
+    intensity
+        .to_array()
+        .map(|c| (256.0 * curve(c.max(0.0)).clamp(0.0, 0.999)) as u8)
+}
+
+fn srgb(c: f64) -> f64 {
+    if c <= 0.0031308 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
+}
+
+fn linear(c: f64) -> f64 {
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+}
+
+/// What else may be done to an intensity I in the place of `rgb8`, and in what words.
+pub(crate) const ENCODES: [(&str, Encode); 44] = [
+    ("255·I cut off, not rounded", |i| channels(i, |c| 255.0 * c)),
+    ("255.99·I cut off", |i| channels(i, |c| 255.99 * c)),
+    ("255.999·I cut off", |i| channels(i, |c| 255.999 * c)),
+    ("256·I cut off", |i| channels(i, |c| 256.0 * c)),
+    ("256·I cut off, with I at most 0.999", |i| cut(i, |c| c)),
+    ("256·I rounded", |i| channels(i, |c| 256.0 * c + 0.5)),
+    ("254·I rounded", |i| channels(i, |c| 254.0 * c + 0.5)),
+    ("255·I rounded up", |i| channels(i, |c| (255.0 * c).ceil())),
+    ("255·I + 1, cut off", |i| channels(i, |c| 255.0 * c + 1.0)),
+    ("128·I, so that all is half as bright", |i| channels(i, |c| 128.0 * c)),
+    ("127·I, so that all is half as bright", |i| channels(i, |c| 127.0 * c)),
+    ("127·I rounded, so that all is half as bright", |i| {
+        channels(i, |c| 127.0 * c + 0.5)
+    }),
+    ("100·I", |i| channels(i, |c| 100.0 * c)),
+    ("I itself, without the factor 255", |i| channels(i, |c| c)),
+    ("I itself rounded, without the factor 255", |i| channels(i, |c| c + 0.5)),
+    ("255·I/2", |i| channels(i, |c| 127.5 * c + 0.5)),
+    ("255·2I", |i| channels(i, |c| 510.0 * c + 0.5)),
+    ("255·√I (gamma 2)", |i| rounded(i, f64::sqrt)),
+    ("255·√I (gamma 2), cut off", |i| {
+        channels(i, |c| 255.0 * c.clamp(0.0, 1.0).sqrt())
+    }),
+    ("255.99·√I (gamma 2), cut off", |i| {
+        channels(i, |c| 255.99 * c.clamp(0.0, 1.0).sqrt())
+    }),
+    ("256·√I (gamma 2), with √I at most 0.999", |i| cut(i, f64::sqrt)),
+    ("255·I^(1/2.2) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 2.2))),
+    ("255·I^(1/2.2) (gamma), cut off", |i| {
+        channels(i, |c| 255.0 * c.clamp(0.0, 1.0).powf(1.0 / 2.2))
+    }),
+    ("256·I^(1/2.2) (gamma), cut at 0.999", |i| cut(i, |c| c.powf(1.0 / 2.2))),
+    ("255·I^(1/1.8) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 1.8))),
+    ("255·I^(1/2.4) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 2.4))),
+    ("255·I^2.2, gamma the wrong way round", |i| rounded(i, |c| c.powf(2.2))),
+    ("255·I², gamma the wrong way round", |i| rounded(i, |c| c * c)),
+    ("I encoded as sRGB", |i| rounded(i, srgb)),
+    ("I decoded as if it were sRGB", |i| rounded(i, linear)),
+    ("255·(1 − e^−I)", |i| channels(i, |c| 255.0 * (1.0 - (-c).exp()) + 0.5)),
+    ("255·(1 − e^−I), cut off", |i| {
+        channels(i, |c| 255.0 * (1.0 - (-c).exp()))
+    }),
+    ("255·I/(1 + I)", |i| channels(i, |c| 255.0 * c / (1.0 + c) + 0.5)),
+    ("255·I/(1 + I), cut off", |i| channels(i, |c| 255.0 * c / (1.0 + c))),
+    ("255·(1 − I), a negative", |i| channels(i, |c| 255.0 * (1.0 - c) + 0.5)),
+    ("255·I rounded, but what is above 255 begins again at 0", |i| {
+        i.to_array().map(|c| (255.0 * c + 0.5) as i64 as u8)
+    }),
+    ("255·I cut off, and what is above 255 begins again at 0", |i| {
+        i.to_array().map(|c| (255.0 * c) as i64 as u8)
+    }),
+    ("255·I rounded, but what is above 1 becomes 0", |i| {
+        channels(i, |c| if c > 1.0 { 0.0 } else { 255.0 * c + 0.5 })
+    }),
+    ("255·I rounded, but black where a channel is above 1", |i| {
+        match i.max_element() {
+            1.0.. if i.max_element() > 1.0 => [0; 3],
+            _ => ENCODE(i),
+        }
+    }),
+    ("255·I rounded, but white where a channel is above 1", |i| {
+        if i.max_element() > 1.0 { [255; 3] } else { ENCODE(i) }
+    }),
+    ("255·I rounded, but what is above 1 begins again at 0", |i| {
+        channels(i, |c| 255.0 * if c > 1.0 { c.fract() } else { c } + 0.5)
+    }),
+    ("255·I divided by its largest channel where that is above 1", |i| {
+        ENCODE(i / i.max_element().max(1.0))
+    }),
+    ("255·I divided by its length where that is above 1", |i| {
+        ENCODE(i / i.length().max(1.0))
+    }),
+    ("255·I divided by its length, so that all colours are equally bright", |i| {
+        ENCODE(i.normalize_or_zero())
+    }),
+];
+
+/// What is grey, by what weights of red, green and blue.
+const GREYS: [(&str, [f64; 3]); 3] = [
+    ("the mean of red, green and blue", [1.0 / 3.0; 3]),
+    ("0.299 red + 0.587 green + 0.114 blue", [0.299, 0.587, 0.114]),
+    ("0.2126 red + 0.7152 green + 0.0722 blue", [0.2126, 0.7152, 0.0722]),
+];
+
+/// What else may stand in the place of `rgb8`, as an explanation of a step's picture.
+pub(crate) fn encodes<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let step = evidence.step;
+    let exact = step.into_iter().flat_map(move |step| {
+        ENCODES.map(|(words, encode)| {
+            let sentence = format!("Each byte of your picture is {words}.");
+            encoded(evidence, step, sentence, encode)
+        })
+    });
+    exact.chain(greys(evidence))
+}
+
+fn encoded<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    sentence: String,
+    encode: Encode,
+) -> Explanation<'a> {
+    let intensity = intensity(step, &scene(step));
+    Explanation::exact(sentence, &[RGB8], move |pixel| {
+        encode(intensity(&evidence.ray(pixel)))
+    })
+}
+
+/// The way in which the sky alone was turned into bytes, if that is another than ours and
+/// the same in every pixel of the sky.
+pub(crate) fn encode_of_sky(
+    evidence: &Evidence,
+    work: &crate::explanation::Work,
+) -> Option<(&'static str, Encode)> {
+    let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
+    let (wrong, all) = evidence.count(is_sky);
+    if wrong == 0 || all < 1000 {
+        return None;
+    }
+    let step = evidence.step?;
+    ENCODES.into_iter().find(|(words, encode)| {
+        let explanation = encoded(evidence, step, (*words).to_owned(), *encode);
+        explanation.holds(evidence, is_sky, work)
+    })
+}
+
+fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
+    let is_grey = |colour: [u8; 3]| colour == [colour[0]; 3];
+    let pixels = &evidence.pixels;
+    let is_new = pixels.iter().all(|pixel| is_grey(pixel.yours))
+        && !pixels.iter().all(|pixel| is_grey(pixel.ours));
+    let mut greys: Vec<Explanation> = vec![];
+    if is_new {
+        greys.extend(GREYS.map(|(words, weights)| {
+            let sentence = format!("Your picture is grey in every pixel: {words}.");
+            Explanation::fitted(sentence, &[RGB8], move |pixel| {
+                let grey: f64 =
+                    (0..3).map(|k| weights[k] * f64::from(pixel.ours[k])).sum();
+                [grey.round() as u8; 3]
+            })
+        }));
+        greys.extend([0, 1, 2].map(|k| {
+            let name = ["red", "green", "blue"][k];
+            let sentence =
+                format!("Your picture is grey in every pixel: {name} three times.");
+            Explanation::exact(sentence, &[RGB8], move |pixel| [pixel.ours[k]; 3])
+        }));
+        greys.push(Explanation::exact(
+            "Your picture is grey in every pixel.",
+            &[],
+            |pixel| pixel.yours,
+        ));
+    }
+    greys.into_iter()
+}
+
+/// Bytes that follow from ours alone, whatever they show: by a factor, by a power, or by a
+/// table that is read from the picture.
+pub(crate) fn tables<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let table = Table::read(evidence);
+    let is_plausible = table.as_ref().is_some_and(Table::is_most_changed);
+    let table = table.filter(|_| is_plausible);
+    table.into_iter().flat_map(|table| {
+        let (from, to) = table.example();
+        let fitted = [
+            table.factor().map(|factor| {
+                let sentence = format!(
+                    "Each byte of your picture is about {factor:.3} times ours: {from} is \
+                     {to}."
+                );
+                Explanation::fitted(sentence, &[RGB8], move |pixel| {
+                    pixel.ours.map(|c| (f64::from(c) * factor).round() as u8)
+                })
+            }),
+            table.power().map(|power| {
+                let sentence = format!(
+                    "Each byte of your picture is ours to the power {} (gamma): {from} is \
+                     {to}.",
+                    format_power(power)
+                );
+                Explanation::fitted(sentence, &[RGB8], move |pixel| {
+                    let curve = |c: u8| 255.0 * (f64::from(c) / 255.0).powf(power);
+                    pixel.ours.map(|c| curve(c).round() as u8)
+                })
+            }),
+        ];
+        let words = if table.is_common { "" } else { ", each channel in its own way" };
+        let sentence = format!(
+            "The bytes of your picture follow from ours, whatever they show{words}: {from} \
+             is {to}."
+        );
+        let any = Explanation::range(sentence, &[RGB8], move |pixel| table.range(pixel.ours));
+        fitted.into_iter().flatten().chain([any])
+    })
+}
+
+fn format_power(power: f64) -> String {
+    if power < 1.0 {
+        format!("1/{:.1}", 1.0 / power)
+    } else {
+        format!("{power:.1}")
+    }
+}
+
+/// The range of bytes in the picture for each byte of ours, of each channel.
+struct Table {
+    ranges: [[(u8, u8); 256]; 3],
+    is_common: bool,
+}
+
+impl Table {
+    /// Reads it, if a byte of ours is always the same in the picture, or one of two.
+    fn read(evidence: &Evidence) -> Option<Self> {
+        let mut ranges = [[(255, 0); 256]; 3];
+        for pixel in &evidence.pixels {
+            for (k, ranges) in ranges.iter_mut().enumerate() {
+                let (low, high): &mut (u8, u8) =
+                    &mut ranges[usize::from(pixel.ours[k])];
+                *low = pixel.yours[k].min(*low);
+                *high = pixel.yours[k].max(*high);
+            }
+        }
+        let mut common = ranges[0];
+        for own in &ranges[1..] {
+            for (range, own) in common.iter_mut().zip(own) {
+                *range = (range.0.min(own.0), range.1.max(own.1));
+            }
+        }
+        // What was clamped may be anything.
+        let is_narrow = |ranges: &[(u8, u8); 256]| {
+            ranges[..255].iter().all(|(low, high)| high.saturating_sub(*low) < 2)
+        };
+        let is_common = is_narrow(&common);
+        let ranges = if is_common { [common; 3] } else { ranges };
+        let table = Self { ranges, is_common };
+        let is_read =
+            table.ranges.iter().all(is_narrow) && 48 <= table.known().count();
+        is_read.then_some(table)
+    }
+
+    /// Each byte of ours that was met, and the range of the picture.
+    fn known(&self) -> impl Iterator<Item = (u8, (u8, u8))> {
+        let ranges = self.ranges.iter().flat_map(|ranges| (0..=255).zip(*ranges));
+        ranges.filter(|(_, (low, high))| low <= high)
+    }
+
+    fn is_most_changed(&self) -> bool {
+        let changed = |(from, range): &(u8, (u8, u8))| *range != (*from, *from);
+        self.known().count() < 2 * self.known().filter(changed).count()
+    }
+
+    /// The byte of ours in the middle, and what it is in the picture.
+    fn example(&self) -> (u8, u8) {
+        let known = self.known().min_by_key(|(from, _)| from.abs_diff(128));
+        known.map_or((0, 0), |(from, (to, _))| (from, to))
+    }
+
+    /// The mean over every second byte, so that the others are asked.
+    fn mean(&self, number: impl Fn(f64, f64) -> f64) -> Option<f64> {
+        let inner = |c: u8| 8 < c && c < 248;
+        let known =
+            self.known().filter(|(from, (to, _))| inner(*from) && inner(*to));
+        let numbers = known.step_by(2).map(|(from, (low, high))| {
+            number(f64::from(from), (f64::from(low) + f64::from(high)) / 2.0)
+        });
+        let (count, sum) =
+            numbers.fold((0.0, 0.0), |(count, sum), n| (count + 1.0, sum + n));
+        (1.0 < count).then(|| sum / count)
+    }
+
+    fn factor(&self) -> Option<f64> {
+        self.mean(|from, to| to / from)
+            .filter(|factor| (factor - 1.0).abs() > 0.002)
+    }
+
+    fn power(&self) -> Option<f64> {
+        self.mean(|from, to| (to / 255.0).ln() / (from / 255.0).ln())
+    }
+
+    fn range(&self, ours: [u8; 3]) -> [[u8; 3]; 2] {
+        let ranges = [0, 1, 2].map(|k| self.ranges[k][usize::from(ours[k])]);
+        [ranges.map(|range| range.0), ranges.map(|range| range.1)]
+    }
+}

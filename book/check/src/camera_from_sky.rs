@@ -1,0 +1,283 @@
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::Explanation;
+use crate::step_scene::{hits, intensity, scene};
+use crate::{Picture, Step};
+use glam::{DMat3, DVec3};
+use std::fmt::Write;
+use step01_rays::Camera;
+
+const CAMERA: &str = "step01_rays/camera.rs";
+const SKY: &str = "step01_rays/picture.rs";
+
+/// What the sky of a picture tells of the camera that drew it: the x and y of D_u, D_v and
+/// V_0. Their z leaves no trace in it.
+pub(crate) struct Sky {
+    /// x of D_u, D_v and V_0.
+    pub x: DVec3,
+    /// y of the same.
+    pub y: DVec3,
+}
+
+/// How far off a byte the sky may be where it is that of our camera.
+const ENOUGH: f64 = 0.02;
+
+impl Sky {
+    /// Reads it where blue is 255, as everywhere in our sky: the planes that fit red and
+    /// green best, as red = 0.7 + 0.3 V_x and green = 0.7 + 0.3 V_y. None where too little of
+    /// the picture is such a sky.
+    pub fn read(yours: &Picture) -> Option<Self> {
+        let is_sky = |pixel: [u8; 3]| {
+            pixel[2] == 255 && pixel[..2].iter().all(|c| (1..255).contains(c))
+        };
+        let all = places(yours).filter(|(_, pixel)| is_sky(*pixel));
+        let all: Vec<_> = all.collect();
+        if all.len() * 20 < yours.pixels.pixels().len() {
+            return None;
+        }
+        let points = |channel: usize| -> Vec<_> {
+            let place = |byte: u8| (f64::from(byte) / 255.0 - 0.7) / 0.3;
+            all.iter().map(|(at, pixel)| (*at, place(pixel[channel]))).collect()
+        };
+        Some(Self { x: fit_plane(&points(0))?, y: fit_plane(&points(1))? })
+    }
+
+    fn of(camera: &Camera) -> Self {
+        let rows = camera.matrix.transpose();
+        Self { x: rows.x_axis, y: rows.y_axis }
+    }
+
+    /// The field of view that it tells, to a tenth of a degree.
+    pub fn field_of_view(&self, columns: u32) -> f64 {
+        let tan = self.x.x.abs() * f64::from(columns - 1) / 2.0;
+        (20.0 * tan.atan().to_degrees()).round() / 10.0
+    }
+
+    /// Whether no byte of a picture would be another with the other camera.
+    fn is_like(&self, other: &Self, (columns, rows): (u32, u32)) -> bool {
+        let corners = [(0, 0), (columns, 0), (0, rows), (columns, rows)];
+        corners.into_iter().all(|(i, j)| {
+            let corner = DVec3::new(i.into(), j.into(), 1.0);
+            let apart = |a: DVec3, b: DVec3| (a - b).dot(corner).abs() * 76.5;
+            apart(self.x, other.x).max(apart(self.y, other.y)) < ENOUGH
+        })
+    }
+
+    /// Says which of D_u, D_v and V_0 are others than in `ours`.
+    fn differences(&self, ours: &Self, (columns, rows): (u32, u32)) -> String {
+        let mut text = String::new();
+        let parts = [("D_u", columns), ("D_v", rows), ("V_0", 1)];
+        for (k, (name, count)) in parts.into_iter().enumerate() {
+            let [yours, right] = [self, ours].map(|sky| (sky.x[k], sky.y[k]));
+            let apart = (yours.0 - right.0).abs().max((yours.1 - right.1).abs());
+            if ENOUGH < apart * f64::from(count) * 76.5 {
+                let [yours, right] = [yours, right].map(|(x, y)| {
+                    format!("({}, {})", format_short(x), format_short(y))
+                });
+                let _ =
+                    write!(text, " x and y of {name} are {yours}, not {right};");
+            }
+        }
+        text.trim_end_matches(';').to_owned() + "."
+    }
+}
+
+/// Each pixel, and its place (i, j, 1).
+fn places(yours: &Picture) -> impl Iterator<Item = (DVec3, [u8; 3])> {
+    yours.pixels.enumerate_pixels().map(|(i, k, pixel)| {
+        let j = yours.rows[k as usize];
+        (DVec3::new(i.into(), j.into(), 1.0), pixel.0)
+    })
+}
+
+/// A number with four digits that tell.
+fn format_short(number: f64) -> String {
+    let number = if number.abs() < 1e-6 { 0.0 } else { number };
+    let digits = if number.abs() < 0.1 { 6 } else { 4 };
+    let text = format!("{number:.digits$}").replace('-', "−");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// The plane a·i + b·j + c that goes through most of the points, by least squares over
+/// those that are not off by more than a byte; None where these are few.
+fn fit_plane(points: &[(DVec3, f64)]) -> Option<DVec3> {
+    let mut plane: Option<DVec3> = None;
+    for limit in [f64::INFINITY, 0.1, 0.03, 0.0075, 0.0075] {
+        let (mut matrix, mut right, mut count) = (DMat3::ZERO, DVec3::ZERO, 0);
+        // Every second one, so that the fit can be asked of the others.
+        for (at, v) in points.iter().step_by(2) {
+            if plane.is_none_or(|plane| (plane.dot(*at) - v).abs() < limit) {
+                matrix += DMat3::from_cols(*at * at.x, *at * at.y, *at * at.z);
+                right += *at * *v;
+                count += 1;
+            }
+        }
+        if count * 20 < points.len() * 9 && limit < 0.01 || count < 50 {
+            return None;
+        }
+        let inverse = matrix.inverse();
+        plane = inverse.is_finite().then(|| inverse * right);
+    }
+    plane
+}
+
+/// How far from the middle of a pixel a fitted camera may be.
+const SLACK: f64 = 0.1;
+
+/// Our own step with the camera that the sky tells.
+pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let (step, size) = (evidence.step?, evidence.yours.size);
+    let (sky, ours) = (Sky::read(evidence.yours)?, Sky::of(&evidence.camera));
+    if sky.is_like(&ours, size) {
+        return None;
+    }
+    let mut camera = evidence.camera;
+    let z = camera.matrix.row(2);
+    camera.matrix = DMat3::from_cols(sky.x, sky.y, z).transpose();
+    let tan = sky.x.x * f64::from(size.0 - 1) / 2.0;
+    let scaled = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
+    let what = match sky.is_like(&Sky::of(&scaled), size) && tan > 0.0 {
+        true => format!(
+            " its field of view is {}°, not 60°.",
+            sky.field_of_view(size.0),
+        ),
+        false => sky.differences(&ours, size),
+    };
+    let sentence = match step {
+        Step::Rays => format!(
+            "Your picture is what our step draws with another camera:{what} (That is, if red \
+             is 0.7 + 0.3 V_x and green 0.7 + 0.3 V_y, as in picture.rs.)"
+        ),
+        _ => format!(
+            "Your picture is what our step draws with another camera:{what}"
+        ),
+    };
+    let files: &[_] = if step == Step::Rays { &[CAMERA, SKY] } else { &[CAMERA] };
+    let intensity = intensity(step, &scene(step));
+    let mut explanation = Explanation::range(sentence, files, move |pixel| {
+        let offsets =
+            [(0.0, 0.0), (SLACK, 0.0), (-SLACK, 0.0), (0.0, SLACK), (0.0, -SLACK)];
+        let colours = offsets.map(|(u, v)| {
+            let ray = camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+            evidence.encode(intensity(&ray))
+        });
+        around(&colours, 1)
+    });
+    explanation.rays = 5;
+    // An edge may lie between two of these places.
+    explanation.exceptions = 2000;
+    Some(explanation)
+}
+
+/// The range of some colours, and so much beyond it.
+pub(crate) fn around(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
+    let mut range = [[255; 3], [0; 3]];
+    for colour in colours {
+        for k in 0..3 {
+            range[0][k] = range[0][k].min(colour[k].saturating_sub(beyond));
+            range[1][k] = range[1][k].max(colour[k].saturating_add(beyond));
+        }
+    }
+    range
+}
+
+/// The sky of another colour, where each channel is a plane in the picture; objects as ours.
+pub(crate) fn sky_colours<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
+    let is_asked = evidence.step.is_some()
+        && 0 < evidence.count(is_sky).0
+        && evidence.count(|pixel| !is_sky(pixel)).0 == 0;
+    let directions: [(&str, fn(DVec3) -> DVec3); 2] =
+        [("V", |v| v), ("V/|V|", |v| v.normalize())];
+    let directions = directions.into_iter().filter(move |_| is_asked);
+    directions.filter_map(move |(name, direction)| {
+        let fits: Vec<_> = (0..3)
+            .map(|k| fit_colour(evidence, k, direction))
+            .collect::<Option<_>>()?;
+        let words: Vec<_> = (0..3)
+            .zip(&fits)
+            .map(|(k, fit)| format_colour(k, *fit, name))
+            .collect();
+        let sentence = format!(
+            "Your sky has another colour, and all else is right: {}.",
+            words.join(", ")
+        );
+        Some(Explanation::fitted(sentence, &[SKY], move |pixel| {
+            match pixel.region.object {
+                Some(_) => pixel.ours,
+                None => {
+                    let v = direction(evidence.ray(pixel).direction);
+                    let at = DVec3::new(v.x, v.y, 1.0);
+                    [0, 1, 2].map(|k| (255.0 * fits[k].dot(at)).round() as u8)
+                }
+            }
+        }))
+    })
+}
+
+/// Fits a channel of the sky: a·V_x + b·V_y + c.
+fn fit_colour(
+    evidence: &Evidence,
+    channel: usize,
+    direction: fn(DVec3) -> DVec3,
+) -> Option<DVec3> {
+    let sky = evidence.pixels.iter().filter(|pixel| pixel.region.object.is_none());
+    let point = |pixel: &Pixel| {
+        let v = direction(evidence.ray(pixel).direction);
+        (DVec3::new(v.x, v.y, 1.0), f64::from(pixel.yours[channel]) / 255.0)
+    };
+    let points: Vec<_> = sky.map(point).collect();
+    let inner = points.iter().filter(|(_, v)| 0.002 < *v && *v < 0.998);
+    let inner: Vec<_> = inner.copied().collect();
+    match inner.len() * 4 < points.len() {
+        // All of it may have been clamped.
+        true => Some(DVec3::new(0.0, 0.0, points.first()?.1)),
+        false => fit_plane(&inner),
+    }
+}
+
+fn format_colour(channel: usize, fit: DVec3, direction: &str) -> String {
+    let name = ["red", "green", "blue"][channel];
+    let mut text = format!("{name} = {}", format_places(fit.z));
+    for (number, letter) in [(fit.x, "x"), (fit.y, "y")] {
+        if number.abs() > 0.005 {
+            let sign = if number < 0.0 { "−" } else { "+" };
+            text += &format!(" {sign} {} {letter}", format_places(number.abs()));
+        }
+    }
+    match channel {
+        2 => format!("{text}, where (x, y) is that of {direction}"),
+        _ => text,
+    }
+}
+
+fn format_places(number: f64) -> String {
+    format!("{number:.2}").replace('-', "−")
+}
+
+/// The pixels in which the camera that the sky tells meets nothing, if these are all as that
+/// camera would draw them: the sentence that is told of the sky alone.
+pub(crate) fn sky_alone(
+    evidence: &Evidence,
+    work: &crate::explanation::Work,
+) -> Option<(String, usize)> {
+    let step = evidence.step.filter(|step| Step::Rays < *step)?;
+    let explanation = fitted_camera(evidence)?;
+    let sky = Sky::read(evidence.yours)?;
+    let mut camera = evidence.camera;
+    let z = camera.matrix.row(2);
+    camera.matrix = DMat3::from_cols(sky.x, sky.y, z).transpose();
+    let scene = scene(step);
+    let is_sky = |pixel: &Pixel| {
+        let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
+        [(0.0, 0.0), (2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)]
+            .iter()
+            .all(|(u, v)| hits(&scene, &camera.ray(i + u, j + v)).is_empty())
+    };
+    let count = evidence.pixels.iter().filter(|pixel| is_sky(pixel)).count();
+    let is_much = evidence.pixels.len() / 10 < count;
+    (is_much && explanation.holds(evidence, is_sky, work)).then(|| {
+        (sky.differences(&Sky::of(&evidence.camera), evidence.yours.size), count)
+    })
+}

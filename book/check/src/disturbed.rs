@@ -1,0 +1,249 @@
+use crate::Step;
+use crate::camera_from_sky::around;
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::Explanation;
+use crate::pixel_regions::regions;
+use crate::step_scene::{intensity, scene};
+use image::RgbImage;
+use std::collections::{HashMap, HashSet};
+
+const CAMERA: &str = "step01_rays/camera.rs";
+const RENDER: &str = "step01_rays/render.rs";
+
+/// A picture in which a few pixels are off by one, and those at edges perhaps by more: the
+/// formulas are right, and what differs is in the last digits.
+pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let wrong = evidence.wrong().len();
+    let step = evidence.step?;
+    let is_spread = regions(step).iter().all(|(_, is_in)| {
+        let (wrong, all) = evidence.count(is_in);
+        wrong <= 3.max(all / 100)
+    });
+    let by_one =
+        evidence.wrong().iter().filter(|pixel| pixel.distance() == 1).count();
+    if !is_spread || evidence.pixels.len() < 200 * wrong || 2 * by_one < wrong {
+        return None;
+    }
+    let sentence = format!(
+        "{wrong} of {} pixels differ, by 1 or at an edge: the formulas are right, and \
+         differ in the last digits. Are there f32 in place of f64, or another order of \
+         sums and products?",
+        evidence.pixels.len()
+    );
+    let intensity = intensity(step, &scene(step));
+    Some(Explanation::range(sentence, &[], move |pixel| {
+        let offsets =
+            [(0.0, 0.0), (0.02, 0.0), (-0.02, 0.0), (0.0, 0.02), (0.0, -0.02)];
+        let colours = offsets.map(|(u, v)| {
+            let ray =
+                evidence.camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+            evidence.encode(intensity(&ray))
+        });
+        around(&colours, 1)
+    }))
+}
+
+/// Rays through other places of the pixels than their middles: all shifted alike, on a grid
+/// with another start, or anywhere.
+pub(crate) fn other_places<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    evidence.step.into_iter().flat_map(move |step| {
+        let halves = [-1.0, -0.5, 0.0, 0.5, 1.0];
+        let shifts = halves.into_iter().flat_map(move |u| halves.map(|v| (u, v)));
+        let shifts = shifts.filter(|place| *place != (0.0, 0.0));
+        let shifted = shifts.map(move |(u, v)| {
+            let sentence = format!(
+                "Your rays do not go through the middles of the pixels, but through i {} and \
+                 j {}.",
+                format_shift(u),
+                format_shift(v)
+            );
+            through(evidence, step, sentence, &[CAMERA, RENDER], vec![(u, v)])
+        });
+        let corners = [2, 3, 4].into_iter().flat_map(move |side: u32| {
+            let starts = [(0.0, "0"), (0.5, "1/2 of a part"), (-0.5, "−1/2")];
+            starts.into_iter().map(move |(start, words)| {
+                let offset = move |k: u32| match start {
+                    -0.5 => f64::from(k) / f64::from(side) - 0.5,
+                    start => (f64::from(k) + start) / f64::from(side),
+                };
+                let grid = (0..side).flat_map(|k| (0..side).map(move |l| (offset(l), offset(k))));
+                let sentence = format!(
+                    "Each pixel has {side}×{side} rays, whose places begin at {words} and not \
+                     around the middle."
+                );
+                through(evidence, step, sentence, &[RENDER], grid.collect())
+            })
+        });
+        shifted.chain(corners).chain(anywhere(evidence, step))
+    })
+}
+
+fn format_shift(shift: f64) -> String {
+    let sign = if shift < 0.0 { '−' } else { '+' };
+    format!("{sign} {}", shift.abs())
+}
+
+/// The mean of some rays, whose places are relative to the middle of a pixel.
+fn through<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    sentence: String,
+    files: &[&'static str],
+    places: Vec<(f64, f64)>,
+) -> Explanation<'a> {
+    let intensity = intensity(step, &scene(step));
+    let rays = places.len() as u32;
+    let mut explanation = Explanation::exact(sentence, files, move |pixel| {
+        let colour = |(u, v): &(f64, f64)| {
+            let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+            intensity(&evidence.camera.ray(i, j))
+        };
+        let sum = places.iter().map(colour).fold(glam::DVec3::ZERO, |a, b| a + b);
+        evidence.encode(sum / f64::from(rays))
+    });
+    explanation.rays = rays;
+    explanation
+}
+
+/// Each pixel as some places within a pixel of its middle would have it.
+fn anywhere<'a>(evidence: &'a Evidence, step: Step) -> Option<Explanation<'a>> {
+    let is_at_edges =
+        |pixel: &Pixel| pixel.distance() <= 1 || is_at_edge(evidence, pixel);
+    if !evidence.wrong().iter().all(is_at_edges) {
+        return None;
+    }
+    let intensity = intensity(step, &scene(step));
+    let sentence = "Each pixel shows what rays within one pixel of its middle see: your rays go \
+                    through other places of the pixels, as random or shifted ones do, or the \
+                    picture was blurred.";
+    let mut explanation = Explanation::range(sentence, &[RENDER], move |pixel| {
+        let offsets = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
+        let places = offsets.into_iter().flat_map(|u| offsets.map(|v| (u, v)));
+        let colours = places.map(|(u, v)| {
+            let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+            evidence.encode(intensity(&evidence.camera.ray(i, j)))
+        });
+        // Where it is ours it need not be computed.
+        match pixel.is_wrong() {
+            true => around(&colours.collect::<Vec<_>>(), 1),
+            false => [pixel.ours; 2],
+        }
+    });
+    explanation.rays = 2;
+    Some(explanation)
+}
+
+/// Whether ours has another object or another colour beside a pixel.
+fn is_at_edge(evidence: &Evidence, pixel: &Pixel) -> bool {
+    let [low, high] = neighbours(&evidence.ours, pixel, 1);
+    (0..3).any(|k| 2 < high[k] - low[k])
+}
+
+/// The range of ours around a pixel, so many pixels far.
+fn neighbours(ours: &RgbImage, pixel: &Pixel, far: u32) -> [[u8; 3]; 2] {
+    let mut range = [pixel.ours; 2];
+    let span = |k: u32, end: u32| k.saturating_sub(far)..(k + far + 1).min(end);
+    for k in span(pixel.k, ours.height()) {
+        for i in span(pixel.i, ours.width()) {
+            let colour = ours.get_pixel(i, k).0;
+            for c in 0..3 {
+                range[0][c] = range[0][c].min(colour[c]);
+                range[1][c] = range[1][c].max(colour[c]);
+            }
+        }
+    }
+    range
+}
+
+/// The side of the squares in which means are compared: that of a JPEG's.
+const SQUARE: u32 = 16;
+
+/// How far a mean over a square may be off.
+const MEAN: u64 = 8;
+
+/// Ours, a little off everywhere: in each small square the mean is about ours, and what
+/// differs there is brighter as often as darker.
+pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let (wrong, all) = (evidence.wrong().len(), evidence.pixels.len());
+    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
+    if wrong < all / 100 || wrong_sky < sky / 100 || !evidence.is_whole() {
+        return None;
+    }
+    let mut squares: HashMap<(u32, u32), ([i64; 3], u64, u64)> = HashMap::new();
+    for pixel in &evidence.pixels {
+        let at = (pixel.i / SQUARE, pixel.j / SQUARE);
+        let (sums, distance, count) = squares.entry(at).or_default();
+        for (k, sum) in sums.iter_mut().enumerate() {
+            let difference = i64::from(pixel.yours[k]) - i64::from(pixel.ours[k]);
+            *sum += difference;
+            *distance += difference.unsigned_abs();
+        }
+        *count += 1;
+    }
+    // The squares at the end of a row may be thin.
+    let is_like_ours = squares.values().all(|(sums, _, count)| {
+        sums.iter().all(|sum| sum.unsigned_abs() <= MEAN * (*count).max(128))
+    });
+    let bias: u64 = squares
+        .values()
+        .flat_map(|(sums, ..)| sums)
+        .map(|sum| sum.unsigned_abs())
+        .sum();
+    let distance: u64 = squares.values().map(|(_, distance, _)| distance).sum();
+    let (few, many) = (
+        colour_count(evidence, |pixel| pixel.yours),
+        colour_count(evidence, |pixel| pixel.ours),
+    );
+    let has_few = few <= 256 && 4 * few < many;
+    if !is_like_ours || 5 * bias > 3 * distance && !has_few {
+        return None;
+    }
+    let how = match has_few {
+        true => format!("it has only {few} colours, as a GIF has, and ours has {many}"),
+        false => "it was packed with loss (JPEG, WebP), scaled and scaled back or blurred, or \
+                  something random was added"
+            .to_owned(),
+    };
+    let sentence = format!(
+        "Your picture is ours, a little off in {wrong} of {all} pixels, and in each small \
+         square as bright: {how}. Give the file that the program wrote."
+    );
+    Some(Explanation::range(sentence, &[], |_| [[0; 3], [255; 3]]))
+}
+
+fn colour_count(evidence: &Evidence, colour: fn(&Pixel) -> [u8; 3]) -> usize {
+    let colours: HashSet<_> = evidence.pixels.iter().map(colour).collect();
+    colours.len()
+}
+
+/// Ours in other colours: what has one colour in ours has one in the picture, in the sky and
+/// in the objects.
+pub(crate) fn recoloured<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    evidence.step.filter(|step| Step::Rays < *step)?;
+    let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
+    let (wrong_sky, sky) = evidence.count(is_sky);
+    let (wrong_objects, objects) = evidence.count(|pixel| !is_sky(pixel));
+    if 2 * wrong_sky < sky || 2 * wrong_objects < objects || objects == 0 {
+        return None;
+    }
+    let mut colours: HashMap<[u8; 3], [[u8; 3]; 2]> = HashMap::new();
+    for Pixel { yours, ours, .. } in &evidence.pixels {
+        let [low, high] = colours.entry(*ours).or_insert([*yours; 2]);
+        for k in 0..3 {
+            (low[k], high[k]) = (low[k].min(yours[k]), high[k].max(yours[k]));
+            if 2 < high[k] - low[k] {
+                return None;
+            }
+        }
+    }
+    if evidence.pixels.len() < 3 * colours.len() {
+        return None;
+    }
+    let sentence = "What has one colour in ours has one in your picture, but another: all of \
+                    it was recoloured, as by a colour profile, or rgb8 mixes the channels.";
+    Some(Explanation::range(sentence, &["step01_rays/rgb8.rs"], move |pixel| {
+        colours[&pixel.ours]
+    }))
+}

@@ -1,0 +1,131 @@
+use crate::evidence::{Evidence, Pixel};
+use std::cell::Cell;
+
+/// Something that may have happened to a picture: a sentence, where in the code, and a
+/// function from pixels to colours.
+pub(crate) struct Explanation<'a> {
+    /// What is told if it holds: whole sentences.
+    pub sentence: String,
+    /// Where to go back to, such as `step01_rays/rgb8.rs`.
+    pub files: Vec<&'static str>,
+    /// The lowest and the highest bytes that it gives a pixel.
+    pub colours: Box<dyn Fn(&Pixel) -> [[u8; 3]; 2] + 'a>,
+    /// How many rays its colours take.
+    pub rays: u32,
+    /// One pixel of so many may be another, which is counted and told; 0 where none may.
+    pub exceptions: usize,
+}
+
+impl<'a> Explanation<'a> {
+    /// One that gives each pixel exactly one colour.
+    pub fn exact(
+        sentence: impl Into<String>,
+        files: &[&'static str],
+        colour: impl Fn(&Pixel) -> [u8; 3] + 'a,
+    ) -> Self {
+        Self::range(sentence, files, move |pixel| [colour(pixel); 2])
+    }
+
+    /// One with fitted numbers: a byte may be off by one.
+    pub fn fitted(
+        sentence: impl Into<String>,
+        files: &[&'static str],
+        colour: impl Fn(&Pixel) -> [u8; 3] + 'a,
+    ) -> Self {
+        Self::range(sentence, files, move |pixel| {
+            let colour = colour(pixel);
+            [
+                colour.map(|c| c.saturating_sub(1)),
+                colour.map(|c| c.saturating_add(1)),
+            ]
+        })
+    }
+
+    /// One that gives each pixel a range of colours.
+    pub fn range(
+        sentence: impl Into<String>,
+        files: &[&'static str],
+        colours: impl Fn(&Pixel) -> [[u8; 3]; 2] + 'a,
+    ) -> Self {
+        Self {
+            sentence: sentence.into(),
+            files: files.to_vec(),
+            colours: Box::new(colours),
+            rays: 1,
+            exceptions: 0,
+        }
+    }
+
+    /// Whether it gives the reader's colour in every pixel of a region.
+    pub fn holds(
+        &self,
+        evidence: &Evidence,
+        is_in_region: impl Fn(&Pixel) -> bool,
+        work: &Work,
+    ) -> bool {
+        self.exceptions(evidence, is_in_region, work) == Some(0)
+    }
+
+    /// In how many pixels it does not, if these are not too many.
+    pub fn exceptions(
+        &self,
+        evidence: &Evidence,
+        is_in_region: impl Fn(&Pixel) -> bool,
+        work: &Work,
+    ) -> Option<usize> {
+        let most = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
+        let mut count = 0;
+        for pixel in evidence.pixels.iter().filter(|pixel| is_in_region(pixel)) {
+            if !work.take(self.rays) {
+                return None;
+            }
+            let [low, high] = (self.colours)(pixel);
+            count += usize::from(!is_between(low, pixel.yours, high));
+            if most < count {
+                return None;
+            }
+        }
+        Some(count)
+    }
+}
+
+fn is_between(low: [u8; 3], colour: [u8; 3], high: [u8; 3]) -> bool {
+    (0..3).all(|k| low[k] <= colour[k] && colour[k] <= high[k])
+}
+
+/// What may still be computed for an answer, in rays: the bound of its time, and the same on
+/// every machine.
+pub(crate) struct Work {
+    rays: Cell<u32>,
+}
+
+impl Work {
+    /// Work for one answer.
+    pub fn new(rays: u32) -> Self {
+        Self { rays: Cell::new(rays) }
+    }
+
+    /// Takes some of it, if so much is left.
+    pub fn take(&self, rays: u32) -> bool {
+        let left = self.rays.get().checked_sub(rays);
+        self.rays.set(left.unwrap_or(0));
+        left.is_some()
+    }
+}
+
+/// The first explanation that gives the whole picture: the loop of `check`. What it tells
+/// says in how many pixels it does not, where it may.
+pub(crate) fn first_that_holds<'a>(
+    evidence: &Evidence,
+    explanations: impl Iterator<Item = Explanation<'a>>,
+    work: &Work,
+) -> Option<Explanation<'a>> {
+    explanations.into_iter().find_map(|mut explanation| {
+        let exceptions = explanation.exceptions(evidence, |_| true, work)?;
+        if 0 < exceptions {
+            explanation.sentence +=
+                &format!(" All but {exceptions} pixels are so.");
+        }
+        Some(explanation)
+    })
+}

@@ -1,0 +1,196 @@
+use crate::{Answer, Locked, check, printable, read_file};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What was found out about one picture in a folder.
+struct Entry<'a> {
+    picture: &'a str,
+    verdict: Verdict,
+}
+
+enum Verdict {
+    Absent,
+    Unreadable(String),
+    /// With what is to be said of the file.
+    Right(String),
+    /// With the whole answer.
+    Wrong(String),
+}
+
+/// Looks for every picture of the course in `folder`, and says of each whether it is right,
+/// not right, unreadable or absent; for machines as JSON.
+///
+/// Where no picture is there, but other folders are, each of these is a student's, who gets
+/// one line.
+///
+/// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
+/// none is there.
+pub fn folder_report(folder: &Path, locked: &[Locked], is_json: bool) -> Answer {
+    let own = entries(folder, locked);
+    let inner =
+        match own.iter().all(|entry| matches!(entry.verdict, Verdict::Absent)) {
+            true => folders_in(folder),
+            false => vec![],
+        };
+    let is_class = !inner.is_empty();
+    let all: Vec<_> = match is_class {
+        false => vec![(folder.to_owned(), own)],
+        true => {
+            let own = |folder: PathBuf| {
+                let entries = entries(&folder, locked);
+                (folder, entries)
+            };
+            inner.into_iter().map(own).collect()
+        }
+    };
+    let lines: Vec<_> = match (is_json, is_class) {
+        (true, _) => vec![json(&all)],
+        (false, false) => all.iter().map(|(_, entries)| table(entries)).collect(),
+        (false, true) => {
+            all.iter().map(|(folder, own)| line(folder, own)).collect()
+        }
+    };
+    let verdicts = all.iter().flat_map(|(_, entries)| entries);
+    let codes = verdicts.filter_map(|entry| match entry.verdict {
+        Verdict::Absent => None,
+        Verdict::Right(_) => Some(0),
+        _ => Some(1),
+    });
+    Answer::new(codes.max().unwrap_or(2), lines.join("\n"))
+}
+
+/// The folders in a folder, by their names.
+fn folders_in(folder: &Path) -> Vec<PathBuf> {
+    let all = fs::read_dir(folder).into_iter().flatten().flatten();
+    let is_shown = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        path.is_dir() && !name.starts_with('.')
+    };
+    let mut folders: Vec<_> =
+        all.map(|entry| entry.path()).filter(is_shown).collect();
+    folders.sort();
+    folders
+}
+
+fn entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
+    let entry = |Locked { name, .. }: &'a Locked| {
+        let file = format!("{name}.png");
+        let path = folder.join(&file);
+        let verdict = match path.symlink_metadata() {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                Verdict::Absent
+            }
+            _ => match read_file(&path) {
+                Err(why) => Verdict::Unreadable(why),
+                Ok(png) => {
+                    let Answer { code, text, .. } =
+                        check(&png, &file, Some(name), locked);
+                    match code {
+                        0 => Verdict::Right(notes(&text)),
+                        1 => Verdict::Wrong(text),
+                        _ => Verdict::Unreadable(without_prefix(&text).to_owned()),
+                    }
+                }
+            },
+        };
+        Entry { picture: name, verdict }
+    };
+    locked.iter().map(entry).collect()
+}
+
+/// What follows the first line of an answer, in one line.
+fn notes(text: &str) -> String {
+    text.lines().skip(1).collect::<Vec<_>>().join(" ")
+}
+
+/// The first line of an answer, without what a table says itself.
+fn without_prefix(text: &str) -> &str {
+    let line = text.lines().next().unwrap_or_default();
+    let starts = ["Not right: ", "Not right yet, ", "error: "];
+    starts.iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line)
+}
+
+fn is_right(entry: &&Entry) -> bool {
+    matches!(entry.verdict, Verdict::Right(_))
+}
+
+/// One line for each picture, and how many are right.
+fn table(entries: &[Entry]) -> String {
+    let width =
+        entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0) + 2;
+    let line = |Entry { picture, verdict }: &Entry| {
+        let told = match verdict {
+            Verdict::Absent => "not there".to_owned(),
+            Verdict::Unreadable(why) => format!("unreadable: {why}"),
+            Verdict::Right(notes) if notes.is_empty() => "right".to_owned(),
+            Verdict::Right(notes) => format!("right; {notes}"),
+            Verdict::Wrong(text) => format!("not right: {}", without_prefix(text)),
+        };
+        format!("{picture:width$}{told}\n")
+    };
+    let lines: String = entries.iter().map(line).collect();
+    let right = entries.iter().filter(is_right).count();
+    format!("{lines}{right} of {} are right.", entries.len())
+}
+
+/// One line for a student's folder.
+fn line(folder: &Path, entries: &[Entry]) -> String {
+    let names = |is_one: fn(&Verdict) -> bool| {
+        let those = entries.iter().filter(|entry| is_one(&entry.verdict));
+        those.map(|entry| entry.picture).collect::<Vec<_>>().join(", ")
+    };
+    let mut line = format!(
+        "{}: {} of {} are right",
+        printable(&folder.file_name().unwrap_or_default().to_string_lossy()),
+        entries.iter().filter(is_right).count(),
+        entries.len()
+    );
+    for (what, names) in [
+        ("not right", names(|verdict| matches!(verdict, Verdict::Wrong(_)))),
+        ("unreadable", names(|verdict| matches!(verdict, Verdict::Unreadable(_)))),
+        (
+            "with a note",
+            names(
+                |verdict| matches!(verdict, Verdict::Right(notes) if !notes.is_empty()),
+            ),
+        ),
+    ] {
+        if !names.is_empty() {
+            line += &format!("; {what}: {names}");
+        }
+    }
+    line
+}
+
+/// A list of folders, each with the verdict on each picture.
+fn json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
+    let entry = |Entry { picture, verdict }: &Entry| {
+        let (verdict, text) = match verdict {
+            Verdict::Absent => ("absent", ""),
+            Verdict::Unreadable(why) => ("unreadable", &why[..]),
+            Verdict::Right(notes) => ("right", &notes[..]),
+            Verdict::Wrong(text) => ("not right", &text[..]),
+        };
+        let [picture, verdict, text] = [picture, verdict, text].map(json_text);
+        format!(
+            "    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}"
+        )
+    };
+    let folder = |(folder, entries): &(PathBuf, Vec<Entry>)| {
+        let entries: Vec<_> = entries.iter().map(entry).collect();
+        let folder = json_text(&folder.display().to_string());
+        let entries = entries.join(",\n");
+        format!("  {{\"folder\": {folder}, \"pictures\": [\n{entries}\n  ]}}")
+    };
+    let folders: Vec<_> = folders.iter().map(folder).collect();
+    format!("[\n{}\n]", folders.join(",\n"))
+}
+
+fn json_text(text: &str) -> String {
+    let letter = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c.is_control() => format!("\\u{:04x}", u32::from(c)),
+        c => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(letter).collect::<String>())
+}

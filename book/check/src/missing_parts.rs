@@ -1,0 +1,271 @@
+use crate::Step;
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::Explanation;
+use crate::step_scene::{LIGHTS, Scene, hits, intensity, object_name, scene};
+use glam::DVec3;
+use std::collections::{BTreeMap, HashSet};
+use step05_phong::{Phong, Ray, terms};
+
+const NEAREST: &str = "step03_nearest/nearest.rs";
+const OBJECTS: &str = "step03_nearest/objects.rs";
+const RENDER: &str = "step01_rays/render.rs";
+
+/// Our scene without one of its objects, without those after the first ones, and without the
+/// rule that the nearest is in front.
+pub(crate) fn other_objects<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let step = evidence.step.filter(|step| Step::Nearest <= *step);
+    step.into_iter().flat_map(move |step| {
+        let count = scene(step).objects.len();
+        let one_missing = (0..count).map(move |k| {
+            let sentence =
+                format!("In your picture {} is missing.", object_name(step, k));
+            without(evidence, step, sentence, &[OBJECTS], |n| n == k)
+        });
+        let only_first = (1..count - 1).map(move |first| {
+            let sentence = format!(
+                "In your picture only the first {first} objects are there."
+            );
+            without(evidence, step, sentence, &[OBJECTS, NEAREST], |n| first <= n)
+        });
+        let only_last = (1..count - 1).map(move |first| {
+            let sentence =
+                format!("In your picture the first {first} objects are missing.");
+            without(evidence, step, sentence, &[OBJECTS, NEAREST], |n| n < first)
+        });
+        let behind = in_order(evidence, step);
+        one_missing.chain(only_first).chain(only_last).chain(behind)
+    })
+}
+
+fn without<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    sentence: String,
+    files: &[&'static str],
+    is_gone: impl Fn(usize) -> bool,
+) -> Explanation<'a> {
+    let mut scene = scene(step);
+    let mut k = 0;
+    scene.objects.retain(|_| {
+        k += 1;
+        !is_gone(k - 1)
+    });
+    let intensity = intensity(step, &scene);
+    Explanation::exact(sentence, files, move |pixel| {
+        evidence.encode(intensity(&evidence.ray(pixel)))
+    })
+}
+
+/// Another one of the objects that a ray meets is in front.
+fn in_order<'a>(evidence: &'a Evidence, step: Step) -> Vec<Explanation<'a>> {
+    type Choice = fn(&[(f64, usize)]) -> Option<usize>;
+    let choices: [(&str, Choice); 3] = [
+        ("the farthest", |hits| hits.last().map(|hit| hit.1)),
+        ("the first in the list", |hits| hits.iter().map(|hit| hit.1).min()),
+        ("the last in the list", |hits| hits.iter().map(|hit| hit.1).max()),
+    ];
+    let explanation = |(words, choose): (&str, Choice)| {
+        let scene = scene(step);
+        let alone = (0..scene.objects.len()).map(|k| {
+            let objects = vec![scene.objects[k]];
+            intensity(step, &Scene { objects, ..scene.clone() })
+        });
+        let alone: Vec<_> = alone.collect();
+        let sky = intensity(Step::Rays, &scene);
+        let sentence = format!(
+            "Of the objects that a ray meets, {words} is in front, not the nearest."
+        );
+        Explanation::exact(sentence, &[NEAREST], move |pixel| {
+            let ray = evidence.ray(pixel);
+            let chosen = choose(&hits(&scene, &ray));
+            evidence.encode(chosen.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
+        })
+    };
+    choices.map(explanation).into()
+}
+
+/// The terms of the light, some of them left out or counted twice.
+pub(crate) fn other_terms<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let step = evidence.step.filter(|step| Step::Diffuse <= *step);
+    step.into_iter().flat_map(move |step| {
+        let names = term_names(step);
+        let choices = 3_u32.pow(names.len() as u32);
+        // Each count is 1, 0 or 2; first those of which few are changed.
+        let counts = |choice: u32| -> Vec<u32> {
+            (0..names.len())
+                .map(|k| [1, 0, 2][(choice / 3_u32.pow(k as u32) % 3) as usize])
+                .collect()
+        };
+        let mut all: Vec<_> = (1..choices).map(counts).collect();
+        all.sort_by_key(|counts| {
+            counts.iter().filter(|count| **count != 1).count()
+        });
+        all.into_iter().map(move |counts| with_counts(evidence, step, &counts))
+    })
+}
+
+fn term_names(step: Step) -> Vec<String> {
+    let mut names = vec!["the ambient term".to_owned()];
+    names.extend(LIGHTS.map(|light| format!("the diffuse term of {light}")));
+    if step == Step::Phong {
+        names.extend(LIGHTS.map(|light| format!("the specular term of {light}")));
+    }
+    names
+}
+
+/// The scene with one of its lights.
+fn lit_by(step: Step, light: usize) -> Scene {
+    let mut scene = scene(step);
+    scene.lights = vec![scene.lights[light]];
+    scene
+}
+
+fn with_counts<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    counts: &[u32],
+) -> Explanation<'a> {
+    let names = term_names(step);
+    let those = |count: u32| {
+        let pairs = names.iter().zip(counts).filter(move |(_, own)| **own == count);
+        pairs.map(|(name, _)| name.as_str()).collect::<Vec<_>>()
+    };
+    let (missing, twice) = (join(those(0)), join(those(2)));
+    let mut sentence = match (counts, step) {
+        ([_, _, _, 0, 0], _) if counts[..3] == [1; 3] => {
+            "Your highlights are missing: all but the specular term is right."
+                .to_owned()
+        }
+        ([1, 0, 0], _) | ([1, 0, 0, 0, 0], _) => {
+            "Only the ambient term is there: no light falls on anything.".to_owned()
+        }
+        _ => match those(0).is_empty() {
+            true => String::new(),
+            false => format!("What is missing: {missing}. "),
+        },
+    };
+    if !twice.is_empty() {
+        sentence += &format!("What is there twice: {twice}.");
+    }
+    let mut files = vec![];
+    for (k, count) in counts.iter().enumerate() {
+        let file = match k {
+            0 => "step04_diffuse/ambient.rs",
+            1 | 2 => "step04_diffuse/diffuse.rs",
+            _ => "step05_phong/specular.rs",
+        };
+        if *count != 1 && !files.contains(&file) {
+            files.push(file);
+        }
+    }
+    files.push(match step {
+        Step::Phong => "step05_phong/phong.rs",
+        _ => "step04_diffuse/picture.rs",
+    });
+    let counts: Vec<_> = counts.iter().map(|count| f64::from(*count)).collect();
+    let scenes = [lit_by(step, 0), lit_by(step, 1)];
+    let mut explanation =
+        Explanation::exact(sentence.trim_end(), &files, move |pixel| {
+            let ray = evidence.ray(pixel);
+            match sum_of_terms(&scenes, &ray, &counts) {
+                Some(intensity) => evidence.encode(intensity),
+                None => pixel.ours,
+            }
+        });
+    explanation.rays = 2;
+    explanation
+}
+
+fn sum_of_terms(scenes: &[Scene; 2], ray: &Ray, counts: &[f64]) -> Option<DVec3> {
+    let own = |k: usize| -> Option<Phong> { terms(&scenes[k], ray) };
+    let (warm, cool) = (own(0)?, own(1)?);
+    let mut sum = counts[0] * warm.ambient;
+    sum += counts[1] * warm.diffuse + counts[2] * cool.diffuse;
+    if let [_, _, _, a, b] = counts {
+        sum += *a * warm.specular + *b * cool.specular;
+    }
+    Some(sum)
+}
+
+fn join(names: Vec<&str>) -> String {
+    match names.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// Ours, of which some pixels were never drawn: all of these have one colour.
+pub(crate) fn never_drawn<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let wrong = evidence.wrong();
+    let blank = wrong.first()?.yours;
+    if wrong.iter().any(|pixel| pixel.yours != blank) {
+        return None;
+    }
+    let all = evidence.pixels.len();
+    let is_black = blank == [0; 3];
+    let lines = |line: fn(&Pixel) -> u32| -> BTreeMap<u32, (usize, usize)> {
+        let mut counts = BTreeMap::new();
+        for pixel in &evidence.pixels {
+            let count: &mut (usize, usize) = counts.entry(line(pixel)).or_default();
+            count.0 += usize::from(!pixel.is_wrong() && pixel.ours != blank);
+            count.1 += usize::from(pixel.is_wrong());
+        }
+        counts
+    };
+    let whole_lines = |name: &str, counts: BTreeMap<u32, (usize, usize)>| {
+        let is_mixed =
+            counts.values().any(|(right, wrong)| 0 < *right && 0 < *wrong);
+        let gone: Vec<_> = counts
+            .iter()
+            .filter(|(_, (_, wrong))| 0 < *wrong)
+            .map(|(k, _)| *k)
+            .collect();
+        let is_told = !is_mixed && gone.len() < counts.len();
+        is_told.then(|| format!("{name} {}", format_lines(&gone)))
+    };
+    let what = whole_lines("rows", lines(|pixel| pixel.j))
+        .or_else(|| whole_lines("columns", lines(|pixel| pixel.i)))
+        .or_else(|| {
+            let is_told = is_black && is_scattered(evidence);
+            is_told.then(|| format!("{} of {all} pixels", wrong.len()))
+        })?;
+    let [r, g, b] = blank;
+    let sentence = format!(
+        "Never drawn, it seems: {what}, all of them ({r}, {g}, {b}); all others are right."
+    );
+    Some(Explanation::exact(sentence, &[RENDER], move |pixel| {
+        match pixel.is_wrong() {
+            true => blank,
+            false => pixel.ours,
+        }
+    }))
+}
+
+/// Whether most wrong pixels are alone in their row, in the sky as well.
+fn is_scattered(evidence: &Evidence) -> bool {
+    let wrong: HashSet<_> =
+        evidence.wrong().iter().map(|pixel| (pixel.i, pixel.j)).collect();
+    let is_alone = |(i, j): &&(u32, u32)| {
+        !wrong.contains(&(i + 1, *j)) && (*i == 0 || !wrong.contains(&(i - 1, *j)))
+    };
+    let (wrong_sky, _) = evidence.count(|pixel| pixel.region.object.is_none());
+    0 < wrong_sky && wrong.len() < 2 * wrong.iter().filter(is_alone).count()
+}
+
+/// 200 to 359, or 1, 3, 5 and so on.
+fn format_lines(lines: &[u32]) -> String {
+    let (first, last) = (lines[0], lines[lines.len() - 1]);
+    match lines {
+        [one] => one.to_string(),
+        _ if last - first + 1 == lines.len() as u32 => format!("{first} to {last}"),
+        [a, b, c, ..] => {
+            format!("{a}, {b}, {c} and so on, {} of them", lines.len())
+        }
+        _ => format!("{first} and {last}"),
+    }
+}

@@ -1,0 +1,258 @@
+use crate::Step;
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::Explanation;
+use crate::step_scene::{LIGHTS, Scene, intensity, object_name, scene};
+use step05_phong::Surface;
+
+/// One or three numbers of each object or of each light, which stand in one place of a
+/// file.
+struct Parameter {
+    /// Its name before that of its owner; nothing where it is the owner's place.
+    name: &'static str,
+    /// The kind of thing that has it.
+    owner: Owner,
+    /// The first step that has it.
+    since: Step,
+    /// Such as `step03_nearest/objects.rs`.
+    file: &'static str,
+    /// How many numbers of the three it has.
+    count: usize,
+    /// The numbers that a reader may have typed: multiples of 1 / the last number, from the first
+    /// number to the second.
+    range: (i32, i32, i32),
+    /// Reads that of owner k.
+    get: fn(&Scene, usize) -> [f64; 3],
+    /// Changes it.
+    set: fn(&mut Scene, usize, [f64; 3]),
+}
+
+/// A kind of thing that has parameters.
+#[derive(Clone, Copy, PartialEq)]
+enum Owner {
+    Object,
+    Light,
+    Scene,
+}
+
+/// A colour of an object; most of the others differ from it in little.
+const COLOUR: Parameter = Parameter {
+    name: "the colour of ",
+    owner: Owner::Object,
+    since: Step::Nearest,
+    file: "step03_nearest/objects.rs",
+    count: 3,
+    range: (0, 5, 100),
+    get: |scene, k| scene.objects[k].material.surface.diffuse.into(),
+    set: |scene, k, v| {
+        scene.objects[k].material.surface = Surface::of(v.into());
+    },
+};
+
+/// All numbers of the scenes.
+const PARAMETERS: [Parameter; 10] = [
+    Parameter {
+        name: "",
+        since: Step::Sphere,
+        range: (-50, 50, 100),
+        get: |scene, k| scene.objects[k].sphere.centre.into(),
+        set: |scene, k, v| scene.objects[k].sphere.centre = v.into(),
+        ..COLOUR
+    },
+    Parameter {
+        name: "the radius of ",
+        since: Step::Sphere,
+        count: 1,
+        range: (0, 60, 100),
+        get: |scene, k| [scene.objects[k].sphere.radius; 3],
+        set: |scene, k, [r, ..]| scene.objects[k].sphere.radius = r,
+        ..COLOUR
+    },
+    COLOUR,
+    Parameter {
+        name: "R_s of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        count: 1,
+        get: |scene, k| scene.objects[k].material.specular.into(),
+        set: |scene, k, v| scene.objects[k].material.specular = v.into(),
+        ..COLOUR
+    },
+    Parameter {
+        name: "n of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        count: 1,
+        range: (0, 1000, 1),
+        get: |scene, k| [scene.objects[k].material.shininess.into(); 3],
+        set: |scene, k, [n, ..]| scene.objects[k].material.shininess = n as i32,
+        ..COLOUR
+    },
+    Parameter {
+        name: "L_a of ",
+        owner: Owner::Scene,
+        get: |scene, _| scene.ambient_light.into(),
+        set: |scene, _, v| scene.ambient_light = v.into(),
+        ..DIFFUSE
+    },
+    Parameter {
+        name: "",
+        range: (-20, 20, 100),
+        get: |scene, k| scene.lights[k].point_light.position.into(),
+        set: |scene, k, v| scene.lights[k].point_light.position = v.into(),
+        ..DIFFUSE
+    },
+    DIFFUSE,
+    Parameter {
+        name: "(a, b, c) of ",
+        range: (0, 20, 1000),
+        get: |scene, k| {
+            let attenuation = scene.lights[k].point_light.attenuation;
+            [attenuation.a, attenuation.b, attenuation.c]
+        },
+        set: |scene, k, [a, b, c]| {
+            scene.lights[k].point_light.attenuation =
+                step05_phong::Attenuation { a, b, c };
+        },
+        ..DIFFUSE
+    },
+    Parameter {
+        name: "L_s of ",
+        since: Step::Phong,
+        file: "step05_phong/scene.rs",
+        get: |scene, k| scene.lights[k].specular.into(),
+        set: |scene, k, v| scene.lights[k].specular = v.into(),
+        ..DIFFUSE
+    },
+];
+
+/// A colour of a light; most parameters of lights differ from it in little.
+const DIFFUSE: Parameter = Parameter {
+    name: "L_d of ",
+    owner: Owner::Light,
+    since: Step::Diffuse,
+    file: "step04_diffuse/scene.rs",
+    get: |scene, k| scene.lights[k].point_light.diffuse.into(),
+    set: |scene, k, v| scene.lights[k].point_light.diffuse = v.into(),
+    ..COLOUR
+};
+
+/// How many pixels are asked of a number before all are.
+const FIRST: usize = 6;
+
+/// Our scene with one other number, where that gives the first pixels that are wrong.
+pub(crate) fn other_numbers<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let step = evidence.step.filter(|step| Step::Sphere <= *step);
+    let parameters = PARAMETERS.iter().filter(move |one| Some(one.since) <= step);
+    step.into_iter().flat_map(move |step| {
+        let parameters = parameters.clone();
+        parameters.flat_map(move |parameter| {
+            let owners = owner_names(parameter, step).into_iter().enumerate();
+            let owners =
+                owners.filter(move |(k, _)| may_be(parameter, *k, evidence));
+            owners.flat_map(move |(k, owner)| {
+                with_numbers(evidence, step, parameter, k, owner)
+            })
+        })
+    })
+}
+
+/// Whether all wrong pixels are where the parameter of owner `k` can change one.
+fn may_be(parameter: &Parameter, k: usize, evidence: &Evidence) -> bool {
+    let is_of_surface = parameter.owner == Owner::Object
+        && parameter.since != Step::Sphere
+        || parameter.name == COLOUR.name;
+    let is_there = |pixel: &Pixel| match parameter.owner {
+        Owner::Object if is_of_surface => {
+            pixel.region.object == u8::try_from(k).ok()
+        }
+        Owner::Object => true,
+        _ => pixel.region.object.is_some(),
+    };
+    !evidence.wrong().is_empty() && evidence.wrong().iter().all(is_there)
+}
+
+/// The numbers in the place of one parameter that give the first wrong pixels.
+fn with_numbers<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    parameter: &'static Parameter,
+    k: usize,
+    owner: String,
+) -> Vec<Explanation<'a>> {
+    let mut scene = scene(step);
+    let old = (parameter.get)(&scene, k);
+    let first: Vec<_> = {
+        let wrong = evidence.wrong();
+        let spread = wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1));
+        spread.map(|pixel| (evidence.ray(pixel), pixel.yours)).collect()
+    };
+    let file = match step {
+        Step::Sphere => "step02_sphere/picture.rs",
+        _ => parameter.file,
+    };
+    let fits = changed_numbers(parameter, old).into_iter().filter(|new| {
+        (parameter.set)(&mut scene, k, *new);
+        let intensity = intensity(step, &scene);
+        first.iter().all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
+    });
+    let fits: Vec<_> = fits.take(8).collect();
+    let at = if parameter.name.is_empty() { "at " } else { "" };
+    let is = if fits.len() == 1 { "is" } else { "may be" };
+    let explanation = |new: [f64; 3]| {
+        (parameter.set)(&mut scene, k, new);
+        let intensity = intensity(step, &scene);
+        let [new, old] =
+            [new, old].map(|one| format_numbers(&one[..parameter.count]));
+        let sentence = format!(
+            "In your picture {owner} {is} {at}{new}; it should be {at}{old}."
+        );
+        Explanation::exact(sentence, &[file], move |pixel| {
+            evidence.encode(intensity(&evidence.ray(pixel)))
+        })
+    };
+    fits.into_iter().map(explanation).collect()
+}
+
+/// The name of a parameter of each of its owners.
+fn owner_names(parameter: &Parameter, step: Step) -> Vec<String> {
+    let names: Vec<_> = match parameter.owner {
+        Owner::Object => {
+            let count = scene(step).objects.len();
+            (0..count).map(|k| object_name(step, k)).collect()
+        }
+        Owner::Light => LIGHTS.into(),
+        Owner::Scene => vec!["the scene"],
+    };
+    names.iter().map(|name| format!("{}{name}", parameter.name)).collect()
+}
+
+/// A parameter with one of its numbers changed, the nearest first.
+fn changed_numbers(parameter: &Parameter, old: [f64; 3]) -> Vec<[f64; 3]> {
+    let (start, end, parts) = parameter.range;
+    let values = start * parts..=end * parts;
+    let mut all = vec![];
+    for k in 0..parameter.count {
+        let mut values: Vec<_> = values
+            .clone()
+            .map(|value| f64::from(value) / f64::from(parts))
+            .collect();
+        let distance = |value: &f64| (value - old[k]).abs();
+        values.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        all.extend(values.into_iter().map(|value| {
+            let mut new = if parameter.count == 1 { [value; 3] } else { old };
+            new[k] = value;
+            new
+        }));
+    }
+    all.retain(|new| *new != old);
+    all
+}
+
+/// (1, −2.5, 0), or the number alone.
+fn format_numbers(numbers: &[f64]) -> String {
+    let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
+    let all = all.join(", ").replace('-', "−");
+    if numbers.len() == 1 { all } else { format!("({all})") }
+}

@@ -1,0 +1,226 @@
+use crate::Step;
+use crate::camera_from_sky::sky_alone;
+use crate::evidence::{Evidence, Pixel};
+use crate::explanation::{Explanation, Work};
+use crate::pixel_regions::{regions, wrong_objects};
+use crate::source_ref::{back, place, test_command};
+use crate::step_scene::{hits, intensity, object_name, scene};
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// The most regions of which the wrong pixels are told.
+const MOST_REGIONS: usize = 3;
+
+/// What there is to say of a picture that nothing explains as a whole: which regions are
+/// right, how many pixels of the others are wrong, what explains one of these alone, and the
+/// tests by hand of the stages that may be wrong.
+pub(crate) fn wrong_regions(
+    evidence: &Evidence,
+    step: Step,
+    work: &Work,
+) -> String {
+    let (mut right, mut wrong, mut explained) = (vec![], vec![], vec![]);
+    let mut wrong_names = vec![];
+    for (name, is_in) in regions(step) {
+        match evidence.count(&is_in) {
+            (_, 0) => {}
+            (0, _) => right.push(name),
+            (some, all) => {
+                wrong.push(format!("{some} of {all} pixels of {name}"));
+                let found = region_explanations(evidence, step, &name)
+                    .into_iter()
+                    .find(|one| one.holds(evidence, &is_in, work));
+                wrong_names.push(name);
+                explained.extend(found);
+            }
+        }
+    }
+    let mut text = String::new();
+    if !right.is_empty() {
+        text += &format!("Right in every pixel: {}.\n", right.join(", "));
+    }
+    let more = wrong.len().saturating_sub(MOST_REGIONS);
+    wrong.truncate(MOST_REGIONS);
+    let more = if 0 < more { format!("; and {more} more") } else { String::new() };
+    text += &format!("Wrong: {}{more}.\n", wrong.join("; "));
+    text += &sentence_of_objects(evidence, step);
+    if let Some((differences, count)) = sky_alone(evidence, work) {
+        text += &format!(
+            "In the {count} pixels of your sky that are far from objects,{differences}\n"
+        );
+        let places: Vec<_> = place("step01_rays/camera.rs").into_iter().collect();
+        return text + &back(&places);
+    }
+    explained.truncate(2);
+    for one in &explained {
+        text += &format!("{}\n", one.sentence);
+    }
+    let steps = stages(evidence, step, &wrong_names);
+    text + &test_command(&steps)
+}
+
+/// Tells of the outlines: objects that show the sky, and the sky that does not; or of which
+/// objects alone there are wrong pixels.
+fn sentence_of_objects(evidence: &Evidence, step: Step) -> String {
+    if step == Step::Rays {
+        return String::new();
+    }
+    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
+    if sky < 2 * wrong_sky {
+        return String::new();
+    }
+    let (gone, extra) = outlines(evidence);
+    let gone_names: Vec<_> =
+        gone.keys().map(|k| object_name(step, (*k).into())).collect();
+    let gone_names = match gone_names.len() {
+        5.. => format!("{} objects", gone_names.len()),
+        _ => gone_names.join(", "),
+    };
+    let gone: usize = gone.values().sum();
+    let names = wrong_objects(evidence, step);
+    match (gone, extra, &names[..]) {
+        (0, 0, [one]) if 1 < scene(step).objects.len() => {
+            format!(
+                "The outlines are right, and of all objects only {one} is wrong.\n"
+            )
+        }
+        (0, 0, _) => {
+            let (crowded, all) = evidence.count(|pixel| pixel.region.is_crowded);
+            match crowded == evidence.wrong().len() {
+                true => format!(
+                    "All of them are among the {all} pixels where one object hides another.\n"
+                ),
+                false => "The outlines are right.\n".to_owned(),
+            }
+        }
+        (_, 0, _) => format!("{gone} pixels of {gone_names} show the sky.\n"),
+        (0, ..) => format!("{extra} pixels of the sky do not show it.\n"),
+        _ => format!(
+            "{gone} pixels of {gone_names} show the sky, and {extra} of the sky do not.\n"
+        ),
+    }
+}
+
+/// How many pixels of each object show the sky behind it, and how many of the sky do not.
+fn outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
+    let sky = intensity(Step::Rays, &scene(Step::Rays));
+    let (mut gone, mut extra) = (BTreeMap::new(), 0);
+    for pixel in evidence.wrong() {
+        match pixel.region.object {
+            None => extra += 1,
+            Some(k)
+                if evidence.encode(sky(&evidence.ray(pixel))) == pixel.yours =>
+            {
+                *gone.entry(k).or_default() += 1;
+            }
+            Some(_) => {}
+        }
+    }
+    (gone, extra)
+}
+
+/// The steps whose stages may be wrong, where these regions are.
+fn stages(evidence: &Evidence, step: Step, wrong: &[String]) -> Vec<Step> {
+    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
+    let (gone, extra) = outlines(evidence);
+    let only = |is_one: fn(&str) -> bool| wrong.iter().all(|name| is_one(name));
+    let first = if 4 * wrong_sky > sky {
+        Step::Rays
+    } else if 0 < gone.len() + extra {
+        Step::Sphere
+    } else if only(|name| name == "where highlights may be") {
+        Step::Phong
+    } else if only(|name| name == "what no light reaches") {
+        Step::Nearest
+    } else {
+        Step::Sphere
+    };
+    Step::ALL.into_iter().filter(|one| first <= *one && *one <= step).collect()
+}
+
+/// What may explain one region alone.
+fn region_explanations<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+    region: &str,
+) -> Vec<Explanation<'a>> {
+    let mut all = vec![];
+    let first = evidence.wrong().first().map_or([0; 3], |pixel| pixel.yours);
+    let [r, g, b] = first;
+    let sentence =
+        format!("In every pixel of {region} your colour is ({r}, {g}, {b}).");
+    all.push(Explanation::exact(sentence, &[], move |_| first));
+    if step < Step::Nearest || region == "the sky" {
+        return all;
+    }
+    let scene_of_step = scene(step);
+    let own = intensity(step, &scene_of_step);
+    let flat =
+        scene_of_step.objects.iter().map(|object| object.material.surface.diffuse);
+    let flat: Vec<DVec3> = flat.collect();
+    if Step::Diffuse <= step {
+        let sentence = format!(
+            "In every pixel of {region} your colour is that of the object, \
+                                without light."
+        );
+        all.push(Explanation::exact(sentence, &[], move |pixel| {
+            let k = pixel.region.object.map_or(0, usize::from);
+            evidence.encode(flat[k])
+        }));
+    }
+    all.extend(fitted_factor(evidence, region, own));
+    if 1 < scene_of_step.objects.len() {
+        let sentence = format!(
+            "In every pixel of {region} you see another object than ours, \
+                                which the ray meets as well."
+        );
+        let alone = (0..scene_of_step.objects.len()).map(|k| {
+            let objects = vec![scene_of_step.objects[k]];
+            let scene =
+                crate::step_scene::Scene { objects, ..scene_of_step.clone() };
+            (object_name(step, k), intensity(step, &scene))
+        });
+        let alone: Vec<_> = alone.collect();
+        let scene = scene_of_step;
+        all.push(Explanation::exact(sentence, &[], move |pixel| {
+            let ray = evidence.ray(pixel);
+            let hits = hits(&scene, &ray);
+            let colours = hits
+                .iter()
+                .skip(1)
+                .map(|(_, k)| evidence.encode(alone[*k].1(&ray)));
+            let mut colours = colours.filter(|colour| *colour == pixel.yours);
+            colours.next().unwrap_or(pixel.ours)
+        }));
+    }
+    all
+}
+
+/// Ours times a factor, of each channel, fitted to every second pixel of a region.
+fn fitted_factor<'a>(
+    evidence: &'a Evidence,
+    region: &str,
+    own: Box<dyn Fn(&step01_rays::Ray) -> DVec3>,
+) -> Option<Explanation<'a>> {
+    let step = evidence.step?;
+    let (_, is_in) = regions(step).into_iter().find(|(name, _)| name == region)?;
+    let (mut sum, mut count) = (DVec3::ZERO, DVec3::ZERO);
+    for pixel in evidence.pixels.iter().filter(|pixel| is_in(pixel)).step_by(2) {
+        for k in 0..3 {
+            if pixel.yours[k] < 255 && 8 < pixel.ours[k] && pixel.ours[k] < 255 {
+                sum[k] += f64::from(pixel.yours[k]) / f64::from(pixel.ours[k]);
+                count[k] += 1.0;
+            }
+        }
+    }
+    let factor = (0.0 < count.min_element()).then(|| sum / count)?;
+    let words = match (factor.max_element() - factor.min_element()) < 0.02 {
+        true => format!("{:.2}", factor.element_sum() / 3.0),
+        false => format!("({:.2}, {:.2}, {:.2})", factor.x, factor.y, factor.z),
+    };
+    let sentence =
+        format!("In every pixel of {region} your colour is {words} times ours.");
+    Some(Explanation::fitted(sentence, &[], move |pixel| {
+        evidence.encode(factor * own(&evidence.ray(pixel)))
+    }))
+}
