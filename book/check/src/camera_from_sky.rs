@@ -180,6 +180,9 @@ pub(crate) fn around(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
     range
 }
 
+/// A vector that is made of V.
+type Direction = fn(DVec3) -> DVec3;
+
 /// The sky of another colour, where each channel is a plane in the picture; objects as ours.
 pub(crate) fn sky_colours<'a>(
     evidence: &'a Evidence,
@@ -188,7 +191,7 @@ pub(crate) fn sky_colours<'a>(
     let is_asked = evidence.step.is_some()
         && 0 < evidence.count(is_sky).0
         && evidence.count(|pixel| !is_sky(pixel)).0 == 0;
-    let directions: [(&str, fn(DVec3) -> DVec3); 2] =
+    let directions: [(&str, Direction); 2] =
         [("V", |v| v), ("V/|V|", |v| v.normalize())];
     let directions = directions.into_iter().filter(move |_| is_asked);
     directions.filter_map(move |(name, direction)| {
@@ -220,7 +223,7 @@ pub(crate) fn sky_colours<'a>(
 fn fit_colour(
     evidence: &Evidence,
     channel: usize,
-    direction: fn(DVec3) -> DVec3,
+    direction: Direction,
 ) -> Option<DVec3> {
     let sky = evidence.pixels.iter().filter(|pixel| pixel.region.object.is_none());
     let point = |pixel: &Pixel| {

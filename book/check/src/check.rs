@@ -11,13 +11,14 @@ use crate::pixel_regions::computed;
 use crate::scene_parameter::other_numbers;
 use crate::source_ref::{back, place, test_command};
 use crate::step_scene::{ENCODE, intensity, scene};
-use crate::transformed::{has_same_pixels, rearranged, turned};
+use crate::transformed::{OurPicture, has_same_pixels, rearranged, turned};
 use crate::wrong_regions::wrong_regions;
 use crate::{
     Answer, Locked, Picture, Step, camera, png_file, printable, which_picture,
 };
-use compare::panels;
+use compare::{Difference, panels};
 use image::{Rgb, RgbImage};
+use std::rc::Rc;
 
 /// The most pixels in which explanations are asked: those of a locked picture.
 const COMPARED: u32 = 640 * 360;
@@ -170,7 +171,14 @@ fn explain(
 ) -> String {
     let name = &ours.name;
     if let Some(text) = one_colour(yours) {
-        return text + &listed_mistake(&yours.pixels, name).unwrap_or_default();
+        let steps: Vec<_> =
+            Step::ALL.into_iter().filter(|one| Some(*one) <= step).collect();
+        let listed = listed_mistake(&yours.pixels, name);
+        return text
+            + &listed.unwrap_or_else(|| match step {
+                Some(_) => test_command(&steps),
+                None => exercise_hint(name),
+            });
     }
     if let Some(part) = crop_or_scale(yours, &ours.picture, drawn) {
         return format!("Not right: your picture is that of {name}, {part}.\n");
@@ -187,13 +195,19 @@ fn explain(
     };
     let evidence = Evidence::new(name, step, &thinned, own, camera, ENCODE);
     let listed = if is_size { listed_mistake(&yours.pixels, name) } else { None };
-    let whole = drawn.into_iter().chain([&ours.picture]);
-    let mut text = match explain_whole(&evidence, &whole.collect::<Vec<_>>(), work)
-    {
+    if evidence.wrong().is_empty() {
+        return sentence_of_few(yours, drawn, name, thinned.rows.len());
+    }
+    let at_size = drawn
+        .map(OurPicture::of)
+        .or_else(|| step.map(|step| computed_picture(step, &evidence)));
+    let whole = at_size.into_iter().chain([OurPicture::of(&ours.picture)]);
+    let rearranged = drawn.map_or(vec![], |drawn| rearranged(&evidence, drawn));
+    let mut text = match explain_whole(&evidence, whole, rearranged, work) {
         Some(found) => {
             let places = found.files.iter().filter_map(|file| place(file));
             let back = listed.unwrap_or_else(|| back(&places.collect::<Vec<_>>()));
-            format!("Not right: {}\n{back}", found.sentence)
+            format!("Not right: {}\n{back}", lower_first(&found.sentence))
         }
         None if is_size || step.is_some() => {
             listed.unwrap_or_else(|| explain_rest(&evidence, drawn, work))
@@ -232,16 +246,46 @@ fn one_colour(yours: &Picture) -> Option<String> {
     })
 }
 
-/// What was made of ours as a whole: the strongest explanations. `ours` is our whole picture,
-/// at the size of yours and as it is locked.
+/// Our picture at the size of the reader's, where that is too large to be drawn.
+fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
+    let intensity = intensity(step, &scene(step));
+    let colour = move |i: u32, j: u32| {
+        evidence.encode(intensity(&evidence.camera.ray(i.into(), j.into())))
+    };
+    OurPicture { size: evidence.yours.size, colour: Rc::new(colour) }
+}
+
+/// What there is to say where all rows are right in which explanations are asked.
+fn sentence_of_few(
+    yours: &Picture,
+    drawn: Option<&RgbImage>,
+    name: &str,
+    rows: usize,
+) -> String {
+    let start = format!("Not right yet, compared with {name}.\n");
+    let difference =
+        drawn.and_then(|drawn| Difference::between(drawn, &yours.pixels));
+    let Some(Difference::Pixels { count, first: (i, j), colours, .. }) = difference
+    else {
+        return start;
+    };
+    let [ours, yours_there] =
+        [colours.0, colours.1].map(|[r, g, b]| format!("({r}, {g}, {b})"));
+    format!(
+        "{start}{rows} rows spread over it are right, but {count} of {} pixels differ.\n\
+         Column {i}, row {j}: yours is {yours_there}, ours {ours}.\n",
+        yours.pixels.pixels().len()
+    )
+}
+
+/// What was made of ours as a whole: the strongest explanations.
 fn explain_whole<'a>(
     evidence: &'a Evidence,
-    ours: &[&'a RgbImage],
+    ours: impl Iterator<Item = OurPicture<'a>>,
+    rearranged: Vec<Explanation<'a>>,
     work: &Work,
 ) -> Option<Explanation<'a>> {
-    let turned = ours.iter().flat_map(|ours| turned(evidence, ours));
-    let rearranged =
-        ours.iter().take(1).flat_map(|ours| rearranged(evidence, ours));
+    let turned = ours.flat_map(|ours| turned(evidence, ours));
     let is_sky_alone = evidence.step == Some(Step::Rays);
     let camera = fitted_camera(evidence).filter(|_| is_sky_alone);
     let all = turned.chain(rearranged).chain(encodes(evidence)).chain(camera);
@@ -267,11 +311,8 @@ fn explain_rest(
         .chain(lossy(evidence));
     if let Some(found) = first_that_holds(evidence, one, work) {
         let places = found.files.iter().filter_map(|file| place(file));
-        return format!(
-            "Not right: {}\n{}",
-            found.sentence,
-            back(&places.collect::<Vec<_>>())
-        );
+        let back = back(&places.collect::<Vec<_>>());
+        return format!("Not right: {}\n{back}", lower_first(&found.sentence));
     }
     let start = format!("Not right yet, compared with {}.\n", evidence.name);
     let Some(step) = evidence.step else {
@@ -304,6 +345,13 @@ fn explain_rest(
         }
         None => start + &wrong_regions(evidence, step, work),
     }
+}
+
+/// A sentence as it goes on after a colon.
+fn lower_first(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    let first = letters.next().map(|c| c.to_lowercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
 }
 
 /// One pixel that is wrong, among those that differ most, and how many there are.

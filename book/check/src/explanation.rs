@@ -1,6 +1,9 @@
 use crate::evidence::{Evidence, Pixel};
 use std::cell::Cell;
 
+/// The lowest and the highest bytes of a pixel.
+pub(crate) type Range = [[u8; 3]; 2];
+
 /// Something that may have happened to a picture: a sentence, where in the code, and a
 /// function from pixels to colours.
 pub(crate) struct Explanation<'a> {
@@ -9,7 +12,7 @@ pub(crate) struct Explanation<'a> {
     /// Where to go back to, such as `step01_rays/rgb8.rs`.
     pub files: Vec<&'static str>,
     /// The lowest and the highest bytes that it gives a pixel.
-    pub colours: Box<dyn Fn(&Pixel) -> [[u8; 3]; 2] + 'a>,
+    pub colours: Box<dyn Fn(&Pixel) -> Range + 'a>,
     /// How many rays its colours take.
     pub rays: u32,
     /// One pixel of so many may be another, which is counted and told; 0 where none may.
@@ -45,7 +48,7 @@ impl<'a> Explanation<'a> {
     pub fn range(
         sentence: impl Into<String>,
         files: &[&'static str],
-        colours: impl Fn(&Pixel) -> [[u8; 3]; 2] + 'a,
+        colours: impl Fn(&Pixel) -> Range + 'a,
     ) -> Self {
         Self {
             sentence: sentence.into(),

@@ -56,7 +56,7 @@ pub(crate) fn other_options(
             let evidence = Evidence::new("", None, &yours, ours, camera, ENCODE);
             let explanation = with_samples(&evidence, step, samples);
             let holds = explanation.holds(&evidence, |_| true, work);
-            holds.then(|| Options {
+            holds.then_some(Options {
                 field_of_view,
                 samples,
                 rows: yours.rows.len(),
@@ -66,7 +66,7 @@ pub(crate) fn other_options(
 }
 
 /// How many rays are drawn to find out whether a picture has so many samples.
-const RAYS: u32 = 1 << 19;
+const RAYS: u32 = 1 << 20;
 
 /// Each pixel the mean of a grid of rays.
 fn with_samples<'a>(
@@ -103,15 +103,18 @@ impl Options {
         let Self { field_of_view, samples, rows: compared } = *self;
         let extent = match compared == rows as usize {
             true => "in every pixel".to_owned(),
-            false => format!("in the {compared} rows compared"),
+            false => format!("in the {compared} rows of {rows} that were compared"),
         };
-        let told = format!(
-            "this is the picture of {name}, {extent}, at {columns}×{rows} pixels, \
-             {field_of_view}° and {samples}×{samples} rays a pixel."
+        let options = format!(
+            "at {columns}×{rows} pixels, {field_of_view}° and {samples}×{samples} rays a \
+             pixel."
         );
         if !yours.is_whole() && self.are_default() {
-            return format!("Right {extent} of {rows}: {told}");
+            return format!(
+                "Right {extent}: this is the picture of {name}, {options}"
+            );
         }
+        let told = format!("this is the picture of {name}, {extent}, {options}");
         let listed = known(sum(&yours.pixels)).into_iter().next();
         let listed = listed.filter(|_| yours.is_whole());
         let hint = match listed {

@@ -1,6 +1,7 @@
 use crate::evidence::Evidence;
 use crate::explanation::Explanation;
 use image::RgbImage;
+use std::rc::Rc;
 
 const CAMERA: &str = "step01_rays/camera.rs";
 const RENDER: &str = "step01_rays/render.rs";
@@ -30,28 +31,49 @@ const ORDERS: [(&str, [usize; 3]); 6] = [
     (", with blue, red, green for red, green, blue", [2, 0, 1]),
 ];
 
-/// Ours turned, mirrored, with its channels in another order. `ours` is our whole picture.
+/// Our picture as a function from columns and rows.
+#[derive(Clone)]
+pub(crate) struct OurPicture<'a> {
+    /// Columns and rows.
+    pub size: (u32, u32),
+    /// The colour in a column and a row.
+    pub colour: Rc<dyn Fn(u32, u32) -> [u8; 3] + 'a>,
+}
+
+impl<'a> OurPicture<'a> {
+    /// One that is drawn.
+    pub fn of(picture: &'a RgbImage) -> Self {
+        let colour = Rc::new(|i, j| picture.get_pixel(i, j).0);
+        Self { size: picture.dimensions(), colour }
+    }
+}
+
+/// Ours turned, mirrored, with its channels in another order.
 pub(crate) fn turned<'a>(
-    evidence: &'a Evidence,
-    ours: &'a RgbImage,
+    evidence: &Evidence,
+    ours: OurPicture<'a>,
 ) -> impl Iterator<Item = Explanation<'a>> {
-    let size @ (w, h) = evidence.yours.size;
-    let turns = TURNS.into_iter().enumerate().filter(move |(k, _)| {
-        ours.dimensions() == if *k < 4 { size } else { (h, w) }
-    });
+    let (size @ (w, h), name) = (evidence.yours.size, evidence.name.to_owned());
+    let turns = TURNS
+        .into_iter()
+        .enumerate()
+        .filter(move |(k, _)| ours.size == if *k < 4 { size } else { (h, w) });
+    let colour = ours.colour;
     turns.flat_map(move |(_, (turned, turn))| {
         let orders = ORDERS
             .into_iter()
             .filter(move |(swapped, _)| !turned.is_empty() || !swapped.is_empty());
+        let (name, colour) = (name.clone(), colour.clone());
         orders.map(move |(swapped, order)| {
-            let name = evidence.name;
             let sentence =
                 format!("Your picture is that of {name}{turned}{swapped}.");
             let file = if turned.is_empty() { RGB8 } else { CAMERA };
+            let colour = colour.clone();
             let mut explanation =
                 Explanation::exact(sentence, &[file], move |pixel| {
                     let (i, j) = turn(pixel.i, pixel.j, w, h);
-                    order.map(|k| ours.get_pixel(i, j)[k])
+                    let colour = colour(i, j);
+                    order.map(|k| colour[k])
                 });
             // A mirrored ray may differ in its last bit.
             explanation.exceptions = 500;
@@ -68,7 +90,7 @@ pub(crate) fn rearranged<'a>(
     if ours.dimensions() != evidence.yours.size || !evidence.is_whole() {
         return vec![];
     }
-    let (w, h) = ours.dimensions().into();
+    let (w, h) = ours.dimensions();
     let [w, h] = [w, h].map(|n: u32| n as usize);
     let (count, bytes) = (w * h, ours.as_raw());
     let pixel = move |n: usize| [bytes[3 * n], bytes[3 * n + 1], bytes[3 * n + 2]];

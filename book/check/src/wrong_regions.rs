@@ -1,6 +1,6 @@
 use crate::Step;
 use crate::camera_from_sky::sky_alone;
-use crate::evidence::{Evidence, Pixel};
+use crate::evidence::Evidence;
 use crate::explanation::{Explanation, Work};
 use crate::pixel_regions::{regions, wrong_objects};
 use crate::source_ref::{back, place, test_command};
@@ -26,10 +26,11 @@ pub(crate) fn wrong_regions(
             (_, 0) => {}
             (0, _) => right.push(name),
             (some, all) => {
+                let is_large = 200 <= all;
                 wrong.push(format!("{some} of {all} pixels of {name}"));
                 let found = region_explanations(evidence, step, &name)
                     .into_iter()
-                    .find(|one| one.holds(evidence, &is_in, work));
+                    .find(|one| is_large && one.holds(evidence, &is_in, work));
                 wrong_names.push(name);
                 explained.extend(found);
             }
