@@ -3,8 +3,8 @@
 // What answers in this page. Gestures become requests to the module, which is the code of the
 // five crates; its answers are put in place. Nothing about rays is computed here.
 
-// The modules, each once the script that holds it has come: "live" is what answers here, "check"
-// looks at the reader's picture, and "pictures" draws those that it compares with.
+// The modules, each once the script that holds it has come: "live" is what answers here, and "check"
+// looks at the reader's picture.
 const liveModule = (() => {
     const come = {}, modules = {}, instances = {};
     const load = name => modules[name] ??= new Promise((resolve, reject) => {
@@ -44,36 +44,44 @@ function ask(module, request, file) {
     return answer;
 }
 
-// Asks what looks at a file, beside the page, in a worker: the page can be read and moved meanwhile.
+// Asks what looks at a file, beside the page, in a worker: the page can be read and moved meanwhile,
+// and what is no longer wanted is stopped.
 const work = `${ask}
-    let asked;
-    onmessage = async ({ data: [modules, request, file, port] }) => {
-        asked ??= Promise.all(modules.map(module => WebAssembly.instantiate(module)));
-        const [check, pictures] = (await asked).map(instance => instance.exports);
-        let answer;
-        while ((answer = ask(check, request, file)).draw) {
-            for (const name of answer.draw) ask(check, "drawn " + name, ask(pictures, "draw " + name).pixels);
-        }
+    let check;
+    onmessage = async ({ data: [module, request, file, port] }) => {
+        check ??= WebAssembly.instantiate(module);
+        const answer = ask((await check).exports, request, file);
         port.postMessage({ ...answer, pixels: answer.pixels?.slice() });
     };
     onunhandledrejection = ({ reason }) => { throw reason; };`;
-let worker;
+let worker, isWorking = false;
 async function askBeside(request, file) {
-    const modules = await Promise.all(["check", "pictures"].map(liveModule.load));
+    const module = await liveModule.load("check");
+    stopWorking();
     worker ??= new Worker(URL.createObjectURL(new Blob([work], { type: "text/javascript" })));
     const { port1, port2 } = new MessageChannel();
+    isWorking = true;
     try {
         return await new Promise((resolve, reject) => {
             port1.onmessage = ({ data }) => resolve(data);
             worker.addEventListener("error", reject);
-            worker.postMessage([modules, request, file, port2], [port2]);
+            worker.postMessage([module, request, file, port2], [port2]);
         });
     } catch (error) {
         // Nothing is left of what went wrong.
-        worker?.terminate();
-        worker = null;
+        stopWorking();
         throw error;
+    } finally {
+        isWorking = false;
     }
+}
+
+// Ends the worker if it is busy; what it has drawn is kept for the next file where it is not.
+function stopWorking() {
+    if (!isWorking) return;
+    worker.terminate();
+    worker = null;
+    isWorking = false;
 }
 
 const make = (tag, attributes, ...children) => {
@@ -331,7 +339,8 @@ function looking(form) {
         const mine = last += 1;
         show("", "Looking …");
         try {
-            const bytes = new Uint8Array(await file.arrayBuffer());
+            // A larger one is too large, whatever follows.
+            const bytes = new Uint8Array(await file.slice(0, 2 ** 27 + 1).arrayBuffer());
             const answer = await askBeside(`check ${form.dataset.name} ${file.name}`, bytes);
             if (mine === last) show(answer.code, ...told(answer));
         } catch {
@@ -339,7 +348,7 @@ function looking(form) {
         }
     };
     input.addEventListener("change", () => look(input.files[0]));
-    form.addEventListener("reset", () => { last += 1; show(""); });
+    form.addEventListener("reset", () => { last += 1; stopWorking(); show(""); });
     form.addEventListener("dragover", event => { event.preventDefault(); form.classList.add("held"); });
     for (const end of ["dragleave", "drop"]) form.addEventListener(end, () => form.classList.remove("held"));
     form.addEventListener("drop", event => {

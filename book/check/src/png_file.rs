@@ -77,6 +77,9 @@ fn spread(count: u32, all: u32) -> impl Iterator<Item = u32> {
 /// The size is looked at before anything is unpacked, colour profiles and texts are not
 /// unpacked at all, and of a large picture one row at a time is in the memory.
 pub fn read(file: &[u8]) -> Result<Picture, String> {
+    if FILE_BYTES < file.len() as u64 {
+        return Err(too_many_bytes());
+    }
     if let Some(other) = other_format(file) {
         return Err(format!("is {other}"));
     }
@@ -130,6 +133,11 @@ pub fn read(file: &[u8]) -> Result<Picture, String> {
         );
     }
     Ok(Picture { size, rows, pixels, notes, is_invisible })
+}
+
+/// Says that a file is larger than any picture.
+pub(crate) fn too_many_bytes() -> String {
+    format!("is too large: a picture has at most {} MB", FILE_BYTES >> 20)
 }
 
 fn has_alpha(colour: ColorType) -> bool {

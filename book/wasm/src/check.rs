@@ -1,4 +1,4 @@
-use crate::pictures::SIZE;
+use crate::pictures::{SIZE, draw_picture};
 use ::check::{Locked, Step, names};
 use image::RgbImage;
 use live::Answer;
@@ -6,7 +6,7 @@ use live::json;
 use std::cell::RefCell;
 
 thread_local! {
-    /// The pictures that were drawn for us, in the order of their names.
+    /// Pictures of ours, in the order of their names.
     static OURS: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
 }
 
@@ -14,53 +14,55 @@ thread_local! {
 /// that it should be, or `*` where the file's name tells it, and the file's name. The
 /// pixels are those of the difference.
 ///
-/// Or else the names of pictures of ours to [`keep`] before it can be said: the one that
-/// it should be, the one that it is, and those of the steps; or all where it may be any.
+/// Pictures of ours are drawn when they are first needed: the one that it should be, the
+/// one that it is, and those of the steps; or all where it may be any.
 pub fn check(words: &str, file: &[u8]) -> Answer {
     let (name, called) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
         "*" => check::by_file(called, names().into_iter()),
         name => Some(name),
     };
-    let sum = check::read(file).map(|yours| check::sum(&yours.pixels));
-    let is = |(_, right): &(_, u64)| sum.as_ref() == Ok(right);
+    let hash = check::read(file).map(|yours| check::sum(&yours.pixels));
+    let is = |(_, right): &(_, u64)| hash.as_ref() == Ok(right);
     let is = check::locked_sums().find(is).map(|(name, _)| name);
-    OURS.with_borrow(|ours| {
-        let may_be = |known: &str| {
-            let is_asked = name.or(is).is_none_or(|name| name == known);
-            is_asked || is == Some(known) || Step::named(known).is_some()
-        };
-        let is_kept = |known: &str| ours.iter().any(|one| one.name == known);
-        let missing =
-            names().into_iter().filter(|one| may_be(one) && !is_kept(one));
-        let missing: Vec<_> = missing.map(json::text).collect();
-        if missing.is_empty() {
-            return said(check::check(file, called, name, ours));
+    let is_needed = |known: &str| {
+        let is_asked = name.or(is).is_none_or(|name| name == known);
+        is_asked || is == Some(known) || Step::named(known).is_some()
+    };
+    for known in
+        names().into_iter().filter(|known| hash.is_ok() && is_needed(known))
+    {
+        let is_kept =
+            OURS.with_borrow(|ours| ours.iter().any(|one| one.name == known));
+        if !is_kept && let Some(picture) = draw_picture(known, SIZE[0]) {
+            insert(known, picture);
         }
-        Answer::of([("draw", json::list(missing))])
-    })
+    }
+    OURS.with_borrow(|ours| page_answer(check::check(file, called, name, ours)))
 }
 
-/// Keeps a picture of ours: red, green and blue of each pixel.
+/// Keeps a picture of ours that was drawn elsewhere: red, green and blue of each pixel.
 ///
 /// # Panics
 ///
-/// Panics where it has another size: then it is of another module than this, and would be
-/// asked for again and again.
+/// Panics where it has another size.
 pub fn keep(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
-    let picture = picture.expect("all pixels of a picture of ours");
+    insert(name, picture.expect("all pixels of a picture of ours"));
+    Answer::of([])
+}
+
+fn insert(name: &str, picture: RgbImage) {
     let place = |name: &str| names().iter().position(|known| *known == name);
     OURS.with_borrow_mut(|ours| {
         let at = ours.partition_point(|one| place(&one.name) < place(name));
         ours.insert(at, Locked { name: name.to_owned(), picture });
     });
-    Answer::of([])
 }
 
 /// An answer for the page.
-fn said(answer: check::Answer) -> Answer {
+fn page_answer(answer: check::Answer) -> Answer {
     let mut fields =
         vec![("code", answer.code.to_string()), ("text", json::text(&answer.text))];
     let mut pixels = vec![];

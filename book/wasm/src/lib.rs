@@ -1,16 +1,15 @@
-//! What the pages of the book call, compiled for the browser: what answers there, `check`,
-//! and the pictures that it compares with. Each is a module of its own, as few readers of
-//! a page drop a picture into it.
-
-#[cfg(any(feature = "check", feature = "pictures"))]
-mod pictures;
-#[cfg(feature = "pictures")]
-pub use pictures::draw;
+//! What the pages of the book call, compiled for the browser: what answers there, and
+//! `check` with the pictures that it compares with. Each is a module of its own, as few
+//! readers of a page drop a picture into it.
 
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
+mod pictures;
+#[cfg(feature = "check")]
 pub use check::{check, keep};
+#[cfg(feature = "check")]
+pub use pictures::draw;
 
 // A name that is kept for the page counts as unsafe, as it could clash with another.
 #[allow(unsafe_code)]
@@ -23,7 +22,7 @@ use live::Answer;
 /// - `check NAME FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of ours: see [`draw`].
-/// - `drawn NAME` brings its pixels: see [`keep`].
+/// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep`].
 /// - Every other goes to [`live::answer`].
 #[cfg_attr(not(feature = "check"), expect(unused_variables))]
 pub fn answer(request: &str, file: &[u8]) -> Answer {
@@ -32,7 +31,7 @@ pub fn answer(request: &str, file: &[u8]) -> Answer {
         Some(("check", words)) => check(words, file),
         #[cfg(feature = "check")]
         Some(("drawn", name)) => keep(name, file),
-        #[cfg(feature = "pictures")]
+        #[cfg(feature = "check")]
         Some(("draw", name)) => draw(name),
         #[cfg(feature = "live")]
         _ => live::answer(request),

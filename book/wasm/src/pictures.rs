@@ -1,19 +1,28 @@
+use image::RgbImage;
+
 /// Columns and rows of each picture.
 pub const SIZE: [u32; 2] = [640, 360];
 
 /// A picture, drawn by the course's own code: red, green and blue of each pixel. The words
 /// are its name and, if it is to be small, its columns.
-#[cfg(feature = "pictures")]
 pub fn draw(words: &str) -> live::Answer {
     let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
     let columns = columns.parse().unwrap_or(SIZE[0]);
-    let mut all = exercises::STEPS.iter().chain(exercises::PICTURES);
-    let Some((_, picture)) = all.find(|(known, _)| *known == name) else {
+    let Some(picture) = draw_picture(name, columns) else {
         return live::Answer::default();
     };
+    let size = live::json::list(SIZE);
+    live::Answer {
+        pixels: picture.into_raw(),
+        ..live::Answer::of([("size", size)])
+    }
+}
+
+/// The picture of this name, if there is one, with so many columns.
+pub fn draw_picture(name: &str, columns: u32) -> Option<RgbImage> {
+    let mut all = exercises::STEPS.iter().chain(exercises::PICTURES);
+    let (_, picture) = all.find(|(known, _)| *known == name)?;
     let rows = columns * SIZE[1] / SIZE[0];
     let camera = step01_rays::Camera::new(columns, rows, 60_f64.to_radians());
-    let pixels = picture(&camera, 1).into_raw();
-    let size = live::json::list(SIZE);
-    live::Answer { pixels, ..live::Answer::of([("size", size)]) }
+    Some(picture(&camera, 1))
 }
