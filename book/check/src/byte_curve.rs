@@ -3,6 +3,7 @@ use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{ENCODE, Encode, intensity, scene};
 use glam::DVec3;
+use std::rc::Rc;
 
 /// Where intensities become bytes.
 const RGB8: &str = "step01_rays/rgb8.rs";
@@ -190,46 +191,72 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
     greys.into_iter()
 }
 
-/// Bytes that follow from ours alone, whatever they show: by a factor, by a power, or by a
-/// table that is read from the picture.
-pub(crate) fn tables<'a>(
+/// Bytes that follow from ours by a factor or by a power.
+pub(crate) fn fitted_curves<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let table = Table::read(evidence);
-    let is_plausible = table.as_ref().is_some_and(Table::is_most_changed);
-    let table = table.filter(|_| is_plausible);
-    table.into_iter().flat_map(|table| {
+    let curves = table.map(|table| {
         let (from, to) = table.example();
-        let fitted = [
-            table.factor().map(|factor| {
-                let sentence = format!(
-                    "Each byte of your picture is about {factor:.3} times ours: {from} is \
-                     {to}."
-                );
-                Explanation::fitted(sentence, &[RGB8], move |pixel| {
-                    pixel.ours.map(|c| (f64::from(c) * factor).round() as u8)
-                })
-            }),
-            table.power().map(|power| {
-                let sentence = format!(
-                    "Each byte of your picture is ours to the power {} (gamma): {from} is \
-                     {to}.",
-                    format_power(power)
-                );
-                Explanation::fitted(sentence, &[RGB8], move |pixel| {
-                    let curve = |c: u8| 255.0 * (f64::from(c) / 255.0).powf(power);
-                    pixel.ours.map(|c| curve(c).round() as u8)
-                })
-            }),
-        ];
-        let words = if table.is_common { "" } else { ", each channel in its own way" };
-        let sentence = format!(
-            "The bytes of your picture follow from ours, whatever they show{words}: {from} \
-             is {to}."
-        );
-        let any = Explanation::range(sentence, &[RGB8], move |pixel| table.range(pixel.ours));
-        fitted.into_iter().flatten().chain([any])
+        let factor = table.factor().map(|factor| {
+            let sentence = format!(
+                "Each byte of your picture is about {factor:.3} times ours: {from} is {to}."
+            );
+            (sentence, Box::new(move |c: f64| factor * c) as Curve)
+        });
+        let power = table.power().map(|power| {
+            let sentence = format!(
+                "Each byte of your picture is ours to the power {} (gamma): {from} is {to}.",
+                format_power(power)
+            );
+            (sentence, Box::new(move |c: f64| c.max(0.0).powf(power)) as Curve)
+        });
+        [factor, power]
+    });
+    let intensity = evidence.step.map(|step| intensity(step, &scene(step)));
+    let intensity = intensity.map(Rc::new);
+    curves.into_iter().flatten().flatten().flat_map(move |(sentence, curve)| {
+        let curve = Rc::new(curve);
+        let of_bytes = curve.clone();
+        let bytes =
+            Explanation::fitted(sentence.clone(), files(evidence), move |pixel| {
+                let ours =
+                    DVec3::from_array(pixel.ours.map(|c| f64::from(c) / 255.0));
+                ENCODE(ours.map(of_bytes.as_ref()))
+            });
+        let exact = intensity.clone().map(|intensity| {
+            Explanation::fitted(sentence, files(evidence), move |pixel| {
+                ENCODE(intensity(&evidence.ray(pixel)).map(curve.as_ref()))
+            })
+        });
+        [bytes].into_iter().chain(exact)
     })
+}
+
+/// A function of an intensity.
+type Curve = Box<dyn Fn(f64) -> f64>;
+
+/// Where a curve may be: in step 1, where all is sky, its colour may be another as well.
+fn files(evidence: &Evidence) -> &'static [&'static str] {
+    match evidence.step {
+        Some(Step::Rays) => &[RGB8, "step01_rays/picture.rs"],
+        _ => &[RGB8],
+    }
+}
+
+/// Bytes that follow from ours alone, whatever they show, by a table that is read from the
+/// picture.
+pub(crate) fn table<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let table = Table::read(evidence)?;
+    let (from, to) = table.example();
+    let words = if table.is_common { "" } else { ", each channel in its own way" };
+    let sentence = format!(
+        "The bytes of your picture follow from ours, whatever they show{words}: {from} is \
+         {to}."
+    );
+    Some(Explanation::range(sentence, files(evidence), move |pixel| {
+        table.range(pixel.ours)
+    }))
 }
 
 fn format_power(power: f64) -> String {
@@ -238,6 +265,11 @@ fn format_power(power: f64) -> String {
     } else {
         format!("{power:.1}")
     }
+}
+
+/// Whether a byte of ours is another in the picture.
+fn is_changed((from, range): &(u8, (u8, u8))) -> bool {
+    *range != (*from, *from)
 }
 
 /// The range of bytes in the picture for each byte of ours, of each channel.
@@ -273,7 +305,11 @@ impl Table {
         let table = Self { ranges, is_common };
         let is_read =
             table.ranges.iter().all(is_narrow) && 48 <= table.known().count();
-        is_read.then_some(table)
+        // Where only the sky is wrong, it is the sky's colour and not that of all bytes.
+        let (wrong_objects, objects) =
+            evidence.count(|pixel| pixel.region.object.is_some());
+        let is_everywhere = objects == 0 || 0 < wrong_objects;
+        (is_read && is_everywhere && table.is_most_changed()).then_some(table)
     }
 
     /// Each byte of ours that was met, and the range of the picture.
@@ -283,13 +319,14 @@ impl Table {
     }
 
     fn is_most_changed(&self) -> bool {
-        let changed = |(from, range): &(u8, (u8, u8))| *range != (*from, *from);
-        self.known().count() < 2 * self.known().filter(changed).count()
+        let changed = self.known().filter(is_changed).count();
+        self.known().count() < 3 * changed + 3
     }
 
     /// The byte of ours in the middle, and what it is in the picture.
     fn example(&self) -> (u8, u8) {
-        let known = self.known().min_by_key(|(from, _)| from.abs_diff(128));
+        let known = self.known().filter(is_changed);
+        let known = known.min_by_key(|(from, _)| from.abs_diff(128));
         known.map_or((0, 0), |(from, (to, _))| (from, to))
     }
 
@@ -307,12 +344,12 @@ impl Table {
     }
 
     fn factor(&self) -> Option<f64> {
-        self.mean(|from, to| to / from)
-            .filter(|factor| (factor - 1.0).abs() > 0.002)
+        self.mean(|from, to| to / from).filter(|factor| (factor - 1.0).abs() > 0.01)
     }
 
     fn power(&self) -> Option<f64> {
-        self.mean(|from, to| (to / 255.0).ln() / (from / 255.0).ln())
+        let power = self.mean(|from, to| (to / 255.0).ln() / (from / 255.0).ln());
+        power.filter(|power| (power - 1.0).abs() > 0.04)
     }
 
     fn range(&self, ours: [u8; 3]) -> [[u8; 3]; 2] {

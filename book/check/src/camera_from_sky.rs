@@ -8,6 +8,7 @@ use step01_rays::Camera;
 
 const CAMERA: &str = "step01_rays/camera.rs";
 const SKY: &str = "step01_rays/picture.rs";
+const RGB8: &str = "step01_rays/rgb8.rs";
 
 /// What the sky of a picture tells of the camera that drew it: the x and y of D_u, D_v and
 /// V_0. Their z leaves no trace in it.
@@ -50,6 +51,14 @@ impl Sky {
     pub fn field_of_view(&self, columns: u32) -> f64 {
         let tan = self.x.x.abs() * f64::from(columns - 1) / 2.0;
         (20.0 * tan.atan().to_degrees()).round() / 10.0
+    }
+
+    /// Whether D_u and D_v have one direction, as those of no camera have.
+    fn is_flat(&self) -> bool {
+        let area = self.x.x * self.y.y - self.x.y * self.y.x;
+        let [u, v] =
+            [(self.x.x, self.y.x), (self.x.y, self.y.y)].map(|(x, y)| x.hypot(y));
+        area.abs() < 0.2 * u * v
     }
 
     /// Whether no byte of a picture would be another with the other camera.
@@ -127,7 +136,7 @@ const SLACK: f64 = 0.1;
 pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
     let (step, size) = (evidence.step?, evidence.yours.size);
     let (sky, ours) = (Sky::read(evidence.yours)?, Sky::of(&evidence.camera));
-    if sky.is_like(&ours, size) {
+    if sky.is_like(&ours, size) || sky.is_flat() {
         return None;
     }
     let mut camera = evidence.camera;
@@ -188,6 +197,7 @@ pub(crate) fn sky_colours<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
+    let is_alone = evidence.step == Some(Step::Rays);
     let is_asked = evidence.step.is_some()
         && 0 < evidence.count(is_sky).0
         && evidence.count(|pixel| !is_sky(pixel)).0 == 0;
@@ -202,11 +212,17 @@ pub(crate) fn sky_colours<'a>(
             .zip(&fits)
             .map(|(k, fit)| format_colour(k, *fit, name))
             .collect();
-        let sentence = format!(
-            "Your sky has another colour, and all else is right: {}.",
-            words.join(", ")
-        );
-        Some(Explanation::fitted(sentence, &[SKY], move |pixel| {
+        let else_right = if is_alone { "" } else { ", and all else is right" };
+        let words = words.join(", ");
+        let sentence = format!("Your sky has another colour{else_right}: {words}.");
+        // A V that is longer, but not another way, looks the same.
+        let is_scaled = fits[..2].iter().all(|fit| (fit.z - 0.7).abs() < 0.01);
+        let files: &[_] = match (is_alone, is_scaled) {
+            (_, true) => &[SKY, CAMERA],
+            (true, _) => &[SKY, RGB8],
+            _ => &[SKY],
+        };
+        Some(Explanation::fitted(sentence, files, move |pixel| {
             match pixel.region.object {
                 Some(_) => pixel.ours,
                 None => {

@@ -1,11 +1,11 @@
-use crate::byte_curve::{encode_of_sky, encodes, tables};
+use crate::byte_curve::{encode_of_sky, encodes, fitted_curves, table};
 use crate::camera_from_sky::{fitted_camera, sky_colours};
 use crate::crop_or_scale::crop_or_scale;
 use crate::disturbed::{last_digits, lossy, other_places, recoloured};
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::{Explanation, Work, first_that_holds};
 use crate::listed_mistake::listed_mistake;
-use crate::missing_parts::{never_drawn, other_objects, other_terms};
+use crate::missing_parts::{never_drawn, other_objects, other_terms, scaled_terms};
 use crate::other_options::{draw_rows, other_options};
 use crate::pixel_regions::computed;
 use crate::scene_parameter::other_numbers;
@@ -14,7 +14,8 @@ use crate::step_scene::{ENCODE, intensity, scene};
 use crate::transformed::{OurPicture, has_same_pixels, rearranged, turned};
 use crate::wrong_regions::wrong_regions;
 use crate::{
-    Answer, Locked, Picture, Step, camera, png_file, printable, which_picture,
+    Answer, Locked, Picture, Step, camera, known, png_file, printable, sum,
+    which_picture,
 };
 use compare::{Difference, panels};
 use image::{Rgb, RgbImage};
@@ -134,14 +135,9 @@ fn another_picture(yours: &RgbImage, ours: &Locked, other: &Locked) -> String {
     };
     let later = Step::ALL.into_iter().filter(|step| from < *step && *step <= to);
     let later: Vec<_> = later.collect();
-    let tests = match listed_mistake(yours, asked) {
-        Some(listed) => listed.replace(
-            "Not right: your picture is, in every pixel, what",
-            "It is what",
-        ),
-        None => test_command(&later),
-    };
-    let tests = tests.trim_start_matches("Not right: ");
+    let is_listed = known(sum(yours)).iter().any(|(_, name)| name == asked);
+    let listed = listed_mistake(yours, asked).filter(|_| is_listed);
+    let tests = listed.unwrap_or_else(|| test_command(&later));
     format!(
         "{start}\n{missing}. (Or the file is that of step {}.)\n{tests}",
         from.number()
@@ -209,9 +205,10 @@ fn explain(
             let back = listed.unwrap_or_else(|| back(&places.collect::<Vec<_>>()));
             format!("Not right: {}\n{back}", lower_first(&found.sentence))
         }
-        None if is_size || step.is_some() => {
-            listed.unwrap_or_else(|| explain_rest(&evidence, drawn, work))
-        }
+        None if is_size || step.is_some() => match listed {
+            Some(listed) => format!("Not right: {}", lower_first(&listed)),
+            None => explain_rest(&evidence, drawn, work),
+        },
         None => {
             return format!(
                 "Not right yet, compared with {name}.\n{}",
@@ -286,10 +283,13 @@ fn explain_whole<'a>(
     work: &Work,
 ) -> Option<Explanation<'a>> {
     let turned = ours.flat_map(|ours| turned(evidence, ours));
+    let strict = turned.chain(rearranged).chain(encodes(evidence));
+    // In step 1, where all is sky, a camera and another colour of it look like a curve.
     let is_sky_alone = evidence.step == Some(Step::Rays);
     let camera = fitted_camera(evidence).filter(|_| is_sky_alone);
-    let all = turned.chain(rearranged).chain(encodes(evidence)).chain(camera);
-    first_that_holds(evidence, all.chain(tables(evidence)), work)
+    let colours = sky_colours(evidence).filter(|_| is_sky_alone);
+    let fitted = camera.into_iter().chain(fitted_curves(evidence)).chain(colours);
+    first_that_holds(evidence, strict.chain(fitted).chain(table(evidence)), work)
 }
 
 /// What explains a picture that is not in the list; or what there is to count.
@@ -303,6 +303,7 @@ fn explain_rest(
         .chain(other_numbers(evidence))
         .chain(other_objects(evidence))
         .chain(other_terms(evidence))
+        .chain(scaled_terms(evidence))
         .chain(fitted_camera(evidence))
         .chain(sky_colours(evidence))
         .chain(last_digits(evidence))
@@ -340,7 +341,7 @@ fn explain_rest(
             format!(
                 "{start}In every pixel of the sky each byte of your picture is {words}: see \
                  rgb8.rs of step 1.\nBeside that: {}",
-                rest.trim_start_matches(&start)
+                rest.trim_start_matches(&start).trim_start_matches("Not right: ")
             )
         }
         None => start + &wrong_regions(evidence, step, work),

@@ -28,7 +28,7 @@ pub(crate) fn crop_or_scale(
             "inside a larger picture, perhaps a screenshot, from column {i} and row {j} on"
         ));
     }
-    let is_likely = w * h <= 4 * ours.width() * ours.height();
+    let is_likely = w * h <= 9 * ours.width() * ours.height();
     (is_likely && is_scaled(yours, ours, drawn)).then(|| {
         let (from, to) = ours.dimensions();
         format!("scaled, {from}×{to} pixels made into {w}×{h}")

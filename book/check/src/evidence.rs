@@ -31,8 +31,6 @@ pub(crate) struct Pixel {
     pub i: u32,
     /// Row.
     pub j: u32,
-    /// Its place among the rows that are compared.
-    pub k: u32,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
     /// What our own program sees there.
@@ -72,7 +70,7 @@ impl<'a> Evidence<'a> {
             let region = region(&camera.ray(i.into(), j.into()));
             let [yours, ours] =
                 [&yours.pixels, &ours].map(|one| one.get_pixel(i, k).0);
-            Pixel { i, j, k, yours, ours, region }
+            Pixel { i, j, yours, ours, region }
         };
         let (mut pixels, right): (Vec<_>, Vec<_>) =
             (0..count).map(pixel).partition(Pixel::is_wrong);

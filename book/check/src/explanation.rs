@@ -15,6 +15,8 @@ pub(crate) struct Explanation<'a> {
     pub colours: Box<dyn Fn(&Pixel) -> Range + 'a>,
     /// How many rays its colours take.
     pub rays: u32,
+    /// Whether it says nothing of pixels that are right: there it is ours.
+    pub only_wrong: bool,
     /// One pixel of so many may be another, which is counted and told; 0 where none may.
     pub exceptions: usize,
 }
@@ -55,6 +57,7 @@ impl<'a> Explanation<'a> {
             files: files.to_vec(),
             colours: Box::new(colours),
             rays: 1,
+            only_wrong: false,
             exceptions: 0,
         }
     }
@@ -78,7 +81,9 @@ impl<'a> Explanation<'a> {
     ) -> Option<usize> {
         let most = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
         let mut count = 0;
-        for pixel in evidence.pixels.iter().filter(|pixel| is_in_region(pixel)) {
+        let pixels =
+            if self.only_wrong { evidence.wrong() } else { &evidence.pixels };
+        for pixel in pixels.iter().filter(|pixel| is_in_region(pixel)) {
             if !work.take(self.rays) {
                 return None;
             }

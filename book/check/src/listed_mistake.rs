@@ -39,7 +39,7 @@ pub(crate) fn listed_mistake(yours: &RgbImage, asked: &str) -> Option<String> {
         count => format!("{count} mistakes in one file give, such as"),
     };
     Some(format!(
-        "{start}Not right: your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
+        "{start}Your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
         titles.join("; "),
         format_diff(first),
         back_to(first),
@@ -80,7 +80,7 @@ fn in_several_files(
         counts.push(format!("{count} in {name} of step {}", step.number()));
     }
     format!(
-        "Not right: {count} mistakes that we know give this very picture, such as: {}.\n\
+        "{count} mistakes that we know give this very picture, such as: {}.\n\
          They are {}.\n{}",
         first.title,
         counts.join(", "),

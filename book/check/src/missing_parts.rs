@@ -4,10 +4,14 @@ use crate::explanation::Explanation;
 use crate::step_scene::{LIGHTS, Scene, hits, intensity, object_name, scene};
 use glam::DVec3;
 use std::collections::{BTreeMap, HashSet};
+use std::f64::consts::{FRAC_1_PI, PI};
 use step05_phong::{Phong, Ray, terms};
 
 const NEAREST: &str = "step03_nearest/nearest.rs";
 const OBJECTS: &str = "step03_nearest/objects.rs";
+const AMBIENT: &str = "step04_diffuse/ambient.rs";
+const DIFFUSE: &str = "step04_diffuse/diffuse.rs";
+const SPECULAR: &str = "step05_phong/specular.rs";
 const RENDER: &str = "step01_rays/render.rs";
 
 /// Our scene without one of its objects, without those after the first ones, and without the
@@ -94,17 +98,51 @@ pub(crate) fn other_terms<'a>(
     step.into_iter().flat_map(move |step| {
         let names = term_names(step);
         let choices = 3_u32.pow(names.len() as u32);
-        // Each count is 1, 0 or 2; first those of which few are changed.
-        let counts = |choice: u32| -> Vec<u32> {
-            (0..names.len())
-                .map(|k| [1, 0, 2][(choice / 3_u32.pow(k as u32) % 3) as usize])
-                .collect()
+        // Each factor is 1, 0 or 2; first those of which few are changed.
+        let factors = |choice: u32| -> Vec<f64> {
+            let digit = |k: usize| choice / 3_u32.pow(k as u32) % 3;
+            (0..names.len()).map(|k| [1.0, 0.0, 2.0][digit(k) as usize]).collect()
         };
-        let mut all: Vec<_> = (1..choices).map(counts).collect();
-        all.sort_by_key(|counts| {
-            counts.iter().filter(|count| **count != 1).count()
+        let mut all: Vec<_> = (1..choices).map(factors).collect();
+        all.sort_by_key(|factors| {
+            factors.iter().filter(|factor| **factor != 1.0).count()
         });
-        all.into_iter().map(move |counts| with_counts(evidence, step, &counts))
+        all.into_iter().map(move |factors| with_factors(evidence, step, factors))
+    })
+}
+
+/// How many pixels are asked of a factor before all are.
+const FIRST: usize = 8;
+
+/// One term, or that of one light, times a factor.
+pub(crate) fn scaled_terms<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
+    let step = evidence.step.filter(|step| Step::Diffuse <= *step);
+    step.into_iter().flat_map(move |step| {
+        let count = term_names(step).len();
+        let groups: &[&[usize]] = match step {
+            Step::Phong => &[&[0], &[1, 2], &[3, 4], &[1], &[2], &[3], &[4]],
+            _ => &[&[0], &[1, 2], &[1], &[2]],
+        };
+        let wrong = evidence.wrong();
+        let first: Vec<_> =
+            wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1)).collect();
+        groups.iter().flat_map(move |group| {
+            let hundredths = (1..=400).map(|k| f64::from(k) / 100.0);
+            let parts = [1.0 / 3.0, 2.0 / 3.0, FRAC_1_PI, PI, 5.0, 10.0];
+            let numbers = hundredths.chain(parts).filter(|number| *number != 1.0);
+            let first = first.clone();
+            numbers.filter_map(move |number| {
+                let factor = |k| if group.contains(&k) { number } else { 1.0 };
+                let factors = (0..count).map(factor).collect();
+                let explanation = with_factors(evidence, step, factors);
+                let is_it = first
+                    .iter()
+                    .all(|pixel| (explanation.colours)(pixel) == [pixel.yours; 2]);
+                is_it.then_some(explanation)
+            })
+        })
     })
 }
 
@@ -124,74 +162,94 @@ fn lit_by(step: Step, light: usize) -> Scene {
     scene
 }
 
-fn with_counts<'a>(
+fn with_factors<'a>(
     evidence: &'a Evidence,
     step: Step,
-    counts: &[u32],
+    factors: Vec<f64>,
 ) -> Explanation<'a> {
     let names = term_names(step);
-    let those = |count: u32| {
-        let pairs = names.iter().zip(counts).filter(move |(_, own)| **own == count);
-        pairs.map(|(name, _)| name.as_str()).collect::<Vec<_>>()
-    };
-    let (missing, twice) = (join(those(0)), join(those(2)));
-    let mut sentence = match (counts, step) {
-        ([_, _, _, 0, 0], _) if counts[..3] == [1; 3] => {
+    let mut changes: Vec<(f64, Vec<&str>)> = vec![];
+    for (name, factor) in
+        names.iter().zip(&factors).filter(|(_, factor)| **factor != 1.0)
+    {
+        match changes.iter_mut().find(|(known, _)| known == factor) {
+            Some((_, names)) => names.push(name),
+            None => changes.push((*factor, vec![name])),
+        }
+    }
+    let words = changes.iter().map(|(factor, names)| {
+        let names = join(names);
+        match factor {
+            0.0 => format!("without {names}"),
+            2.0 => format!("with {names} twice"),
+            factor => format!("with {names} times {}", format_factor(*factor)),
+        }
+    });
+    let words: Vec<_> = words.collect();
+    let sentence = match (&factors[..], step) {
+        ([a, b, c, 0.0, 0.0], _) if [*a, *b, *c] == [1.0; 3] => {
             "Your highlights are missing: all but the specular term is right."
                 .to_owned()
         }
-        ([1, 0, 0], _) | ([1, 0, 0, 0, 0], _) => {
+        ([1.0, rest @ ..], _) if rest.iter().all(|factor| *factor == 0.0) => {
             "Only the ambient term is there: no light falls on anything.".to_owned()
         }
-        _ => match those(0).is_empty() {
-            true => String::new(),
-            false => format!("What is missing: {missing}. "),
-        },
+        _ => format!("Your picture is ours {}.", words.join(" and ")),
     };
-    if !twice.is_empty() {
-        sentence += &format!("What is there twice: {twice}.");
-    }
     let mut files = vec![];
-    for (k, count) in counts.iter().enumerate() {
-        let file = match k {
-            0 => "step04_diffuse/ambient.rs",
-            1 | 2 => "step04_diffuse/diffuse.rs",
-            _ => "step05_phong/specular.rs",
+    for (k, factor) in
+        factors.iter().enumerate().filter(|(_, factor)| **factor != 1.0)
+    {
+        let is_whole = [0.0, 2.0].contains(factor);
+        let own: &[_] = match k {
+            0 if is_whole => &[AMBIENT],
+            0 => &[AMBIENT, "step04_diffuse/scene.rs"],
+            1 | 2 if is_whole => &[DIFFUSE],
+            1 | 2 => &[
+                DIFFUSE,
+                "step04_diffuse/light.rs",
+                "step04_diffuse/surface_point.rs",
+            ],
+            _ if is_whole => &[SPECULAR],
+            _ => &[SPECULAR, "step05_phong/scene.rs"],
         };
-        if *count != 1 && !files.contains(&file) {
-            files.push(file);
-        }
+        files.extend(
+            own.iter().filter(|file| !files.contains(*file)).collect::<Vec<_>>(),
+        );
     }
     files.push(match step {
         Step::Phong => "step05_phong/phong.rs",
         _ => "step04_diffuse/picture.rs",
     });
-    let counts: Vec<_> = counts.iter().map(|count| f64::from(*count)).collect();
     let scenes = [lit_by(step, 0), lit_by(step, 1)];
-    let mut explanation =
-        Explanation::exact(sentence.trim_end(), &files, move |pixel| {
-            let ray = evidence.ray(pixel);
-            match sum_of_terms(&scenes, &ray, &counts) {
-                Some(intensity) => evidence.encode(intensity),
-                None => pixel.ours,
-            }
-        });
+    let mut explanation = Explanation::exact(sentence, &files, move |pixel| {
+        let ray = evidence.ray(pixel);
+        match sum_of_terms(&scenes, &ray, &factors) {
+            Some(intensity) => evidence.encode(intensity),
+            None => pixel.ours,
+        }
+    });
     explanation.rays = 2;
     explanation
 }
 
-fn sum_of_terms(scenes: &[Scene; 2], ray: &Ray, counts: &[f64]) -> Option<DVec3> {
+fn sum_of_terms(scenes: &[Scene; 2], ray: &Ray, factors: &[f64]) -> Option<DVec3> {
     let own = |k: usize| -> Option<Phong> { terms(&scenes[k], ray) };
     let (warm, cool) = (own(0)?, own(1)?);
-    let mut sum = counts[0] * warm.ambient;
-    sum += counts[1] * warm.diffuse + counts[2] * cool.diffuse;
-    if let [_, _, _, a, b] = counts {
+    let mut sum = factors[0] * warm.ambient;
+    sum += factors[1] * warm.diffuse + factors[2] * cool.diffuse;
+    if let [_, _, _, a, b] = factors {
         sum += *a * warm.specular + *b * cool.specular;
     }
     Some(sum)
 }
 
-fn join(names: Vec<&str>) -> String {
+/// A factor with two places, or as what it is a part of.
+fn format_factor(factor: f64) -> String {
+    format!("{factor:.2}").trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn join(names: &[&str]) -> String {
     match names.split_last() {
         Some((last, [])) => (*last).to_owned(),
         Some((last, rest)) => format!("{} and {last}", rest.join(", ")),

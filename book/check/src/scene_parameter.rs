@@ -137,7 +137,7 @@ const DIFFUSE: Parameter = Parameter {
 };
 
 /// How many pixels are asked of a number before all are.
-const FIRST: usize = 6;
+const FIRST: usize = 32;
 
 /// Our scene with one other number, where that gives the first pixels that are wrong.
 pub(crate) fn other_numbers<'a>(

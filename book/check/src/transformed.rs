@@ -152,17 +152,25 @@ pub(crate) fn rearranged<'a>(
         Box::new(move |n| bytes[(n / 3 * 4 + n % 3) % bytes.len()]),
     ));
     all.extend(shifts(evidence, ours).into_iter().map(|shift| {
-        let (turned, unit) = match shift % 3 {
-            0 => (shift / 3, "pixels"),
+        let (count, unit) = match shift {
+            _ if shift % (3 * w) == 0 => (shift / (3 * w), "rows"),
+            _ if shift % 3 == 0 => (shift / 3, "pixels"),
             _ => (shift, "bytes"),
         };
         of_bytes(
             &format!(
-                "{turned} {unit} late, and what is lost at the end comes first"
+                "{count} {unit} late, and what is lost at the end comes first"
             ),
             Box::new(move |n| bytes[(n + bytes.len() - shift) % bytes.len()]),
         )
     }));
+    for columns in [1, 2, w / 2, w - 2, w - 1] {
+        let words = format!(
+            "each row {columns} columns late, and what is lost at its end comes first"
+        );
+        let place = move |n: usize| n / w * w + (n % w + w - columns) % w;
+        all.push(of_pixels(&words, Box::new(place)));
+    }
     for stride in [w - 1, w + 1, h, w / 2, w * 2] {
         let sentence = format!(
             "Each row of your picture begins {stride} pixels after the one before it, not \

@@ -1,6 +1,6 @@
 use crate::Step;
 use crate::camera_from_sky::sky_alone;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Pixel};
 use crate::explanation::{Explanation, Work};
 use crate::pixel_regions::{regions, wrong_objects};
 use crate::source_ref::{back, place, test_command};
@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 
 /// The most regions of which the wrong pixels are told.
 const MOST_REGIONS: usize = 3;
+
+/// How far off a pixel of the sky may be that still shows it, in another shade.
+const FAINT: u8 = 12;
 
 /// What there is to say of a picture that nothing explains as a whole: which regions are
 /// right, how many pixels of the others are wrong, what explains one of these alone, and the
@@ -37,7 +40,9 @@ pub(crate) fn wrong_regions(
         }
     }
     let mut text = String::new();
-    if !right.is_empty() {
+    if wrong.len() == 1 && !right.is_empty() {
+        text += "All regions but one are right in every pixel.\n";
+    } else if !right.is_empty() {
         text += &format!("Right in every pixel: {}.\n", right.join(", "));
     }
     let more = wrong.len().saturating_sub(MOST_REGIONS);
@@ -108,6 +113,7 @@ fn outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
     let (mut gone, mut extra) = (BTreeMap::new(), 0);
     for pixel in evidence.wrong() {
         match pixel.region.object {
+            None if pixel.distance() <= FAINT => {}
             None => extra += 1,
             Some(k)
                 if evidence.encode(sky(&evidence.ray(pixel))) == pixel.yours =>
@@ -125,10 +131,19 @@ fn stages(evidence: &Evidence, step: Step, wrong: &[String]) -> Vec<Step> {
     let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
     let (gone, extra) = outlines(evidence);
     let only = |is_one: fn(&str) -> bool| wrong.iter().all(|name| is_one(name));
-    let first = if 4 * wrong_sky > sky {
+    let is_faint = |pixel: &Pixel| {
+        pixel.region.object.is_none()
+            && pixel.is_wrong()
+            && pixel.distance() <= FAINT
+    };
+    let (faint, _) = evidence.count(is_faint);
+    let is_one_object =
+        wrong_objects(evidence, step).len() == 1 && Step::Sphere < step;
+    let first = if sky < 4 * wrong_sky || wrong_sky < 2 * faint {
         Step::Rays
     } else if 0 < gone.len() + extra {
-        Step::Sphere
+        // Where the eye is elsewhere, the sky is right.
+        if is_one_object { Step::Nearest } else { Step::Rays }
     } else if only(|name| name == "where highlights may be") {
         Step::Phong
     } else if only(|name| name == "what no light reaches") {
@@ -172,8 +187,8 @@ fn region_explanations<'a>(
     all.extend(fitted_factor(evidence, region, own));
     if 1 < scene_of_step.objects.len() {
         let sentence = format!(
-            "In every pixel of {region} you see another object than ours, \
-                                which the ray meets as well."
+            "Wherever {region} is wrong you see another object that the ray meets, \
+             not the nearest."
         );
         let alone = (0..scene_of_step.objects.len()).map(|k| {
             let objects = vec![scene_of_step.objects[k]];
