@@ -7,6 +7,8 @@ use std::rc::Rc;
 
 /// Where intensities become bytes.
 const RGB8: &str = "step01_rays/rgb8.rs";
+const RENDER: &str = "step01_rays/render.rs";
+const SKY: &str = "step01_rays/picture.rs";
 
 fn channels(intensity: DVec3, byte: fn(f64) -> f64) -> [u8; 3] {
     intensity.to_array().map(|c| byte(c) as u8)
@@ -32,7 +34,7 @@ fn linear(c: f64) -> f64 {
 }
 
 /// What else may be done to an intensity I in the place of `rgb8`, and in what words.
-pub(crate) const ENCODES: [(&str, Encode); 44] = [
+pub(crate) const ENCODES: [(&str, Encode); 45] = [
     ("255·I cut off, not rounded", |i| channels(i, |c| 255.0 * c)),
     ("255.99·I cut off", |i| channels(i, |c| 255.99 * c)),
     ("255.999·I cut off", |i| channels(i, |c| 255.999 * c)),
@@ -102,6 +104,9 @@ pub(crate) const ENCODES: [(&str, Encode); 44] = [
     ("255·I divided by its largest channel where that is above 1", |i| {
         ENCODE(i / i.max_element().max(1.0))
     }),
+    ("255·I divided by its largest channel", |i| {
+        ENCODE(i / i.max_element().max(1e-9))
+    }),
     ("255·I divided by its length where that is above 1", |i| {
         ENCODE(i / i.length().max(1.0))
     }),
@@ -138,7 +143,7 @@ fn encoded<'a>(
     encode: Encode,
 ) -> Explanation<'a> {
     let intensity = intensity(step, &scene(step));
-    Explanation::exact(sentence, &[RGB8], move |pixel| {
+    Explanation::exact(sentence, &[RGB8, RENDER], move |pixel| {
         encode(intensity(&evidence.ray(pixel)))
     })
 }
@@ -170,7 +175,7 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
     if is_new {
         greys.extend(GREYS.map(|(words, weights)| {
             let sentence = format!("Your picture is grey in every pixel: {words}.");
-            Explanation::fitted(sentence, &[RGB8], move |pixel| {
+            Explanation::fitted(sentence, files(evidence), move |pixel| {
                 let grey: f64 =
                     (0..3).map(|k| weights[k] * f64::from(pixel.ours[k])).sum();
                 [grey.round() as u8; 3]
@@ -180,7 +185,9 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
             let name = ["red", "green", "blue"][k];
             let sentence =
                 format!("Your picture is grey in every pixel: {name} three times.");
-            Explanation::exact(sentence, &[RGB8], move |pixel| [pixel.ours[k]; 3])
+            Explanation::exact(sentence, files(evidence), move |pixel| {
+                [pixel.ours[k]; 3]
+            })
         }));
         greys.push(Explanation::exact(
             "Your picture is grey in every pixel.",
@@ -239,20 +246,20 @@ type Curve = Box<dyn Fn(f64) -> f64>;
 /// Where a curve may be: in step 1, where all is sky, its colour may be another as well.
 fn files(evidence: &Evidence) -> &'static [&'static str] {
     match evidence.step {
-        Some(Step::Rays) => &[RGB8, "step01_rays/picture.rs"],
-        _ => &[RGB8],
+        Some(Step::Rays) => &[RGB8, RENDER, SKY],
+        _ => &[RGB8, RENDER],
     }
 }
 
 /// Bytes that follow from ours alone, whatever they show, by a table that is read from the
 /// picture.
 pub(crate) fn table<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
-    let table = Table::read(evidence)?;
+    let table = Table::read(evidence).filter(|table| table.width() < 4)?;
     let (from, to) = table.example();
     let words = if table.is_common { "" } else { ", each channel in its own way" };
     let sentence = format!(
         "The bytes of your picture follow from ours, whatever they show{words}: {from} is \
-         {to}."
+         about {to}."
     );
     Some(Explanation::range(sentence, files(evidence), move |pixel| {
         table.range(pixel.ours)
@@ -267,9 +274,18 @@ fn format_power(power: f64) -> String {
     }
 }
 
-/// Whether a byte of ours is another in the picture.
-fn is_changed((from, range): &(u8, (u8, u8))) -> bool {
-    *range != (*from, *from)
+/// The widest range that a curve of the intensities may give a byte of ours.
+const WIDEST: u8 = 12;
+
+/// The width of the widest range. What was clamped may be anything.
+fn width(ranges: &[(u8, u8); 256]) -> u8 {
+    let widths = ranges[..255].iter().map(|(low, high)| high.saturating_sub(*low));
+    widths.max().unwrap_or(0)
+}
+
+/// Whether a byte of ours is never itself in the picture.
+fn is_changed((from, (low, high)): &(u8, (u8, u8))) -> bool {
+    from < low || high < from
 }
 
 /// The range of bytes in the picture for each byte of ours, of each channel.
@@ -279,7 +295,7 @@ struct Table {
 }
 
 impl Table {
-    /// Reads it, if a byte of ours is always the same in the picture, or one of two.
+    /// Reads it, if a byte of ours is about the same wherever it is.
     fn read(evidence: &Evidence) -> Option<Self> {
         let mut ranges = [[(255, 0); 256]; 3];
         for pixel in &evidence.pixels {
@@ -296,15 +312,10 @@ impl Table {
                 *range = (range.0.min(own.0), range.1.max(own.1));
             }
         }
-        // What was clamped may be anything.
-        let is_narrow = |ranges: &[(u8, u8); 256]| {
-            ranges[..255].iter().all(|(low, high)| high.saturating_sub(*low) < 2)
-        };
-        let is_common = is_narrow(&common);
+        let is_common = width(&common) < WIDEST;
         let ranges = if is_common { [common; 3] } else { ranges };
         let table = Self { ranges, is_common };
-        let is_read =
-            table.ranges.iter().all(is_narrow) && 48 <= table.known().count();
+        let is_read = table.width() < WIDEST && 48 <= table.known().count();
         // Where only the sky is wrong, it is the sky's colour and not that of all bytes.
         let (wrong_objects, objects) =
             evidence.count(|pixel| pixel.region.object.is_some());
@@ -316,6 +327,11 @@ impl Table {
     fn known(&self) -> impl Iterator<Item = (u8, (u8, u8))> {
         let ranges = self.ranges.iter().flat_map(|ranges| (0..=255).zip(*ranges));
         ranges.filter(|(_, (low, high))| low <= high)
+    }
+
+    /// The width of the widest range.
+    fn width(&self) -> u8 {
+        self.ranges.iter().map(width).max().unwrap_or(0)
     }
 
     fn is_most_changed(&self) -> bool {

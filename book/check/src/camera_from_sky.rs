@@ -3,6 +3,7 @@ use crate::explanation::Explanation;
 use crate::step_scene::{hits, intensity, scene};
 use crate::{Picture, Step};
 use glam::{DMat3, DVec3};
+use std::array;
 use std::fmt::Write;
 use step01_rays::Camera;
 
@@ -22,6 +23,9 @@ pub(crate) struct Sky {
 /// How far off a byte the sky may be where it is that of our camera.
 const ENOUGH: f64 = 0.02;
 
+/// How far off a byte the sky that was read may be: its rows are few.
+const UNCERTAIN: f64 = 0.25;
+
 impl Sky {
     /// Reads it where blue is 255, as everywhere in our sky: the planes that fit red and
     /// green best, as red = 0.7 + 0.3 V_x and green = 0.7 + 0.3 V_y. None where too little of
@@ -35,16 +39,29 @@ impl Sky {
         if all.len() * 20 < yours.pixels.pixels().len() {
             return None;
         }
-        let points = |channel: usize| -> Vec<_> {
-            let place = |byte: u8| (f64::from(byte) / 255.0 - 0.7) / 0.3;
-            all.iter().map(|(at, pixel)| (*at, place(pixel[channel]))).collect()
-        };
-        Some(Self { x: fit_plane(&points(0))?, y: fit_plane(&points(1))? })
+        let place = |byte: u8| (f64::from(byte) / 255.0 - 0.7) / 0.3;
+        let point =
+            |(at, [r, g, _]): &(DVec3, [u8; 3])| (*at, [place(*r), place(*g)]);
+        let [x, y] = fit_planes(&all.iter().map(point).collect::<Vec<_>>())?;
+        Some(Self { x, y })
     }
 
     fn of(camera: &Camera) -> Self {
         let rows = camera.matrix.transpose();
         Self { x: rows.x_axis, y: rows.y_axis }
+    }
+
+    /// The camera that it tells, with the z of ours. What is 0 in ours and hardly more here is 0.
+    fn camera(&self, ours: &Camera) -> Camera {
+        let (columns, rows) = (f64::from(ours.h_res), f64::from(ours.v_res));
+        let (mut x, mut y) = (self.x, self.y);
+        for (number, count) in [(&mut x.y, rows), (&mut y.x, columns)] {
+            if number.abs() * count * 76.5 < UNCERTAIN {
+                *number = 0.0;
+            }
+        }
+        let z = ours.matrix.row(2);
+        Camera { matrix: DMat3::from_cols(x, y, z).transpose(), ..*ours }
     }
 
     /// The field of view that it tells, to a tenth of a degree.
@@ -61,13 +78,18 @@ impl Sky {
         area.abs() < 0.2 * u * v
     }
 
-    /// Whether no byte of a picture would be another with the other camera.
-    fn is_like(&self, other: &Self, (columns, rows): (u32, u32)) -> bool {
+    /// Whether a byte of a picture would be off by no more with the other camera.
+    fn is_like(
+        &self,
+        other: &Self,
+        (columns, rows): (u32, u32),
+        tolerance: f64,
+    ) -> bool {
         let corners = [(0, 0), (columns, 0), (0, rows), (columns, rows)];
         corners.into_iter().all(|(i, j)| {
             let corner = DVec3::new(i.into(), j.into(), 1.0);
             let apart = |a: DVec3, b: DVec3| (a - b).dot(corner).abs() * 76.5;
-            apart(self.x, other.x).max(apart(self.y, other.y)) < ENOUGH
+            apart(self.x, other.x).max(apart(self.y, other.y)) < tolerance
         })
     }
 
@@ -106,50 +128,77 @@ fn format_short(number: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The plane a·i + b·j + c that goes through most of the points, by least squares over
-/// those that are not off by more than a byte; None where these are few.
-fn fit_plane(points: &[(DVec3, f64)]) -> Option<DVec3> {
-    let mut plane: Option<DVec3> = None;
-    for limit in [f64::INFINITY, 0.1, 0.03, 0.0075, 0.0075] {
-        let (mut matrix, mut right, mut count) = (DMat3::ZERO, DVec3::ZERO, 0);
+/// How far off a point of the sky may be while the plane is refined; the last are little
+/// more than what the rounding of its byte does.
+const LIMITS: [f64; 8] = [0.02, 0.015, 0.012, 0.01, 0.009, 0.008, 0.008, 0.008];
+
+/// The planes a·i + b·j + c, one for each of N values, on which most of the points are, by
+/// least squares; None where these are few. (What is drawn in the sky's blue is not of the
+/// sky.)
+fn fit_planes<const N: usize>(points: &[(DVec3, [f64; N])]) -> Option<[DVec3; N]> {
+    if points.len() < 100 {
+        return None;
+    }
+    let is_on =
+        |planes: &[DVec3; N], limit: f64, (at, values): &(DVec3, [f64; N])| {
+            let mut pairs = planes.iter().zip(values);
+            pairs.all(|(plane, value)| (plane.dot(*at) - value).abs() < limit)
+        };
+    // The best of some planes through three points each, far from each other.
+    let some: Vec<_> = points.iter().step_by(points.len().div_ceil(400)).collect();
+    let through = |k: usize| {
+        let three =
+            [k, 7 * k + 131, 31 * k + 270].map(|n| some[n * 17 % some.len()]);
+        let [p, q, r] = three.map(|point| point.0);
+        let inverse = DMat3::from_cols(p, q, r).transpose().inverse();
+        let value = |n: usize| DVec3::from_array(three.map(|point| point.1[n]));
+        inverse.is_finite().then(|| array::from_fn(|n| inverse * value(n)))
+    };
+    let count = |planes: &[DVec3; N]| {
+        some.iter().filter(|point| is_on(planes, 0.01, point)).count()
+    };
+    let mut planes = (0..400).filter_map(through).max_by_key(count)?;
+    for limit in LIMITS {
+        let (mut matrix, mut right, mut count) = (DMat3::ZERO, [DVec3::ZERO; N], 0);
         // Every second one, so that the fit can be asked of the others.
-        for (at, v) in points.iter().step_by(2) {
-            if plane.is_none_or(|plane| (plane.dot(*at) - v).abs() < limit) {
-                matrix += DMat3::from_cols(*at * at.x, *at * at.y, *at * at.z);
-                right += *at * *v;
-                count += 1;
-            }
-        }
-        if count * 20 < points.len() * 9 && limit < 0.01 || count < 50 {
-            return None;
+        let second = points.iter().step_by(2);
+        for (at, values) in second.filter(|point| is_on(&planes, limit, point)) {
+            matrix += DMat3::from_cols(*at * at.x, *at * at.y, *at * at.z);
+            right
+                .iter_mut()
+                .zip(values)
+                .for_each(|(sum, value)| *sum += *at * *value);
+            count += 1;
         }
         let inverse = matrix.inverse();
-        plane = inverse.is_finite().then(|| inverse * right);
+        if count * 5 < points.len() || !inverse.is_finite() {
+            return None;
+        }
+        planes = right.map(|right| inverse * right);
     }
-    plane
+    Some(planes)
 }
 
 /// How far from the middle of a pixel a fitted camera may be.
-const SLACK: f64 = 0.1;
+const SLACK: f64 = 0.3;
 
 /// Our own step with the camera that the sky tells.
 pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
     let (step, size) = (evidence.step?, evidence.yours.size);
     let (sky, ours) = (Sky::read(evidence.yours)?, Sky::of(&evidence.camera));
-    if sky.is_like(&ours, size) || sky.is_flat() {
+    if sky.is_like(&ours, size, ENOUGH) || sky.is_flat() {
         return None;
     }
-    let mut camera = evidence.camera;
-    let z = camera.matrix.row(2);
-    camera.matrix = DMat3::from_cols(sky.x, sky.y, z).transpose();
-    let tan = sky.x.x * f64::from(size.0 - 1) / 2.0;
-    let scaled = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
-    let what = match sky.is_like(&Sky::of(&scaled), size) && tan > 0.0 {
-        true => format!(
-            " its field of view is {}°, not 60°.",
-            sky.field_of_view(size.0),
-        ),
-        false => sky.differences(&ours, size),
+    // Where the angle alone is another, one number is fitted, and not six.
+    let tan = (sky.x.x * f64::from(size.0 - 1) / 2.0 - sky.x.z) / 2.0;
+    let zoomed = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
+    let is_zoomed = sky.is_like(&Sky::of(&zoomed), size, UNCERTAIN) && 0.0 < tan;
+    let (camera, what) = match is_zoomed {
+        true => {
+            let angle = sky.field_of_view(size.0);
+            (zoomed, format!(" its field of view is {angle}°, not 60°."))
+        }
+        false => (sky.camera(&evidence.camera), sky.differences(&ours, size)),
     };
     let sentence = match step {
         Step::Rays => format!(
@@ -160,7 +209,19 @@ pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
             "Your picture is what our step draws with another camera:{what}"
         ),
     };
-    let files: &[_] = if step == Step::Rays { &[CAMERA, SKY] } else { &[CAMERA] };
+    // The same factor and the same sum in red and in green may be those of all bytes.
+    let factors = (sky.x.x / ours.x.x, sky.y.y / ours.y.y);
+    let sums = (sky.x.z - factors.0 * ours.x.z, sky.y.z - factors.1 * ours.y.z);
+    let is_alike = |(a, b): (f64, f64)| (a - b).abs() < 0.02;
+    let files: &[_] = match step {
+        Step::Rays
+            if is_alike(factors) && is_alike(sums) && 0.02 < sums.0.abs() =>
+        {
+            &[RGB8, SKY, CAMERA]
+        }
+        Step::Rays => &[CAMERA, SKY],
+        _ => &[CAMERA],
+    };
     let intensity = intensity(step, &scene(step));
     let mut explanation = Explanation::range(sentence, files, move |pixel| {
         let offsets =
@@ -244,15 +305,15 @@ fn fit_colour(
     let sky = evidence.pixels.iter().filter(|pixel| pixel.region.object.is_none());
     let point = |pixel: &Pixel| {
         let v = direction(evidence.ray(pixel).direction);
-        (DVec3::new(v.x, v.y, 1.0), f64::from(pixel.yours[channel]) / 255.0)
+        (DVec3::new(v.x, v.y, 1.0), [f64::from(pixel.yours[channel]) / 255.0])
     };
     let points: Vec<_> = sky.map(point).collect();
-    let inner = points.iter().filter(|(_, v)| 0.002 < *v && *v < 0.998);
+    let inner = points.iter().filter(|(_, [v])| 0.002 < *v && *v < 0.998);
     let inner: Vec<_> = inner.copied().collect();
     match inner.len() * 4 < points.len() {
         // All of it may have been clamped.
-        true => Some(DVec3::new(0.0, 0.0, points.first()?.1)),
-        false => fit_plane(&inner),
+        true => Some(DVec3::new(0.0, 0.0, points.first()?.1[0])),
+        false => fit_planes(&inner).map(|[plane]| plane),
     }
 }
 
@@ -284,9 +345,7 @@ pub(crate) fn sky_alone(
     let step = evidence.step.filter(|step| Step::Rays < *step)?;
     let explanation = fitted_camera(evidence)?;
     let sky = Sky::read(evidence.yours)?;
-    let mut camera = evidence.camera;
-    let z = camera.matrix.row(2);
-    camera.matrix = DMat3::from_cols(sky.x, sky.y, z).transpose();
+    let camera = sky.camera(&evidence.camera);
     let scene = scene(step);
     let is_sky = |pixel: &Pixel| {
         let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));

@@ -1,7 +1,9 @@
 use crate::byte_curve::{encode_of_sky, encodes, fitted_curves, table};
 use crate::camera_from_sky::{fitted_camera, sky_colours};
 use crate::crop_or_scale::crop_or_scale;
-use crate::disturbed::{last_digits, lossy, other_places, recoloured};
+use crate::disturbed::{
+    last_digits, lossy, other_places, random_places, recoloured,
+};
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::{Explanation, Work, first_that_holds};
 use crate::listed_mistake::listed_mistake;
@@ -300,14 +302,15 @@ fn explain_rest(
 ) -> String {
     let one = never_drawn(evidence)
         .into_iter()
-        .chain(other_numbers(evidence))
         .chain(other_objects(evidence))
+        .chain(other_numbers(evidence))
         .chain(other_terms(evidence))
         .chain(scaled_terms(evidence))
+        .chain(other_places(evidence))
         .chain(fitted_camera(evidence))
         .chain(sky_colours(evidence))
         .chain(last_digits(evidence))
-        .chain(other_places(evidence))
+        .chain(random_places(evidence))
         .chain(recoloured(evidence))
         .chain(lossy(evidence));
     if let Some(found) = first_that_holds(evidence, one, work) {

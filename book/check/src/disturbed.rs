@@ -20,7 +20,16 @@ pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
     });
     let by_one =
         evidence.wrong().iter().filter(|pixel| pixel.distance() == 1).count();
-    if !is_spread || evidence.pixels.len() < 200 * wrong || 2 * by_one < wrong {
+    // What is rounded otherwise is brighter as often as darker; a mistake is not.
+    let is_brighter = |pixel: &&Pixel| {
+        let sum =
+            |colour: [u8; 3]| colour.iter().map(|c| u32::from(*c)).sum::<u32>();
+        sum(pixel.ours) < sum(pixel.yours)
+    };
+    let brighter = evidence.wrong().iter().filter(is_brighter).count();
+    let is_mixed = wrong < 6 || 4 * brighter.min(wrong - brighter) >= wrong / 2;
+    let is_few = 200 * wrong <= evidence.pixels.len() && wrong <= 2 * by_one;
+    if !is_spread || !is_mixed || !is_few {
         return None;
     }
     let sentence = format!(
@@ -42,8 +51,8 @@ pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
     }))
 }
 
-/// Rays through other places of the pixels than their middles: all shifted alike, on a grid
-/// with another start, or anywhere.
+/// Rays through other places of the pixels than their middles: all shifted alike, or on a
+/// grid with another start.
 pub(crate) fn other_places<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -75,7 +84,7 @@ pub(crate) fn other_places<'a>(
                 through(evidence, step, sentence, &[RENDER], grid.collect())
             })
         });
-        shifted.chain(corners).chain(anywhere(evidence, step))
+        shifted.chain(corners)
     })
 }
 
@@ -107,7 +116,8 @@ fn through<'a>(
 }
 
 /// Each pixel as some places within a pixel of its middle would have it.
-fn anywhere<'a>(evidence: &'a Evidence, step: Step) -> Option<Explanation<'a>> {
+pub(crate) fn random_places<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+    let step = evidence.step?;
     // In the sky a step of one pixel changes little: noise does more.
     let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
     if sky < 4 * wrong_sky {

@@ -72,6 +72,19 @@ impl<'a> Explanation<'a> {
         self.exceptions(evidence, is_in_region, work) == Some(0)
     }
 
+    /// Whether it gives the reader's colour in the first pixels of those that are compared.
+    pub fn holds_in_first(
+        &self,
+        evidence: &Evidence,
+        count: usize,
+        work: &Work,
+    ) -> bool {
+        evidence.pixels[..count].iter().all(|pixel| {
+            let [low, high] = (self.colours)(pixel);
+            work.take(self.rays) && is_between(low, pixel.yours, high)
+        })
+    }
+
     /// In how many pixels it does not, if these are not too many.
     pub fn exceptions(
         &self,
@@ -80,6 +93,7 @@ impl<'a> Explanation<'a> {
         work: &Work,
     ) -> Option<usize> {
         let most = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
+        let most = most.min(evidence.wrong().len() / 100);
         let mut count = 0;
         let pixels =
             if self.only_wrong { evidence.wrong() } else { &evidence.pixels };

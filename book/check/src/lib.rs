@@ -1,8 +1,12 @@
 //! `check`: what a picture tells of the program that drew it.
 //!
-//! A picture is compared with the locked one of its name, and [`look`] says the first of
-//! these that is true:
+//! A picture is compared with the locked one of its name. What is said of it is an
+//! *explanation* (`explanation`): a sentence, files to go back to, and a function from pixels
+//! to colours. It is told if it gives the reader's colour in every pixel, or, where a number
+//! in it was fitted, within one of 255. One loop, `first_that_holds`, tries them; the
+//! strongest come first:
 //!
+<<<<<<< HEAD
 //! 1. It is **right** in every pixel, or the picture of another name.
 //! 2. It is right **with other options**: our own step draws it at that size, with the
 //!    field of view that its sky tells, and so many rays a pixel (`options`).
@@ -18,9 +22,31 @@
 //!    outlines, which object is in front, where no light reaches, each light, the
 //!    highlights. Our own program says what is in each pixel (`seen`). The first of these
 //!    that is wrong is told, with its files and tests by hand (`place`).
+=======
+//! 1. It is **right**, or the locked picture of another name (`check`).
+//! 2. It is right **with other options** (`other_options`), **cut out or scaled**
+//!    (`crop_or_scale`), or one colour.
+//! 3. It is ours **as a whole**, but turned or with its bytes in other places (`transformed`),
+//!    or with another curve of the bytes (`byte_curve`).
+//! 4. It is **in the list** (`listed_mistake`): these very pixels are what a mistake that we
+//!    know gives. The lists are the text files in `mistakes/`; the hashes of what they give
+//!    are in a table (`fingerprints`).
+//! 5. Something **is missing**, pixels, objects or terms of the light, or counted otherwise
+//!    (`missing_parts`); **one number** of the scene is another (`scene_parameter`); the
+//!    **camera or the sky's colour** is another, as read from the sky (`camera_from_sky`); it
+//!    was **disturbed**: last digits, random places in the pixel, loss (`disturbed`).
+//! 6. Two mistakes, one of them in `rgb8`: the curve is asked of the sky alone, and 5 again.
+>>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)
 //!
-//! In the end there is one pixel, yours and ours, and how many differ. 3 to 5 hold in
-//! every pixel, or nothing of them is said.
+//! Where nothing explains the whole, the wrong pixels are counted by regions of our own scene
+//! (`pixel_regions`), what explains one region alone is told of that region, and no file is
+//! blamed: the tests by hand of the stages that may be wrong are named (`wrong_regions`). In
+//! the end there is one pixel, yours and ours.
+//!
+//! What is compared is the `evidence`: both pictures pixel by pixel. It is bounded: a file is
+//! read row by row (`png_file`), of what is larger than 1920×1080 only 64 rows are kept, and
+//! explanations are asked in as many pixels as a locked picture has. Each ray that is drawn
+//! is counted as `Work`, so that every answer comes soon, and is the same on every machine.
 
 mod answer;
 mod byte_curve;

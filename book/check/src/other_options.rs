@@ -16,8 +16,8 @@ pub(crate) struct Options {
     pub field_of_view: f64,
     /// The side of the grid of rays.
     pub samples: u32,
-    /// How many rows were compared.
-    pub rows: usize,
+    /// How many pixels were compared.
+    pub compared: usize,
 }
 
 /// Our own picture in some rows.
@@ -47,26 +47,24 @@ pub(crate) fn other_options(
         let camera = Camera::new(columns, rows, field_of_view.to_radians());
         let ours = draw_rows(step, &camera, &yours.rows);
         if ours == yours.pixels {
-            let rows = yours.rows.len();
-            return Some(Options { field_of_view, samples: 1, rows });
+            let compared = yours.pixels.pixels().len();
+            return Some(Options { field_of_view, samples: 1, compared });
         }
+        let evidence = Evidence::new("", None, yours, ours, camera, ENCODE);
         (2..=16).find_map(|samples| {
-            let yours = yours.thinned(RAYS / (samples * samples));
-            let ours = draw_rows(step, &camera, &yours.rows);
-            let evidence = Evidence::new("", None, &yours, ours, camera, ENCODE);
+            // Those that are wrong come first: no pixel that another one tells of is left out.
+            let pixels = (RAYS / (samples * samples)) as usize;
+            let compared = pixels.min(evidence.pixels.len());
             let explanation = with_samples(&evidence, step, samples);
-            let holds = explanation.holds(&evidence, |_| true, work);
-            holds.then_some(Options {
-                field_of_view,
-                samples,
-                rows: yours.rows.len(),
-            })
+            let holds = evidence.wrong().len() <= compared
+                && explanation.holds_in_first(&evidence, compared, work);
+            holds.then_some(Options { field_of_view, samples, compared })
         })
     })
 }
 
 /// How many rays are drawn to find out whether a picture has so many samples.
-const RAYS: u32 = 1 << 20;
+const RAYS: u32 = 3 << 20;
 
 /// Each pixel the mean of a grid of rays.
 fn with_samples<'a>(
@@ -100,10 +98,15 @@ impl Options {
     /// What is told of a picture that is right with them.
     pub fn sentence(&self, step: Step, yours: &Picture) -> String {
         let ((columns, rows), name) = (yours.size, step.name());
-        let Self { field_of_view, samples, rows: compared } = *self;
-        let extent = match compared == rows as usize {
-            true => "in every pixel".to_owned(),
-            false => format!("in the {compared} rows of {rows} that were compared"),
+        let Self { field_of_view, samples, compared } = *self;
+        let all = columns as usize * rows as usize;
+        let extent = match yours.is_whole() {
+            true if compared == all => "in every pixel".to_owned(),
+            true => format!("in the {compared} pixels of {all} that were compared"),
+            false => format!(
+                "in the {} rows of {rows} that were compared",
+                yours.rows.len()
+            ),
         };
         let options = format!(
             "at {columns}×{rows} pixels, {field_of_view}° and {samples}×{samples} rays a \

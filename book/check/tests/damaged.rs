@@ -84,3 +84,96 @@ fn other_kinds_of_png_are_read() {
         );
     }
 }
+
+#[test]
+fn other_formats_are_told_by_their_first_bytes() {
+    let mut png = Cursor::new(vec![]);
+    let picture = DynamicImage::from(crate::right("step02_sphere"));
+    picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
+    let png = png.into_inner();
+    let text_mode: Vec<u8> =
+        png.iter().copied().filter(|byte| *byte != b'\r').collect();
+    let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
+    let mut apples = png.clone();
+    apples.splice(8..8, *b"\0\0\0\x04CgBI\x50\0\x20\x02\x2b\xd5\xb3\x7f");
+    for (file, words) in [
+        (&b"P3\n2 2\n255\n0 0 0"[..], "is a PPM picture"),
+        (b"P6 2 2 255 ", "is a PPM picture"),
+        (b"BM\x36\0\0\0", "is a BMP picture"),
+        (b"RIFF\x24\0\0\0WEBPVP8 ", "is a WebP picture"),
+        (b"II*\0\x08\0\0\0", "is a TIFF picture"),
+        (b"MM\0*\0\0\0\x08", "is a TIFF picture"),
+        (b"\0\0\0\x1cftypavif", "HEIC or AVIF"),
+        (b"\n <!DOCTYPE HTML>", "is a web page"),
+        (b"version https://git-lfs.github.com/spec/v1", "`git lfs pull`"),
+        (b"<?xml version='1.0'?><svg/>", "is an SVG drawing"),
+        (b"iVBORw0KGgoAAAANSUhEUg", "base64"),
+        (b"\x1f\x8b\x08", "is packed by gzip"),
+        (&text_mode, "a copy in text mode"),
+        (&as_text, "read as text"),
+        (&apples, "CgBI"),
+        (&png[..png.len() / 2], "ends too early"),
+    ] {
+        let answer = check(file, "my.png", None, crate::locked());
+        assert_eq!(answer.code, 2, "{words}");
+        assert!(answer.text.contains(words), "{words}: {}", answer.text);
+    }
+}
+
+/// A PNG file with a chunk of this name and these bytes before its pixels.
+fn with_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
+    let mut chunk =
+        u32::try_from(data.len()).expect("a size").to_be_bytes().to_vec();
+    chunk.extend(name);
+    chunk.extend(data);
+    chunk.extend(crc32fast::hash(&chunk[4..]).to_be_bytes());
+    [&png[..33], &chunk, &png[33..]].concat()
+}
+
+#[test]
+fn what_a_viewer_may_show_otherwise_is_noted() {
+    let ours = crate::right("step02_sphere");
+    let encode = |picture: DynamicImage| {
+        let mut png = Cursor::new(vec![]);
+        picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
+        png.into_inner()
+    };
+    let png = encode(ours.clone().into());
+    let mut clear = DynamicImage::from(ours).into_rgba8();
+    clear.pixels_mut().for_each(|pixel| pixel[3] = 0);
+    let turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
+    for (file, code, words) in [
+        (with_chunk(&png, b"gAMA", &100_000_u32.to_be_bytes()), 0, "gAMA"),
+        (with_chunk(&png, b"gAMA", &45_455_u32.to_be_bytes()), 0, ""),
+        (with_chunk(&png, b"cICP", &[9, 16, 0, 1]), 0, "cICP"),
+        (
+            with_chunk(&png, b"iCCP", b"profile\0\0not unpacked"),
+            0,
+            "colour profile",
+        ),
+        (with_chunk(&png, b"eXIf", turned), 0, "asks a viewer to turn it"),
+        (with_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]), 0, "an animation"),
+        (encode(clear.into()), 1, "Not right: alpha is 0 in every pixel"),
+    ] {
+        let answer = check(&file, "my.png", Some("step02_sphere"), crate::locked());
+        assert_eq!(answer.code, code, "{}", answer.text);
+        let is_noted =
+            answer.text.contains(words) && answer.text.contains("Right: ");
+        assert!(is_noted, "{words}: {}", answer.text);
+        let lines = answer.text.lines().count();
+        assert_eq!(lines, if words.is_empty() { 1 } else { 2 }, "{}", answer.text);
+    }
+}
+
+#[test]
+fn a_small_file_of_a_large_picture_is_soon_answered() {
+    let mut png = vec![];
+    let mut encoder = png::Encoder::new(&mut png, 8192, 8192);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&vec![77; 3 << 26]).expect("pixels");
+    drop(writer);
+    let answer = check(&png, "my.png", Some("glass"), crate::locked());
+    assert!(answer.text.contains("one colour, (77, 77, 77)"), "{}", answer.text);
+}

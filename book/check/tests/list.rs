@@ -1,6 +1,13 @@
 //! The list of mistakes; whether the table knows them is asked in `update`.
 
+<<<<<<< HEAD
 use check::{Row, mistakes, places};
+=======
+use check::{
+    Mistake, Row, Step, known, locked_sums, mistakes, names, places, rows,
+    step_of_exercise, sum,
+};
+>>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)
 use compare::workspace;
 use std::collections::HashSet;
 use std::fs;
@@ -62,3 +69,27 @@ fn all_that_an_answer_leads_to_is_there() {
         }
     }
 }
+<<<<<<< HEAD
+=======
+
+#[test]
+fn the_step_of_each_exercise_is_known() {
+    for name in names().into_iter().filter(|name| !name.starts_with("step")) {
+        let step = step_of_exercise(name).map(Step::name).unwrap_or_default();
+        let program = format!("steps/{step}/examples/{name}.rs");
+        assert!(workspace().join(&program).exists(), "{program}");
+    }
+}
+
+/// Five of the list, others each time: it takes a minute, so it is done where
+/// THOROUGH is set.
+#[test]
+fn some_of_the_list_are_drawn_again() {
+    if env::var_os("THOROUGH").is_some() {
+        let program = env!("CARGO_BIN_EXE_mistakes");
+        let output = Command::new(program).args(["--again", "5"]).output();
+        let output = output.expect("the program runs");
+        assert!(output.status.success(), "{output:?}");
+    }
+}
+>>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)

@@ -3,6 +3,7 @@
 
 mod answers;
 mod damaged;
+mod explanations;
 mod list;
 mod program;
 
@@ -24,11 +25,20 @@ fn right(name: &str) -> RgbImage {
     one.expect("a locked picture").picture.clone()
 }
 
-/// What is said of a picture; it has a dozen lines at most.
-fn said(picture: &RgbImage, name: &str) -> String {
+/// The answer about a picture that is not right; it has a dozen lines at most.
+fn answer_text(picture: &RgbImage, name: &str) -> String {
     let Answer { code, text, .. } = look(picture, Some(name), locked());
     assert!(code == 1 && text.lines().count() <= 12, "{text}");
     text
+}
+
+/// The answer about a PNG file of a picture, which ends with this exit code.
+fn answer_of_file(picture: &RgbImage, name: &str, code: u8) -> String {
+    let mut png = std::io::Cursor::new(vec![]);
+    picture.write_to(&mut png, image::ImageFormat::Png).expect("a file");
+    let answer = check::check(png.get_ref(), "my.png", Some(name), locked());
+    assert_eq!(answer.code, code, "{}", answer.text);
+    answer.text
 }
 
 /// An empty folder of this test.

@@ -121,3 +121,67 @@ fn the_name_of_the_file_tells_whose_picture_it_is() {
         assert_eq!(check::by_file(file, names()), name, "{file}");
     }
 }
+
+#[test]
+fn what_is_no_picture_file_is_not_waited_for() {
+    let folder = folder("devices");
+    let pipe = folder.join("sun.png");
+    let is_made = Command::new("mkfifo").arg(&pipe).status();
+    let is_made = is_made.is_ok_and(|status| status.success());
+    let file = fs::File::create(folder.join("glass.png")).expect("a file");
+    file.set_len(3 << 30).expect("a sparse file");
+    fs::create_dir(folder.join("plane.png")).expect("a folder");
+    fs::write(folder.join("lens.png"), "<!doctype html><p>404").expect("a file");
+    let (code, text) = said(&folder, &["--in", "."]);
+    assert_eq!(code, Some(1), "{text}");
+    for (name, words) in [
+        ("glass", "is too large: a picture has at most 128 MB"),
+        ("plane", "is not a file"),
+        ("lens", "is a web page"),
+    ] {
+        let line = text.lines().find(|line| line.starts_with(name));
+        let line = line.expect("a line for each picture");
+        assert!(line.contains("unreadable: ") && line.contains(words), "{line}");
+    }
+    assert!(!is_made || text.contains("sun.png is not a file"), "{text}");
+    let (code, text) = said(&folder, &["a\u{1b}[2J\u{202e}.png"]);
+    assert!(code == Some(2) && text.contains("a\\u{1b}[2J\\u{202e}.png"), "{text}");
+}
+
+#[test]
+fn a_folder_of_folders_is_a_class() {
+    let folder = folder("class");
+    for (student, name) in [("ada", "sun"), ("bob", "glass"), ("cleo", "")] {
+        let own = folder.join(student);
+        fs::create_dir(&own).expect("a folder");
+        if !name.is_empty() {
+            right("glass").save(own.join(format!("{name}.png"))).expect("a file");
+        }
+    }
+    let count = crate::locked().len();
+    let (code, text) = said(&folder, &[]);
+    assert_eq!(code, Some(1), "{text}");
+    let lines = [
+        format!("ada: 0 of {count} are right; not right: sun"),
+        format!("bob: 1 of {count} are right"),
+        format!("cleo: 0 of {count} are right"),
+    ];
+    assert_eq!(text.trim_end(), lines.join("\n"));
+    let (code, json) = said(&folder, &["--json"]);
+    assert_eq!(code, Some(1), "{json}");
+    let entry = "{\"picture\": \"glass\", \"verdict\": \"right\", \"text\": \"\"}";
+    assert!(
+        json.starts_with("[\n  {\"folder\": ") && json.contains(entry),
+        "{json}"
+    );
+    assert_eq!(json.matches("\"verdict\": ").count(), 3 * count, "{json}");
+}
+
+#[test]
+fn a_picture_of_another_version_is_no_measure() {
+    let mut ours = crate::locked().to_vec();
+    ours[0].picture.put_pixel(9, 9, Rgb([0; 3]));
+    let answer = check::look(&ours[0].picture, Some("step01_rays"), &ours);
+    assert_eq!(answer.code, 2, "{}", answer.text);
+    assert!(answer.text.contains("of another version"), "{}", answer.text);
+}
