@@ -192,7 +192,9 @@ pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
     // Where the angle alone is another, one number is fitted, and not six.
     let tan = (sky.x.x * f64::from(size.0 - 1) / 2.0 - sky.x.z) / 2.0;
     let zoomed = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
-    let is_zoomed = sky.is_like(&Sky::of(&zoomed), size, UNCERTAIN) && 0.0 < tan;
+    let is_zoomed = sky.is_like(&Sky::of(&zoomed), size, UNCERTAIN)
+        && !sky.is_like(&ours, size, UNCERTAIN)
+        && 0.0 < tan;
     let (camera, what) = match is_zoomed {
         true => {
             let angle = sky.field_of_view(size.0);

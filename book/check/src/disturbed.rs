@@ -118,9 +118,9 @@ fn through<'a>(
 /// Each pixel as some places within a pixel of its middle would have it.
 pub(crate) fn random_places<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
     let step = evidence.step?;
-    // In the sky a step of one pixel changes little: noise does more.
+    // In the sky, a slope, another place in the pixel changes little, but something.
     let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
-    if sky < 4 * wrong_sky {
+    if sky < 4 * wrong_sky || 200 * wrong_sky < sky {
         return None;
     }
     let intensity = intensity(step, &scene(step));
