@@ -43,7 +43,7 @@ pub fn check(
         Ok(picture) => {
             let names = locked.iter().map(|one| one.name.as_str());
             let name = name.or_else(|| which_picture::by_file(file, names));
-            let mut answer = look_at(&picture, name, locked);
+            let mut answer = compare_with_ours(&picture, name, locked);
             if answer.code < 2 && picture.is_invisible {
                 answer.text = format!(
                     "Not right: alpha is 0 in every pixel, so that a viewer shows nothing. \
@@ -65,10 +65,14 @@ pub fn check(
 /// Compares a picture with the locked picture `name`, or with the nearest where `name`
 /// is left out.
 pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
-    look_at(&Picture::whole(yours.clone()), name, locked)
+    compare_with_ours(&Picture::whole(yours.clone()), name, locked)
 }
 
-fn look_at(yours: &Picture, name: Option<&str>, locked: &[Locked]) -> Answer {
+fn compare_with_ours(
+    yours: &Picture,
+    name: Option<&str>,
+    locked: &[Locked],
+) -> Answer {
     let is_asked = |one: &&Locked| name.is_none_or(|name| name == one.name);
     let asked: Vec<_> = locked.iter().filter(is_asked).collect();
     if asked.is_empty() {

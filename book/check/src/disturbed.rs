@@ -2,8 +2,8 @@ use crate::Step;
 use crate::camera_from_sky::around;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::pixel_regions::regions;
 use crate::step_scene::{intensity, scene};
+use crate::wrong_regions::regions;
 use std::collections::{HashMap, HashSet};
 
 const CAMERA: &str = "step01_rays/camera.rs";
@@ -157,6 +157,9 @@ pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
     if wrong < all / 100 || wrong_sky < sky / 100 || !evidence.is_whole() {
         return None;
     }
+    if evidence.step.is_none() && !is_flat_changed(evidence) {
+        return None;
+    }
     let mut squares: HashMap<(u32, u32), ([i64; 3], u64, u64)> = HashMap::new();
     for pixel in &evidence.pixels {
         let at = (pixel.i / SQUARE, pixel.j / SQUARE);
@@ -198,6 +201,23 @@ pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
          square about as bright: {how}. Give the file that the program wrote."
     );
     Some(Explanation::range(sentence, &[], |_| [[0; 3], [255; 3]]))
+}
+
+/// Whether much is changed where ours is flat: a ray through another place changes only what
+/// is at an edge.
+fn is_flat_changed(evidence: &Evidence) -> bool {
+    let ours = &evidence.ours;
+    let is_flat = |pixel: &Pixel| {
+        [(0, 1), (1, 0), (1, 2), (2, 1)].into_iter().all(|(u, v)| {
+            let place =
+                ((pixel.i + u).checked_sub(1), (pixel.j + v).checked_sub(1));
+            let (Some(i), Some(j)) = place else { return false };
+            let other = ours.get_pixel_checked(i, j);
+            other.is_some_and(|other| other.0 == pixel.ours)
+        })
+    };
+    let (wrong, all) = evidence.count(is_flat);
+    500 < all && all < 4 * wrong
 }
 
 fn colour_count(evidence: &Evidence, colour: fn(&Pixel) -> [u8; 3]) -> usize {

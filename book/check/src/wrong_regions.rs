@@ -2,9 +2,11 @@ use crate::Step;
 use crate::camera_from_sky::sky_alone;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::{Explanation, Work};
-use crate::pixel_regions::{regions, wrong_objects};
+use crate::pixel_regions::Region;
 use crate::source_ref::{back, place, test_command};
-use crate::step_scene::{hits, intensity, object_name, scene};
+use crate::step_scene::{
+    LIGHTS, OBJECT_COUNT, hits, intensity, object_name, scene,
+};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -239,4 +241,57 @@ fn fitted_factor<'a>(
     Some(Explanation::fitted(sentence, &[], move |pixel| {
         evidence.encode(factor * own(&evidence.ray(pixel)))
     }))
+}
+
+type InRegion = Box<dyn Fn(&Pixel) -> bool>;
+
+/// The regions of a step, in the order of the stages that draw them, with their names.
+pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
+    let mut regions: Vec<(String, InRegion)> = vec![(
+        "the sky".to_owned(),
+        Box::new(|pixel| pixel.region.object.is_none()),
+    )];
+    if step < Step::Diffuse {
+        let count = if step == Step::Rays { 0 } else { OBJECT_COUNT };
+        regions.extend((0..count).filter(|k| step != Step::Sphere || *k == 0).map(
+            |k| {
+                let is_object: InRegion =
+                    Box::new(move |pixel| pixel.region.object == Some(k as u8));
+                (object_name(step, k).to_owned(), is_object)
+            },
+        ));
+        return regions;
+    }
+    let lit = move |lit: [bool; 2]| -> InRegion {
+        Box::new(move |pixel| {
+            let Region { object, lit: own, shines, .. } = pixel.region;
+            object.is_some() && own == lit && !shines
+        })
+    };
+    let without = if step == Step::Phong { ", without highlights" } else { "" };
+    regions.extend([
+        ("what no light reaches".to_owned(), lit([false; 2])),
+        (format!("what {} alone reaches{without}", LIGHTS[0]), lit([true, false])),
+        (format!("what {} alone reaches{without}", LIGHTS[1]), lit([false, true])),
+        (format!("what both lights reach{without}"), lit([true; 2])),
+    ]);
+    if step == Step::Phong {
+        regions.push((
+            "where highlights may be".to_owned(),
+            Box::new(|pixel| pixel.region.shines),
+        ));
+    }
+    regions
+}
+
+/// The names of all objects that have a wrong pixel.
+fn wrong_objects(evidence: &Evidence, step: Step) -> Vec<&'static str> {
+    let mut is_wrong = [false; OBJECT_COUNT];
+    for pixel in evidence.wrong() {
+        if let Some(k) = pixel.region.object {
+            is_wrong[usize::from(k)] = true;
+        }
+    }
+    let wrong = (0..OBJECT_COUNT).filter(|k| is_wrong[*k]);
+    wrong.map(|k| object_name(step, k)).collect()
 }

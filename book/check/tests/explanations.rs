@@ -347,3 +347,26 @@ fn large_pictures_are_compared_in_rows() {
         crate::answer_of_file(&rotate90(&rotate90(&picture)), "step03_nearest", 1);
     assert!(turned.contains("turned half around"), "{turned}");
 }
+
+#[test]
+fn an_exercise_by_another_camera_is_not_called_lossy() {
+    for (name, picture) in exercises::PICTURES {
+        // Some take long, and `jitter` is random itself.
+        if ["crowd", "gradient", "jitter", "many", "marbles", "panorama"]
+            .contains(name)
+        {
+            continue;
+        }
+        for shift in [0.3, 1.5] {
+            let mut camera = camera(640, 360);
+            camera.matrix.z_axis += shift * camera.matrix.x_axis;
+            let picture = picture(&camera, 1);
+            if picture == right(name) {
+                continue;
+            }
+            let text = answer_text(&picture, name);
+            assert!(!text.contains("packed with loss"), "{name}, {shift}: {text}");
+            assert!(!text.contains("follow from ours"), "{name}, {shift}: {text}");
+        }
+    }
+}
