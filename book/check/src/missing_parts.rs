@@ -292,9 +292,10 @@ pub(crate) fn never_drawn<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
             let is_told = is_black && is_scattered(evidence);
             is_told.then(|| format!("{} of {all} pixels", wrong.len()))
         })?;
+    let compared = if evidence.is_whole() { "" } else { " of those compared" };
     let [r, g, b] = blank;
     let sentence = format!(
-        "Never drawn, it seems: {what}, all of them ({r}, {g}, {b}); all others are right."
+        "Never drawn, it seems: {what}{compared}, all of them ({r}, {g}, {b}); all others are right."
     );
     Some(Explanation::exact(sentence, &[RENDER], move |pixel| {
         match pixel.is_wrong() {
