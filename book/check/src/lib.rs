@@ -6,37 +6,19 @@
 //! in it was fitted, within one of 255. One loop, `first_that_holds`, tries them; the
 //! strongest come first:
 //!
-<<<<<<< HEAD
-//! 1. It is **right** in every pixel, or the picture of another name.
-//! 2. It is right **with other options**: our own step draws it at that size, with the
-//!    field of view that its sky tells, and so many rays a pixel (`options`).
-//! 3. Ours **as a whole**, but turned, with its channels swapped, in grey, along a curve
-//!    such as gamma (`whole`), cut out or scaled (`part`).
-//! 4. It is **in the list**: these very pixels are what a mistake that we know gives
-//!    (`listed`). The lists are the text files in `mistakes/`: a title, a file, what
-//!    stands there and what is written instead. The package `update` draws them all,
-//!    and the table has the sum of each picture.
-//! 5. **One number** of the scene is another: all numbers that somebody may have typed are
-//!    tried with the functions of the steps, as a scene is a value (`number`).
-//! 6. Else **where to look** (`stages`): the rays, read out of the sky (`sky`), the
-//!    outlines, which object is in front, where no light reaches, each light, the
-//!    highlights. Our own program says what is in each pixel (`seen`). The first of these
-//!    that is wrong is told, with its files and tests by hand (`place`).
-=======
 //! 1. It is **right**, or the locked picture of another name (`check`).
 //! 2. It is right **with other options** (`other_options`), **cut out or scaled**
 //!    (`crop_or_scale`), or one colour.
 //! 3. It is ours **as a whole**, but turned or with its bytes in other places (`transformed`),
 //!    or with another curve of the bytes (`byte_curve`).
 //! 4. It is **in the list** (`listed_mistake`): these very pixels are what a mistake that we
-//!    know gives. The lists are the text files in `mistakes/`; the hashes of what they give
-//!    are in a table (`fingerprints`).
+//!    know gives. The lists are the text files in `mistakes/`; the package `update` draws
+//!    them, and the hashes of what they give are in a table (`fingerprints`).
 //! 5. Something **is missing**, pixels, objects or terms of the light, or counted otherwise
 //!    (`missing_parts`); **one number** of the scene is another (`scene_parameter`); the
 //!    **camera or the sky's colour** is another, as read from the sky (`camera_from_sky`); it
 //!    was **disturbed**: last digits, random places in the pixel, loss (`disturbed`).
 //! 6. Two mistakes, one of them in `rgb8`: the curve is asked of the sky alone, and 5 again.
->>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)
 //!
 //! Where nothing explains the whole, the wrong pixels are counted by regions of our own scene
 //! (`pixel_regions`), what explains one region alone is told of that region, and no file is

@@ -1,13 +1,6 @@
 //! The list of mistakes; whether the table knows them is asked in `update`.
 
-<<<<<<< HEAD
-use check::{Row, mistakes, places};
-=======
-use check::{
-    Mistake, Row, Step, known, locked_sums, mistakes, names, places, rows,
-    step_of_exercise, sum,
-};
->>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)
+use check::{Row, Step, mistakes, names, places, step_of_exercise};
 use compare::workspace;
 use std::collections::HashSet;
 use std::fs;
@@ -69,8 +62,6 @@ fn all_that_an_answer_leads_to_is_there() {
         }
     }
 }
-<<<<<<< HEAD
-=======
 
 #[test]
 fn the_step_of_each_exercise_is_known() {
@@ -80,16 +71,3 @@ fn the_step_of_each_exercise_is_known() {
         assert!(workspace().join(&program).exists(), "{program}");
     }
 }
-
-/// Five of the list, others each time: it takes a minute, so it is done where
-/// THOROUGH is set.
-#[test]
-fn some_of_the_list_are_drawn_again() {
-    if env::var_os("THOROUGH").is_some() {
-        let program = env!("CARGO_BIN_EXE_mistakes");
-        let output = Command::new(program).args(["--again", "5"]).output();
-        let output = output.expect("the program runs");
-        assert!(output.status.success(), "{output:?}");
-    }
-}
->>>>>>> 63b0e3e (check: each kind of explanation has tests of several pictures)

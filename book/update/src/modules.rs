@@ -1,6 +1,5 @@
-//! Compiles the package `wasm` for the browser: a module of what answers in the pages, one of
-//! `check`, one of the pictures that it compares with. They are checked in, as who builds the
-//! book needs no second target.
+//! Compiles the package `wasm` for the browser: a module of what answers in the pages, and one
+//! of `check`. They are checked in, as who builds the book needs no second target.
 
 use compare::{target_folder, workspace};
 use std::error::Error;
@@ -10,16 +9,8 @@ use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The modules: each is a feature of the package, with flags of its own for the
-/// compiler. The largest is to have few copies of small functions.
-const MODULES: [(&str, &str); 3] = [
-    ("live", ""),
-    ("pictures", ""),
-    (
-        "check",
-        "-C llvm-args=-inline-threshold=25 -C llvm-args=-inlinehint-threshold=10",
-    ),
-];
+/// The modules: each is a feature of the package.
+const MODULES: [&str; 2] = ["live", "check"];
 
 /// Fails where this machine can't compile for the browser.
 pub fn require_target() -> Result<(), Box<dyn Error>> {
@@ -43,9 +34,7 @@ pub fn compile() -> Result<(), Box<dyn Error>> {
     let paths: Vec<_> = paths
         .map(|path| format!("--remap-path-prefix={}=", path.display()))
         .collect();
-    for (feature, flags) in MODULES {
-        let flags =
-            flags.split_whitespace().chain(paths.iter().map(|path| &**path));
+    for feature in MODULES {
         let folder = target_folder().join("wasm");
         let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
             .args(["rustc", "--package", "wasm", "--lib", "--profile", "wasm"])
@@ -59,7 +48,7 @@ pub fn compile() -> Result<(), Box<dyn Error>> {
                 "-C",
                 "link-arg=--compress-relocations",
             ])
-            .env("CARGO_ENCODED_RUSTFLAGS", flags.collect::<Vec<_>>().join("\x1f"))
+            .env("CARGO_ENCODED_RUSTFLAGS", paths.join("\x1f"))
             .current_dir(workspace())
             .status()?;
         if !status.success() {

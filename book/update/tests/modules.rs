@@ -46,15 +46,15 @@ fn live_wasm_is_up_to_date() {
 }
 
 #[test]
-fn pictures_wasm_is_up_to_date() {
-    let mut module = Module::checked_in("pictures");
+fn check_wasm_draws_the_pictures() {
+    let mut module = Module::checked_in("check");
     // Small ones, as a module is slow where no browser compiles it, and a thousand spheres
     // are slowest.
     for name in names() {
         let columns = if name == "crowd" && !is_thorough() { 8 } else { 32 };
         let request = format!("draw {name} {columns}");
         let ours = answer(&request, b"");
-        assert_same("pictures", &request, &ours, module.answer(&request, b""));
+        assert_same("check", &request, &ours, module.answer(&request, b""));
     }
     let ours = answer("draw step05_phong", b"");
     assert!(ours.pixels == *locked("step05_phong"), "it is not the locked picture");
@@ -106,7 +106,7 @@ fn check_wasm_is_up_to_date() {
 
 #[test]
 fn no_path_of_a_machine_stands_in_a_module() {
-    for name in ["check", "live", "pictures"] {
+    for name in ["check", "live"] {
         let bytes = module::bytes(name);
         let text = String::from_utf8_lossy(&bytes);
         for path in [".cargo", "registry/src", "/home/", "/Users/"] {
