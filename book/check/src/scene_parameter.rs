@@ -2,7 +2,7 @@ use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{LIGHTS, Scene, intensity, object_name, scene};
-use step05_phong::Surface;
+use step05_phong::Matte;
 
 /// One or three numbers of each object or of each light, which stand in one place of a
 /// file.
@@ -42,9 +42,9 @@ const COLOUR: Parameter = Parameter {
     file: "step03_nearest/objects.rs",
     count: 3,
     range: (0, 5, 100),
-    get: |scene, k| scene.objects[k].material.surface.diffuse.into(),
+    get: |scene, k| scene.objects[k].material.matte.diffuse.into(),
     set: |scene, k, v| {
-        scene.objects[k].material.surface = Surface::of(v.into());
+        scene.objects[k].material.matte = Matte::of(v.into());
     },
 };
 
@@ -222,8 +222,8 @@ fn owner_names(parameter: &Parameter, step: Step) -> Vec<String> {
             let count = scene(step).objects.len();
             (0..count).map(|k| object_name(step, k)).collect()
         }
-        Owner::Light => LIGHTS.into(),
-        Owner::Scene => vec!["the scene"],
+        Owner::Light => LIGHTS.map(str::to_owned).into(),
+        Owner::Scene => vec!["the scene".to_owned()],
     };
     names.iter().map(|name| format!("{}{name}", parameter.name)).collect()
 }

@@ -174,7 +174,7 @@ fn region_explanations<'a>(
     let scene_of_step = scene(step);
     let own = intensity(step, &scene_of_step);
     let flat =
-        scene_of_step.objects.iter().map(|object| object.material.surface.diffuse);
+        scene_of_step.objects.iter().map(|object| object.material.matte.diffuse);
     let flat: Vec<DVec3> = flat.collect();
     if Step::Diffuse <= step {
         let sentence = format!(
@@ -257,7 +257,7 @@ pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
             |k| {
                 let is_object: InRegion =
                     Box::new(move |pixel| pixel.region.object == Some(k as u8));
-                (object_name(step, k).to_owned(), is_object)
+                (object_name(step, k), is_object)
             },
         ));
         return regions;
@@ -285,7 +285,7 @@ pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
 }
 
 /// The names of all objects that have a wrong pixel.
-fn wrong_objects(evidence: &Evidence, step: Step) -> Vec<&'static str> {
+fn wrong_objects(evidence: &Evidence, step: Step) -> Vec<String> {
     let mut is_wrong = [false; OBJECT_COUNT];
     for pixel in evidence.wrong() {
         if let Some(k) = pixel.region.object {
