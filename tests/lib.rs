@@ -1,13 +1,17 @@
-//! What the tests share: locked pictures, programs to run, rays, random input.
+//! Helpers that the tests share: locked pictures, programs of the steps, rays and random
+//! geometry.
 
-mod locked;
+mod inputs;
+mod invalid_arguments;
 mod locked_pictures;
-mod program;
-mod rays;
-mod refusals;
+mod snapshots;
+mod step_program;
 
 pub use exercises::camera;
-pub use locked::{assert_locked, locked};
+pub use inputs::{
+    primary_rays, random_point, random_sphere, random_sphere_and_ray,
+    random_unit_vector,
+};
 pub use locked_pictures::{LockedPicture, locked_pictures};
-pub use program::{Program, assert_program};
-pub use rays::{point, rays, rays_of_camera, sphere, unit};
+pub use snapshots::{assert_matches_snapshot, read_snapshot};
+pub use step_program::{StepProgram, assert_program_works};

@@ -4,17 +4,21 @@ use image::RgbImage;
 use step01_rays::Camera;
 use step05_phong::*;
 
-/// A locked picture: its name, its camera and how it is drawn.
+/// The name of a locked picture, its camera, and the function that draws it.
 pub type LockedPicture = (&'static str, Camera, Picture);
 
 /// The locked pictures: of the steps, the exercises, the chapters and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
-    let drawn = exercises::STEPS.iter().chain(exercises::PICTURES);
-    let mut all: Vec<LockedPicture> =
-        drawn.map(|(name, picture)| (*name, camera(), *picture)).collect();
-    let large = Camera::new(1280, 720, 60_f64.to_radians());
-    let more: [LockedPicture; 9] = [
-        ("slide_matrix", exercises::slide_matrix(), step05_phong::picture),
+    let exercises = exercises::STEPS.iter().chain(exercises::PICTURES);
+    let mut pictures: Vec<LockedPicture> =
+        exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
+    let large_camera = Camera::new(1280, 720, 60_f64.to_radians());
+    pictures.extend([
+        (
+            "slide_matrix",
+            exercises::slide_matrix(),
+            step05_phong::picture as Picture,
+        ),
         ("step05_ambient", camera(), |camera, _| {
             terms::picture(camera, |phong| phong.ambient)
         }),
@@ -24,17 +28,16 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_specular", camera(), |camera, _| {
             terms::picture(camera, |phong| phong.specular)
         }),
-        ("speckled", camera_without_tan(), draw_speckled),
-        ("shadowed", camera(), draw_shadowed),
+        ("speckled", camera_without_tan(), draw_shadows_without_offset),
+        ("shadowed", camera(), draw_shadows_without_mirrors),
         ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
-        ("cover", large, |camera, _| step05_phong::picture(camera, 4)),
-        ("goodbye", large, |camera, _| mirror::picture(camera, 2)),
-    ];
-    all.extend(more);
-    all
+        ("cover", large_camera, |camera, _| step05_phong::picture(camera, 4)),
+        ("goodbye", large_camera, |camera, _| mirror::picture(camera, 2)),
+    ]);
+    pictures
 }
 
-/// The camera of the course, with a tangent that is the same on every machine.
+/// The camera of the course, with the tangent as a literal: no machine computes another.
 fn camera_without_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
@@ -46,32 +49,35 @@ fn camera_without_tan() -> Camera {
     Camera { matrix, ..camera() }
 }
 
-/// The shadows of rays that start on the surface itself.
-fn draw_speckled(camera: &Camera, samples: u32) -> RgbImage {
+/// Draws the shadows of rays that start on the surface itself, speckled with its own.
+fn draw_shadows_without_offset(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     render(camera, samples, |ray| {
         let Some(point) = visible_point(&scene.objects, ray) else {
             return direction_colour(ray);
         };
-        let bare = SurfacePoint { n: DVec3::ZERO, ..point };
-        let hidden = |q: DVec3| mirror::hidden(&scene.objects, &bare, q);
+        // `hidden` starts its ray at an offset along the normal: zero is no offset.
+        let without_normal = SurfacePoint { n: DVec3::ZERO, ..point };
         let mut lights = scene.lights.clone();
-        lights.retain(|light| !hidden(light.point_light.position));
+        lights.retain(|light| {
+            let position = light.point_light.position;
+            !mirror::hidden(&scene.objects, &without_normal, position)
+        });
         phong(&point, ray, scene.ambient_light, &lights).sum()
     })
 }
 
-/// The program before it has mirrors: shadows alone.
-fn draw_shadowed(camera: &Camera, samples: u32) -> RgbImage {
+/// Draws the scene of the mirrors before they reflect anything: shadows alone.
+fn draw_shadows_without_mirrors(camera: &Camera, samples: u32) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
 }
 
-/// The white sphere: a part of the picture with 2560 columns, from column 213 and row 926
-/// on.
+/// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:
+/// the white sphere.
 fn close_up_camera() -> Camera {
-    let whole = Camera::new(2560, 1440, 60_f64.to_radians());
+    let large_camera = Camera::new(2560, 1440, 60_f64.to_radians());
     let corner = DVec3::new(213.0, 926.0, 1.0);
-    let part = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
-    Camera { matrix: whole.matrix * part, ..camera() }
+    let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
+    Camera { matrix: large_camera.matrix * crop, ..camera() }
 }

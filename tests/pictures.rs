@@ -1,12 +1,12 @@
-//! The locked pictures: of the steps, the exercises, the chapters and the cover. They are
-//! tested before all else, each by the test of its own name.
+//! The locked pictures, of the steps, the exercises, the chapters and the cover: each is
+//! compared with its snapshot by the test of its own name, before everything else.
 
-use tests::{assert_locked, locked_pictures};
+use tests::{assert_matches_snapshot, locked_pictures};
 
-/// Names the locked pictures, and makes a test of each.
-macro_rules! locked_pictures {
+/// Defines a test for each of the names, and lists them in `TEST_NAMES`.
+macro_rules! test_pictures {
     ($($name:ident)*) => {
-        const NAMES: &[&str] = &[$(stringify!($name)),*];
+        const TEST_NAMES: &[&str] = &[$(stringify!($name)),*];
         $(
             #[test]
             fn $name() {
@@ -16,7 +16,7 @@ macro_rules! locked_pictures {
     };
 }
 
-locked_pictures! {
+test_pictures! {
     step01_rays step02_sphere step03_nearest step04_diffuse step05_phong
     gradient graticule look_at panorama rings
     disc lens plane quadric
@@ -30,14 +30,14 @@ locked_pictures! {
 /// Draws the picture `name`, and compares it with its snapshot.
 fn assert_picture(name: &str) {
     let pictures = locked_pictures();
-    let found = pictures.iter().find(|(known, ..)| *known == name);
-    let (_, camera, draw) = found.unwrap_or_else(|| panic!("no picture {name}"));
-    assert_locked(name, &draw(camera, 1));
+    let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);
+    let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no picture {name}"));
+    assert_matches_snapshot(name, &draw(camera, 1));
 }
 
 #[test]
-fn each_picture_has_a_test_of_its_name() {
+fn each_locked_picture_has_a_test_of_its_name() {
     let names: Vec<_> =
         locked_pictures().into_iter().map(|(name, ..)| name).collect();
-    assert_eq!(names, NAMES);
+    assert_eq!(names, TEST_NAMES);
 }

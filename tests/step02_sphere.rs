@@ -1,27 +1,24 @@
-//! Step 2: the quadratic, the sphere, the meaning of t.
+//! Step 2: the quadratic, the sphere, and t of the first hit.
 
 use glam::DVec3;
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere, quadratic};
-use tests::{assert_program, rays};
+use tests::{assert_program_works, random_sphere_and_ray};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 
-fn ahead(x: f64, z: f64) -> Ray {
-    Ray { start: DVec3::new(x, 0.0, z), direction: DVec3::NEG_Z }
-}
-
-fn ts(roots: Roots) -> Vec<f64> {
-    roots.iter().collect()
+/// The ray from (x, 0, 0) along −z.
+fn ray_ahead(x: f64) -> Ray {
+    Ray { start: DVec3::new(x, 0.0, 0.0), direction: DVec3::NEG_Z }
 }
 
 #[test]
-fn the_program_draws_helps_and_refuses() {
-    assert_program("step02_sphere");
+fn program_works() {
+    assert_program_works("step02_sphere");
 }
 
 #[test]
-fn the_discriminant_tells_three_cases_apart() {
+fn quadratic_has_zero_one_or_two_roots() {
     assert_eq!(quadratic(1.0, 0.0, 1.0), Roots::Zero);
     assert_eq!(quadratic(2.0, -8.0, 8.0), Roots::One(2.0));
     assert_eq!(quadratic(2.0, -10.0, 8.0), Roots::Two(1.0, 4.0));
@@ -29,42 +26,42 @@ fn the_discriminant_tells_three_cases_apart() {
 }
 
 #[test]
-fn a_tangent_touches_once_and_a_miss_not_at_all() {
-    assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)), Roots::One(5.0));
-    assert_eq!(SPHERE.intersect(&ahead(1.0, 0.0)).first_hit(), Some(5.0));
-    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)), Roots::Zero);
-    assert_eq!(SPHERE.intersect(&ahead(1.1, 0.0)).first_hit(), None);
+fn tangent_ray_hits_once_and_ray_outside_never() {
+    assert_eq!(SPHERE.intersect(&ray_ahead(1.0)), Roots::One(5.0));
+    assert_eq!(SPHERE.intersect(&ray_ahead(1.0)).first_hit(), Some(5.0));
+    assert_eq!(SPHERE.intersect(&ray_ahead(1.1)), Roots::Zero);
+    assert_eq!(SPHERE.intersect(&ray_ahead(1.1)).first_hit(), None);
 }
 
 #[cfg(debug_assertions)]
 #[test]
 #[should_panic(expected = "a is not above 0")]
-fn a_quadratic_needs_its_square() {
+fn quadratic_panics_when_a_is_zero() {
     quadratic(0.0, 1.0, 1.0);
 }
 
 proptest! {
     #[test]
-    fn a_hit_satisfies_the_equation_of_the_sphere((sphere, ray) in rays()) {
-        for t in ts(sphere.intersect(&ray)) {
+    fn hits_are_on_the_sphere((sphere, ray) in random_sphere_and_ray()) {
+        for t in sphere.intersect(&ray).iter() {
             let distance = ray.at(t).distance(sphere.centre);
             prop_assert!((distance - sphere.radius).abs() < 1e-6 * (1.0 + sphere.radius));
         }
     }
 
     #[test]
-    fn a_ray_misses_when_its_line_passes_outside((sphere, ray) in rays()) {
+    fn ray_has_hits_if_its_line_passes_through_the_sphere((sphere, ray) in random_sphere_and_ray()) {
         let v = ray.direction.normalize();
-        let apart = (sphere.centre - ray.start).cross(v).length();
-        prop_assume!((apart - sphere.radius).abs() > 1e-6);
-        let count = ts(sphere.intersect(&ray)).len();
-        prop_assert_eq!(count, if apart < sphere.radius { 2 } else { 0 });
+        let distance = (sphere.centre - ray.start).cross(v).length();
+        prop_assume!((distance - sphere.radius).abs() > 1e-6);
+        let count = sphere.intersect(&ray).iter().count();
+        prop_assert_eq!(count, if distance < sphere.radius { 2 } else { 0 });
     }
 
     #[test]
-    fn the_first_hit_is_the_smallest_root_above_0((sphere, ray) in rays()) {
+    fn first_hit_is_the_smallest_positive_root((sphere, ray) in random_sphere_and_ray()) {
         let roots = sphere.intersect(&ray);
-        let above = ts(roots).into_iter().filter(|t| 0.0 < *t);
-        prop_assert_eq!(roots.first_hit(), above.reduce(f64::min));
+        let positive_roots = roots.iter().filter(|t| 0.0 < *t);
+        prop_assert_eq!(roots.first_hit(), positive_roots.reduce(f64::min));
     }
 }

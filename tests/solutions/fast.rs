@@ -1,59 +1,69 @@
-//! `fast` draws, to the byte, what `render` draws with `colour`.
+//! `fast` draws the same bytes as `render` with `colour`.
 
 use exercises::fast::draw;
 use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};
 use step05_phong::*;
-use tests::{point, sphere, unit};
+use tests::{random_point, random_sphere, random_unit_vector};
 
-/// The sets of instructions that this machine has.
-fn levels() -> Vec<Level> {
+/// The instruction sets of this machine, from old to new.
+fn instruction_sets() -> Vec<Level> {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
         let level = Level::new();
-        let better = [
+        let levels = [
             level.as_sse2().map(Level::Sse2),
             level.as_sse4_2().map(Level::Sse4_2),
             level.as_avx2().map(Level::Avx2),
             level.as_avx512().map(Level::Avx512),
         ];
-        better.into_iter().flatten().collect()
+        levels.into_iter().flatten().collect()
     }
     #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
     vec![Level::new()]
 }
 
-type Lit = Scene<Material, Light>;
+type PhongScene = Scene<Material, Light>;
 
-/// The first level at which `fast` draws something else, and how many bytes differ.
-fn difference(camera: &Camera, samples: u32, scene: &Lit) -> Option<String> {
-    let clear = render(camera, samples, |ray| colour(scene, ray));
-    levels().into_iter().find_map(|level| {
-        let fast = draw(level, camera, samples, scene);
-        let bytes = clear.iter().zip(fast.iter());
-        let wrong = bytes.filter(|(one, other)| one != other).count();
-        (wrong != 0).then(|| format!("{level:?}: {wrong} bytes of {}", clear.len()))
+/// The first instruction set with which `fast` draws other bytes than `render`, and how
+/// many; None if all bytes agree.
+fn fast_difference(
+    camera: &Camera,
+    samples: u32,
+    scene: &PhongScene,
+) -> Option<String> {
+    let expected = render(camera, samples, |ray| colour(scene, ray));
+    instruction_sets().into_iter().find_map(|level| {
+        let picture = draw(level, camera, samples, scene);
+        let bytes = picture.iter().zip(expected.iter());
+        let wrong_count = bytes.filter(|(byte, expected)| byte != expected).count();
+        (wrong_count != 0).then(|| {
+            format!("{level:?}: {wrong_count} bytes of {}", expected.len())
+        })
     })
 }
 
-/// A camera anywhere, that looks anywhere.
-fn cameras() -> impl Strategy<Value = Camera> {
-    let parts = (2..40_u32, 1..7_u32, 10.0..170_f64, point(), unit(), 0.0..6.0_f64);
-    parts.prop_map(|(h_res, v_res, field, centre, axis, angle)| {
-        let camera = Camera::new(h_res, v_res, field.to_radians());
-        let turned = DMat3::from_axis_angle(axis, angle) * camera.matrix;
-        Camera { centre, matrix: turned, ..camera }
-    })
+/// Small cameras of any position and orientation.
+fn random_camera() -> impl Strategy<Value = Camera> {
+    let centre_axis_angle = (random_point(), random_unit_vector(), 0.0..6.0_f64);
+    (2..40_u32, 1..7_u32, 10.0..170_f64, centre_axis_angle).prop_map(
+        |(h_res, v_res, degrees, (centre, axis, angle))| {
+            let camera = Camera::new(h_res, v_res, degrees.to_radians());
+            let matrix = DMat3::from_axis_angle(axis, angle) * camera.matrix;
+            Camera { centre, matrix, ..camera }
+        },
+    )
 }
 
-fn colours() -> impl Strategy<Value = DVec3> {
+/// Greys, colours as saturated as any, and black.
+fn random_colour() -> impl Strategy<Value = DVec3> {
     let grey = (0.0..1.0).prop_map(DVec3::splat);
-    prop_oneof![grey, unit().prop_map(DVec3::abs), Just(DVec3::ZERO)]
+    prop_oneof![grey, random_unit_vector().prop_map(DVec3::abs), Just(DVec3::ZERO)]
 }
 
-fn materials() -> impl Strategy<Value = Material> {
-    let parts = (colours(), colours(), colours(), 1..400);
+fn random_material() -> impl Strategy<Value = Material> {
+    let parts = (random_colour(), random_colour(), random_colour(), 1..400);
     parts.prop_map(|(ambient, diffuse, specular, shininess)| Material {
         matte: Matte { ambient, diffuse },
         specular,
@@ -61,46 +71,40 @@ fn materials() -> impl Strategy<Value = Material> {
     })
 }
 
-fn lights() -> impl Strategy<Value = Light> {
-    let parts = (point(), colours(), colours(), 0.01..1.0, 0.0..0.5, 0.0..0.1);
-    parts.prop_map(|(position, diffuse, specular, a, b, c)| {
-        let attenuation = Attenuation { a, b, c };
-        Light {
-            point_light: PointLight { position, diffuse, attenuation },
-            specular,
-        }
+fn random_light() -> impl Strategy<Value = Light> {
+    let attenuation = (0.01..1.0, 0.0..0.5, 0.0..0.1)
+        .prop_map(|(a, b, c)| Attenuation { a, b, c });
+    let parts = (random_point(), random_colour(), random_colour(), attenuation);
+    parts.prop_map(|(position, diffuse, specular, attenuation)| Light {
+        point_light: PointLight { position, diffuse, attenuation },
+        specular,
     })
 }
 
-fn objects() -> impl Strategy<Value = Vec<Object<Material>>> {
-    let large = sphere();
-    let small =
-        (point(), 1e-3..0.1).prop_map(|(centre, radius)| Sphere { centre, radius });
-    let vast = (unit(), 50.0..1e3_f64)
+/// Up to 24 spheres, some tiny, some as large as a ground.
+fn random_objects() -> impl Strategy<Value = Vec<Object<Material>>> {
+    let tiny_sphere = (random_point(), 1e-3..0.1)
+        .prop_map(|(centre, radius)| Sphere { centre, radius });
+    let ground = (random_unit_vector(), 50.0..1e3_f64)
         .prop_map(|(n, radius)| Sphere { centre: (radius + 1.0) * n, radius });
-    let spheres = prop_oneof![4 => large, 2 => small, 1 => vast];
-    let object = (spheres, materials());
-    vec(
-        object.prop_map(|(sphere, material)| Object {
-            name: "ball",
-            sphere,
-            material,
-        }),
-        0..25,
-    )
+    let sphere = prop_oneof![4 => random_sphere(), 2 => tiny_sphere, 1 => ground];
+    let object = (sphere, random_material())
+        .prop_map(|(sphere, material)| Object { name: "ball", sphere, material });
+    vec(object, 0..25)
 }
 
-fn scenes() -> impl Strategy<Value = Lit> {
-    let parts = (objects(), colours(), vec(lights(), 0..4), any::<bool>());
-    parts.prop_map(|(mut objects, ambient_light, lights, twice)| {
-        if twice {
-            // Each again in the same place, of another material: the first one counts.
-            let mut again = objects.clone();
-            let count = again.len();
-            for (k, object) in again.iter_mut().enumerate() {
-                object.material = objects[count - 1 - k].material;
+fn random_scene() -> impl Strategy<Value = PhongScene> {
+    let lights = vec(random_light(), 0..4);
+    let parts = (random_objects(), random_colour(), lights, any::<bool>());
+    parts.prop_map(|(mut objects, ambient_light, lights, has_duplicates)| {
+        if has_duplicates {
+            // Each sphere a second time, of another material: the first one is seen.
+            let mut duplicates = objects.clone();
+            let materials = objects.iter().rev().map(|object| object.material);
+            for (object, material) in duplicates.iter_mut().zip(materials) {
+                object.material = material;
             }
-            objects.extend(again);
+            objects.extend(duplicates);
         }
         Scene { objects, ambient_light, lights }
     })
@@ -110,10 +114,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(50))]
 
     #[test]
-    fn it_draws_any_scene_at_any_size(
-        camera in cameras(), scene in scenes(), samples in 1..4_u32
+    fn fast_draws_the_bytes_of_render_for_50_random_scenes(
+        camera in random_camera(), scene in random_scene(), samples in 1..4_u32
     ) {
-        prop_assert_eq!(difference(&camera, samples, &scene), None);
+        prop_assert_eq!(fast_difference(&camera, samples, &scene), None);
     }
 }
 
@@ -122,54 +126,53 @@ proptest! {
 
     #[test]
     #[ignore = "takes a minute: cargo test -- --include-ignored"]
-    fn it_draws_many_scenes_at_any_size(
-        camera in cameras(), scene in scenes(), samples in 1..4_u32
+    fn fast_draws_the_bytes_of_render_for_200_random_scenes(
+        camera in random_camera(), scene in random_scene(), samples in 1..4_u32
     ) {
-        prop_assert_eq!(difference(&camera, samples, &scene), None);
+        prop_assert_eq!(fast_difference(&camera, samples, &scene), None);
     }
 }
-
-// A byte hides the last digits of what it was rounded from. So balance scenes on them:
-// whatever rounds otherwise tips over.
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
+    // A byte hides the last digits of the number that was rounded to it. These scenes show
+    // them: one ray touches its sphere, or its colour is halfway between two bytes.
     #[test]
-    fn it_rounds_as_before(
-        camera in cameras(), u in 0.0..1.0_f64, v in 0.0..1.0_f64, off in unit(), radius in 0.2..5.0_f64
+    fn fast_rounds_like_render(
+        camera in random_camera(), x in 0.0..1.0_f64, y in 0.0..1.0_f64,
+        unit_vector in random_unit_vector(), radius in 0.2..5.0_f64
     ) {
-        let last = [camera.h_res, camera.v_res].map(|count| f64::from(count - 1));
-        let ray = camera.ray((u * last[0]).round(), (v * last[1]).round());
-        let to_centre = 9.0 * ray.direction.normalize() + 0.8 * radius * off;
-        let met = Sphere { centre: ray.start + to_centre, radius };
-        // A second one, which the ray touches.
+        let [i_max, j_max] = [camera.h_res, camera.v_res].map(|count| f64::from(count - 1));
+        let ray = camera.ray((x * i_max).round(), (y * j_max).round());
+        let to_centre = 9.0 * ray.direction.normalize() + 0.8 * radius * unit_vector;
+        let hit_sphere = Sphere { centre: ray.start + to_centre, radius };
         let radius = to_centre.reject_from(ray.direction).length();
-        let touched = Sphere { radius, ..met };
-        let object = [Object { name: "ball", sphere: met, material: () }];
+        let tangent_sphere = Sphere { radius, ..hit_sphere };
+        let object = [Object { name: "ball", sphere: hit_sphere, material: () }];
         let Some(point) = visible_point(&object, &ray) else { return Ok(()) };
-        let light = lamp(point.p + 4.0 * point.n - ray.direction);
+        let light = light_at(point.p + 4.0 * point.n - ray.direction);
         let scene = |sphere, ambient_light| {
-            let objects = vec![Object { name: "ball", sphere, material: BRIGHT }];
+            let objects = vec![Object { name: "ball", sphere, material: MATERIAL }];
             Scene { objects, ambient_light, lights: vec![light] }
         };
-        let rest = colour(&scene(met, DVec3::ZERO), &ray);
-        // The ambient term adds up to the next half of a byte.
-        let half = ((255.0 * rest).floor() + 1.5) / 255.0 - rest;
-        for scene in [scene(touched, DVec3::ONE), scene(met, half)] {
-            prop_assert_eq!(difference(&camera, 1, &scene), None);
+        let lit = colour(&scene(hit_sphere, DVec3::ZERO), &ray);
+        // The ambient light that is missing up to the middle between two bytes.
+        let ambient_light = ((255.0 * lit).floor() + 1.5) / 255.0 - lit;
+        for scene in [scene(tangent_sphere, DVec3::ONE), scene(hit_sphere, ambient_light)] {
+            prop_assert_eq!(fast_difference(&camera, 1, &scene), None);
         }
     }
 }
 
-/// What leaves no zero anywhere, and reflects all ambient light.
-const BRIGHT: Material = Material {
+/// A material that reflects all ambient light, and a part of the other light.
+const MATERIAL: Material = Material {
     matte: Matte { ambient: DVec3::ONE, diffuse: DVec3::new(0.3, 0.4, 0.35) },
     specular: DVec3::new(0.5, 0.6, 0.55),
     shininess: 13,
 };
 
-fn lamp(position: DVec3) -> Light {
+fn light_at(position: DVec3) -> Light {
     let attenuation = Attenuation { a: 0.9, b: 0.01, c: 0.003 };
     let diffuse = DVec3::splat(0.7);
     let point_light = PointLight { position, diffuse, attenuation };

@@ -1,4 +1,4 @@
-//! The mathematics of the exercises' solutions; and that the book has each of them.
+//! The mathematics of the exercises' solutions, and their places in the book.
 
 mod fast;
 mod step01;
@@ -12,18 +12,18 @@ use exercises::*;
 use glam::DMat3;
 use std::fs;
 use step01_rays::Camera;
-use tests::{camera, locked, locked_pictures};
+use tests::{camera, locked_pictures, read_snapshot};
 
-/// The names of what is in the folder `path` of the workspace.
-fn files(path: &str) -> impl Iterator<Item = String> {
-    let files = fs::read_dir(workspace().join(path)).expect(path).flatten();
+/// The names of the files and folders in `folder` of the workspace, but for hidden ones.
+fn file_names(folder: &str) -> impl Iterator<Item = String> {
+    let files = fs::read_dir(workspace().join(folder)).expect(folder).flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
     names.filter(|name| !name.starts_with('.'))
 }
 
 #[test]
-fn what_draws_a_step_in_another_way_draws_its_picture() {
-    let ways: [(_, Picture); 6] = [
+fn starters_and_fast_draw_the_pictures_of_their_steps() {
+    let pictures: [(_, Picture); 6] = [
         ("step01_rays", step01_starter::picture),
         ("step02_sphere", step02_starter::picture),
         ("step03_nearest", step03_starter::picture),
@@ -31,84 +31,86 @@ fn what_draws_a_step_in_another_way_draws_its_picture() {
         ("step05_phong", step05_starter::picture),
         ("step05_phong", exercises::fast::picture),
     ];
-    for (name, picture) in ways {
-        let difference = Difference::between(&locked(name), &picture(&camera(), 1));
+    for (name, draw) in pictures {
+        let difference =
+            Difference::between(&read_snapshot(name), &draw(&camera(), 1));
         assert!(difference.is_none(), "{name}: {}", difference.unwrap());
     }
 }
 
-/// The camera with each number of its matrix moved to the next f64, but for the whole
-/// numbers: no way to write the formulas makes others of these.
-fn nudged(camera: &Camera, next: fn(f64) -> f64) -> Camera {
-    let nudge = |x: f64| if x.fract() == 0.0 { x } else { next(x) };
-    let matrix = camera.matrix.to_cols_array().map(nudge);
+/// Replaces each number in the matrix of the camera by `neighbour`, the next or the
+/// previous f64; integers stay, as every way to write the formulas gives these exactly.
+fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
+    let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
+    let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
 /// The pictures that take longest.
-const SLOW: [&str; 5] = ["cover", "goodbye", "crowd", "close_up", "jitter"];
+const SLOW_PICTURES: [&str; 5] =
+    ["cover", "goodbye", "crowd", "close_up", "jitter"];
 
 #[test]
-fn no_picture_depends_on_the_last_bit_of_its_camera() {
-    assert_stable(|name| !SLOW.contains(&name));
+fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {
+    assert_pictures_survive_perturbed_cameras(|name| {
+        !SLOW_PICTURES.contains(&name)
+    });
 }
 
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
-fn no_slow_picture_depends_on_the_last_bit_of_its_camera() {
-    assert_stable(|name| SLOW.contains(&name));
+fn slow_pictures_do_not_depend_on_the_last_bit_of_the_camera() {
+    assert_pictures_survive_perturbed_cameras(|name| SLOW_PICTURES.contains(&name));
 }
 
-/// Fails if the last bit of a camera changes one of the locked pictures that are chosen.
+/// Fails if the last bit of its camera changes a locked picture whose name `is_selected`.
 ///
 /// The tangent of another platform may differ in its last bit, and so may a formula that
-/// is written in another order. `speckled` shows how numbers are rounded: its picture is
-/// the same wherever its camera is, which takes no tangent.
+/// is written in another order. `speckled` is left out: it shows rounding errors, and its
+/// camera takes no tangent.
 #[track_caller]
-fn assert_stable(is_chosen: fn(&str) -> bool) {
-    let mut changed = vec![];
+fn assert_pictures_survive_perturbed_cameras(is_selected: fn(&str) -> bool) {
+    let mut faults = vec![];
     for (name, camera, draw) in locked_pictures() {
-        if name == "speckled" || !is_chosen(name) {
+        if name == "speckled" || !is_selected(name) {
             continue;
         }
-        let ours = draw(&camera, 1);
-        for next in [f64::next_up, f64::next_down] {
-            let theirs = draw(&nudged(&camera, next), 1);
-            if let Some(how) = Difference::between(&ours, &theirs) {
-                changed.push(format!("{name}: {how}"));
-            }
+        let picture = draw(&camera, 1);
+        for neighbour in [f64::next_up, f64::next_down] {
+            let perturbed_picture = draw(&perturb_camera(&camera, neighbour), 1);
+            let difference = Difference::between(&picture, &perturbed_picture);
+            faults.extend(difference.map(|text| format!("{name}: {text}")));
         }
     }
-    assert!(changed.is_empty(), "{changed:#?}");
+    assert!(faults.is_empty(), "{faults:#?}");
 }
 
 #[test]
-fn no_exercise_is_forgotten() {
-    let text = |path: &str| fs::read_to_string(workspace().join(path)).expect(path);
-    let mut missing = vec![];
-    let after = ["way_back", "faster"];
-    let after =
-        after.map(|page| text(&format!("book/chapters/{page}.md"))).concat();
-    for step in files("steps") {
-        let chapter = text(&format!("book/chapters/{step}.md")) + &after;
-        let pages = text("book/chapters/solutions.md") + &chapter;
+fn every_example_is_an_exercise_and_is_listed_in_the_book() {
+    let read = |path: &str| fs::read_to_string(workspace().join(path)).expect(path);
+    let chapter = |name: &str| read(&format!("book/chapters/{name}.md"));
+    let pages_of_all_steps =
+        ["way_back", "faster", "solutions"].map(chapter).concat();
+    let mut faults = vec![];
+    for step in file_names("steps") {
+        let pages = chapter(&step) + &pages_of_all_steps;
         let folder = format!("steps/{step}/examples");
-        for file in files(&folder) {
+        for file in file_names(&folder) {
             let name = file.trim_end_matches(".rs");
-            // These draw a picture of the step, or part of it, or print.
-            let is_drawn = name.ends_with("_starter")
+            // The others draw the picture of a step or a part of it, or print.
+            let is_exercise = name.ends_with("_starter")
                 || ["directions", "fast", "row", "terms"].contains(&name)
-                || exercises::PICTURES.iter().any(|(known, _)| *known == name);
-            let listing = format!("{{{{#include ../../{folder}/{file}");
-            for (is_there, place) in [
-                (is_drawn, "book/exercises"),
-                (pages.contains(&listing), "the book"),
-            ] {
-                if !is_there {
-                    missing.push(format!("{folder}/{file} is not in {place}"));
-                }
+                || exercises::PICTURES
+                    .iter()
+                    .any(|(exercise, _)| *exercise == name);
+            if !is_exercise {
+                faults.push(format!("{folder}/{file} is not in book/exercises"));
+            }
+            let directive = format!("{{{{#include ../../{folder}/{file}");
+            if !pages.contains(&directive) {
+                faults.push(format!("{folder}/{file} is not in the book"));
             }
         }
     }
-    assert!(missing.is_empty(), "{missing:#?}");
+    assert!(faults.is_empty(), "{faults:#?}");
 }

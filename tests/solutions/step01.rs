@@ -4,10 +4,10 @@ use exercises::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
-use tests::{camera, point};
+use tests::{camera, random_point};
 
 #[test]
-fn cameras_that_one_knows_without_the_formula() {
+fn look_at_turns_the_camera_ahead_sideways_and_down() {
     assert_eq!(look_at(&camera(), DVec3::ZERO, DVec3::NEG_Z, 0.0), camera());
     let rolled = look_at(&camera(), DVec3::ZERO, DVec3::NEG_Z, FRAC_PI_2);
     let up = camera().matrix.x_axis.length() * DVec3::Y;
@@ -18,7 +18,7 @@ fn cameras_that_one_knows_without_the_formula() {
 }
 
 #[test]
-fn the_four_ways_of_the_panorama() {
+fn panorama_has_four_known_directions() {
     for (longitude, latitude, v) in [
         (0.0, 0.0, DVec3::NEG_Z),
         (FRAC_PI_2, 0.0, DVec3::X),
@@ -31,19 +31,19 @@ fn the_four_ways_of_the_panorama() {
 
 proptest! {
     #[test]
-    fn the_target_is_in_the_middle(from in point(), to in point(), roll in -3.0..3.0) {
+    fn ray_through_the_middle_passes_the_target(from in random_point(), to in random_point(), roll in -3.0..3.0) {
         prop_assume!(0.1 < from.distance(to));
         let ray = look_at(&camera(), from, to, roll).ray(319.5, 179.5);
         prop_assert_eq!(ray.start, from);
-        prop_assert!(look_at::passes(&ray, to).is_some_and(|away| away < 1e-9));
+        prop_assert!(look_at::passes(&ray, to).is_some_and(|distance| distance < 1e-9));
     }
 
     #[test]
-    fn turning_keeps_lengths_and_angles(from in point(), to in point(), roll in -3.0..3.0) {
+    fn look_at_keeps_lengths_and_angles(from in random_point(), to in random_point(), roll in -3.0..3.0) {
         prop_assume!(0.1 < from.distance(to));
-        let (own, turned) = (camera().matrix, look_at(&camera(), from, to, roll).matrix);
-        let apart = turned.transpose() * turned - own.transpose() * own;
-        prop_assert!(apart.to_cols_array().iter().all(|x| x.abs() < 1e-12));
-        prop_assert!(turned.determinant() * own.determinant() > 0.0);
+        let (matrix, turned_matrix) = (camera().matrix, look_at(&camera(), from, to, roll).matrix);
+        let change = turned_matrix.transpose() * turned_matrix - matrix.transpose() * matrix;
+        prop_assert!(change.to_cols_array().iter().all(|x| x.abs() < 1e-12));
+        prop_assert!(turned_matrix.determinant() * matrix.determinant() > 0.0);
     }
 }

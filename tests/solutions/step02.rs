@@ -5,81 +5,81 @@ use exercises::*;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere};
-use tests::{point, rays, unit};
+use tests::{random_point, random_sphere_and_ray, random_unit_vector};
 
-const AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
+const RAY_AHEAD: Ray = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
 
 #[test]
-fn a_ray_along_the_plane_or_away_from_it_misses() {
+fn plane_is_missed_by_rays_along_it_or_away_from_it() {
     let wall = |z| Plane { point: DVec3::new(7.0, 8.0, z), normal: 2.0 * DVec3::Z };
-    assert_eq!(wall(-3.0).first_hit(&AHEAD), Some(3.0));
-    assert_eq!(wall(0.0).first_hit(&AHEAD), None);
-    assert_eq!(wall(3.0).first_hit(&AHEAD), None);
-    let along = Ray { direction: DVec3::X, ..AHEAD };
-    assert_eq!(wall(-3.0).first_hit(&along), None);
-    assert_eq!(wall(0.0).first_hit(&along), None);
+    assert_eq!(wall(-3.0).first_hit(&RAY_AHEAD), Some(3.0));
+    assert_eq!(wall(0.0).first_hit(&RAY_AHEAD), None);
+    assert_eq!(wall(3.0).first_hit(&RAY_AHEAD), None);
+    let ray_along = Ray { direction: DVec3::X, ..RAY_AHEAD };
+    assert_eq!(wall(-3.0).first_hit(&ray_along), None);
+    assert_eq!(wall(0.0).first_hit(&ray_along), None);
 }
 
 #[test]
-fn a_ray_parallel_to_a_cylinder_or_a_side_of_a_cone_is_no_quadratic() {
-    let round = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
-    let cylinder = Quadric::around(DVec3::ZERO, round, -1.0);
-    assert_eq!(cylinder.intersect(&AHEAD), Roots::Zero);
+fn quadric_with_a_zero_has_at_most_one_root() {
+    let x2_plus_y2 = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
+    let cylinder = Quadric::around(DVec3::ZERO, x2_plus_y2, -1.0);
+    assert_eq!(cylinder.intersect(&RAY_AHEAD), Roots::Zero);
     let cone = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
     let cone = Quadric::around(DVec3::new(0.0, 0.0, -4.0), cone, 0.0);
-    let side = Ray { direction: DVec3::new(1.0, 0.0, -1.0), ..AHEAD };
-    assert_eq!(cone.coefficients(&side).0, 0.0);
-    assert_eq!(cone.intersect(&side), Roots::One(2.0));
+    let ray_along_side = Ray { direction: DVec3::new(1.0, 0.0, -1.0), ..RAY_AHEAD };
+    assert_eq!(cone.coefficients(&ray_along_side).0, 0.0);
+    assert_eq!(cone.intersect(&ray_along_side), Roots::One(2.0));
 }
 
 #[test]
-fn where_a_is_below_0_the_smaller_root_still_comes_first() {
-    let bowls = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
-    let bowls = Quadric::around(DVec3::new(0.0, 0.0, -4.0), bowls, 1.0);
-    assert_eq!(bowls.intersect(&AHEAD), Roots::Two(3.0, 5.0));
+fn quadric_with_a_below_zero_has_the_smaller_root_first() {
+    let matrix = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
+    let hyperboloid = Quadric::around(DVec3::new(0.0, 0.0, -4.0), matrix, 1.0);
+    assert_eq!(hyperboloid.intersect(&RAY_AHEAD), Roots::Two(3.0, 5.0));
 }
 
 #[test]
-fn the_lens_of_a_sphere_with_itself_is_the_sphere() {
+fn lens_of_a_sphere_with_itself_is_the_sphere() {
     let sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
-    let whole = Interval { enter: 4.0, leave: 6.0 };
-    assert_eq!(inside_all(&[sphere; 2], &AHEAD), Some(whole));
-    assert_eq!(inside_all(&[], &AHEAD), Some(lens::RAY));
-    let within = Ray { start: sphere.centre, ..AHEAD };
-    let half = Interval { enter: 0.0, leave: 1.0 };
-    assert_eq!(inside_all(&[sphere], &within), Some(half));
-    let beyond = Ray { start: 9.0 * DVec3::NEG_Z, ..AHEAD };
-    assert_eq!(inside_all(&[sphere], &beyond), None);
+    let diameter = Interval { enter: 4.0, leave: 6.0 };
+    assert_eq!(inside_all(&[sphere; 2], &RAY_AHEAD), Some(diameter));
+    assert_eq!(inside_all(&[], &RAY_AHEAD), Some(lens::RAY));
+    let ray_within = Ray { start: sphere.centre, ..RAY_AHEAD };
+    let radius = Interval { enter: 0.0, leave: 1.0 };
+    assert_eq!(inside_all(&[sphere], &ray_within), Some(radius));
+    let ray_beyond = Ray { start: 9.0 * DVec3::NEG_Z, ..RAY_AHEAD };
+    assert_eq!(inside_all(&[sphere], &ray_beyond), None);
 }
 
-/// Symmetric matrices of all kinds of quadrics.
-fn symmetric() -> impl Strategy<Value = DMat3> {
-    (point(), point()).prop_map(|(diagonal, other)| {
-        let DVec3 { x, y, z } = other / 10.0;
-        let products = DMat3::from_cols_array(&[0., x, y, x, 0., z, y, z, 0.]);
-        DMat3::from_diagonal(diagonal / 10.0) + products
+/// Symmetric matrices, of quadrics of all kinds.
+fn random_symmetric_matrix() -> impl Strategy<Value = DMat3> {
+    (random_point(), random_point()).prop_map(|(diagonal, products)| {
+        let DVec3 { x, y, z } = products / 10.0;
+        let off_diagonal = DMat3::from_cols_array(&[0., x, y, x, 0., z, y, z, 0.]);
+        DMat3::from_diagonal(diagonal / 10.0) + off_diagonal
     })
 }
 
 proptest! {
     #[test]
-    fn hits_satisfy_the_equation_of_the_plane(
-        q in point(), n in unit(), start in point(), v in unit(), length in 0.1..5.0
+    fn hits_are_on_the_plane(
+        q in random_point(), n in random_unit_vector(), start in random_point(), v in random_unit_vector(), length in 0.1..5.0
     ) {
         let (plane, ray) =
             (Plane { point: q, normal: n }, Ray { start, direction: length * v });
-        let towards = n.dot(q - start) * n.dot(v);
+        let approaches = 0.0 < n.dot(q - start) * n.dot(v);
         prop_assume!(1e-3 < n.dot(v).abs());
         let hit = plane.first_hit(&ray);
-        prop_assert_eq!(hit.is_some(), 0.0 < towards);
+        prop_assert_eq!(hit.is_some(), approaches);
         if let Some(t) = hit {
             prop_assert!(n.dot(ray.at(t) - q).abs() < 1e-9 * (1.0 + t));
         }
     }
 
     #[test]
-    fn hits_satisfy_the_equation_of_the_quadric(
-        centre in point(), q in symmetric(), w in -9.0..9.0, start in point(), v in unit()
+    fn hits_are_on_the_quadric(
+        centre in random_point(), q in random_symmetric_matrix(), w in -9.0..9.0, start in random_point(), v in random_unit_vector()
     ) {
         let (quadric, ray) = (Quadric::around(centre, q, w), Ray { start, direction: v });
         prop_assume!(1e-3 < quadric.coefficients(&ray).0.abs());
@@ -92,16 +92,19 @@ proptest! {
     }
 
     #[test]
-    fn a_point_is_in_the_lens_where_it_is_in_both(
-        (one, ray) in rays(), (off, r) in (unit(), 0.1..4.0), k in 0.0..1.5
+    fn lens_has_the_points_that_are_inside_both_spheres(
+        (sphere, ray) in random_sphere_and_ray(),
+        (unit_vector, radius) in (random_unit_vector(), 0.1..4.0), k in 0.0..1.5
     ) {
-        let other = Sphere { centre: one.centre + 0.7 * (one.radius + r) * off, radius: r };
-        let piece = inside_all(&[one, other], &ray);
-        prop_assert_eq!(piece, inside_all(&[other, one], &ray));
-        let t = k * (one.centre - ray.start).length() / ray.direction.length();
-        let deep = |s: &Sphere| s.radius - ray.at(t).distance(s.centre);
-        prop_assume!(1e-6 < deep(&one).abs() && 1e-6 < deep(&other).abs());
-        let inside = 0.0 < deep(&one) && 0.0 < deep(&other);
-        prop_assert_eq!(piece.is_some_and(|p| p.enter <= t && t <= p.leave), inside);
+        let offset = 0.7 * (sphere.radius + radius) * unit_vector;
+        let neighbour = Sphere { centre: sphere.centre + offset, radius };
+        let interval = inside_all(&[sphere, neighbour], &ray);
+        prop_assert_eq!(interval, inside_all(&[neighbour, sphere], &ray));
+        let t = k * (sphere.centre - ray.start).length() / ray.direction.length();
+        let depths = [sphere, neighbour].map(|s| s.radius - ray.at(t).distance(s.centre));
+        prop_assume!(depths.iter().all(|depth| 1e-6 < depth.abs()));
+        let is_inside_both = depths.iter().all(|depth| 0.0 < *depth);
+        let is_in_interval = interval.is_some_and(|i| i.enter <= t && t <= i.leave);
+        prop_assert_eq!(is_in_interval, is_inside_both);
     }
 }

@@ -1,28 +1,30 @@
-//! What a chapter works out by hand, the step's tests by hand hold: the chapter names each
-//! of them below its numbers.
+//! Chapters and tests by hand agree: a chapter names, below its numbers, each test in
+//! `tests/by_hand.rs` of its step.
 
-use super::assert_none;
-use super::built::book;
-use super::source::SOURCE;
-use super::typist::STEPS;
+use super::assert_no_faults;
+use super::built_book::built_book;
+use super::reader_workspace::STEP_NAMES;
+use super::source_listings::SOURCE_FILES;
 use std::collections::BTreeSet;
 
 #[test]
-fn every_test_by_hand_is_named_in_its_chapter() {
-    let (book, mut faults) = (book(), vec![]);
-    for step in STEPS {
+fn chapters_name_every_test_by_hand() {
+    let (book, mut faults) = (built_book(), vec![]);
+    for step in STEP_NAMES {
         let page = &book.pages[&format!("{step}.html")];
-        let ids = page.all(".by-hand").into_iter().filter_map(|one| one.attr("id"));
-        let named: BTreeSet<_> =
+        let elements = page.all(".by-hand").into_iter();
+        let ids = elements.filter_map(|element| element.attr("id"));
+        let page_tests: BTreeSet<_> =
             ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();
         let path = format!("steps/{step}/tests/by_hand.rs");
-        let file = SOURCE.text(&path).unwrap_or_default();
-        let tests = file.split("#[test]\nfn ").skip(1);
-        let tests: BTreeSet<_> =
-            tests.filter_map(|test| test.split('(').next()).collect();
-        for test in named.symmetric_difference(&tests) {
-            faults.push(format!("{test} is in one of {path} and {}.", page.name));
+        let file = SOURCE_FILES.text(&path).unwrap_or_default();
+        let functions = file.split("#[test]\nfn ").skip(1);
+        let file_tests: BTreeSet<_> =
+            functions.filter_map(|function| function.split('(').next()).collect();
+        for test in page_tests.symmetric_difference(&file_tests) {
+            let page = &page.name;
+            faults.push(format!("{test} is in only one of {path} and {page}."));
         }
     }
-    assert_none(&faults);
+    assert_no_faults(&faults);
 }

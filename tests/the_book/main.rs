@@ -1,31 +1,33 @@
-//! What the book promises, checked in the HTML that a reader opens.
+//! Promises of the book, checked in the HTML that a reader opens.
 //!
-//! The book is built once for all of it: a build fails where a chapter can't be expanded,
-//! a link leads nowhere, or anything would be fetched from elsewhere.
+//! The book is built once for all of these tests. The build itself fails where a chapter
+//! can't be expanded, a link is broken, or a page would fetch anything from elsewhere.
 
-mod built;
+mod built_book;
 
 // The book is the source.
 mod listing;
-mod source;
+mod source_listings;
 
 // The picture is the output.
-mod pictures;
+mod page_pictures;
 
 // The book suffices.
+mod crate_states;
 mod own_scene;
-mod reading;
-mod typed;
-mod typist;
+mod page_events;
+mod reader_workspace;
+mod run_command;
+mod typed_book;
 
-// What is worked out by hand holds, and what is predicted.
+// Results by hand and answers to predictions are right.
 mod by_hand;
-mod predicted;
+mod predictions;
 
-mod pages;
+mod page_contents;
 
-/// Fails if there are faults, and tells all of them.
+/// Fails if there are faults, and prints all of them.
 #[track_caller]
-fn assert_none(faults: &[String]) {
+fn assert_no_faults(faults: &[String]) {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }

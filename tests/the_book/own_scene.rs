@@ -1,79 +1,89 @@
-//! The page of one's own scene: the Rust that it writes is a program that draws what the
-//! page shows.
+//! The page "A scene of your own": the Rust program that it writes for a scene draws the
+//! picture on the page.
 
-use super::assert_none;
-use super::typed::whole;
-use super::typist::Typist;
+use super::assert_no_faults;
+use super::reader_workspace::ReaderWorkspace;
+use super::typed_book::typed_workspace;
 use compare::Difference;
+use image::RgbImage;
 use live::{Knob, Live, Sight, find};
 
-/// Where its reader saves it.
-pub const PATH: &str = "steps/step05_phong/examples/my_scene.rs";
+/// The file of the reader's workspace in which the page has the program saved.
+pub const EXAMPLE_PATH: &str = "steps/step05_phong/examples/my_scene.rs";
 
-/// What answers in the page.
-fn live() -> &'static Live {
-    find("own_scene").expect("it answers")
+/// The scene of the page, with its knobs.
+fn own_scene() -> &'static Live {
+    find("own_scene").expect("the page has it")
 }
 
-/// The Rust of the scene of these values.
-fn rust(values: &[f64]) -> String {
-    (live().numbers)(values).remove("rust").expect("it has Rust")
+/// The program that the page writes for the scene with these parameters.
+fn write_program(parameters: &[f64]) -> String {
+    (own_scene().numbers)(parameters).remove("rust").expect("it has Rust")
 }
 
-/// The Rust of the scene as it is printed.
-pub fn printed() -> String {
-    rust(&live().values())
+/// The program of the scene as the page is printed.
+pub fn default_program() -> String {
+    write_program(&own_scene().values())
 }
 
-/// The printed scene, but for some of its numbers, which are 0.
-fn without(is_zero: fn(&Knob) -> bool) -> Vec<f64> {
-    let knobs = live().knobs.iter();
+/// The picture on the page for the scene with these parameters.
+fn page_picture(parameters: &[f64]) -> RgbImage {
+    match (own_scene().sight)(parameters) {
+        Sight::Picture(picture) => picture,
+        Sight::Drawing(_) => panic!("the scene is a picture"),
+    }
+}
+
+/// The default parameters, but 0 for the knobs for which `is_zero`.
+fn zeroed_parameters(is_zero: fn(&Knob) -> bool) -> Vec<f64> {
+    let knobs = own_scene().knobs.iter();
     knobs.map(|knob| if is_zero(knob) { 0.0 } else { knob.value }).collect()
 }
 
-/// A scene without any pattern, the same each time; its picture is small.
-fn any(seed: usize) -> Vec<f64> {
-    let values = live().knobs.iter().zip(seed..).map(|(knob, k)| {
+/// Parameters anywhere in their ranges, the same for the same seed, of a small picture.
+fn random_parameters(seed: usize) -> Vec<f64> {
+    let values = own_scene().knobs.iter().zip(seed..).map(|(knob, k)| {
         let [min, max] = knob.range;
-        let part = (1e4 * (k as f64).sin()).fract().abs();
-        if knob.words == "columns" { 160.0 } else { min + part * (max - min) }
+        let fraction = (1e4 * (k as f64).sin()).fract().abs();
+        if knob.words == "columns" { 160.0 } else { min + fraction * (max - min) }
     });
-    live().allowed(&values.collect::<Vec<_>>()).expect("a scene")
+    own_scene().allowed(&values.collect::<Vec<_>>()).expect("a scene")
 }
 
-/// What is wrong with the program of a scene, typed into a workspace that holds the whole
-/// book.
-fn fault(typist: &Typist, values: &[f64]) -> Option<String> {
-    let Sight::Picture(picture) = (live().sight)(values) else {
-        panic!("it is a picture")
-    };
-    let rust = rust(values);
-    typist.save(PATH, &rust).expect("a file can be written");
-    // The command is in the second line; its options are after the last --.
-    let command = rust.lines().nth(1)?.trim_end_matches('`');
+/// Saves and runs the program of a scene; how it fails, or how its picture differs from
+/// the one on the page.
+fn program_fault(reader: &ReaderWorkspace, parameters: &[f64]) -> Option<String> {
+    let picture = page_picture(parameters);
+    let program = write_program(parameters);
+    reader.write_if_changed(EXAMPLE_PATH, &program).expect("a file can be written");
+    // The second line of the program is the command that runs it, options after ` -- `.
+    let command = program.lines().nth(1)?.trim_end_matches('`');
     let options = command.split_once(" -- ").map_or("", |(_, options)| options);
     let options = format!("{options} --width {}", picture.width());
-    match typist.draw("step05_phong", "my_scene", &options) {
-        Err(what) => Some(format!("{what} in {rust}")),
-        Ok(drawn) => Difference::between(&picture, &drawn)
-            .map(|how| format!("It draws another picture, {how}: {rust}")),
+    match reader.draw_example("step05_phong", "my_scene", &options) {
+        Err(error) => Some(format!("{error} in {program}")),
+        Ok(example_picture) => Difference::between(&picture, &example_picture)
+            .map(|text| format!("It draws another picture, {text}: {program}")),
     }
 }
 
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
-fn the_rust_of_a_scene_draws_it() {
-    let empty = without(|knob| !knob.choices.is_empty());
-    let in_a_sphere = without(|knob| {
+fn program_of_a_scene_draws_the_picture_on_the_page() {
+    let default = own_scene().values();
+    let difference = Difference::between(
+        &tests::read_snapshot("step05_phong"),
+        &page_picture(&default),
+    );
+    assert!(difference.is_none());
+    let without_objects = zeroed_parameters(|knob| !knob.choices.is_empty());
+    let eye_in_a_sphere = zeroed_parameters(|knob| {
         knob.group == "red sphere" && ["x", "y", "z"].contains(&knob.symbol)
     });
-    let (printed, typist) = (live().values(), whole());
-    let Sight::Picture(picture) = live().printed() else { panic!("a picture") };
-    assert!(
-        Difference::between(&tests::locked("step05_phong"), &picture).is_none()
-    );
-    let scenes = [printed, empty, in_a_sphere, any(0), any(1000), any(2000)];
-    let faults: Vec<_> =
-        scenes.iter().filter_map(|values| fault(&typist, values)).collect();
-    assert_none(&faults);
+    let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_parameters);
+    let scenes =
+        [default, without_objects, eye_in_a_sphere, random_1, random_2, random_3];
+    let reader = typed_workspace();
+    let faults = scenes.iter().filter_map(|scene| program_fault(&reader, scene));
+    assert_no_faults(&faults.collect::<Vec<_>>());
 }

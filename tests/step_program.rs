@@ -1,0 +1,110 @@
+use crate::invalid_arguments::assert_rejects_invalid_arguments;
+use crate::read_snapshot;
+use compare::{Difference, target_folder, workspace};
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::sync::Once;
+use std::{env, fs, process};
+
+/// The program of a step, run in a folder of its own, which is deleted in the end.
+pub struct StepProgram {
+    /// The name of the step, and of its program.
+    pub step: &'static str,
+    /// The folder in which the program runs.
+    pub folder: PathBuf,
+}
+
+impl StepProgram {
+    /// Builds the program of `step`, and makes an empty folder for the test `test`.
+    ///
+    /// It is built once: all tests of one process must name the same step.
+    pub fn new(step: &'static str, test: &str) -> Self {
+        static BUILD: Once = Once::new();
+        BUILD.call_once(|| build_program(step));
+        let folder = target_folder().join("tests");
+        let folder = folder.join(format!("{step}-{test}-{}", process::id()));
+        fs::create_dir_all(&folder).expect("a folder in the target folder");
+        Self { step, folder }
+    }
+
+    /// Runs the program with these arguments, which are separated by single blanks.
+    pub fn run(&self, arguments: &str) -> Output {
+        let executable = profile_folder().join(self.step);
+        let executable = executable.with_extension(env::consts::EXE_EXTENSION);
+        let mut command = Command::new(&executable);
+        command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
+        let output = command.current_dir(&self.folder).output();
+        output.unwrap_or_else(|error| panic!("{}: {error}", executable.display()))
+    }
+
+    /// The names of the files in the folder, sorted.
+    pub fn file_names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.folder).expect("the folder of the test");
+        let names = entries
+            .flatten()
+            .map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for StepProgram {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// Fails unless the program of `step` lists its options, writes the locked picture over
+/// an old file and nothing else, and rejects invalid arguments.
+pub fn assert_program_works(step: &'static str) {
+    let program = StepProgram::new(step, "draws");
+    let output = program.run("--help");
+    let help = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    let options = "--width 640 --aspect 16:9 --fov 60 --samples --output";
+    for word in options.split(' ').chain([step]) {
+        assert!(help.contains(word), "{word} is missing: {help}");
+    }
+    assert_eq!(program.file_names(), [""; 0]);
+    let file = format!("{step}.png");
+    fs::write(program.folder.join(&file), "old").expect("a file");
+    let output = program.run("");
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(program.file_names(), [&file[..]]);
+    let picture = image::open(program.folder.join(&file)).expect("a PNG").to_rgb8();
+    let difference = Difference::between(&read_snapshot(step), &picture);
+    assert!(difference.is_none(), "{file}: {}", difference.unwrap());
+    assert_rejects_invalid_arguments(&StepProgram::new(step, "rejects"));
+}
+
+/// Builds the program `name` for the platform and the profile of this test, as `cargo
+/// test` builds no programs of other packages.
+///
+/// `--workspace` gives it the features with which everything else is built.
+fn build_program(name: &str) {
+    let (folder, target) = (profile_folder(), target_folder());
+    let subfolder =
+        folder.strip_prefix(&target).expect("a folder in the target folder");
+    let subfolder = subfolder.to_str().expect("UTF-8").replace('\\', "/");
+    let (platform, profile) = subfolder.split_once('/').unwrap_or(("", &subfolder));
+    // The dev profile writes to the folder `debug`; the others, to their names.
+    let profile = if profile == "debug" { "dev" } else { profile };
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
+    cargo.args(["--profile", profile, "--target-dir"]).arg(&target);
+    if platform.is_empty() {
+        cargo.env_remove("CARGO_BUILD_TARGET");
+    } else {
+        cargo.args(["--target", platform]);
+    }
+    let status = cargo.current_dir(workspace()).status();
+    let has_built = status.is_ok_and(|status| status.success());
+    assert!(has_built, "cargo build --workspace --bin {name} fails");
+}
+
+/// The folder of this test's profile: `target/debug`, or `target/PLATFORM/debug`.
+fn profile_folder() -> PathBuf {
+    let test = env::current_exe().expect("a running program has a path");
+    test.ancestors().nth(2).expect("PROFILE/deps/program").to_owned()
+}

@@ -1,0 +1,31 @@
+use super::reader_workspace::STEP_NAMES;
+use book::{Files, Site};
+use compare::{target_folder, workspace};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::{fs, process};
+
+/// The book, built by the first test that needs it; one test reads it at a time.
+pub fn built_book() -> MutexGuard<'static, Site> {
+    static BOOK: LazyLock<Mutex<Site>> = LazyLock::new(|| {
+        let folder = target_folder().join(format!("tests/book-{}", process::id()));
+        let site = book::build(&workspace(), &folder);
+        let _ = fs::remove_dir_all(folder);
+        Mutex::new(site.unwrap_or_else(|error| panic!("{error:#}")))
+    });
+    BOOK.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Reads the files in a folder of the workspace.
+pub fn read_folder(folder: &str) -> Files {
+    let files = Files::read(&workspace().join(folder));
+    files.unwrap_or_else(|error| panic!("{folder}: {error}"))
+}
+
+#[test]
+fn chapters_of_the_steps_are_in_order() {
+    let book = built_book();
+    let chapters = book.chapters().into_iter();
+    let names = chapters.filter_map(|page| page.name.strip_suffix(".html"));
+    let steps: Vec<_> = names.filter(|name| name.starts_with("step")).collect();
+    assert_eq!(steps, STEP_NAMES);
+}

@@ -1,0 +1,83 @@
+//! The book suffices: the crates compile at each heading and each command of a chapter.
+
+use super::built_book::built_book;
+use super::listing::join_listings;
+use super::page_events::{Event, page_events};
+use super::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
+use super::typed_book::typed_workspace;
+use anyhow::{Result, ensure};
+use std::collections::BTreeMap;
+
+/// The crate of a step, as far as the chapter has shown it at some heading or command.
+struct CrateState {
+    /// A name of its own.
+    name: String,
+    /// The text of each file in `src`, by name, but for `main.rs`.
+    files: BTreeMap<String, String>,
+}
+
+/// The manifest of a crate in which each state is a module.
+const STATES_MANIFEST: &str = "
+    package = { name = \"states\", edition.workspace = true }
+    [dependencies]
+    clap.workspace = true
+    glam.workspace = true
+    image.workspace = true
+    rayon.workspace = true
+    step01_rays = { path = \"../step01_rays\" }
+    step02_sphere = { path = \"../step02_sphere\" }
+    step03_nearest = { path = \"../step03_nearest\" }
+    step04_diffuse = { path = \"../step04_diffuse\" }
+";
+
+/// The states of all crates, in the order of the book; each differs from the one before.
+fn crate_states() -> Vec<CrateState> {
+    let (book, mut states) = (built_book(), Vec::<CrateState>::new());
+    for step in STEP_NAMES {
+        let mut typed = TypedListings::new();
+        let folder = format!("steps/{step}/src/");
+        for event in page_events(&book.pages[&format!("{step}.html")]) {
+            if let Event::Listing(listing) = event {
+                if let Some(file) = listing.path.strip_prefix(&folder) {
+                    typed.entry(file).or_default().push(listing);
+                }
+                continue;
+            }
+            let files = typed.iter().filter(|(file, _)| **file != "main.rs");
+            let files: BTreeMap<_, _> = files
+                .map(|(file, listings)| (file.to_string(), join_listings(listings)))
+                .collect();
+            let is_new = states.last().is_none_or(|state| state.files != files);
+            if is_new && !files.is_empty() {
+                let name = format!("state_{step}_{}", states.len());
+                states.push(CrateState { name, files });
+            }
+        }
+    }
+    states
+}
+
+/// Compiles all states at once, as modules of one crate.
+fn compile_states(reader: &ReaderWorkspace, states: &[CrateState]) -> Result<()> {
+    let mut lib = String::new();
+    for CrateState { name, files } in states {
+        ensure!(files.contains_key("lib.rs"), "{name} has no lib.rs");
+        for (file, text) in files {
+            let file = if file == "lib.rs" { "mod.rs" } else { file };
+            let text = text.replace("crate::", &format!("crate::{name}::"));
+            let path = format!("steps/states/src/{name}/{file}");
+            reader.write_if_changed(&path, &text)?;
+        }
+        lib += &format!("mod {name};\n");
+    }
+    reader.write_if_changed("steps/states/Cargo.toml", STATES_MANIFEST)?;
+    reader.write_if_changed("steps/states/src/lib.rs", &lib)?;
+    reader.build(&["-p", "states"])
+}
+
+#[test]
+fn crates_compile_at_each_heading_and_command() -> Result<()> {
+    let states = crate_states();
+    assert!(30 <= states.len());
+    compile_states(&typed_workspace(), &states)
+}

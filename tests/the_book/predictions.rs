@@ -1,0 +1,68 @@
+//! Predictions that a chapter asks for, where the answer is a run: the program, changed as
+//! the question says, shows what the answer says.
+
+use glam::DVec3;
+use step02_sphere::{Ray, Roots, SPHERE, Sphere};
+use step03_nearest::{OBJECTS, Object, colour, nearest};
+use tests::primary_rays;
+
+/// "In `sphere.rs`, you move the direction as you move the start."
+#[test]
+fn sphere_is_not_hit_when_directions_are_moved_too() {
+    let move_direction =
+        |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
+    let mut rays = primary_rays().map(move_direction);
+    assert!(rays.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));
+}
+
+/// "You put the centre of `SPHERE` at the eye."
+#[test]
+fn sphere_around_the_eye_is_hit_by_every_ray() {
+    let sphere = Sphere { centre: DVec3::ZERO, ..SPHERE };
+    let mut rays = primary_rays();
+    assert!(rays.all(|ray| sphere.intersect(&ray).first_hit().is_some()));
+}
+
+/// "In `nearest`, you keep the first hit that the loop finds."
+#[test]
+fn first_hit_in_place_of_the_nearest_loses_pixels() {
+    let (mut nearest_counts, mut first_counts) = ([0.0; 9], [0.0; 9]);
+    for ray in primary_rays() {
+        let t = |k: &usize| OBJECTS[*k].sphere.intersect(&ray).first_hit();
+        let Some(first) = (0..9).find(|k| t(k).is_some()) else { continue };
+        let nearest_t = nearest(&OBJECTS, &ray).map(|hit| hit.t);
+        let nearest =
+            (0..9).find(|k| t(k) == nearest_t).expect("an object has this t");
+        first_counts[first] += 1.0;
+        nearest_counts[nearest] += 1.0;
+    }
+    let [golden, teal, white] =
+        [2, 5, 6].map(|k| first_counts[k] / nearest_counts[k]);
+    assert_eq!(golden, 0.0);
+    assert!(0.0 < white && white < 0.05, "{white} of white is left");
+    assert!(0.2 < teal && teal < 0.8, "{teal} of teal is left");
+}
+
+/// "The centre of the green sphere is above you and to the right."
+#[test]
+fn sphere_behind_the_eye_is_on_the_lines_of_the_lower_left_rays() {
+    let Object { sphere: green, .. } = OBJECTS[4];
+    let rays = primary_rays().filter(|ray| green.intersect(ray) != Roots::Zero);
+    let direction_sum: DVec3 = rays.map(|ray| ray.direction).sum();
+    assert!(0.0 < green.centre.x && 0.0 < green.centre.y);
+    assert!(direction_sum.x < 0.0 && direction_sum.y < 0.0);
+}
+
+/// "Add a ball with its centre at the eye and a radius of 100."
+#[test]
+fn ball_around_the_scene_colours_its_sky() {
+    let (objects, sky) = (exercises::my_scene::objects(), DVec3::splat(0.2));
+    let sphere = Sphere { centre: DVec3::ZERO, radius: 100.0 };
+    let ball = Object { name: "ball", sphere, material: sky };
+    let objects_and_ball = [&objects[..], &[ball]].concat();
+    for ray in primary_rays() {
+        let hit = nearest(&objects, &ray);
+        let expected = hit.map_or(sky, |hit| hit.object.material);
+        assert_eq!(colour(&objects_and_ball, &ray), expected);
+    }
+}

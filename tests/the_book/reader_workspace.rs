@@ -1,0 +1,136 @@
+use super::listing::{Listing, join_listings};
+use anyhow::{Result, ensure};
+use book::Files;
+use compare::{target_folder, workspace};
+use image::RgbImage;
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The names of the five crates, in the order in which a reader writes them.
+pub const STEP_NAMES: [&str; 5] = {
+    let [rays, sphere, nearest, diffuse, phong] = exercises::STEPS;
+    [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
+};
+
+/// The listings of each file that were typed so far, by path.
+pub type TypedListings<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
+
+/// A workspace with the files that the book shows, and nothing else.
+pub struct ReaderWorkspace {
+    /// The folder of the workspace.
+    pub folder: PathBuf,
+    /// Makes other processes wait until this one no longer uses the folder.
+    _lock: File,
+}
+
+impl ReaderWorkspace {
+    /// Makes an empty workspace.
+    ///
+    /// Files that an earlier run has typed are moved aside, until they are typed again:
+    /// moving keeps their times, so Cargo need not compile them again.
+    pub fn new() -> Self {
+        let folder = target_folder().join("typed");
+        let (steps, aside) = (folder.join("steps"), folder.join("later/steps"));
+        let move_aside = || -> Result<()> {
+            fs::create_dir_all(&steps)?;
+            for path in Files::read(&steps)?.0.keys() {
+                move_file(&steps.join(path), &aside.join(path))?;
+            }
+            Ok(fs::remove_dir_all(&steps)?)
+        };
+        fs::create_dir_all(&folder).expect("a folder in the target folder");
+        let lock = File::create(folder.join("lock")).expect("a file there");
+        lock.lock().expect("other processes end");
+        move_aside().expect("the files can be moved");
+        Self { folder, _lock: lock }
+    }
+
+    /// Writes the files that were typed so far.
+    pub fn write_listings(&self, typed: &TypedListings) -> Result<()> {
+        for (path, listings) in typed {
+            let aside = self.folder.join("later").join(path);
+            if aside.is_file() {
+                move_file(&aside, &self.folder.join(path))?;
+            }
+            self.write_if_changed(path, &join_listings(listings))?;
+        }
+        fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
+        Ok(())
+    }
+
+    /// Writes a file, unless it has this text already.
+    pub fn write_if_changed(&self, path: &str, text: &str) -> Result<()> {
+        let path = self.folder.join(path);
+        if fs::read_to_string(&path).ok().as_deref() != Some(text) {
+            fs::create_dir_all(path.with_file_name(""))?;
+            fs::write(path, text)?;
+        }
+        Ok(())
+    }
+
+    /// Runs an example of a step with these options, and reads the picture that it draws;
+    /// a warning is an error.
+    pub fn draw_example(
+        &self,
+        step: &str,
+        example: &str,
+        options: &str,
+    ) -> Result<RgbImage> {
+        let mut cargo = self.cargo(&["run", "-p", step, "--example", example]);
+        let output = cargo.arg("--").args(options.split_whitespace()).output()?;
+        let message = String::from_utf8_lossy(&output.stderr);
+        ensure!(output.status.success() && message.is_empty(), "{message}");
+        Ok(image::open(self.folder.join(format!("{example}.png")))?.to_rgb8())
+    }
+
+    /// The paths of the pictures that are in the folder itself.
+    pub fn picture_paths(&self) -> Result<Vec<PathBuf>> {
+        let files = fs::read_dir(&self.folder)?.flatten().map(|file| file.path());
+        let is_png = |path: &PathBuf| path.extension().is_some_and(|e| e == "png");
+        Ok(files.filter(is_png).collect())
+    }
+
+    /// Builds with these arguments of Cargo; an error has Cargo's message.
+    pub fn build(&self, arguments: &[&str]) -> Result<()> {
+        let mut cargo = self.cargo(&["build", "--message-format", "short"]);
+        let output = cargo.args(arguments).output()?;
+        let message = String::from_utf8_lossy(&output.stderr);
+        ensure!(output.status.success(), "{}", first_cargo_error(&message));
+        Ok(())
+    }
+
+    /// A command that starts Cargo in the folder, with these arguments.
+    pub fn cargo(&self, arguments: &[&str]) -> Command {
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(arguments).args(["--offline", "--quiet"]);
+        cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
+        // Dependencies are shared with the course: they are compiled already, with the same
+        // settings. The five crates have the same names there, and another setting here, so
+        // that neither overwrites the other.
+        cargo.env("CARGO_BUILD_BUILD_DIR", target_folder());
+        cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
+        // Incremental compilation would not pay: each crate is compiled once or twice.
+        cargo.env("CARGO_INCREMENTAL", "0");
+        // Commands on a page set INSTA_UPDATE themselves, and lock pictures in this folder.
+        cargo.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", &self.folder);
+        // Another platform would put the programs into another folder.
+        cargo.env_remove("CARGO_BUILD_TARGET");
+        cargo
+    }
+}
+
+/// Moves a file into a folder, which is made where it is missing.
+fn move_file(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to.with_file_name(""))?;
+    Ok(fs::rename(from, to)?)
+}
+
+/// The first line with an error in Cargo's output, and the line after it.
+pub fn first_cargo_error(output: &str) -> String {
+    let mut lines = output.lines().skip_while(|line| !line.contains("error"));
+    let [first, second] =
+        [lines.next().unwrap_or(output), lines.next().unwrap_or("")];
+    format!("Cargo says: {first} {}", second.trim())
+}

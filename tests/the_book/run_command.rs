@@ -1,0 +1,101 @@
+use super::page_events::{FAILED_TEST_EXIT_CODE, PageCommand};
+use super::reader_workspace::{ReaderWorkspace, first_cargo_error};
+use anyhow::{Context, Result, bail, ensure};
+use compare::{Difference, workspace};
+use std::fs;
+use tests::read_snapshot;
+
+/// Runs a command of a page in the reader's workspace. Fails unless its exit code, output
+/// and pictures are as the page says; returns the names of the locked pictures it drew.
+pub fn run_command(
+    reader: &ReaderWorkspace,
+    command: &PageCommand,
+) -> Result<Vec<String>> {
+    let package =
+        command.option_value("-p").context("the command names no package")?;
+    let subcommand = command.arguments[1].as_str();
+    if subcommand == "bench" {
+        reader.build(&["-p", package, "--bench", "*"])?;
+        return Ok(vec![]);
+    }
+    for path in reader.picture_paths()? {
+        fs::remove_file(path)?;
+    }
+    if command.exit_code == FAILED_TEST_EXIT_CODE {
+        change_picture(reader)?;
+    }
+    let (arguments, is_small) = quick_arguments(command);
+    let separator = arguments.iter().position(|word| *word == "--");
+    let (cargo_arguments, program_arguments) =
+        arguments.split_at(separator.unwrap_or(arguments.len()));
+    let mut cargo = reader.cargo(cargo_arguments);
+    cargo.args(program_arguments).envs(command.environment.clone());
+    let output = cargo.output()?;
+    let text = [output.stderr, output.stdout].concat();
+    let text = String::from_utf8_lossy(&text);
+    let has_exit_code = output.status.code() == Some(command.exit_code);
+    ensure!(has_exit_code, "{}", first_cargo_error(&text));
+    if let Some(line) = command.first_missing_line(&text) {
+        bail!("it does not print {line:?}, but {text:?}");
+    }
+    let paths = reader.picture_paths()?;
+    // A program that prints anything but the name of a picture draws none.
+    let should_draw = command.exit_code == 0
+        && subcommand == "run"
+        && command.arguments.iter().all(|word| word != "--help")
+        && command.expected_output.iter().all(|line| line.contains(".png"));
+    ensure!(should_draw || paths.is_empty(), "it draws");
+    ensure!(!should_draw || !paths.is_empty(), "it draws nothing");
+    let names = paths.iter().filter_map(|path| path.file_stem()?.to_str());
+    let names: Vec<_> =
+        names.filter(|name| has_snapshot(name) && !is_small).collect();
+    for name in &names {
+        ensure_locked_picture(reader, name)?;
+    }
+    Ok(names.into_iter().map(str::to_owned).collect())
+}
+
+/// The arguments of a command for Cargo, changed to take less time, and whether the
+/// picture is smaller therefore: the programs are not optimised here.
+fn quick_arguments(command: &PageCommand) -> (Vec<&str>, bool) {
+    let arguments = command.arguments[1..].iter();
+    let mut arguments: Vec<_> = arguments.map(String::as_str).collect();
+    if arguments[0] == "check" {
+        // `build` finds the dependencies compiled, which `check` would check first.
+        arguments[0] = "build";
+    }
+    let index = |option| arguments.iter().position(|word| *word == option);
+    let width_index = index("--width");
+    let is_large = width_index.or(index("--samples")).is_some();
+    if command.exit_code != 0 || !is_large {
+        return (arguments, false);
+    }
+    if let Some(index) = width_index {
+        arguments.drain(index..index + 2);
+    }
+    arguments.extend(["--width", "64"]);
+    (arguments, true)
+}
+
+/// Makes the change for which step 1 shows a failing test: a colour of its picture. The
+/// next page that is typed changes it back.
+fn change_picture(reader: &ReaderWorkspace) -> Result<()> {
+    let path = "steps/step01_rays/src/picture.rs";
+    let text = fs::read_to_string(reader.folder.join(path))?;
+    ensure!(text.contains("0.3 *"), "{path} has no 0.3 to change");
+    reader.write_if_changed(path, &text.replace("0.3 *", "0.31 *"))
+}
+
+/// Fails unless the picture `name` in the reader's folder is the locked one.
+fn ensure_locked_picture(reader: &ReaderWorkspace, name: &str) -> Result<()> {
+    let picture = image::open(reader.folder.join(format!("{name}.png")))?;
+    match Difference::between(&read_snapshot(name), &picture.to_rgb8()) {
+        Some(difference) => bail!("{name} is another picture: {difference}"),
+        None => Ok(()),
+    }
+}
+
+/// Whether a picture of this name is locked.
+fn has_snapshot(name: &str) -> bool {
+    workspace().join(format!("tests/snapshots/{name}.snap.png")).is_file()
+}
