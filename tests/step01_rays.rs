@@ -2,7 +2,7 @@
 
 use exercises::row::Row;
 use glam::DVec3;
-use step01_rays::{AspectRatio, Camera, render};
+use step01_rays::{AspectRatio, Camera, render, sub_pixels};
 use tests::{StepProgram, assert_program_works, camera};
 
 /// Fields of view in degrees, from narrow to wide.
@@ -54,13 +54,12 @@ fn program_accepts_the_limits_of_its_options() {
 fn outermost_rays_enclose_the_field_of_view_and_mirror_each_other() {
     for degrees in FIELDS_OF_VIEW {
         let camera = Camera::new(101, 75, f64::to_radians(degrees));
-        let (left, right) =
-            (camera.ray(0.0, 37.0).direction, camera.ray(100.0, 37.0).direction);
-        assert!(nearly_equal(left.angle_between(right).to_degrees(), degrees));
-        let (top, bottom) =
-            (camera.ray(0.0, 0.0).direction, camera.ray(100.0, 74.0).direction);
-        assert!(top.distance(-bottom.with_z(1.0)) < 1e-12, "{top} {bottom}");
-        assert!(top.x < 0.0 && 0.0 < top.y && top.z == -1.0);
+        let v = |i, j| camera.ray(i, j).direction;
+        let angle = v(0.0, 37.0).angle_between(v(100.0, 37.0));
+        assert!(nearly_equal(angle.to_degrees(), degrees));
+        let (first, last) = (v(0.0, 0.0), v(100.0, 74.0));
+        assert!(first.distance(-last.with_z(1.0)) < 1e-12, "{first} {last}");
+        assert!(first.x < 0.0 && 0.0 < first.y && first.z == -1.0);
     }
 }
 
@@ -114,6 +113,13 @@ fn rays_start_at_the_centre_of_the_camera() {
     let camera = Camera { centre: DVec3::new(1.0, 2.0, 3.0), ..camera() };
     assert_eq!(camera.ray(3.0, 4.0).start, camera.centre);
     assert_eq!(Camera::new(4, 3, 1.0).centre, DVec3::ZERO);
+}
+
+#[test]
+fn sub_pixels_are_a_grid_around_the_centre_of_the_pixel() {
+    assert_eq!(sub_pixels(1), [(0.0, 0.0)]);
+    let row = |v: f64| [(-0.25, v), (0.25, v)];
+    assert_eq!(sub_pixels(2), [row(-0.25), row(0.25)].concat());
 }
 
 #[test]

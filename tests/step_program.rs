@@ -17,7 +17,7 @@ pub struct StepProgram {
 impl StepProgram {
     /// Builds the program of `step`, and makes an empty folder for the test `test`.
     ///
-    /// It is built once: all tests of one process must name the same step.
+    /// Builds only once: all tests of one process must name the same step.
     pub fn new(step: &'static str, test: &str) -> Self {
         static BUILD: Once = Once::new();
         BUILD.call_once(|| build_program(step));

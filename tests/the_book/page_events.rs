@@ -25,7 +25,7 @@ pub struct PageCommand {
     pub location: String,
     /// The environment variables that are set for it, as `A=b` in front of it.
     pub environment: Vec<(String, String)>,
-    /// Its words: the first is `cargo`.
+    /// The words of the command, with `cargo` as the first.
     pub arguments: Vec<String>,
     /// The exit code that the page promises, 0 where it promises none.
     pub exit_code: i32,
