@@ -56,7 +56,7 @@ fn random_camera() -> impl Strategy<Value = Camera> {
     )
 }
 
-/// Greys, colours as saturated as any, and black.
+/// Greys, saturated colours, and black.
 fn random_colour() -> impl Strategy<Value = DVec3> {
     let grey = (0.0..1.0).prop_map(DVec3::splat);
     prop_oneof![grey, random_unit_vector().prop_map(DVec3::abs), Just(DVec3::ZERO)]
