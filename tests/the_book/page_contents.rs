@@ -68,7 +68,7 @@ fn fonts_have_the_letters_of_the_book() {
                 if let Some(c) = text.chars().find(|&c| !is_available(c)) {
                     let location = page.at(element);
                     faults.push(format!(
-                        "No font {family} has {c:?}, at {location}."
+                        "No font {family:?} has {c:?}, at {location}."
                     ));
                 }
             }
