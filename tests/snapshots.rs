@@ -73,14 +73,14 @@ fn mismatch_message(
         }
         Ok(bytes) => bytes,
     };
-    let locked = match image::load_from_memory(bytes) {
-        Ok(locked) => locked.to_rgb8(),
+    let locked_picture = match image::load_from_memory(bytes) {
+        Ok(image) => image.to_rgb8(),
         Err(error) => {
             return Some(format!("The snapshot of {name} is no picture: {error}."));
         }
     };
-    let difference = Difference::between(&locked, picture)?;
-    let caption = match panels(picture, &locked).save(panels_path) {
+    let difference = Difference::between(&locked_picture, picture)?;
+    let caption = match panels(picture, &locked_picture).save(panels_path) {
         Ok(()) => {
             "New, locked and difference (orange where the new one is brighter):"
         }

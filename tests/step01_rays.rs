@@ -14,7 +14,7 @@ fn nearly_equal(a: f64, b: f64) -> bool {
 }
 
 #[test]
-fn program_works() {
+fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step01_rays");
 }
 

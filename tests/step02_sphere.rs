@@ -13,7 +13,7 @@ fn ray_ahead(x: f64) -> Ray {
 }
 
 #[test]
-fn program_works() {
+fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step02_sphere");
 }
 

@@ -22,7 +22,7 @@ fn nearest_t_and_index(spheres: &[Sphere], ray: &Ray) -> Option<(f64, usize)> {
 }
 
 #[test]
-fn program_works() {
+fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step03_nearest");
 }
 

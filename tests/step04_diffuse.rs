@@ -9,7 +9,7 @@ use step04_diffuse::{
 use tests::{assert_program_works, random_point, random_sphere_and_ray};
 
 #[test]
-fn program_works() {
+fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step04_diffuse");
 }
 

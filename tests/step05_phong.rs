@@ -35,7 +35,7 @@ fn phong_terms(p: DVec3, n: DVec3, v: DVec3, l_a: DVec3, light: Light) -> Phong 
 }
 
 #[test]
-fn program_works() {
+fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step05_phong");
 }
 

@@ -7,12 +7,13 @@ use image::RgbImage;
 use image::imageops::thumbnail;
 use live::{LIVE, Sight};
 use std::collections::HashMap;
+use tests::camera;
 
 /// The pictures that the book may show, by the name of their file.
 fn expected_pictures() -> HashMap<String, RgbImage> {
-    let small_pictures = check::Step::ALL.into_iter().map(|step| {
-        let picture = thumbnail(&step.picture(&live::camera(), 1), 320, 180);
-        (format!("{}-small", step.name()), picture)
+    let small_pictures = exercises::STEPS.into_iter().map(|(name, draw)| {
+        let picture = thumbnail(&draw(&camera(), 1), 320, 180);
+        (format!("{name}-small"), picture)
     });
     let live_pictures = LIVE.iter().filter_map(|live| match live.printed() {
         Sight::Picture(picture) => Some((live.name.to_owned(), picture)),

@@ -22,7 +22,7 @@ pub fn run_command(
         fs::remove_file(path)?;
     }
     if command.exit_code == FAILED_TEST_EXIT_CODE {
-        change_picture(reader)?;
+        change_direction_colour(reader)?;
     }
     let (arguments, is_small) = quick_arguments(command);
     let separator = arguments.iter().position(|word| *word == "--");
@@ -79,7 +79,7 @@ fn quick_arguments(command: &PageCommand) -> (Vec<&str>, bool) {
 
 /// Makes the change for which step 1 shows a failing test: a colour of its picture. The
 /// next page that is typed changes it back.
-fn change_picture(reader: &ReaderWorkspace) -> Result<()> {
+fn change_direction_colour(reader: &ReaderWorkspace) -> Result<()> {
     let path = "steps/step01_rays/src/picture.rs";
     let text = fs::read_to_string(reader.folder.join(path))?;
     ensure!(text.contains("0.3 *"), "{path} has no 0.3 to change");
