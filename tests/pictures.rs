@@ -10,7 +10,7 @@ macro_rules! test_pictures {
         $(
             #[test]
             fn $name() {
-                assert_picture(stringify!($name));
+                assert_locked_picture(stringify!($name));
             }
         )*
     };
@@ -28,7 +28,7 @@ test_pictures! {
 }
 
 /// Draws the picture `name`, and compares it with its snapshot.
-fn assert_picture(name: &str) {
+fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);
     let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no picture {name}"));

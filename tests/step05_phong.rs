@@ -109,7 +109,7 @@ proptest! {
     }
 
     #[test]
-    fn red_and_blue_are_computed_alike(
+    fn swapping_red_and_blue_of_all_inputs_swaps_them_in_the_sum(
         p in random_point(), n in random_unit_vector(), v in random_unit_vector(),
         position in random_point()
     ) {
@@ -129,7 +129,7 @@ proptest! {
     }
 
     #[test]
-    fn colour_is_the_same_when_all_positions_are_moved(
+    fn moving_all_positions_by_one_offset_keeps_the_sum(
         p in random_point(), n in random_unit_vector(), v in random_unit_vector(),
         position in random_point(), offset in random_point()
     ) {

@@ -21,7 +21,7 @@ fn plane_is_missed_by_rays_along_it_or_away_from_it() {
 }
 
 #[test]
-fn quadric_with_a_zero_has_at_most_one_root() {
+fn quadric_has_at_most_one_root_when_a_is_zero() {
     let x2_plus_y2 = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
     let cylinder = Quadric::around(DVec3::ZERO, x2_plus_y2, -1.0);
     assert_eq!(cylinder.intersect(&RAY_AHEAD), Roots::Zero);
@@ -33,7 +33,7 @@ fn quadric_with_a_zero_has_at_most_one_root() {
 }
 
 #[test]
-fn quadric_with_a_below_zero_has_the_smaller_root_first() {
+fn quadric_has_the_smaller_root_first_when_a_is_negative() {
     let matrix = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
     let hyperboloid = Quadric::around(DVec3::new(0.0, 0.0, -4.0), matrix, 1.0);
     assert_eq!(hyperboloid.intersect(&RAY_AHEAD), Roots::Two(3.0, 5.0));

@@ -21,7 +21,7 @@ fn scene_without_glass() -> Scene<Glass, Light> {
 }
 
 #[test]
-fn mirror_and_glass_without_either_draw_step_5_with_shadows() {
+fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     let (scene, opaque_mirrors, opaque_glass) =
         (scene(), scene_without_mirrors(), scene_without_glass());
     for ray in primary_rays() {
