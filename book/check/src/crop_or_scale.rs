@@ -61,7 +61,7 @@ fn find_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     };
     let (at_row, at_byte, piece) =
         pieces.max_by_key(|(.., piece)| colours(piece))?;
-    if colours(piece) < 4 {
+    if colours(piece) < 2 {
         return None;
     }
     let mut compared = 0;

@@ -236,6 +236,9 @@ fn fitted_factor<'a>(
         true => format!("{:.2}", factor.element_sum() / 3.0),
         false => format!("({:.2}, {:.2}, {:.2})", factor.x, factor.y, factor.z),
     };
+    if words == "1.00" {
+        return None;
+    }
     let sentence =
         format!("In every pixel of {region} your colour is {words} times ours.");
     Some(Explanation::fitted(sentence, &[], move |pixel| {
