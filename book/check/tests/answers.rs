@@ -99,6 +99,13 @@ fn what_was_made_of_the_whole_is_told() {
 }
 
 #[test]
+fn a_screenshot_of_a_flat_picture_is_told() {
+    let mut shot = RgbImage::from_pixel(656, 404, Rgb([90; 3]));
+    overlay(&mut shot, &right("step03_nearest"), 8, 36);
+    assert_said(&shot, "step03_nearest", &["from column 8 and row 36 on"]);
+}
+
+#[test]
 fn one_number_is_told_with_its_owner() {
     let golden = "the golden sphere is at (0.45, −1.27, −5.8); it should be at (0.45, \
                   −1.12, −5.8)";
