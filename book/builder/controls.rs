@@ -1,29 +1,31 @@
-use live::{Knob, Live, escape, italic};
+use live::{Kind, Live, Parameter, escape, italic_letter};
 use std::collections::BTreeSet;
 
-/// The ranges and switches below what is live, for what no handle of it turns.
+/// The controls below a figure or picture: ranges and switches for the parameters that no
+/// visible handle sets.
 ///
 /// They are hidden where no script can answer, and are there from the first where one
-/// will, to be turned as soon as it can; see book/theme/live.js.
+/// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
-    let turned = turned(live);
-    let shown =
-        |(k, knob): &(usize, &Knob)| !knob.group.is_empty() || !turned.contains(k);
-    let all: Vec<_> = live.knobs.iter().enumerate().filter(shown).collect();
-    let labels = |is_asked: fn(&Knob) -> bool| -> String {
-        let asked = all.iter().filter(|(_, knob)| is_asked(knob));
-        asked.map(|(k, knob)| label(live, *k, knob)).collect()
+    let handled = parameters_of_visible_handles(live);
+    let labels = |is_included: fn(&Parameter) -> bool| -> String {
+        let parameters = live.parameters.iter().enumerate();
+        let included = parameters.filter(|(k, parameter)| {
+            let is_grouped = !parameter.group.is_empty();
+            (is_grouped || !handled.contains(k)) && is_included(parameter)
+        });
+        included.map(|(k, parameter)| label(live, k, parameter)).collect()
     };
-    let hint = if live.is_asked() { HINT } else { "" };
-    let inside = match choice(live) {
+    let hint = if live.has_probe() { HINT } else { "" };
+    let content = match group_choice(live) {
         None => format!("{}{RESET}", labels(|_| true)),
         Some(choice) => format!(
             "<div class=\"choice\">{choice}{}{RESET}</div>{}",
-            labels(is_switch),
-            labels(|knob| !is_switch(knob))
+            labels(|parameter| parameter.kind == Kind::Switch),
+            labels(|parameter| parameter.kind != Kind::Switch)
         ),
     };
-    format!("<div class=\"knobs\" hidden inert>{hint}{inside}</div>")
+    format!("<div class=\"knobs\" hidden inert>{hint}{content}</div>")
 }
 
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
@@ -32,50 +34,48 @@ const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross
 const RESET: &str =
     "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The knobs that a handle turns which is in what is printed.
-fn turned(live: &Live) -> BTreeSet<usize> {
-    let values = live.values();
-    let [width, height] = live.printed().size();
+/// The parameters that are set by the handles which are inside the printed output.
+fn parameters_of_visible_handles(live: &Live) -> BTreeSet<usize> {
+    let values = live.default_values();
+    let [width, height] = live.default_output().size();
     let handles = live.handles.iter().filter(|handle| {
-        let at = handle.place(&values);
-        (0.0..=width).contains(&at.x) && (0.0..=height).contains(&at.y)
+        handle.place(&values).is_some_and(|place| {
+            (0.0..=width).contains(&place.x) && (0.0..=height).contains(&place.y)
+        })
     });
-    handles.flat_map(|handle| handle.knobs).collect()
+    handles.flat_map(|handle| handle.parameters).collect()
 }
 
-/// Where knobs are of several things, the choice of the one whose are to be seen.
-fn choice(live: &Live) -> Option<String> {
-    let mut things: Vec<_> = live.knobs.iter().map(|knob| knob.group).collect();
-    things.dedup();
-    things.retain(|thing| !thing.is_empty());
+/// The choice of the group whose controls are visible; None without groups.
+fn group_choice(live: &Live) -> Option<String> {
+    let mut groups: Vec<_> =
+        live.parameters.iter().map(|parameter| parameter.group).collect();
+    groups.dedup();
+    groups.retain(|group| !group.is_empty());
     let options: String =
-        things.iter().map(|thing| format!("<option>{thing}</option>")).collect();
+        groups.iter().map(|group| format!("<option>{group}</option>")).collect();
     let choice = format!("<label>Change <select>{options}</select></label>");
-    (!things.is_empty()).then_some(choice)
+    (!groups.is_empty()).then_some(choice)
 }
 
-/// Whether a knob has the two values off and on.
-fn is_switch(knob: &Knob) -> bool {
-    knob.choices == ["off", "on"]
-}
-
-/// The knob number `k` as it is set in the printed book.
-fn label(live: &Live, k: usize, knob: &Knob) -> String {
-    let (class, input) = match is_switch(knob) {
-        true => ("switch", switch(knob)),
-        false => ("range", range(knob)),
+/// The control of the parameter number `k`, at its default.
+fn label(live: &Live, k: usize, parameter: &Parameter) -> String {
+    let (class, input) = match parameter.kind {
+        Kind::Switch => ("switch", switch(parameter)),
+        Kind::Number(_) | Kind::Choice(_) => ("range", range(parameter)),
     };
-    let first = live.handles.first().map_or("", |handle| {
-        let [across, _] = handle.knobs;
-        live.knobs[across].group
+    let first_group = live.handles.first().map_or("", |handle| {
+        let [first, _] = handle.parameters;
+        live.parameters[first].group
     });
-    let is_shown = (knob.is_shown)(knob, &live.values()) && knob.group == first;
-    let hidden = if is_shown { "" } else { " hidden" };
-    let group = match knob.group {
+    let has_control = (parameter.has_control)(parameter, &live.default_values());
+    let is_visible = has_control && parameter.group == first_group;
+    let hidden = if is_visible { "" } else { " hidden" };
+    let group = match parameter.group {
         "" => String::new(),
         group => format!(" data-group=\"{group}\""),
     };
-    let symbol: String = knob.symbol.chars().map(italic).collect();
+    let symbol: String = parameter.symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {
         "" => symbol,
         _ => format!(
@@ -86,22 +86,22 @@ fn label(live: &Live, k: usize, knob: &Knob) -> String {
     format!(
         "<label class=\"{class}\" data-knob=\"{k}\"{group}{hidden}>\
          <span>{symbol}{}</span>{input}</label>",
-        escape(&knob.words)
+        escape(&parameter.words)
     )
 }
 
-/// A range, and its value in words: a screen reader has it from the script.
-fn range(knob: &Knob) -> String {
-    let Knob { range: [min, max], steps, value, .. } = knob;
-    let step = 1.0 / steps;
+/// A range, and its value as text; a screen reader has that from the script.
+fn range(parameter: &Parameter) -> String {
+    let Parameter { range: [min, max], steps_per_unit, default, .. } = parameter;
+    let step = 1.0 / steps_per_unit;
     format!(
         "<input type=\"range\" min=\"{min}\" max=\"{max}\" step=\"{step}\" \
-         value=\"{value}\"><b aria-hidden=\"true\">{}</b>",
-        escape(&knob.text(*value))
+         value=\"{default}\"><b aria-hidden=\"true\">{}</b>",
+        escape(&parameter.format(*default))
     )
 }
 
-fn switch(knob: &Knob) -> String {
-    let checked = if knob.value == 1.0 { " checked" } else { "" };
+fn switch(parameter: &Parameter) -> String {
+    let checked = if parameter.default == 1.0 { " checked" } else { "" };
     format!("<input type=\"checkbox\"{checked}>")
 }

@@ -1,22 +1,24 @@
 use crate::controls;
 use crate::markdown::inline_html;
-use live::{LIVE, Live, Sight};
+use live::{LIVE, Live, Output};
 
 /// The HTML of the figure called `name`.
 pub fn html(name: &str) -> Result<String, String> {
-    let Some((figure, Sight::Drawing(drawing))) =
-        live::find(name).map(|figure| (figure, figure.printed()))
+    let Some((figure, Output::Drawing(drawing))) =
+        live::find(name).map(|figure| (figure, figure.default_output()))
     else {
         return Err(format!("there is no figure {name}"));
     };
-    let beside = |live: &&Live| live.beside.is_some_and(|(with, _)| with == name);
-    let (live, knobs) = match LIVE.iter().find(beside) {
+    let has_companion = |live: &&Live| {
+        live.companion.is_some_and(|companion| companion.name == name)
+    };
+    let (live, controls) = match LIVE.iter().find(has_companion) {
         Some(live) => (format!(" data-beside=\"{}\"", live.name), String::new()),
-        None if figure.knobs.is_empty() => Default::default(),
+        None if figure.parameters.is_empty() => Default::default(),
         None => (format!(" data-live=\"{name}\""), controls::html(figure)),
     };
     Ok(format!(
-        "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{knobs}\
+        "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\
          <figcaption>{}</figcaption></figure>\n",
         drawing.html(figure.title),
         inline_html(figure.caption)?

@@ -12,8 +12,8 @@
 //! - a *value* is computed from the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `live`, and a *picture* a PNG file, locked or made
-//!   from code; with `live` behind it, it *answers*: its *controls* turn the knobs of `live`,
-//!   and where its pixels can be asked, *this pixel* tells the way to the three bytes;
+//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters of `live`,
+//!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
 //! - a *box* (`predict`, `hints`, `aside` … `end`) is opened by its reader;
 //! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 /// own, such as `row:hRes`.
 static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
     let all = live::LIVE.iter().flat_map(|live| {
-        let numbers = (live.numbers)(&live.values()).into_iter();
+        let numbers = (live.numbers)(&live.default_values()).into_iter();
         numbers.map(|(name, text)| (format!("{}:{name}", live.name), text))
     });
     all.collect()

@@ -87,12 +87,12 @@ pub fn figure(
     let mut figures = String::new();
     for picture in pictures {
         let image = picture.html(workspace)?;
-        let (mut data, mut knobs, mut below) = Default::default();
+        let (mut data, mut controls_html, mut below) = Default::default();
         if let Some(name) = live {
             let answers = picture.live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
-            knobs = controls::html(answers);
-            if answers.is_asked() {
+            controls_html = controls::html(answers);
+            if answers.has_probe() {
                 below = pixel_panel::html(answers, workspace)?;
             }
         }
@@ -103,7 +103,7 @@ pub fn figure(
             }
         };
         figures += &format!(
-            "<figure class=\"picture\"{data}>{image}{knobs}{caption}</figure>\n{below}"
+            "<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n{below}"
         );
     }
     Ok(match pictures {

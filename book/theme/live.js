@@ -159,7 +159,7 @@ function liven(figure, module) {
     };
     const handles = about.handles.map((handle, k) => {
         const grip = make("span", {
-            class: handle.isAsking ? "handle cross" : "handle", role: "slider", tabindex: 0, "aria-label": handle.words,
+            class: `handle handle-${handle.mark}`, role: "slider", tabindex: 0, "aria-label": handle.words,
             "aria-valuemin": handle.min, "aria-valuemax": handle.max,
         });
         grip.thing = handle.group;
@@ -168,7 +168,7 @@ function liven(figure, module) {
         grip.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
             grip.setPointerCapture(event.pointerId);
-            if (handle.isAsking) reveal();
+            if (handle.mark === "probe") reveal();
             choose(grip.thing);
             const [x, y] = place(event);
             offset = [grip.at[0] - x, grip.at[1] - y];
@@ -190,7 +190,7 @@ function liven(figure, module) {
             const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
             if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
-            if (handle.isAsking) reveal();
+            if (handle.mark === "probe") reveal();
             const far = event.shiftKey ? 10 : 1;
             // Keys follow each other faster than frames: none is lost.
             show(ask(module, request("step", k, far * step[0], far * step[1])));
@@ -199,7 +199,7 @@ function liven(figure, module) {
         return grip;
     });
     // A press on no handle of a picture brings the one there that asks.
-    const asking = about.handles.findIndex(handle => handle.isAsking);
+    const asking = about.handles.findIndex(handle => handle.mark === "probe");
     if (asking >= 0) {
         stage.classList.add("asked-by-press");
         stage.addEventListener("click", event => {
@@ -243,7 +243,7 @@ function liven(figure, module) {
             write(knob.output, answer.texts[k]);
         });
         handles.forEach((grip, k) => {
-            const turns = [...new Set(about.handles[k].knobs)];
+            const turns = [...new Set(about.handles[k].parameters)];
             grip.at = answer.places[k];
             const isLost = !isInside(grip.at) && grip === document.activeElement;
             grip.hidden = !isInside(grip.at);

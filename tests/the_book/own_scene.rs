@@ -6,55 +6,61 @@ use super::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use compare::Difference;
 use image::RgbImage;
-use live::{Knob, Live, Sight, find};
+use live::{Kind, Live, Output, Parameter, find};
 
 /// The file of the reader's workspace in which the page has the program saved.
 pub const EXAMPLE_PATH: &str = "steps/step05_phong/examples/my_scene.rs";
 
-/// The scene of the page, with its knobs.
+/// The scene of the page, with its parameters.
 fn own_scene() -> &'static Live {
     find("own_scene").expect("the page has it")
 }
 
-/// The program that the page writes for the scene with these parameters.
-fn write_program(parameters: &[f64]) -> String {
-    (own_scene().numbers)(parameters).remove("rust").expect("it has Rust")
+/// The program that the page writes for the scene of these values.
+fn write_program(values: &[f64]) -> String {
+    (own_scene().numbers)(values).remove("rust").expect("it has Rust")
 }
 
 /// The program of the scene as the page is printed.
 pub fn default_program() -> String {
-    write_program(&own_scene().values())
+    write_program(&own_scene().default_values())
 }
 
-/// The picture on the page for the scene with these parameters.
-fn page_picture(parameters: &[f64]) -> RgbImage {
-    match (own_scene().sight)(parameters) {
-        Sight::Picture(picture) => picture,
-        Sight::Drawing(_) => panic!("the scene is a picture"),
+/// The picture on the page for the scene of these values.
+fn page_picture(values: &[f64]) -> RgbImage {
+    match (own_scene().draw)(values) {
+        Output::Picture(picture) => picture,
+        Output::Drawing(_) => panic!("the scene is a picture"),
     }
 }
 
-/// The default parameters, but 0 for the knobs for which `is_zero`.
-fn zeroed_parameters(is_zero: fn(&Knob) -> bool) -> Vec<f64> {
-    let knobs = own_scene().knobs.iter();
-    knobs.map(|knob| if is_zero(knob) { 0.0 } else { knob.value }).collect()
+/// The default values, but 0 for the parameters for which `is_zero`.
+fn zeroed_values(is_zero: fn(&Parameter) -> bool) -> Vec<f64> {
+    let value = |parameter: &Parameter| {
+        if is_zero(parameter) { 0.0 } else { parameter.default }
+    };
+    own_scene().parameters.iter().map(value).collect()
 }
 
-/// Parameters anywhere in their ranges, the same for the same seed, of a small picture.
-fn random_parameters(seed: usize) -> Vec<f64> {
-    let values = own_scene().knobs.iter().zip(seed..).map(|(knob, k)| {
-        let [min, max] = knob.range;
+/// Values anywhere in their ranges, the same for the same seed, of a small picture.
+fn random_values(seed: usize) -> Vec<f64> {
+    let values = own_scene().parameters.iter().zip(seed..).map(|(parameter, k)| {
+        let [min, max] = parameter.range;
         let fraction = (1e4 * (k as f64).sin()).fract().abs();
-        if knob.words == "columns" { 160.0 } else { min + fraction * (max - min) }
+        if parameter.words == "columns" {
+            160.0
+        } else {
+            min + fraction * (max - min)
+        }
     });
-    own_scene().allowed(&values.collect::<Vec<_>>()).expect("a scene")
+    own_scene().nearest_allowed(&values.collect::<Vec<_>>()).expect("a scene")
 }
 
 /// Saves and runs the program of a scene; how it fails, or how its picture differs from
 /// the one on the page.
-fn program_fault(reader: &ReaderWorkspace, parameters: &[f64]) -> Option<String> {
-    let picture = page_picture(parameters);
-    let program = write_program(parameters);
+fn program_fault(reader: &ReaderWorkspace, values: &[f64]) -> Option<String> {
+    let picture = page_picture(values);
+    let program = write_program(values);
     reader.write_if_changed(EXAMPLE_PATH, &program).expect("a file can be written");
     // The second line of the program is the command that runs it, options after ` -- `.
     let command = program.lines().nth(1)?.trim_end_matches('`');
@@ -70,17 +76,18 @@ fn program_fault(reader: &ReaderWorkspace, parameters: &[f64]) -> Option<String>
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_the_picture_on_the_page() {
-    let default = own_scene().values();
+    let default = own_scene().default_values();
     let difference = Difference::between(
         &tests::read_snapshot("step05_phong"),
         &page_picture(&default),
     );
     assert!(difference.is_none());
-    let without_objects = zeroed_parameters(|knob| !knob.choices.is_empty());
-    let eye_in_a_sphere = zeroed_parameters(|knob| {
-        knob.group == "red sphere" && ["x", "y", "z"].contains(&knob.symbol)
+    let without_objects = zeroed_values(|parameter| parameter.kind == Kind::Switch);
+    let eye_in_a_sphere = zeroed_values(|parameter| {
+        parameter.group == "red sphere"
+            && ["x", "y", "z"].contains(&parameter.symbol)
     });
-    let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_parameters);
+    let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_values);
     let scenes =
         [default, without_objects, eye_in_a_sphere, random_1, random_2, random_3];
     let reader = typed_workspace();

@@ -5,7 +5,7 @@ use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use image::RgbImage;
 use image::imageops::thumbnail;
-use live::{LIVE, Sight};
+use live::{LIVE, Output};
 use std::collections::HashMap;
 use tests::camera;
 
@@ -15,10 +15,11 @@ fn expected_pictures() -> HashMap<String, RgbImage> {
         let picture = thumbnail(&draw(&camera(), 1), 320, 180);
         (format!("{name}-small"), picture)
     });
-    let live_pictures = LIVE.iter().filter_map(|live| match live.printed() {
-        Sight::Picture(picture) => Some((live.name.to_owned(), picture)),
-        Sight::Drawing(_) => None,
-    });
+    let live_pictures =
+        LIVE.iter().filter_map(|live| match live.default_output() {
+            Output::Picture(picture) => Some((live.name.to_owned(), picture)),
+            Output::Drawing(_) => None,
+        });
     let mut pictures: HashMap<_, _> = small_pictures.chain(live_pictures).collect();
     for (file, png) in read_folder("book/check/mistakes/pictures").0 {
         let name = file.strip_suffix(".png").map(|name| format!("mistake-{name}"));

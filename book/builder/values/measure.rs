@@ -2,7 +2,9 @@
 
 use compare::Difference;
 use glam::DVec3;
-pub use live::{camera, discriminant, number, vector};
+pub use live::{
+    camera, discriminant, format_number as number, format_vector as vector,
+};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::sync::LazyLock;
 use step02_sphere::Sphere;
@@ -17,7 +19,7 @@ pub const PIXEL: [u32; 2] = [470, 120];
 /// A number that the page tells of a pixel of a picture.
 pub fn told(picture: &str, pixel: [u32; 2], which: &str) -> String {
     let live = live::find(picture).expect("a picture that answers");
-    let mut values = live.values();
+    let mut values = live.default_values();
     values[..2].copy_from_slice(&pixel.map(f64::from));
     let told = (live.numbers)(&values).remove(which);
     told.unwrap_or_else(|| panic!("{picture} has no {which}"))

@@ -1,14 +1,14 @@
-use crate::own_scene::opened;
-use crate::{Knob, Live, Sight, find, json};
-use glam::dvec2;
+use crate::own_scene::parse_address;
+use crate::{Live, Mark, Output, find, json};
+use glam::{DVec2, dvec2};
 use image::RgbImage;
 
-/// What the module says to a request of the page.
+/// The answer to a request of the page.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
-    /// JSON: what to put where, or what was wrong with the request.
+    /// A JSON object of what the page shows, or of an `error`.
     pub text: String,
-    /// The pixels, where there is a picture.
+    /// The pixels of a picture; otherwise empty.
     pub pixels: Vec<u8>,
 }
 
@@ -19,113 +19,129 @@ impl Answer {
     }
 }
 
-/// Answers a line such as `show row 7 60 0`.
+/// Answers a request such as `show row 7 60 0`.
 ///
-/// - `about NAME`: its handles, and the values of its knobs in the printed book.
-/// - `show NAME VALUES`: what it shows at these values.
-/// - `tell NAME VALUES`: the same, where it is there to be seen already.
-/// - `drag NAME HANDLE X Y VALUES`: the same, after a handle was dragged to a place.
+/// - `about NAME`: the handles, and the default values.
+/// - `show NAME VALUES`: all that the page shows at these values.
+/// - `tell NAME VALUES`: the same without the drawing or the pixels.
+/// - `drag NAME HANDLE X Y VALUES`: as `show`, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
-/// - `open NAME ADDRESS`: what it shows at the values of an address.
+/// - `open NAME ADDRESS`: as `show`, at the values of an address.
 ///
-/// A handle that asks leaves what is seen as it is: then nothing is drawn, nor for `tell`.
+/// A probe leaves the picture as it is: after it was moved, nothing is drawn.
 pub fn answer(request: &str) -> Answer {
-    answered(request)
-        .unwrap_or_else(|| refused(&format!("There is no answer to {request}.")))
+    try_answer(request).unwrap_or_else(|| {
+        error_answer(&format!("There is no answer to {request}."))
+    })
 }
 
-/// A sentence that says what was wrong.
-fn refused(what: &str) -> Answer {
-    Answer::of([("error", json::text(what))])
+/// The answer that says, in a sentence, what was wrong with the request.
+fn error_answer(sentence: &str) -> Answer {
+    Answer::of([("error", json::text(sentence))])
 }
 
-fn answered(request: &str) -> Option<Answer> {
+fn try_answer(request: &str) -> Option<Answer> {
     let mut words = request.split_whitespace();
     let (verb, live) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
-        return Some(match opened(live, words.next().unwrap_or_default()) {
-            Ok(values) => show(live, &values, true),
-            Err(what) => refused(&what),
+        return Some(match parse_address(live, words.next().unwrap_or_default()) {
+            Ok(values) => show(live, &values),
+            Err(sentence) => error_answer(&sentence),
         });
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     match (verb, &numbers?[..]) {
-        ("about", _) => Some(about(live)),
-        ("show", values) => Some(show(live, &live.allowed(values)?, true)),
-        ("tell", values) => Some(show(live, &live.allowed(values)?, false)),
+        ("about", _) => Some(describe(live)),
+        ("show", values) => Some(show(live, &live.nearest_allowed(values)?)),
+        ("tell", values) => Some(tell(live, &live.nearest_allowed(values)?)),
         (_, [handle, x, y, values @ ..]) => {
             let handle = live.handles.get(*handle as usize)?;
-            let (values, by) = (live.allowed(values)?, dvec2(*x, *y));
-            let moved = match verb {
-                "drag" => live.drag(&values, handle, by),
-                "step" => live.step(&values, handle, by),
+            let (values, vector) = (live.nearest_allowed(values)?, dvec2(*x, *y));
+            let new = match verb {
+                "drag" => live.drag(&values, handle, vector),
+                "step" => live.step(&values, handle, vector),
                 _ => return None,
             };
-            Some(show(live, &moved.unwrap_or(values), !handle.is_asking))
+            let new = new.unwrap_or(values);
+            let is_probe = handle.mark == Mark::Probe;
+            let respond = if is_probe { tell } else { show };
+            Some(respond(live, &new))
         }
         _ => None,
     }
 }
 
-/// What the page has to know before it can ask; what it can turn is printed in it.
-fn about(live: &Live) -> Answer {
+/// The handles and the default values; the controls are printed in the page.
+fn describe(live: &Live) -> Answer {
     let handles = live.handles.iter().map(|handle| {
-        let Knob { range: [min, max], group, .. } = live.knobs[handle.knobs[0]];
+        let [first, _] = handle.parameters;
+        let [min, max] = live.parameters[first].range;
         json::object([
             ("words", json::text(&handle.words)),
-            ("knobs", json::list(handle.knobs)),
-            ("isAsking", handle.is_asking.to_string()),
+            ("parameters", json::list(handle.parameters)),
+            ("mark", json::text(handle.mark.name())),
             ("min", min.to_string()),
             ("max", max.to_string()),
-            ("group", json::text(group)),
+            ("group", json::text(live.parameters[first].group)),
         ])
     });
     Answer::of([
         ("handles", json::list(handles)),
-        ("values", json::list(live.values())),
+        ("values", json::list(live.default_values())),
     ])
 }
 
-/// The values and what belongs to them, with what there `is_seen` at them.
-fn show(live: &Live, values: &[f64], is_seen: bool) -> Answer {
-    let knobs = live.knobs.iter().zip(values);
-    let texts = knobs.clone().map(|(knob, value)| json::text(&knob.text(*value)));
-    let shown = knobs.map(|(knob, _)| (knob.is_shown)(knob, values));
-    let places = live.handles.iter().map(|handle| {
-        let at = handle.place(values).to_array();
-        json::list(at.map(|x| (100.0 * x).round() / 100.0))
-    });
-    let numbers = (live.numbers)(values);
-    let numbers = numbers.iter().map(|(name, told)| (&name[..], json::text(told)));
-    let mut fields = vec![
-        ("values", json::list(values)),
-        ("texts", json::list(texts)),
-        ("shown", json::list(shown)),
-        ("places", json::list(places)),
-        ("numbers", json::object(numbers)),
-    ];
-    if let Some((_, draw)) = live.beside {
-        fields.push(("beside", json::text(draw(values).body())));
-    }
+/// All that the page shows at these values.
+fn show(live: &Live, values: &[f64]) -> Answer {
+    let mut fields = text_fields(live, values);
     let mut pixels = vec![];
-    match is_seen.then(|| (live.sight)(values)) {
-        Some(Sight::Drawing(drawing)) => {
+    match (live.draw)(values) {
+        Output::Drawing(drawing) => {
             fields.push(("drawing", json::text(drawing.body())));
         }
-        Some(Sight::Picture(picture)) => {
+        Output::Picture(picture) => {
             fields.push(("size", json::list([picture.width(), picture.height()])));
             pixels = rgba(&picture);
         }
-        None => {}
     }
     Answer { pixels, ..Answer::of(fields) }
 }
 
-/// Red, green, blue and 255 for each pixel, row by row, as a page draws them.
+/// The same without the drawing or the pixels.
+fn tell(live: &Live, values: &[f64]) -> Answer {
+    Answer::of(text_fields(live, values))
+}
+
+fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
+    let pairs = live.parameters.iter().zip(values);
+    let texts = pairs.clone().map(|(p, value)| json::text(&p.format(*value)));
+    let visible = pairs.map(|(p, _)| (p.has_control)(p, values));
+    let places = live.handles.iter().map(|handle| {
+        // The page hides a handle that is outside the picture.
+        let place = handle.place(values).unwrap_or(DVec2::NEG_X).to_array();
+        json::list(place.map(|x| (100.0 * x).round() / 100.0))
+    });
+    let numbers = (live.numbers)(values);
+    let numbers = numbers.iter().map(|(name, text)| (&name[..], json::text(text)));
+    let mut fields = vec![
+        ("values", json::list(values)),
+        ("texts", json::list(texts)),
+        ("shown", json::list(visible)),
+        ("places", json::list(places)),
+        ("numbers", json::object(numbers)),
+    ];
+    if let Some(companion) = live.companion {
+        let drawing = (companion.draw)(values);
+        fields.push(("beside", json::text(drawing.body())));
+    }
+    fields
+}
+
+/// Red, green, blue and 255 for each pixel, row by row, as a canvas takes them.
 pub fn rgba(image: &RgbImage) -> Vec<u8> {
     let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
-    for (four, three) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
-        four[..3].copy_from_slice(&three.0);
+    for (rgba, rgb) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
+        rgba[..3].copy_from_slice(&rgb.0);
     }
     pixels
 }

@@ -1,7 +1,7 @@
-//! The little JSON that an answer needs. A library for all of it would make the module
-//! of the pages a sixth larger.
+//! JSON, as much as an answer needs: a library for all of it would make the module of
+//! the pages a sixth larger.
 
-/// A text.
+/// A JSON string.
 pub fn text(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
@@ -14,13 +14,13 @@ pub fn text(text: &str) -> String {
     quoted + "\""
 }
 
-/// A list of numbers, or of what is JSON already.
+/// A JSON array of numbers, or of items that are JSON already.
 pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
     let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
     format!("[{}]", items.join(","))
 }
 
-/// An object of fields that are JSON already.
+/// A JSON object of fields that are JSON already.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let fields = fields.into_iter();
     let fields = fields.map(|(name, value)| format!("{}:{value}", text(name)));

@@ -1,275 +1,143 @@
-use crate::Drawing;
-use glam::{DVec2, dvec2};
+use crate::{Drawing, Handle, Mark, Parameter};
+use glam::DVec2;
 use image::RgbImage;
 use std::collections::BTreeMap;
 
-/// Something in the book that answers when its reader moves a part of it. One without
-/// knobs is a figure that stays as it is.
+/// A figure or a picture that answers when a parameter moves. One without parameters
+/// stays as it is.
 #[derive(Clone, Debug)]
 pub struct Live {
-    /// What a chapter and the page call it.
+    /// The name in chapters and requests.
     pub name: &'static str,
-    /// What a figure shows, for those who can't see it; empty for a picture, of which
-    /// the chapter says that.
+    /// The title of a figure, for those who can't see it; empty for a picture, whose
+    /// chapter has it.
     pub title: &'static str,
-    /// What to look at in a figure; Markdown, with formulas.
+    /// The caption of a figure; Markdown, with formulas.
     pub caption: &'static str,
-    /// The numbers that its reader sets.
-    pub knobs: Vec<Knob>,
-    /// The places in it that its reader drags.
+    /// The numbers that the reader sets.
+    pub parameters: Vec<Parameter>,
+    /// The marks that the reader drags.
     pub handles: Vec<Handle>,
-    /// Whether there is something to show at these values.
+    /// Whether there is something to draw at these values.
     pub is_allowed: fn(&[f64]) -> bool,
-    /// What there is to see at these values.
-    pub sight: fn(&[f64]) -> Sight,
-    /// The numbers that move with it.
+    /// The drawing or picture at these values.
+    pub draw: fn(&[f64]) -> Output,
+    /// The numbers in the text that depend on these values.
     pub numbers: fn(&[f64]) -> Numbers,
-    /// A figure that moves with it.
-    pub beside: Option<Beside>,
+    /// Another figure that is drawn at the same values.
+    pub companion: Option<Companion>,
 }
 
-/// The name of a figure, and what draws it at the values of another.
-pub type Beside = (&'static str, fn(&[f64]) -> Drawing);
+/// A figure that is drawn at the values of another.
+#[derive(Clone, Copy, Debug)]
+pub struct Companion {
+    /// The name of the figure.
+    pub name: &'static str,
+    /// The drawing at the values of the other.
+    pub draw: fn(&[f64]) -> Drawing,
+}
 
-/// Numbers by their names, as the page writes them.
+/// Numbers by name, formatted for the page; some are vectors or words.
 pub type Numbers = BTreeMap<String, String>;
 
-/// A number that the reader sets.
+/// A drawing or a picture.
 #[derive(Clone, Debug)]
-pub struct Knob {
-    /// Its symbol, in the letters of the formulas; empty where it has none.
-    pub symbol: &'static str,
-    /// What it is, in words; empty where a handle turns it.
-    pub words: String,
-    /// What stands behind the number, such as °.
-    pub unit: &'static str,
-    /// Its value in the printed book.
-    pub value: f64,
-    /// The smallest and the largest value.
-    pub range: [f64; 2],
-    /// How many of its steps make 1.
-    pub steps: f64,
-    /// What the values 0, 1, 2, … are called, where they are no numbers.
-    pub choices: &'static [&'static str],
-    /// Whether, at these values, the page has a range or a switch for it.
-    pub is_shown: fn(&Knob, &[f64]) -> bool,
-    /// What it belongs to, where a page shows the knobs of one thing at a time.
-    pub group: &'static str,
-}
-
-/// A place that the reader drags, by pointer or by arrow keys.
-#[derive(Clone, Debug)]
-pub struct Handle {
-    /// What it is, in words.
-    pub words: String,
-    /// The knobs that it turns: sideways, and up and down.
-    pub knobs: [usize; 2],
-    /// Where it is, in the coordinates of the drawing or in pixels; outside of them,
-    /// there is nothing to take.
-    pub at: fn(&Handle, &[f64]) -> DVec2,
-    /// To which values its two knobs bring it to a place, or near it.
-    pub turn: fn(&Handle, &[f64], DVec2) -> DVec2,
-    /// Whether its second knob counts downwards, as rows do.
-    pub is_down: bool,
-    /// Whether it asks, and changes nothing of what there is to see.
-    pub is_asking: bool,
-}
-
-/// What there is to see.
-#[derive(Clone, Debug)]
-pub enum Sight {
+pub enum Output {
     /// Lines and labels.
     Drawing(Drawing),
     /// Pixels.
     Picture(RgbImage),
 }
 
-impl Sight {
-    /// Its width and height.
+impl Output {
+    /// The width and the height.
     pub fn size(&self) -> [f64; 2] {
         match self {
             Self::Drawing(drawing) => drawing.size(),
             Self::Picture(picture) => {
-                <[u32; 2]>::from(picture.dimensions()).map(f64::from)
+                [picture.width(), picture.height()].map(f64::from)
             }
         }
     }
 }
 
-impl Knob {
-    /// A number from a range, in steps of which so many make 1.
-    pub fn new(
-        [symbol, words, unit]: [&'static str; 3],
-        value: f64,
-        range: [f64; 2],
-        steps: f64,
-    ) -> Self {
-        Self {
-            symbol,
-            words: words.into(),
-            unit,
-            value,
-            range,
-            steps,
-            choices: &[],
-            is_shown: |_, _| true,
-            group: "",
-        }
-    }
-
-    /// A number that a handle turns.
-    pub fn turned(value: f64, range: [f64; 2], steps: f64) -> Self {
-        Self::new(["", "", ""], value, range, steps)
-    }
-
-    /// One of several choices.
-    pub fn choice(
-        words: &'static str,
-        value: f64,
-        choices: &'static [&'static str],
-    ) -> Self {
-        let range = [0.0, (choices.len() - 1) as f64];
-        Self { choices, ..Self::new(["", words, ""], value, range, 1.0) }
-    }
-
-    /// A switch, which is on or off.
-    pub fn switch(words: &'static str, is_on: bool) -> Self {
-        Self::choice(words, f64::from(is_on), &["off", "on"])
-    }
-
-    /// The allowed value that is nearest to `value`.
-    pub fn nearest(&self, value: f64) -> f64 {
-        let [min, max] = self.range;
-        // Adding 0 makes a 0 of −0.
-        ((value * self.steps).round() / self.steps).clamp(min, max) + 0.0
-    }
-
-    /// A value as the page writes it.
-    pub fn text(&self, value: f64) -> String {
-        let choice = self.choices.get(value as usize);
-        choice
-            .map_or_else(|| number(value) + self.unit, |choice| choice.to_string())
-    }
-}
-
-impl Handle {
-    /// A place that turns two knobs; upwards counts upwards.
-    pub fn new(
-        words: impl Into<String>,
-        knobs: [usize; 2],
-        at: fn(&Self, &[f64]) -> DVec2,
-        turn: fn(&Self, &[f64], DVec2) -> DVec2,
-    ) -> Self {
-        let (is_down, is_asking) = (false, false);
-        Self { words: words.into(), knobs, at, turn, is_down, is_asking }
-    }
-
-    /// Where it is at these values.
-    pub fn place(&self, values: &[f64]) -> DVec2 {
-        (self.at)(self, values)
-    }
-
-    /// The values of its two knobs.
-    pub fn point(&self, values: &[f64]) -> DVec2 {
-        let [x, y] = self.knobs.map(|knob| values[knob]);
-        dvec2(x, y)
-    }
-}
-
 impl Live {
-    /// What shows `sight`, and has nothing to move yet.
-    pub fn new(name: &'static str, sight: fn(&[f64]) -> Sight) -> Self {
+    /// A figure or picture without parameters.
+    pub fn new(name: &'static str, draw: fn(&[f64]) -> Output) -> Self {
         Self {
             name,
             title: "",
             caption: "",
-            knobs: vec![],
+            parameters: vec![],
             handles: vec![],
             is_allowed: |_| true,
-            sight,
+            draw,
             numbers: |_| Numbers::new(),
-            beside: None,
+            companion: None,
         }
     }
 
-    /// The values in the printed book.
-    pub fn values(&self) -> Vec<f64> {
-        self.knobs.iter().map(|knob| knob.value).collect()
+    /// The value of each parameter in the printed book.
+    pub fn default_values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.default).collect()
     }
 
-    /// What there is to see in the printed book.
-    pub fn printed(&self) -> Sight {
-        (self.sight)(&self.values())
+    /// The drawing or picture in the printed book.
+    pub fn default_output(&self) -> Output {
+        (self.draw)(&self.default_values())
     }
 
-    /// Whether its reader can ask a part of it.
-    pub fn is_asked(&self) -> bool {
-        self.handles.iter().any(|handle| handle.is_asking)
+    /// Whether a handle is a probe.
+    pub fn has_probe(&self) -> bool {
+        self.handles.iter().any(|handle| handle.mark == Mark::Probe)
     }
 
-    /// Moves a handle to a place; none where nothing is allowed there.
+    /// The values after a handle was dragged to a place; None if nothing is allowed
+    /// there.
     pub fn drag(
         &self,
         values: &[f64],
         handle: &Handle,
-        to: DVec2,
+        place: DVec2,
     ) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
-        let turned = (handle.turn)(handle, values, to).to_array();
-        for (knob, value) in handle.knobs.into_iter().zip(turned) {
-            new[knob] = value;
+        let coordinates = (handle.values_at)(handle, values, place).to_array();
+        for (index, value) in handle.parameters.into_iter().zip(coordinates) {
+            new[index] = value;
         }
-        self.allowed(&new)
+        self.nearest_allowed(&new)
     }
 
-    /// Moves a handle by some steps of its knobs, to the right and upwards.
+    /// The values after a handle was moved by some steps of its parameters, to the right
+    /// and upwards.
     pub fn step(
         &self,
         values: &[f64],
         handle: &Handle,
-        by: DVec2,
+        steps: DVec2,
     ) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
-        let up = if handle.is_down { -by.y } else { by.y };
-        for (knob, by) in handle.knobs.into_iter().zip([by.x, up]) {
-            new[knob] += by / self.knobs[knob].steps;
+        let second = if handle.is_down { -steps.y } else { steps.y };
+        for (index, steps) in handle.parameters.into_iter().zip([steps.x, second]) {
+            new[index] += steps / self.parameters[index].steps_per_unit;
         }
-        // It ends where the handle comes to be.
-        self.drag(&new, handle, handle.place(&new))
+        // As by dragging, it stays inside the picture.
+        self.drag(&new, handle, handle.place(&new)?)
     }
 
-    /// The allowed values that are nearest to these; none where there is nothing to
-    /// show.
-    pub fn allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let is_whole = values.len() == self.knobs.len()
+    /// The allowed values that are nearest to these; None if there is nothing to draw.
+    pub fn nearest_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let is_complete = values.len() == self.parameters.len()
             && values.iter().all(|value| value.is_finite());
-        let knobs = self.knobs.iter().zip(values);
-        let values: Vec<_> =
-            knobs.map(|(knob, value)| knob.nearest(*value)).collect();
-        (is_whole && (self.is_allowed)(&values)).then_some(values)
+        let pairs = self.parameters.iter().zip(values);
+        let values: Vec<_> = pairs
+            .map(|(parameter, value)| parameter.nearest_allowed(*value))
+            .collect();
+        (is_complete && (self.is_allowed)(&values)).then_some(values)
     }
 }
 
-/// Names and what they stand for.
-pub fn named<const N: usize>(numbers: [(&str, String); N]) -> Numbers {
+/// Numbers with these names.
+pub fn collect_numbers<const N: usize>(numbers: [(&str, String); N]) -> Numbers {
     numbers.map(|(name, text)| (name.into(), text)).into()
-}
-
-/// A number with at most four digits after the point, and a minus that is one.
-pub fn number(number: f64) -> String {
-    let text = format!("{number:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
-}
-
-/// A number with at most so many digits after the point, up to four.
-pub fn digits(digits: i32, value: f64) -> String {
-    let tens = 10_f64.powi(digits);
-    number((value * tens).round() / tens)
-}
-
-/// Numbers as (x, y, z).
-pub fn vector<const N: usize>(all: impl Into<[f64; N]>) -> String {
-    let all = all.into().map(number);
-    format!("({})", all.join(", "))
 }

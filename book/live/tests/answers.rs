@@ -1,39 +1,45 @@
-//! What is answered to a page's requests.
+//! Answers to the requests of a page.
 
-use live::{Sight, find, own_scene};
+use live::{Output, find, own_scene};
 
 #[test]
-fn a_picture_as_printed_is_that_of_its_step() {
+fn default_picture_is_that_of_the_step() {
     for (name, picture) in exercises::STEPS {
-        let picture = picture(&live::camera(), 1);
-        let printed = find(name).expect("it answers").printed();
-        let is_same = matches!(printed, Sight::Picture(ours) if ours == picture);
-        assert!(is_same, "{name} is another picture");
+        let output = find(name).expect("a picture").default_output();
+        let Output::Picture(default) = output else { panic!("{name} is drawn") };
+        assert!(
+            default == picture(&live::camera(), 1),
+            "{name} is another picture"
+        );
     }
-    let own = find("own_scene").expect("it answers");
-    assert_eq!(own_scene(&own.values()), step05_phong::scene());
 }
 
-/// What is answered at an address of one's own scene.
+#[test]
+fn default_own_scene_is_that_of_step_5() {
+    let values = find("own_scene").expect("a picture").default_values();
+    assert_eq!(own_scene(&values), step05_phong::scene());
+}
+
+/// The answer to an address of the own scene.
 fn open(address: &str) -> String {
     live::answer(&format!("open own_scene {address}")).text
 }
 
 #[test]
-fn a_wrong_address_gets_a_sentence() {
-    for (address, what) in [
+fn wrong_address_is_answered_by_a_sentence() {
+    for (address, sentence) in [
         ("red-sphere-radius:0", "“0” for red-sphere-radius; allowed are 0.05 to 3"),
         ("camera-field-of-view:NaN", "allowed are 1 to 179"),
         ("red-sphere-radius:2,ground-radius:", "“” for ground-radius; allowed"),
         ("moon-radius:1", "speaks of “moon-radius”"),
     ] {
-        let told = open(address);
-        assert!(told.contains(what), "{address}: {told}");
+        let answer = open(address);
+        assert!(answer.contains(sentence), "{address}: {answer}");
     }
 }
 
 #[test]
-fn an_address_leads_back_to_its_values() {
+fn address_is_parsed_and_formatted_without_change() {
     let address = "camera-field-of-view:20,red-sphere-radius:2,cool-light-on:0";
     for address in [address, "", "ambient-light-blue:0.07"] {
         let field = format!("\"address\":\"{address}\"");

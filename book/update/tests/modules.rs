@@ -3,7 +3,7 @@ use crate::module::{self, Module};
 use check::{Locked, camera, names};
 use compare::workspace;
 use image::{ImageFormat, RgbImage};
-use live::{Answer, Knob, LIVE, Live};
+use live::{Answer, LIVE, Live, Parameter};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -131,17 +131,18 @@ fn words(values: &[f64]) -> String {
 
 /// The values of the printed book, but for the size of a picture, which is small.
 fn printed(live: &Live) -> Vec<f64> {
-    let value =
-        |knob: &Knob| if knob.words == "columns" { 64.0 } else { knob.value };
-    live.knobs.iter().map(value).collect()
+    let value = |parameter: &Parameter| {
+        if parameter.words == "columns" { 64.0 } else { parameter.default }
+    };
+    live.parameters.iter().map(value).collect()
 }
 
 /// Shows something, drags a handle of it and steps one, anywhere in and around what is
 /// allowed.
 fn requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
-    let ranges = live.knobs.iter().map(|knob| {
-        let [min, max] = knob.range;
-        let max = if knob.words == "columns" { 16.0 } else { max };
+    let ranges = live.parameters.iter().map(|parameter| {
+        let [min, max] = parameter.range;
+        let max = if parameter.words == "columns" { 16.0 } else { max };
         min - 1.0..max + 1.0
     });
     let place = (-50.0..700.0, -50.0..400.0, -3_i32..=3, -3_i32..=3);

@@ -1,19 +1,19 @@
-use crate::svg::Drawing;
-use crate::{Live, Sight};
+use crate::Drawing;
+use crate::{Live, Output};
 use glam::dvec2;
 use step01_rays::AspectRatio;
 
 fn draw() -> Drawing {
     let mut drawing = Drawing::new(480.0, 300.0);
-    let named = [
+    let formats = [
         (4.0, 3.0, "standard video"),
         (16.0, 9.0, "widescreen video"),
         (2.35, 1.0, "many movies"),
         (2.59, 1.0, "Cinerama"),
     ];
-    for (k, (w, h, name)) in named.into_iter().enumerate() {
-        let shape = AspectRatio { width: w, height: h };
-        let rows = f64::from(shape.v_res(640));
+    for (k, (w, h, name)) in formats.into_iter().enumerate() {
+        let aspect_ratio = AspectRatio { width: w, height: h };
+        let rows = f64::from(aspect_ratio.v_res(640));
         let (width, height) = (190.0, 190.0 * rows / 640.0);
         let (column, line) = (f64::from(k as u32 % 2), f64::from(k as u32 / 2));
         let bottom = 146.0 + 124.0 * line;
@@ -34,6 +34,6 @@ pub fn figure() -> Live {
         title: "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.",
         caption: "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
                   get in each. The wider the format, the fewer the rows.",
-        ..Live::new("aspect-ratios", |_| Sight::Drawing(draw()))
+        ..Live::new("aspect-ratios", |_| Output::Drawing(draw()))
     }
 }

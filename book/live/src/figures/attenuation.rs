@@ -1,65 +1,68 @@
-use crate::live::{Knob, Live, Sight, named, number};
-use crate::svg::{Drawing, View};
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::{Drawing, Live, Output, Parameter, View, format_number};
 use glam::{DVec2, dvec2};
 use step04_diffuse::{Attenuation, WARM};
 
-fn chosen(values: &[f64]) -> Attenuation {
-    Attenuation { a: values[0], b: values[1], c: values[2] }
+/// The attenuation that the reader sets.
+fn own_attenuation(values: &[f64]) -> Attenuation {
+    let [a, b, c] = array(values);
+    Attenuation { a, b, c }
 }
 
-/// What is left at the distance `d`, as a share of what it is at 0.
-fn share(attenuation: &Attenuation, d: f64) -> f64 {
+/// The light at the distance `d`, as a share of the light at 0.
+fn light_share(attenuation: &Attenuation, d: f64) -> f64 {
     attenuation.divisor(0.0) / attenuation.divisor(d)
 }
 
-/// Four curves, the last of which is `chosen`.
-fn draw(chosen: &Attenuation) -> Drawing {
+/// Three curves, and that of `own`.
+fn draw(own: &Attenuation) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.25, 0.5, 0.75, 1.0] {
-        drawing.line("grid", view.xy(0.0, share), view.xy(14.0, share));
-        drawing.label_to(
+        drawing.line("grid", view.place_xy(0.0, share), view.place_xy(14.0, share));
+        drawing.label_ending_at(
             "quiet",
-            view.xy(0.0, share) + dvec2(-8.0, 5.0),
+            view.place_xy(0.0, share) + dvec2(-8.0, 5.0),
             &format!("{share}"),
         );
     }
     for d in [2.0, 4.0, 6.0, 8.0, 10.0, 12.0] {
-        let at = view.xy(d, 0.0) + dvec2(0.0, 22.0);
-        drawing.label("quiet", at, &format!("{d}"));
+        let place = view.place_xy(d, 0.0) + dvec2(0.0, 22.0);
+        drawing.label("quiet", place, &format!("{d}"));
     }
-    drawing.arrow("axis", view.origin, view.xy(14.4, 0.0));
-    drawing.arrow("axis", view.origin, view.xy(0.0, 1.14));
-    let fading = |b, c| Attenuation { a: 1.0, b, c };
-    let is_warm = *chosen == WARM.attenuation;
-    // Beside its curve, or where every curve begins.
-    let (name, at, shift) = if is_warm {
+    drawing.arrow("axis", view.origin, view.place_xy(14.4, 0.0));
+    drawing.arrow("axis", view.origin, view.place_xy(0.0, 1.14));
+    let from_1 = |b, c| Attenuation { a: 1.0, b, c };
+    let is_warm = *own == WARM.attenuation;
+    // The name stands beside the curve, or where every curve begins.
+    let (name, name_d, shift) = if is_warm {
         ("the warm light", 7.4, -12.0)
     } else {
         ("your curve", 0.0, -8.0)
     };
     let curves = [
-        (fading(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
-        (fading(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
-        (fading(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
-        (*chosen, at, shift, name),
+        (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
+        (from_1(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
+        (from_1(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
+        (*own, name_d, shift, name),
     ];
     for (k, (attenuation, d, shift, text)) in curves.into_iter().enumerate() {
         let class = &format!("curve curve-{}", k + 1);
-        let share = |d: f64| share(&attenuation, d);
+        let share = |d: f64| light_share(&attenuation, d);
         let points: Vec<DVec2> = (0..=100)
             .map(|k| f64::from(k) * 0.14)
-            .map(|d| view.xy(d, share(d)))
+            .map(|d| view.place_xy(d, share(d)))
             .collect();
         drawing.path(class, &points);
-        let at = view.xy(d, share(d)) + dvec2(0.0, shift);
-        drawing.label_from(class, at, text);
+        let place = view.place_xy(d, share(d)) + dvec2(0.0, shift);
+        drawing.label_starting_at(class, place, text);
     }
-    drawing.label("", view.xy(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
+    drawing.label("", view.place_xy(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
     drawing
 }
 
-/// What is left of a light at each distance, for an a, b and c that its reader sets.
+/// The light at each distance, for an a, b and c that the reader sets.
 pub fn figure() -> Live {
     let Attenuation { a, b, c } = WARM.attenuation;
     Live {
@@ -68,13 +71,27 @@ pub fn figure() -> Live {
                   alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
                   but far away, $b$ leaves more. The curve of the warm light<span class='move'>, until you change it,</span> \
                   has some of each; at $d = 6$ it leaves {{#number attenuation:share}}.",
-        knobs: [("a", a, 2.0, 20.0), ("b", b, 1.0, 100.0), ("c", c, 0.5, 200.0)]
-            .map(|(symbol, value, max, steps)| {
-                let min = if symbol == "a" { 0.1 } else { 0.0 };
-                Knob::new([symbol, "of your curve", ""], value, [min, max], steps)
-            })
-            .into(),
-        numbers: |values| named([("share", number(share(&chosen(values), 6.0)))]),
-        ..Live::new("attenuation", |values| Sight::Drawing(draw(&chosen(values))))
+        parameters: [
+            ("a", a, 2.0, 20.0),
+            ("b", b, 1.0, 100.0),
+            ("c", c, 0.5, 200.0),
+        ]
+        .map(|(symbol, default, max, steps)| {
+            let min = if symbol == "a" { 0.1 } else { 0.0 };
+            Parameter::new(
+                [symbol, "of your curve", ""],
+                default,
+                [min, max],
+                steps,
+            )
+        })
+        .into(),
+        numbers: |values| {
+            let share = light_share(&own_attenuation(values), 6.0);
+            collect_numbers([("share", format_number(share))])
+        },
+        ..Live::new("attenuation", |values| {
+            Output::Drawing(draw(&own_attenuation(values)))
+        })
     }
 }

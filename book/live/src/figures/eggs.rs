@@ -1,33 +1,36 @@
-use super::ball::{BETWEEN, HALF, ball, middle, outline, size};
-use crate::live::{Knob, Live, Sight, named, number};
-use crate::svg::{Drawing, View};
+use super::ball_outlines::{
+    HALF_ANGLE, SPACING, ball, image_of_centre, outline, outline_size,
+};
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::{Drawing, Live, Output, Parameter, View, format_fixed, format_number};
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
 
-/// The last ball that is whole in a picture so many degrees wide.
-fn outermost(degrees: f64) -> i32 {
-    ((degrees / 2.0 - HALF) / BETWEEN) as i32
+/// The number of the last ball that is whole in a picture so many degrees wide.
+fn outermost_ball(degrees: f64) -> i32 {
+    ((degrees / 2.0 - HALF_ANGLE) / SPACING) as i32
 }
 
-/// How many points of the drawing the plane is below the middle of the picture.
-const BELOW: f64 = 78.0;
+/// The distance in the drawing from the middle of the picture down to the plane.
+const PLANE_DISTANCE: f64 = 78.0;
 
 /// The picture of the balls, and below it the same from above.
 fn draw(degrees: f64) -> Drawing {
     let tan = (degrees / 2.0).to_radians().tan();
     let scale = DVec2::splat((222.0 / tan).min(170.0));
     let picture = View { origin: dvec2(240.0, 56.0), scale };
-    let c = picture.origin + dvec2(0.0, BELOW + scale.y);
+    let c = picture.origin + dvec2(0.0, PLANE_DISTANCE + scale.y);
     let above = View { origin: c, scale };
     let mut drawing = Drawing::new(480.0, 336.0);
     drawing.rectangle("plane", picture.origin, dvec2(tan * scale.x, 50.0));
     for k in -3..=3 {
         draw_ball(&mut drawing, [picture, above], k, tan);
     }
-    drawing.line("plane", above.xy(-tan, 1.0), above.xy(tan, 1.0));
-    draw_cone(&mut drawing, [picture, above], outermost(degrees));
+    drawing.line("plane", above.place_xy(-tan, 1.0), above.place_xy(tan, 1.0));
+    draw_cone(&mut drawing, [picture, above], outermost_ball(degrees));
     for side in [-tan, tan] {
-        drawing.line("ray faint", c, above.xy(side, 1.0));
+        drawing.line("ray faint", c, above.place_xy(side, 1.0));
     }
     let half = (degrees / 2.0).to_radians();
     drawing.arc("angle", c, 34.0, [FRAC_PI_2 - half, FRAC_PI_2 + half]);
@@ -36,18 +39,18 @@ fn draw(degrees: f64) -> Drawing {
     drawing
 }
 
-/// A ball in the picture, as far as that shows it, and from above.
+/// The ball `k` in the picture, cut off at its sides, and from above.
 fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f64) {
     let ball = ball(k);
-    let centre = above.xy(ball.centre.x, -ball.centre.z);
+    let centre = above.place_xy(ball.centre.x, -ball.centre.z);
     let outline = outline(k);
-    let is_seen = outline.iter().any(|point| point.x.abs() < tan);
-    let class = if is_seen { "object" } else { "guide" };
+    let is_visible = outline.iter().any(|point| point.x.abs() < tan);
+    let class = if is_visible { "object" } else { "guide" };
     drawing.circle(class, centre, above.scale.x * ball.radius);
-    if is_seen {
+    if is_visible {
         let cut = |point: &DVec2| dvec2(point.x.clamp(-tan, tan), point.y);
         let points: Vec<_> =
-            outline.iter().map(|point| picture.at(cut(point))).collect();
+            outline.iter().map(|point| picture.place(cut(point))).collect();
         drawing.area("object", &points);
     }
 }
@@ -56,38 +59,42 @@ fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f6
 fn draw_cone(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32) {
     let outline = outline(k);
     let (outer, inner) = (outline[0].x, outline[60].x);
-    let middle = middle(&ball(k)).x;
-    let on_plane = |x: f64| above.xy(x, 1.0);
+    let middle = image_of_centre(&ball(k)).x;
+    let on_plane = |x: f64| above.place_xy(x, 1.0);
     for (class, x) in [("ray", inner), ("guide", middle), ("ray", outer)] {
         drawing.line(class, above.origin, on_plane(x));
-        drawing.line("leader", on_plane(x), picture.xy(x, 0.0));
+        drawing.line("leader", on_plane(x), picture.place_xy(x, 0.0));
     }
     drawing.line("second", on_plane(inner), on_plane(middle));
     drawing.line("accent", on_plane(middle), on_plane(outer));
 }
 
-/// Equal balls round the eye, their picture, and how wide its view is.
+/// Equal balls round the eye and their picture, with a field of view to set.
 pub fn figure() -> Live {
     Live {
         title: "Seven balls in an arc round the eye, from above, and their picture over it. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.",
         caption: "Equal balls, all at the same distance from the eye: from above and, over it, in the picture, with $\\theta = {{#number eggs:angle}}°$. \
                   The last ball that's whole in the picture is {{#number eggs:phi}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
                   The dashed ray goes through its centre: on the image plane, the outer part of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>",
-        knobs: vec![Knob::new(
+        parameters: vec![Parameter::new(
             ["θ", "field of view", "°"],
             100.0,
             [60.0, 140.0],
             1.0,
         )],
         numbers: |values| {
-            let k = outermost(values[0]);
-            let [long, wide] = size(&outline(k));
-            named([
-                ("angle", number(values[0])),
-                ("phi", number(BETWEEN * f64::from(k))),
-                ("times", format!("{:.1}", long / wide)),
+            let [degrees] = array(values);
+            let k = outermost_ball(degrees);
+            let [length, width] = outline_size(&outline(k));
+            collect_numbers([
+                ("angle", format_number(degrees)),
+                ("phi", format_number(SPACING * f64::from(k))),
+                ("times", format_fixed(length / width, 1)),
             ])
         },
-        ..Live::new("eggs", |values| Sight::Drawing(draw(values[0])))
+        ..Live::new("eggs", |values| {
+            let [degrees] = array(values);
+            Output::Drawing(draw(degrees))
+        })
     }
 }

@@ -1,72 +1,72 @@
-use crate::camera;
-use crate::live::{Live, Sight, digits};
+use crate::pictures::pixel_probe::Probe;
 use crate::pictures::{short_name, step03};
-use crate::svg::{Drawing, View};
+use crate::{Drawing, Live, Output, View, format_rounded};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
-/// x runs right, and t upwards; it is the depth, as V_z is −1.
+/// The map with x to the right and t upwards: the depth, as V_z is −1.
 const VIEW: View = View { origin: dvec2(240.0, 236.0), scale: DVec2::splat(17.0) };
 
-/// As far to the left and to the right as a line runs.
+/// The length of a line to the left and to the right.
 const SIDE: f64 = 13.0;
 
-/// From where to where the line of a ray is drawn.
-const ENDS: [f64; 2] = [-5.4, 13.2];
+/// The smallest and the largest t that is drawn.
+const T_RANGE: [f64; 2] = [-5.4, 13.2];
 
-/// The scene from above, cut along the row of the pixel (i, j), and the ray of that
-/// pixel with every root on its line.
+/// The scene from above, cut along the row of a pixel, and the ray of that pixel with
+/// every root on its line.
 pub fn draw(values: &[f64]) -> Drawing {
-    let ray = camera().ray(values[0], values[1]);
-    let seen = nearest(&OBJECTS, &ray);
+    let (probe, _) = Probe::split(values);
+    let ray = probe.ray();
+    let nearest_hit = nearest(&OBJECTS, &ray);
     let mut drawing = Drawing::new(480.0, 330.0);
     draw_depths(&mut drawing);
-    // The largest, the ground, lies below the others.
+    // The ground, the largest, lies below the others.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { sphere, .. } in &objects[1..] {
-        let centre = VIEW.xy(sphere.centre.x, -sphere.centre.z);
+        let centre = VIEW.place_xy(sphere.centre.x, -sphere.centre.z);
         drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
     }
     for Object { name, sphere, .. } in &objects {
-        let Some(cut) = cut(sphere, &ray) else { continue };
-        let is_seen = seen.is_some_and(|hit| hit.object.sphere == *sphere);
-        drawing.area(if is_seen { "object seen" } else { "object" }, &cut);
-        let middle = cut.iter().sum::<DVec2>() / cut.len() as f64;
-        let inside = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
-        drawing.label("quiet", inside, short_name(name));
+        let Some(outline) = cut_outline(sphere, &ray) else { continue };
+        let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
+        drawing.area(if is_hit { "object seen" } else { "object" }, &outline);
+        let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
+        let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
+        drawing.label("quiet", place, short_name(name));
     }
-    let at = |t: f64| VIEW.xy(ray.at(t).x, t);
-    drawing.line("guide", at(ENDS[0]), at(0.0));
-    drawing.arrow("ray", at(0.0), at(ENDS[1]));
-    drawing.dot("eye", at(0.0));
+    let place = |t: f64| VIEW.place_xy(ray.at(t).x, t);
+    drawing.line("guide", place(T_RANGE[0]), place(0.0));
+    drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
+    drawing.dot("eye", place(0.0));
     let roots = OBJECTS.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
-    for t in roots.filter(|t| (ENDS[0]..ENDS[1]).contains(t)) {
-        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
+    for t in roots.filter(|t| (T_RANGE[0]..T_RANGE[1]).contains(t)) {
+        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
     }
-    if let Some(t) = seen.map(|hit| hit.t) {
-        let label = format!("$t$ = {}", digits(2, t));
-        let right = VIEW.xy(SIDE, t);
-        drawing.line("guide", at(t), right);
-        drawing.label_to("hit small", right + dvec2(0.0, -5.0), &label);
-        drawing.dot("hit", at(t));
+    if let Some(t) = nearest_hit.map(|hit| hit.t) {
+        let label = format!("$t$ = {}", format_rounded(t, 2));
+        let right = VIEW.place_xy(SIDE, t);
+        drawing.line("guide", place(t), right);
+        drawing.label_ending_at("hit small", right + dvec2(0.0, -5.0), &label);
+        drawing.dot("hit", place(t));
     }
     drawing
 }
 
-/// A line across every 5 t.
+/// A line across at every t that 5 divides.
 fn draw_depths(drawing: &mut Drawing) {
     for t in [0.0, 5.0, 10.0] {
-        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy(x, t));
+        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.place_xy(x, t));
         drawing.line("grid", left, right);
-        let above = left + dvec2(0.0, -5.0);
-        drawing.label_from("quiet", above, &format!("$t$ = {t}"));
+        let label = left + dvec2(0.0, -5.0);
+        drawing.label_starting_at("quiet", label, &format!("$t$ = {t}"));
     }
 }
 
-/// The outline of what the plane through the row of `ray` cuts out of a sphere.
-fn cut(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
+/// The circle that the plane through the row of `ray` cuts out of a sphere.
+fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();
     let normal = DVec3::X.cross(along);
@@ -77,19 +77,19 @@ fn cut(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
         let DVec2 { x, y } = middle + radius * side;
-        VIEW.xy(x, y / ahead.length())
+        VIEW.place_xy(x, y / ahead.length())
     });
     Some(points.collect())
 }
 
-/// What is drawn of the pixel that is asked as printed.
+/// The drawing for the default pixel of step 3's picture.
 pub fn figure() -> Live {
     Live {
         title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
         caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
                   every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
         ..Live::new("from-above", |_| {
-            Sight::Drawing(draw(&step03::picture().values()))
+            Output::Drawing(draw(&step03::picture().default_values()))
         })
     }
 }

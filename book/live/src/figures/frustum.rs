@@ -1,71 +1,82 @@
 use super::pyramid::{draw_pyramid, draw_steps};
-use crate::live::{Handle, Knob, Live, Sight, named, number, vector};
-use crate::pictures::step01::{aspect_ratio, camera};
-use crate::svg::Drawing;
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
+use crate::{
+    Drawing, Handle, Live, Output, Parameter, format_number, format_vector,
+};
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
-use step01_rays::Ray;
+use step01_rays::{Camera, Ray};
 
-/// The pixel that is chosen, or the nearest to it that there is.
-fn pixel_of(values: &[f64]) -> DVec2 {
-    inside(values, dvec2(values[3], values[4]))
+/// A small camera, and the pixel whose ray is drawn.
+struct Frustum {
+    camera: Camera,
+    pixel: DVec2,
 }
 
-fn inside(values: &[f64], pixel: DVec2) -> DVec2 {
-    let camera = camera(values);
+impl Frustum {
+    fn new(values: &[f64]) -> Self {
+        let [field_of_view, choice, columns, i, j] = array(values);
+        let camera = step01::camera(field_of_view, aspect_ratio(choice), columns);
+        let pixel = nearest_pixel(&camera, dvec2(i, j));
+        Self { camera, pixel }
+    }
+
+    /// The ray of the pixel.
+    fn ray(&self) -> Ray {
+        self.camera.ray(self.pixel.x, self.pixel.y)
+    }
+
+    /// The place in the drawing of a point of the world: turned about y, tilted, without
+    /// perspective. A wide view is drawn smaller.
+    fn project(&self, point: DVec3) -> DVec2 {
+        let tan = -self.camera.matrix.z_axis.x;
+        let scale = 250.0 * (0.5774 / tan).min(1.0);
+        let DVec3 { x, y, .. } =
+            DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
+        dvec2(82.0, 216.0) + scale * dvec2(x, -y)
+    }
+
+    /// The pixel at a place on the image plane.
+    fn pixel_at(&self, place: DVec2) -> DVec2 {
+        let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
+        let first = project(0.0, 0.0);
+        let steps =
+            DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
+        nearest_pixel(&self.camera, steps.inverse() * (place - first))
+    }
+}
+
+/// The pixel of the camera that is nearest to `pixel`, still with fractions.
+fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
     let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
     pixel.clamp(DVec2::ZERO, last)
 }
 
-/// Its ray.
-fn chosen(values: &[f64]) -> Ray {
-    let pixel = pixel_of(values);
-    camera(values).ray(pixel.x, pixel.y)
-}
-
-/// Where a point of the world is in the drawing: turned about y, tilted, without
-/// perspective. A wide view is drawn smaller.
-fn project(values: &[f64], point: DVec3) -> DVec2 {
-    let side = -camera(values).matrix.z_axis.x;
-    let scale = 250.0 * (0.5774 / side).min(1.0);
-    let turned =
-        DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
-    dvec2(82.0, 216.0) + scale * dvec2(turned.x, -turned.y)
-}
-
-/// The column and the row, with fractions, at a place on the image plane.
-fn pixel_at(values: &[f64], place: DVec2) -> DVec2 {
-    let camera = camera(values);
-    let at = |i: f64, j: f64| project(values, camera.ray(i, j).at(1.0));
-    let first = at(0.0, 0.0);
-    let steps = DMat2::from_cols(at(1.0, 0.0) - first, at(0.0, 1.0) - first);
-    steps.inverse() * (place - first)
-}
-
-fn draw(values: &[f64]) -> Drawing {
-    let camera = camera(values);
-    let project = |point: DVec3| project(values, point);
+fn draw(frustum: &Frustum) -> Drawing {
+    let Frustum { camera, pixel } = frustum;
+    let project = |point: DVec3| frustum.project(point);
     let c = project(camera.centre);
     let mut drawing = Drawing::new(480.0, 310.0);
-    draw_pyramid(&mut drawing, &camera, project);
-    draw_steps(&mut drawing, &camera, pixel_of(values), project);
+    draw_pyramid(&mut drawing, camera, project);
+    draw_steps(&mut drawing, camera, *pixel, project);
     drawing.dot("eye", c);
-    drawing.label_to("strong", c + dvec2(-12.0, 6.0), "$C$");
-    let tip = project(chosen(values).at(1.42));
+    drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
+    let tip = project(frustum.ray().at(1.42));
     drawing.arrow("ray", c, tip);
-    let DVec2 { x: i, y: j } = pixel_of(values);
-    let label = format!("$i$ = {i}, $j$ = {j}");
+    let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
     if tip.x < 380.0 {
-        drawing.label_from("quiet over", tip + dvec2(10.0, 5.0), &label);
+        drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
     } else {
-        let place =
+        let end =
             (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
-        drawing.label_to("quiet over", place, &label);
+        drawing.label_ending_at("quiet over", end, &label);
     }
     let corner = dvec2(44.0, 286.0);
     for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-        let along = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
-        drawing.arrow("axis", corner, corner + along);
-        drawing.label("quiet", corner + 1.32 * along + dvec2(0.0, 5.0), name);
+        let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
+        drawing.arrow("axis", corner, corner + arrow);
+        drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
     }
     drawing
 }
@@ -78,32 +89,38 @@ pub fn figure() -> Live {
         caption: "The pyramid of rays of a camera with {{#number frustum:columns}} columns and {{#number frustum:rows}} rows, each point in the colour \
                   of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
                   down. From there, {{#number frustum:i}} times $D_u$ and {{#number frustum:j}} times $D_v$ lead to $V =$ {{#number frustum:V}}. <span class='move'>Drag the ray to another pixel.</span>",
-        knobs: vec![
-            Knob::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
-            aspect_ratio(),
-            Knob::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
-            Knob::turned(5.0, [0.0, 15.0], 1.0),
-            Knob::turned(3.0, [0.0, 11.0], 1.0),
+        parameters: vec![
+            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+            aspect_ratio_parameter(),
+            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+            Parameter::coordinate(5.0, [0.0, 15.0], 1.0),
+            Parameter::coordinate(3.0, [0.0, 11.0], 1.0),
         ],
         handles: vec![Handle {
             is_down: true,
             ..Handle::new(
                 "the pixel of the ray",
                 [3, 4],
-                |_, values| project(values, chosen(values).at(1.0)),
-                |_, values, to| inside(values, pixel_at(values, to)),
+                |_, values| {
+                    let frustum = Frustum::new(values);
+                    Some(frustum.project(frustum.ray().at(1.0)))
+                },
+                |_, values, place| Frustum::new(values).pixel_at(place),
             )
         }],
         numbers: |values| {
-            let (camera, pixel) = (camera(values), pixel_of(values));
-            named([
+            let frustum = Frustum::new(values);
+            let Frustum { camera, pixel } = &frustum;
+            collect_numbers([
                 ("columns", camera.h_res.to_string()),
                 ("rows", camera.v_res.to_string()),
-                ("i", number(pixel.x)),
-                ("j", number(pixel.y)),
-                ("V", vector(chosen(values).direction)),
+                ("i", format_number(pixel.x)),
+                ("j", format_number(pixel.y)),
+                ("V", format_vector(frustum.ray().direction)),
             ])
         },
-        ..Live::new("frustum", |values| Sight::Drawing(draw(values)))
+        ..Live::new("frustum", |values| {
+            Output::Drawing(draw(&Frustum::new(values)))
+        })
     }
 }

@@ -1,21 +1,22 @@
-use crate::live::{Handle, Knob, Live, Sight, digits};
-use crate::svg::{Drawing, degrees_left};
+use crate::parameter::array;
+use crate::{
+    Drawing, Handle, Live, Output, Parameter, degrees_left, format_rounded,
+};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 
-/// As far below the ground as the light on the right is still in the drawing, in
-/// degrees.
-const LARGEST: f64 = 115.0;
+/// The largest angle of the light on the right, in degrees: below the ground, and still
+/// in the drawing.
+const LARGEST_ANGLE: f64 = 115.0;
 
-/// Where the light on the right falls.
+/// The place that the light on the right falls on.
 const GROUND: DVec2 = dvec2(352.0, 210.0);
 
-/// How long a beam is.
+/// The length of a beam.
 const LENGTH: f64 = 165.0;
 
-/// One beam of light that falls straight down and at `degrees`, and the ground that
-/// it lights.
+/// Two beams of light, straight down and at `degrees`, and the ground that they light.
 fn draw(degrees: f64) -> Drawing {
     let mut drawing = Drawing::new(480.0, 292.0);
     for (x, degrees) in [(106.0, 0.0), (GROUND.x, degrees)] {
@@ -48,7 +49,7 @@ fn draw(degrees: f64) -> Drawing {
         let is_strip = edge == 1.0 && 0.0 < share;
         if 0.0 < angle {
             drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
-            drawing.label_to("", ground + dvec2(-30.0, -100.0), "$α$");
+            drawing.label_ending_at("", ground + dvec2(-30.0, -100.0), "$α$");
         }
         if 0.0 < angle && is_strip {
             // The triangle whose leg is the beam's width and whose hypotenuse is
@@ -57,68 +58,71 @@ fn draw(degrees: f64) -> Drawing {
             drawing.line("vector", corner, corner + 52.0 * across);
             drawing.arc("angle", corner, 24.0, [0.0, angle]);
             drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
-            let beyond = corner + 66.0 * across + dvec2(3.0, 3.0);
-            drawing.label("strong", beyond, "$w$");
+            let label = corner + 66.0 * across + dvec2(3.0, 3.0);
+            drawing.label("strong", label, "$w$");
         } else if is_strip {
             let top = start(0.0) + dvec2(0.0, 26.0);
             drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
-            let beside = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
-            drawing.label("strong", beside, "$w$");
+            let label = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
+            drawing.label("strong", label, "$w$");
         }
-        let [label, strip] = words(degrees, cosine, share);
-        // Where there is room: a light from below needs that below the ground.
-        let beside =
+        let [cosine_label, strip_label] = labels(degrees, cosine, share);
+        // A light from below needs the room below the ground.
+        let shift =
             if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
-        drawing.label("", ground + beside, &label);
-        drawing.label("quiet", ground + beside + dvec2(0.0, 24.0), &strip);
+        drawing.label("", ground + shift, &cosine_label);
+        drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &strip_label);
     }
     drawing
 }
 
-/// The cosine, and what it makes of the light, in words.
-fn words(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
+/// The labels of the cosine and of the strip that is lit.
+fn labels(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
     let strip = if 0.0005 <= share {
-        format!("strip × {}", digits(2, 1.0 / share))
+        format!("strip × {}", format_rounded(1.0 / share, 2))
     } else {
-        format!("max($n$·$l$, 0) = {}: no light", digits(3, share))
+        format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3))
     };
-    [format!("$n$·$l$ = cos {degrees}° = {}", digits(3, cosine)), strip]
+    [format!("$n$·$l$ = cos {degrees}° = {}", format_rounded(cosine, 3)), strip]
 }
 
-/// A beam of light that falls straight down, and one whose angle its reader sets.
+/// A beam of light that falls straight down, and one whose angle the reader sets.
 pub fn figure() -> Live {
     Live {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
                   spread over twice the ground, so each point of it gets half: the cosine of the angle. \
                   <span class='move'>Lower the light to the ground, and below it.</span>",
-        knobs: vec![Knob::new(
+        parameters: vec![Parameter::new(
             ["α", "angle of the light", "°"],
             60.0,
-            [0.0, LARGEST],
+            [0.0, LARGEST_ANGLE],
             1.0,
         )],
         handles: vec![Handle::new(
             "the light on the right",
             [0, 0],
             |_, values| {
-                let l = DVec2::from_angle(FRAC_PI_2 + values[0].to_radians());
-                GROUND + LENGTH * dvec2(l.x, -l.y)
+                let [degrees] = array(values);
+                let l = DVec2::from_angle(FRAC_PI_2 + f64::to_radians(degrees));
+                Some(GROUND + LENGTH * dvec2(l.x, -l.y))
             },
-            // To the right of n, the angle is 0, or as large as it can be.
-            |_, _, to| {
-                DVec2::splat(match degrees_left(GROUND, to) {
-                    ..-90.0 => LARGEST,
+            // To the right of n, the angle is 0 above the ground, and the largest below.
+            |_, _, place| {
+                DVec2::splat(match degrees_left(GROUND, place) {
+                    ..-90.0 => LARGEST_ANGLE,
                     angle => angle.max(0.0),
                 })
             },
         )],
-        ..Live::new("lambert", |values| Sight::Drawing(draw(values[0])))
+        ..Live::new("lambert", |values| {
+            let [degrees] = array(values);
+            Output::Drawing(draw(degrees))
+        })
     }
 }
 
-/// What the step's own diffuse term makes of a white light from the direction `l`,
-/// n being up.
+/// The step's diffuse term of a white light in the direction `l`; n is up.
 fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light =

@@ -2,7 +2,7 @@
 
 mod aspect_ratios;
 mod attenuation;
-mod ball;
+mod ball_outlines;
 mod eggs;
 mod from_above;
 mod frustum;
@@ -17,11 +17,11 @@ mod right_hand;
 mod row;
 mod three_cases;
 
-pub use from_above::draw as from_above;
+pub use from_above::draw as draw_from_above;
 
 use crate::Live;
 
-/// Every figure.
+/// Every figure, in the order of the book.
 pub fn all() -> [Live; 14] {
     [
         ray::figure(),

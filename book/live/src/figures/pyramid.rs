@@ -1,8 +1,8 @@
-use crate::svg::Drawing;
+use crate::Drawing;
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, direction_colour, render};
 
-/// The image plane with each pixel at its place, and the rays through its corners.
+/// The image plane with a dot for each pixel, and the rays through its corners.
 pub fn draw_pyramid(
     drawing: &mut Drawing,
     camera: &Camera,
@@ -19,14 +19,14 @@ pub fn draw_pyramid(
     }
     drawing.line("guide", c, project(DVec3::NEG_Z));
     let image = render(camera, 1, direction_colour);
-    let at = |i: f64, j: f64| project(camera.ray(i, j).at(1.0));
-    let radius = (0.36 * at(0.0, 0.0).distance(at(1.0, 0.0))).min(5.0);
+    let place = |i: f64, j: f64| project(camera.ray(i, j).at(1.0));
+    let radius = (0.36 * place(0.0, 0.0).distance(place(1.0, 0.0))).min(5.0);
     for (i, j, pixel) in image.enumerate_pixels() {
-        drawing.pixel(at(f64::from(i), f64::from(j)), radius, pixel.0);
+        drawing.pixel(place(f64::from(i), f64::from(j)), radius, pixel.0);
     }
 }
 
-/// V_0, D_u and D_v, and the way of so many steps to a pixel.
+/// V_0, D_u and D_v, and the steps that lead to a pixel.
 pub fn draw_steps(
     drawing: &mut Drawing,
     camera: &Camera,
@@ -41,10 +41,10 @@ pub fn draw_steps(
     drawing.line("way", above, project(camera.ray(pixel.x, pixel.y).at(1.0)));
     drawing.arrow("vector", c, first);
     let label = (c + first) / 2.0 + dvec2(-6.0, -12.0);
-    drawing.label_to("strong", label, "$V_0$");
+    drawing.label_ending_at("strong", label, "$V_0$");
     drawing.arrow("accent", first, project(v_0 + d_u));
     drawing.arrow("second", first, project(v_0 + d_v));
     drawing.label("accent", project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0), "$D_u$");
     let label = project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0);
-    drawing.label_from("second over", label, "$D_v$");
+    drawing.label_starting_at("second over", label, "$D_v$");
 }

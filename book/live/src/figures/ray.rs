@@ -1,77 +1,95 @@
-use crate::live::{Handle, Knob, Live, Sight, digits, named, number};
-use crate::svg::{Drawing, View};
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::{
+    Drawing, Handle, Live, Output, Parameter, View, format_number, format_rounded,
+};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
 
 const SIZE: DVec2 = dvec2(480.0, 240.0);
 const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
 
-fn ray(values: &[f64]) -> Ray {
-    let at = |k: usize| dvec2(values[k], values[k + 1]).extend(0.0);
-    Ray { start: at(0), direction: at(2) }
+/// The shift by which V is drawn above the ray.
+const V_SHIFT: DVec2 = dvec2(-5.0, -14.0);
+
+/// A ray in the plane z = 0, and a point on it.
+struct RayFigure {
+    ray: Ray,
+    /// The t of the point.
+    t: f64,
 }
 
-/// How many V the point is from S.
-fn t(values: &[f64]) -> f64 {
-    values[4] / ray(values).direction.length()
+impl RayFigure {
+    fn new(values: &[f64]) -> Self {
+        let [s_x, s_y, v_x, v_y, distance] = array(values);
+        let start = dvec2(s_x, s_y).extend(0.0);
+        let direction = dvec2(v_x, v_y).extend(0.0);
+        Self { ray: Ray { start, direction }, t: distance / direction.length() }
+    }
+
+    /// The place of r(t) in the drawing.
+    fn place(&self, t: f64) -> DVec2 {
+        VIEW.place(self.ray.at(t).truncate())
+    }
+
+    /// The place of the tip of V.
+    fn tip(&self) -> DVec2 {
+        self.place(1.0) + V_SHIFT
+    }
 }
 
-/// Whether a place is in the drawing, with room for what marks it.
+/// Whether a place is in the drawing, with room for a mark.
 fn is_inside(place: DVec2) -> bool {
     place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
 }
 
-/// Where in the drawing r(t) is.
-fn at(values: &[f64], t: f64) -> DVec2 {
-    VIEW.at(ray(values).at(t).truncate())
-}
-
-/// V is drawn above the ray, and not on it.
-const BESIDE: DVec2 = dvec2(-5.0, -14.0);
-
-fn draw(values: &[f64]) -> Drawing {
-    let at = |t: f64| at(values, t);
-    let v = at(1.0) - at(0.0);
-    // The whole t that are in the drawing, with room for a label below.
-    let room = dvec2(26.0, 32.0);
-    let has_room = |t: &f64| at(*t).clamp(room, SIZE - room) == at(*t);
-    let end = (0..).map(|k| 0.1 * f64::from(k));
-    let end = end.take_while(|t| is_inside(at(*t))).last().unwrap_or(0.0);
+fn draw(figure: &RayFigure) -> Drawing {
+    let place = |t: f64| figure.place(t);
+    let v = place(1.0) - place(0.0);
     let mut drawing = Drawing::new(SIZE.x, SIZE.y);
-    drawing.line("guide", at(0.0) - 90.0 * v.normalize(), at(0.0));
-    drawing.arrow("ray", at(0.0), at(end));
-    drawing.arrow("vector", at(0.0) + BESIDE, at(1.0) + BESIDE);
-    drawing.label("strong", at(0.5) + 2.0 * BESIDE, "$V$");
-    // Where V is short or steep, some of the labels would lie on others.
+    let steps = (0..).map(|k| 0.1 * f64::from(k));
+    let end = steps.take_while(|t| is_inside(place(*t))).last().unwrap_or(0.0);
+    drawing.line("guide", place(0.0) - 90.0 * v.normalize(), place(0.0));
+    drawing.arrow("ray", place(0.0), place(end));
+    drawing.arrow("vector", place(0.0) + V_SHIFT, figure.tip());
+    drawing.label("strong", place(0.5) + 2.0 * V_SHIFT, "$V$");
+    // Each whole t that has room gets a label; where V is short or steep, only some do.
     let step = (52.0 / v.x.abs().max(1.7 * v.y.abs())).ceil();
+    let margin = dvec2(26.0, 32.0);
     for t in (-1..40).map(|k| if k < 0 { -0.5 } else { step * f64::from(k) }) {
-        let has_name = 0.0 <= t || step == 1.0;
-        if has_room(&t) && has_name {
-            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, at(t));
-            let label = format!("$t$ = {}", number(t));
-            drawing.label("quiet", at(t) + dvec2(9.0, 25.0), &label);
+        let has_room = place(t).clamp(margin, SIZE - margin) == place(t);
+        if has_room && (0.0 <= t || step == 1.0) {
+            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
+            let label = format!("$t$ = {}", format_number(t));
+            drawing.label("quiet", place(t) + dvec2(9.0, 25.0), &label);
         }
     }
-    match v.x < 0.0 {
-        true => drawing.label_from("strong", at(0.0) + dvec2(12.0, -16.0), "$S$"),
-        false => drawing.label_to("strong", at(0.0) + dvec2(-14.0, -10.0), "$S$"),
+    if v.x < 0.0 {
+        let start = place(0.0) + dvec2(12.0, -16.0);
+        drawing.label_starting_at("strong", start, "$S$");
+    } else {
+        let end = place(0.0) + dvec2(-14.0, -10.0);
+        drawing.label_ending_at("strong", end, "$S$");
     }
-    let moving = t(values);
-    let sign = if moving < 0.0 { '−' } else { '+' };
-    let times = digits(2, moving.abs());
-    let times = if times == "1" { "" } else { &times };
-    let label = format!("$S$ {sign} {times}$V$");
-    // Above V and its name, where the point is beside them.
-    let is_beside = (-10.0..v.length() + 70.0).contains(&(moving * v.length()));
-    let up = if is_beside { 52.0 } else { 16.0 };
-    let place = at(moving) - dvec2(8.0, up);
-    if is_inside(at(moving)) {
-        drawing.label_to("", place.max(dvec2(76.0, 18.0)), &label);
-    }
+    draw_point_label(&mut drawing, figure.t, place(figure.t), v.length());
     drawing
 }
 
-/// A ray with the points at several t, and one that stays at its distance from S when V
+/// The label S + tV of the point, above V and its name if the point is beside them.
+fn draw_point_label(drawing: &mut Drawing, t: f64, point: DVec2, v_length: f64) {
+    if !is_inside(point) {
+        return;
+    }
+    let sign = if t < 0.0 { '−' } else { '+' };
+    let factor = format_rounded(t.abs(), 2);
+    let factor = if factor == "1" { "" } else { &factor };
+    let is_beside_v = (-10.0..v_length + 70.0).contains(&(t * v_length));
+    let height = if is_beside_v { 52.0 } else { 16.0 };
+    let end = (point - dvec2(8.0, height)).max(dvec2(76.0, 18.0));
+    drawing.label_ending_at("", end, &format!("$S$ {sign} {factor}$V$"));
+}
+
+/// A ray with the points at several t, and one that keeps its distance from S when V
 /// is made longer.
 pub fn figure() -> Live {
     Live {
@@ -79,53 +97,59 @@ pub fn figure() -> Live {
         caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
                   $V$ has length {{#number ray:length}}, and the point {{#number ray:point}} has $t = {{#number ray:t}}$. \
                   <span class='move'>Make $V$ longer. The point stays: what's its $t$ now?</span>",
-        knobs: vec![
-            Knob::turned(0.0, [-2.0, 7.0], 10.0),
-            Knob::turned(0.0, [-1.0, 3.0], 10.0),
-            Knob::turned(2.4, [-4.0, 7.0], 10.0),
-            Knob::turned(0.7, [-4.0, 4.0], 10.0),
-            Knob::turned(5.0, [-2.0, 8.0], 10.0),
+        parameters: vec![
+            Parameter::coordinate(0.0, [-2.0, 7.0], 10.0),
+            Parameter::coordinate(0.0, [-1.0, 3.0], 10.0),
+            Parameter::coordinate(2.4, [-4.0, 7.0], 10.0),
+            Parameter::coordinate(0.7, [-4.0, 4.0], 10.0),
+            Parameter::coordinate(5.0, [-2.0, 8.0], 10.0),
         ],
         handles: vec![
             Handle::new(
                 "the start S",
                 [0, 1],
-                |_, values| at(values, 0.0),
-                |_, _, to| VIEW.world(to),
+                |_, values| Some(RayFigure::new(values).place(0.0)),
+                |_, _, place| VIEW.point(place),
             ),
             Handle::new(
                 "the tip of V",
                 [2, 3],
-                |_, values| at(values, 1.0) + BESIDE,
-                |_, values, to| {
-                    VIEW.world(to - BESIDE) - dvec2(values[0], values[1])
+                |_, values| Some(RayFigure::new(values).tip()),
+                |_, values, place| {
+                    let start = RayFigure::new(values).ray.start.truncate();
+                    VIEW.point(place - V_SHIFT) - start
                 },
             ),
             Handle::new(
                 "the point at t",
                 [4, 4],
-                |_, values| at(values, t(values)),
-                |_, values, to| {
-                    let Ray { start, direction } = ray(values);
-                    let along = direction.normalize();
-                    let way = VIEW.world(to).extend(0.0) - start;
-                    DVec2::splat(way.dot(along))
+                |_, values| {
+                    let figure = RayFigure::new(values);
+                    Some(figure.place(figure.t))
+                },
+                |_, values, place| {
+                    let Ray { start, direction } = RayFigure::new(values).ray;
+                    let to_place = VIEW.point(place).extend(0.0) - start;
+                    DVec2::splat(to_place.dot(direction.normalize()))
                 },
             ),
         ],
         is_allowed: |values| {
-            let ends = [at(values, 0.0), at(values, 1.0) + BESIDE];
-            0.5 <= ray(values).direction.length() && ends.into_iter().all(is_inside)
+            let figure = RayFigure::new(values);
+            0.5 <= figure.ray.direction.length()
+                && is_inside(figure.place(0.0))
+                && is_inside(figure.tip())
         },
         numbers: |values| {
-            let (ray, t) = (ray(values), t(values));
-            let [x, y] = ray.at(t).truncate().to_array().map(|x| digits(2, x));
-            named([
-                ("length", digits(2, ray.direction.length())),
-                ("t", digits(2, t)),
+            let RayFigure { ray, t } = RayFigure::new(values);
+            let point = ray.at(t);
+            let [x, y] = [point.x, point.y].map(|number| format_rounded(number, 2));
+            collect_numbers([
+                ("length", format_rounded(ray.direction.length(), 2)),
+                ("t", format_rounded(t, 2)),
                 ("point", format!("({x}, {y})")),
             ])
         },
-        ..Live::new("ray", |values| Sight::Drawing(draw(values)))
+        ..Live::new("ray", |values| Output::Drawing(draw(&RayFigure::new(values))))
     }
 }

@@ -1,100 +1,79 @@
-//! A scene that is its reader's own: everything in it can be set, and it says its Rust.
+//! A scene of the reader's own: the picture of step 5 with everything in it to set, and
+//! its Rust.
 
 mod address;
-mod knobs;
+mod parameters;
 mod rust;
+mod scene;
 
-pub use address::opened;
+pub use address::parse_address;
+pub use scene::own_scene;
 
-use crate::live::{Handle, Live, named};
-use crate::pictures::pixel::{self, SIZE};
-use crate::pictures::{shaded, step01};
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::pictures::pixel_probe::{SIZE, place_of_point, point_at_place};
+use crate::pictures::render_scene;
+use crate::pictures::step01::{self, WIDESCREEN};
+use crate::{Handle, Live, Mark};
 use glam::{DVec2, DVec3};
-use knobs::{AMBIENT, FIELD_OF_VIEW, KNOBS, LIGHT, LIGHTS, SPHERE, SPHERES};
-use step05_phong::{
-    Attenuation, Camera, Light, Material, Matte, Object, PointLight, Scene, Sphere,
-};
+use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES, split};
+use step05_phong::Camera;
 
-/// The camera, whose picture has so many columns.
-fn camera(values: &[f64], columns: f64) -> Camera {
-    step01::camera(&[values[FIELD_OF_VIEW], 1.0, columns])
+/// The columns of the picture, and its field of view in degrees.
+fn columns_and_degrees(values: &[f64]) -> (f64, f64) {
+    let (settings, _, _) = split(values);
+    let [columns, degrees, _red, _green, _blue] = array(settings);
+    (columns, degrees)
 }
 
-/// What is in the reader's own scene, and the light to see it in.
-pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
-    // The first number of a thing is a switch.
-    let is_there = |thing: &&[f64]| thing[0] == 1.0;
-    let objects = (SPHERES..LIGHTS).step_by(SPHERE);
-    let lights = values[LIGHTS..].chunks(LIGHT);
-    Scene {
-        objects: objects
-            .filter(|&first| values[first] == 1.0)
-            .map(|first| object(KNOBS[first].group, &values[first..]))
-            .collect(),
-        ambient_light: DVec3::from_slice(&values[AMBIENT..]),
-        lights: lights.filter(is_there).map(light).collect(),
-    }
+/// The camera of the whole picture.
+fn camera(values: &[f64]) -> Camera {
+    let (_, degrees) = columns_and_degrees(values);
+    step01::camera(degrees, WIDESCREEN, SIZE.x)
 }
 
-fn object(name: &'static str, values: &[f64]) -> Object<Material> {
-    let centre = DVec3::from_slice(&values[1..]);
-    let matte = Matte::of(DVec3::from_slice(&values[7..]));
-    let (specular, shininess) = (DVec3::splat(values[5]), values[6] as i32);
-    Object {
-        name,
-        sphere: Sphere { centre, radius: values[4] },
-        material: Material { matte, specular, shininess },
-    }
-}
-
-fn light(values: &[f64]) -> Light {
-    let [a, b, c] = [values[10], values[11], values[12]];
-    let point_light = PointLight {
-        position: DVec3::from_slice(&values[1..]),
-        diffuse: DVec3::from_slice(&values[4..]),
-        attenuation: Attenuation { a, b, c },
-    };
-    Light { point_light, specular: DVec3::from_slice(&values[7..]) }
-}
-
-/// The place of a thing whose numbers begin there; left of the picture where it is left
-/// out. It stays as deep as it is.
-fn handle(first: usize) -> Handle {
+/// The handle of a sphere or light whose first parameter, its switch, is number `first`;
+/// x, y and z follow. It sets x and y.
+fn object_handle(first: usize) -> Handle {
     Handle::new(
-        KNOBS[first].group,
+        PARAMETERS[first].group,
         [first + 1, first + 2],
         |handle, values| {
-            let x = handle.knobs[0];
-            match values[x - 1] {
-                0.0 => DVec2::NEG_X,
-                _ => pixel::place(
-                    &camera(values, SIZE.x),
-                    DVec3::from_slice(&values[x..]),
-                ),
-            }
+            let x = handle.parameters[0];
+            let is_there = values[x - 1] == 1.0;
+            let position = DVec3::from_slice(&values[x..]);
+            let place = place_of_point(&camera(values), position);
+            place.filter(|_| is_there)
         },
-        |handle, values, to| {
-            let (camera, z) = (camera(values, SIZE.x), values[handle.knobs[1] + 1]);
-            pixel::point(&camera, to.clamp(DVec2::ZERO, SIZE), z)
+        |handle, values, place| {
+            let z = values[handle.parameters[1] + 1];
+            let inside = place.clamp(DVec2::ZERO, SIZE);
+            point_at_place(&camera(values), inside, z)
         },
     )
 }
 
-/// The picture of step 5, with everything in it to set, and its Rust.
-pub fn live() -> Live {
-    let spheres = (SPHERES..LIGHTS).step_by(SPHERE);
-    let things = spheres.chain((LIGHTS..KNOBS.len()).step_by(LIGHT));
+/// The picture of the scene.
+pub fn picture() -> Live {
+    let first_light = SETTINGS + SPHERES * SPHERE;
+    let spheres = (SETTINGS..first_light).step_by(SPHERE).map(object_handle);
+    let lights = (first_light..PARAMETERS.len()).step_by(LIGHT);
+    let lights =
+        lights.map(|first| Handle { mark: Mark::Light, ..object_handle(first) });
     Live {
-        knobs: KNOBS.clone(),
-        handles: things.map(handle).collect(),
+        parameters: PARAMETERS.clone(),
+        handles: spheres.chain(lights).collect(),
         numbers: |values| {
-            named([
-                ("rust", rust::text(&own_scene(values), values[FIELD_OF_VIEW])),
-                ("address", address::address(&KNOBS, values)),
+            let (_, degrees) = columns_and_degrees(values);
+            collect_numbers([
+                ("rust", rust::program(&own_scene(values), degrees)),
+                ("address", address::format_address(&PARAMETERS, values)),
             ])
         },
         ..Live::new("own_scene", |values| {
-            shaded(&camera(values, values[0]), &own_scene(values))
+            let (columns, degrees) = columns_and_degrees(values);
+            let camera = step01::camera(degrees, WIDESCREEN, columns);
+            render_scene(&camera, &own_scene(values))
         })
     }
 }

@@ -1,18 +1,18 @@
-//! A scene as the Rust that its reader saves as an example of step 5.
+//! A scene as a Rust program, which the reader saves as an example of step 5.
 
 use glam::DVec3;
 use step05_phong::{Attenuation, Light, Material, Object, Scene};
 
 /// The program that draws the scene, with a camera of this field of view.
-pub fn text(scene: &Scene<Material, Light>, degrees: f64) -> String {
+pub fn program(scene: &Scene<Material, Light>, degrees: f64) -> String {
     let options = match degrees {
         60.0 => String::new(),
         degrees => format!(" -- --fov {degrees}"),
     };
-    let ball_is_used = used(!scene.objects.is_empty());
-    let lamp_is_used = used(!scene.lights.is_empty());
-    let objects = list(scene.objects.iter().map(ball));
-    let lights = list(scene.lights.iter().map(lamp));
+    let ball_attribute = dead_code_attribute(scene.objects.is_empty());
+    let lamp_attribute = dead_code_attribute(scene.lights.is_empty());
+    let objects = lines(scene.objects.iter().map(ball_call));
+    let lights = lines(scene.lights.iter().map(lamp_call));
     let DVec3 { x: red, y: green, z: blue } = scene.ambient_light;
     format!(
         r#"//! A scene of your own. This draws it:
@@ -26,7 +26,7 @@ use step05_phong::{{
 }};
 
 /// A ball of one colour that mirrors `r_s` of the light; `n` is its shininess.
-{ball_is_used}fn ball(
+{ball_attribute}fn ball(
     name: &'static str,
     centre: [f64; 3],
     radius: f64,
@@ -40,7 +40,7 @@ use step05_phong::{{
 }}
 
 /// A lamp: where it is, L_d, L_s, and a, b and c.
-{lamp_is_used}fn lamp(
+{lamp_attribute}fn lamp(
     position: [f64; 3],
     diffuse: [f64; 3],
     specular: [f64; 3],
@@ -73,34 +73,36 @@ fn main() {{
     )
 }
 
-/// Spares its reader the warning about a function that is called nowhere.
-fn used(is_used: bool) -> &'static str {
-    if is_used { "" } else { "#[allow(dead_code)]\n" }
+/// The attribute that allows a function to be unused, where it is.
+fn dead_code_attribute(is_unused: bool) -> &'static str {
+    if is_unused { "#[allow(dead_code)]\n" } else { "" }
 }
 
 /// Each item in a line of its own.
-fn list(items: impl Iterator<Item = String>) -> String {
+fn lines(items: impl Iterator<Item = String>) -> String {
     let lines: String =
         items.map(|item| format!("\n            {item},")).collect();
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
 
 /// A call of `ball`.
-fn ball(Object { name, sphere, material }: &Object<Material>) -> String {
-    let (centre, colour) = (array(sphere.centre), array(material.matte.diffuse));
+fn ball_call(Object { name, sphere, material }: &Object<Material>) -> String {
+    let (centre, colour) =
+        (array_literal(sphere.centre), array_literal(material.matte.diffuse));
     let (r_s, n) = (material.specular.x, material.shininess);
     format!("ball({name:?}, {centre}, {:?}, {colour}, {r_s:?}, {n})", sphere.radius)
 }
 
 /// A call of `lamp`, with a line for each of its arguments.
-fn lamp(Light { point_light, specular }: &Light) -> String {
+fn lamp_call(Light { point_light, specular }: &Light) -> String {
     let Attenuation { a, b, c } = point_light.attenuation;
-    let all =
+    let vectors =
         [point_light.position, point_light.diffuse, *specular, DVec3::new(a, b, c)];
-    let lines = all.map(|one| format!("\n                {},", array(one)));
+    let lines = vectors
+        .map(|vector| format!("\n                {},", array_literal(vector)));
     format!("lamp({}\n            )", lines.concat())
 }
 
-fn array(vector: DVec3) -> String {
+fn array_literal(vector: DVec3) -> String {
     format!("{:?}", vector.to_array())
 }

@@ -1,19 +1,19 @@
-//! The pictures that answer, each drawn by its step.
+//! The live pictures, each drawn by its step.
 
-mod numbers;
-pub mod pixel;
+pub mod pixel_probe;
+mod pixel_trace;
 pub mod step01;
 mod step02;
 pub mod step03;
 mod step04;
 mod step05;
 
-use crate::{Live, Sight};
-use step05_phong::{Camera, Light, Material, Object, Ray, Scene, nearest};
+use crate::{Live, Output};
+use step05_phong::{Camera, Light, Material, Scene};
 #[cfg(not(target_arch = "wasm32"))]
 use step05_phong::{colour, render};
 
-/// Every picture that shows a step.
+/// The picture of each step.
 pub fn all() -> [Live; 5] {
     [
         step01::picture(),
@@ -29,21 +29,13 @@ pub fn short_name(name: &str) -> &str {
     name.trim_end_matches(" sphere")
 }
 
-/// What `camera` sees of a scene of step 5, one ray a pixel. In a page, the example
-/// `fast` draws it, as a dragged picture has to follow; the tests compare what it draws
-/// with `colour`.
-pub fn shaded(camera: &Camera, scene: &Scene<Material, Light>) -> Sight {
+/// The picture of a scene of step 5, one ray a pixel. In a page, the example `fast` draws
+/// it, as a dragged picture has to follow; the tests compare it with `colour`.
+pub fn render_scene(camera: &Camera, scene: &Scene<Material, Light>) -> Output {
     #[cfg(target_arch = "wasm32")]
     let picture =
         exercises::fast::draw(fearless_simd::Level::new(), camera, 1, scene);
     #[cfg(not(target_arch = "wasm32"))]
     let picture = render(camera, 1, |ray| colour(scene, ray));
-    Sight::Picture(picture)
-}
-
-/// Which object a ray meets first, and its t.
-fn met<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f64)> {
-    let hit = nearest(objects, ray)?;
-    let k = objects.iter().position(|one| std::ptr::eq(one, hit.object))?;
-    Some((k, hit.t))
+    Output::Picture(picture)
 }

@@ -1,39 +1,52 @@
-use crate::live::{Knob, Live, Sight};
+use crate::parameter::array;
+use crate::{Live, Output, Parameter};
 use step01_rays::{AspectRatio, Camera, Ray, direction_colour, render};
 
-/// The lecture's four; 16:9 is printed.
-pub fn aspect_ratio() -> Knob {
-    Knob::choice("aspect ratio", 1.0, &["4:3", "16:9", "2.35:1", "2.59:1"])
+/// The aspect ratio of the course's pictures.
+pub const WIDESCREEN: AspectRatio = AspectRatio { width: 16.0, height: 9.0 };
+
+/// One of the lecture's four aspect ratios; 16:9 is the default.
+pub fn aspect_ratio_parameter() -> Parameter {
+    let names = &["4:3", "16:9", "2.35:1", "2.59:1"];
+    Parameter::choice("aspect ratio", 1.0, names)
 }
 
-const SHAPES: [[f64; 2]; 4] = [[4.0, 3.0], [16.0, 9.0], [2.35, 1.0], [2.59, 1.0]];
-
-/// The camera whose first values are its field of view, its shape and its columns.
-pub fn camera(values: &[f64]) -> Camera {
-    let [width, height] = SHAPES[values[1] as usize];
-    let columns = values[2] as u32;
-    let rows = AspectRatio { width, height }.v_res(columns);
-    Camera::new(columns, rows, values[0].to_radians())
+/// The aspect ratio of a value of that parameter.
+pub fn aspect_ratio(choice: f64) -> AspectRatio {
+    match choice as u32 {
+        0 => AspectRatio { width: 4.0, height: 3.0 },
+        1 => WIDESCREEN,
+        2 => AspectRatio { width: 2.35, height: 1.0 },
+        _ => AspectRatio { width: 2.59, height: 1.0 },
+    }
 }
 
-/// The picture of step 1, with the field of view, the shape and the columns to set, and
-/// with unit vectors if asked for.
+/// The camera with this field of view, in degrees.
+pub fn camera(degrees: f64, aspect_ratio: AspectRatio, columns: f64) -> Camera {
+    let h_res = columns as u32;
+    Camera::new(h_res, aspect_ratio.v_res(h_res), degrees.to_radians())
+}
+
+/// The picture of step 1, with its camera to set, and unit vectors to switch on.
 pub fn picture() -> Live {
     Live {
-        knobs: vec![
-            Knob::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
-            aspect_ratio(),
-            Knob::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
-            Knob::switch("normalised", false),
+        parameters: vec![
+            Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
+            aspect_ratio_parameter(),
+            Parameter::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
+            Parameter::switch("normalised", false),
         ],
         ..Live::new("step01_rays", |values| {
-            let is_unit = values[3] == 1.0;
-            let colour = |ray: &Ray| {
-                let v = ray.direction;
-                let direction = if is_unit { v.normalize() } else { v };
-                direction_colour(&Ray { direction, ..*ray })
+            let [degrees, choice, columns, is_unit] = array(values);
+            let camera = camera(degrees, aspect_ratio(choice), columns);
+            let colour = |ray: &Ray| match is_unit {
+                1.0 => direction_colour(&Ray {
+                    direction: ray.direction.normalize(),
+                    ..*ray
+                }),
+                _ => direction_colour(ray),
             };
-            Sight::Picture(render(&camera(values), 1, colour))
+            Output::Picture(render(&camera, 1, colour))
         })
     }
 }

@@ -1,22 +1,24 @@
-use super::numbers::numbers;
-use super::pixel;
-use crate::figures::from_above;
-use crate::live::{Live, Sight};
+use super::pixel_probe::Probe;
+use super::pixel_trace::trace_pixel;
+use crate::figures::draw_from_above;
+use crate::{Companion, Live, Numbers, Output};
 use step03_nearest::{OBJECTS, colour, render};
 
-/// The picture of step 3, with a pixel to ask.
+/// The picture of step 3, with a probe.
 pub fn picture() -> Live {
     Live {
-        knobs: pixel::knobs(470.0, 120.0),
-        handles: vec![pixel::cross()],
+        parameters: Probe::parameters(470.0, 120.0),
+        handles: vec![Probe::handle()],
         numbers: |values| {
+            let (probe, _) = Probe::split(values);
             let colour = |ray: &_| colour(&OBJECTS, ray);
-            numbers(values, &OBJECTS, |_| None, colour)
+            trace_pixel(&probe, &OBJECTS, |_| Numbers::new(), colour)
         },
-        beside: Some(("from-above", from_above)),
+        companion: Some(Companion { name: "from-above", draw: draw_from_above }),
         ..Live::new("step03_nearest", |values| {
-            let camera = pixel::camera(values);
-            Sight::Picture(render(&camera, 1, |ray| colour(&OBJECTS, ray)))
+            let (probe, _) = Probe::split(values);
+            let colour = |ray: &_| colour(&OBJECTS, ray);
+            Output::Picture(render(&probe.camera(), 1, colour))
         })
     }
 }

@@ -1,37 +1,41 @@
-use super::numbers::{numbers, shading};
-use super::pixel;
-use crate::live::{Handle, Knob, Live, Sight};
+use super::pixel_probe::{self, Probe};
+use super::pixel_trace::{trace_pixel, trace_shading};
+use crate::{Handle, Live, Mark, Output, Parameter};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};
 use step05_phong::{Light, Material};
 
-/// The scene with its lamps where these values have them.
-fn scene(values: &[f64]) -> Scene<Matte, PointLight> {
+/// The probe, and the scene with both lights where these values have them.
+fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Matte, PointLight>) {
+    let (probe, others) = Probe::split(values);
+    let positions = others.chunks_exact(3).map(DVec3::from_slice);
     let mut scene = step04_diffuse::scene();
-    for (light, first) in scene.lights.iter_mut().zip([3, 6]) {
-        light.position = DVec3::from_slice(&values[first..]);
+    for (light, position) in scene.lights.iter_mut().zip(positions) {
+        light.position = position;
     }
-    scene
+    (probe, scene)
 }
 
-/// A lamp whose x, y and z are three values; it stays as deep as it is.
-fn handle(words: &str, x: usize) -> Handle {
-    Handle::new(
+/// The handle of a light whose x, y and z are three parameters; z stays.
+fn light_handle(words: &str, x: usize) -> Handle {
+    let handle = Handle::new(
         words,
         [x, x + 1],
         |handle, values| {
-            let position = DVec3::from_slice(&values[handle.knobs[0]..]);
-            pixel::place(&crate::camera(), position)
+            let position = DVec3::from_slice(&values[handle.parameters[0]..]);
+            pixel_probe::place_of_point(&crate::camera(), position)
         },
-        |handle, values, to| {
-            let inside = to.clamp(DVec2::splat(24.0), pixel::SIZE - 24.0);
-            pixel::point(&crate::camera(), inside, values[handle.knobs[1] + 1])
+        |handle, values, place| {
+            let inside = place.clamp(DVec2::splat(24.0), pixel_probe::SIZE - 24.0);
+            let z = values[handle.parameters[1] + 1];
+            pixel_probe::point_at_place(&crate::camera(), inside, z)
         },
-    )
+    );
+    Handle { mark: Mark::Light, ..handle }
 }
 
-/// The same for step 5, in which nothing shines.
-fn matte(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
+/// The scene as one of step 5, without highlights.
+fn phong_scene(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     let specular = DVec3::ZERO;
     let objects = scene.objects.iter().map(|object| {
         let matte = object.material;
@@ -47,35 +51,41 @@ fn matte(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     }
 }
 
-/// The picture of step 4: its lamps to move, and a pixel to ask.
+/// The picture of step 4: its lights to move, and a probe.
 pub fn picture() -> Live {
-    let mut knobs = pixel::knobs(470.0, 120.0);
+    let mut parameters = Probe::parameters(470.0, 120.0);
     let (warm, cool) = (WARM.position, COOL.position);
-    let positions = [
+    let coordinates = [
         (["x", "of the warm light", ""], warm.x, [-8.0, 8.0]),
         (["y", "of the warm light", ""], warm.y, [-1.0, 8.0]),
         (["z", "of the warm light", ""], warm.z, [-12.0, 2.0]),
-        // Wherever these bring it, the cool light is in the picture.
+        // Everywhere in these ranges, the cool light is in the picture.
         (["x", "of the cool light", ""], cool.x, [-6.0, 6.0]),
         (["y", "of the cool light", ""], cool.y, [-3.4, 3.4]),
         (["z", "of the cool light", ""], cool.z, [-16.0, -11.0]),
     ];
-    knobs.extend(
-        positions.map(|(words, value, range)| Knob::new(words, value, range, 10.0)),
-    );
-    let lamps = [handle("the warm light", 3), handle("the cool light", 6)];
+    parameters
+        .extend(coordinates.map(|(words, value, range)| {
+            Parameter::new(words, value, range, 10.0)
+        }));
     Live {
-        knobs,
-        handles: [pixel::cross()].into_iter().chain(lamps).collect(),
+        parameters,
+        handles: vec![
+            Probe::handle(),
+            light_handle("the warm light", 3),
+            light_handle("the cool light", 6),
+        ],
         numbers: |values| {
-            let scene = scene(values);
-            let shading = |ray: &Ray| shading(&matte(&scene), ray);
+            let (probe, scene) = probe_and_scene(values);
+            let trace_shading =
+                |ray: &Ray| trace_shading(&phong_scene(&scene), ray);
             let colour = |ray: &Ray| colour(&scene, ray);
-            numbers(values, &scene.objects, shading, colour)
+            trace_pixel(&probe, &scene.objects, trace_shading, colour)
         },
         ..Live::new("step04_diffuse", |values| {
-            let (camera, scene) = (pixel::camera(values), scene(values));
-            Sight::Picture(render(&camera, 1, |ray| colour(&scene, ray)))
+            let (probe, scene) = probe_and_scene(values);
+            let colour = |ray: &Ray| colour(&scene, ray);
+            Output::Picture(render(&probe.camera(), 1, colour))
         })
     }
 }

@@ -1,63 +1,77 @@
-use super::numbers::{numbers, shading};
-use super::{pixel, shaded};
-use crate::live::{Knob, Live};
+use super::pixel_probe::Probe;
+use super::pixel_trace::{trace_pixel, trace_shading};
+use super::render_scene;
+use crate::parameter::array;
+use crate::{Live, Parameter};
 use glam::DVec3;
 use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest};
 
-/// The scene in the light of the terms that are switched on, that of the others being 0;
-/// each object has the n and the R_s of these values.
-fn scene(values: &[f64]) -> Scene<Material, Light> {
+/// The probe, and the scene in which each term has its factor, 0 or 1, and each object
+/// its n and R_s.
+fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Material, Light>) {
+    let (probe, others) = Probe::split(values);
+    let (terms, materials) = others.split_at(3);
+    let [ambient, diffuse, specular] = array(terms);
+    let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
     let mut scene = step05_phong::scene();
-    scene.ambient_light *= values[3];
+    scene.ambient_light *= ambient;
     for light in &mut scene.lights {
-        light.point_light.diffuse *= values[4];
-        light.specular *= values[5];
+        light.point_light.diffuse *= diffuse;
+        light.specular *= specular;
     }
-    let materials = values[6..15].iter().zip(&values[15..]);
+    let materials = shininesses.iter().zip(reflectances);
     for (object, (n, r_s)) in scene.objects.iter_mut().zip(materials) {
         object.material.shininess = *n as i32;
         object.material.specular = DVec3::splat(*r_s);
     }
-    scene
+    (probe, scene)
 }
 
-/// A knob for the material of each object; the one of the object that is asked is shown.
-fn knobs(
+/// A parameter of each object's material; the page has a control for that of the object
+/// at the probe.
+fn material_parameters(
     symbol: &'static str,
-    value: fn(&Material) -> f64,
+    default: fn(&Material) -> f64,
     range: [f64; 2],
-    steps: f64,
-) -> impl Iterator<Item = Knob> {
+    steps_per_unit: f64,
+) -> impl Iterator<Item = Parameter> {
     let objects = step05_phong::scene().objects.into_iter();
-    objects.map(move |object| Knob {
-        words: format!("of the {}", object.name),
-        is_shown: |knob, values| {
-            let hit = nearest(&OBJECTS, &pixel::ray(values));
-            hit.is_some_and(|hit| knob.words.ends_with(hit.object.name))
-        },
-        ..Knob::new([symbol, "", ""], value(&object.material), range, steps)
+    objects.map(move |object| {
+        let default = default(&object.material);
+        Parameter {
+            words: format!("of the {}", object.name),
+            has_control: |parameter, values| {
+                let (probe, _) = Probe::split(values);
+                let hit = nearest(&OBJECTS, &probe.ray());
+                hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
+            },
+            ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
+        }
     })
 }
 
-/// The picture of step 5: each term to switch off, a pixel to ask, and the material
-/// of what it shows to set.
+/// The picture of step 5: each term to switch off, a probe, and the material of the object
+/// there to set.
 pub fn picture() -> Live {
-    let mut all = pixel::knobs(470.0, 120.0);
+    let mut parameters = Probe::parameters(470.0, 120.0);
     let terms = ["ambient", "diffuse", "specular"];
-    all.extend(terms.map(|term| Knob::switch(term, true)));
-    all.extend(knobs("n", |material| material.shininess.into(), [1.0, 300.0], 1.0));
-    all.extend(knobs("Rₛ", |material| material.specular.x, [0.0, 1.0], 20.0));
+    parameters.extend(terms.map(|term| Parameter::switch(term, true)));
+    let shininess = |material: &Material| f64::from(material.shininess);
+    let reflectance = |material: &Material| material.specular.x;
+    parameters.extend(material_parameters("n", shininess, [1.0, 300.0], 1.0));
+    parameters.extend(material_parameters("Rₛ", reflectance, [0.0, 1.0], 20.0));
     Live {
-        knobs: all,
-        handles: vec![pixel::cross()],
+        parameters,
+        handles: vec![Probe::handle()],
         numbers: |values| {
-            let scene = scene(values);
-            let shading = |ray: &Ray| shading(&scene, ray);
+            let (probe, scene) = probe_and_scene(values);
+            let trace_shading = |ray: &Ray| trace_shading(&scene, ray);
             let colour = |ray: &Ray| colour(&scene, ray);
-            numbers(values, &scene.objects, shading, colour)
+            trace_pixel(&probe, &scene.objects, trace_shading, colour)
         },
         ..Live::new("step05_phong", |values| {
-            shaded(&pixel::camera(values), &scene(values))
+            let (probe, scene) = probe_and_scene(values);
+            render_scene(&probe.camera(), &scene)
         })
     }
 }

@@ -1,0 +1,156 @@
+use crate::View;
+use crate::symbol::{escape, symbol_spans};
+use glam::{DVec2, dvec2};
+
+/// A drawing in SVG: x runs right and y down, and a line of text is about 20 high.
+///
+/// Every element has a class, and gets its colours from the style sheet of the theme.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    size: DVec2,
+    body: String,
+}
+
+impl Drawing {
+    /// An empty drawing; one 480 wide fills the column of text.
+    pub fn new(width: f64, height: f64) -> Self {
+        Self { size: dvec2(width, height), body: String::new() }
+    }
+
+    /// A straight line.
+    pub fn line(&mut self, class: &str, start: DVec2, end: DVec2) {
+        self.path(class, &[start, end]);
+    }
+
+    /// An arrow whose tip is at `tip`.
+    pub fn arrow(&mut self, class: &str, start: DVec2, tip: DVec2) {
+        let along = (tip - start).normalize_or(DVec2::X);
+        let back = tip - 9.0 * along;
+        self.line(class, start, back + 2.0 * along);
+        let side = 3.8 * along.perp();
+        self.area(&format!("{class} head"), &[tip, back + side, back - side]);
+    }
+
+    /// A line through all `points`.
+    pub fn path(&mut self, class: &str, points: &[DVec2]) {
+        self.body += &format!(
+            r#"<path class="{class}" d="{}"></path>"#,
+            path_commands(points)
+        );
+    }
+
+    /// The area whose corners are `points`.
+    pub fn area(&mut self, class: &str, points: &[DVec2]) {
+        self.body += &format!(
+            r#"<path class="{class} area" d="{}Z"></path>"#,
+            path_commands(points)
+        );
+    }
+
+    /// A rectangle, from its middle to its upper right corner.
+    pub fn rectangle(&mut self, class: &str, middle: DVec2, half: DVec2) {
+        let flip = dvec2(half.x, -half.y);
+        self.area(class, &[-half, flip, half, -flip].map(|corner| middle + corner));
+    }
+
+    /// A circle.
+    pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
+        let (x, y) = (centre.x, centre.y);
+        self.body += &format!(
+            r#"<circle class="{class}" cx="{x:.2}" cy="{y:.2}" r="{radius:.2}"></circle>"#
+        );
+    }
+
+    /// A small filled circle, which marks a point.
+    pub fn dot(&mut self, class: &str, centre: DVec2) {
+        self.circle(&format!("{class} dot"), centre, 4.5);
+    }
+
+    /// A pixel as a disc in its own colour.
+    pub fn pixel(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        [red, green, blue]: [u8; 3],
+    ) {
+        let (x, y) = (centre.x, centre.y);
+        self.body += &format!(
+            r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
+        );
+    }
+
+    /// An arc about `centre` from one angle to another, in radians from the x axis,
+    /// upwards.
+    pub fn arc(
+        &mut self,
+        class: &str,
+        centre: DVec2,
+        radius: f64,
+        [start, end]: [f64; 2],
+    ) {
+        let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
+        let view = View { origin: centre, scale: DVec2::splat(radius) };
+        let points: Vec<_> =
+            (0..=24).map(|k| view.place(DVec2::from_angle(angle(k)))).collect();
+        self.path(class, &points);
+    }
+
+    /// A text with its middle at a point, with symbols between dollar signs: `$V_0$`
+    /// is a V with a 0 below the line.
+    pub fn label(&mut self, class: &str, middle: DVec2, text: &str) {
+        self.text(class, middle, "middle", text);
+    }
+
+    /// A text that begins at a point.
+    pub fn label_starting_at(&mut self, class: &str, start: DVec2, text: &str) {
+        self.text(class, start, "start", text);
+    }
+
+    /// A text that ends at a point.
+    pub fn label_ending_at(&mut self, class: &str, end: DVec2, text: &str) {
+        self.text(class, end, "end", text);
+    }
+
+    fn text(&mut self, class: &str, place: DVec2, anchor: &str, text: &str) {
+        let spans: String = text
+            .split('$')
+            .enumerate()
+            .map(
+                |(k, part)| {
+                    if k % 2 == 0 { escape(part) } else { symbol_spans(part) }
+                },
+            )
+            .collect();
+        let (x, y) = (place.x, place.y);
+        self.body += &format!(
+            r#"<text class="{class}" x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{spans}</text>"#
+        );
+    }
+
+    /// The width and the height.
+    pub fn size(&self) -> [f64; 2] {
+        self.size.to_array()
+    }
+
+    /// The elements, as the children of an element of SVG.
+    pub fn body(&self) -> &str {
+        &self.body
+    }
+
+    /// The drawing as an element of HTML, with a `title` for those who can't see
+    /// it.
+    pub fn html(&self, title: &str) -> String {
+        let (width, height) = (self.size.x, self.size.y);
+        format!(
+            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title><g>{}</g></svg>"#,
+            escape(title),
+            self.body
+        )
+    }
+}
+
+/// The commands of a path through `points`.
+fn path_commands(points: &[DVec2]) -> String {
+    let pair = |point: &DVec2| format!("{:.2} {:.2}", point.x, point.y);
+    format!("M{}", points.iter().map(pair).collect::<Vec<_>>().join("L"))
+}

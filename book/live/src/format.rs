@@ -1,0 +1,25 @@
+//! Numbers as the book writes them, with a minus that is longer than a hyphen.
+
+/// At most four digits after the point.
+pub fn format_number(number: f64) -> String {
+    let text = format!("{number:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
+}
+
+/// At most so many digits after the point, up to four.
+pub fn format_rounded(number: f64, digits: i32) -> String {
+    let power = 10_f64.powi(digits);
+    format_number((number * power).round() / power)
+}
+
+/// Just so many digits after the point, zeros at the end included.
+pub fn format_fixed(number: f64, digits: usize) -> String {
+    format!("{number:.digits$}").replace('-', "−")
+}
+
+/// Three numbers as (x, y, z).
+pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
+    let [x, y, z] = vector.into().map(format_number);
+    format!("({x}, {y}, {z})")
+}

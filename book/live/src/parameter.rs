@@ -1,0 +1,105 @@
+use crate::format_number;
+
+/// A number that the reader sets, by a control below a figure or by a handle in it.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The symbol, in the letters of the formulas; empty if there is none.
+    pub symbol: &'static str,
+    /// The name in words; empty if only a handle sets it.
+    pub words: String,
+    /// The default value, with which the book is printed.
+    pub default: f64,
+    /// The smallest and the largest value.
+    pub range: [f64; 2],
+    /// The number of allowed values from one whole number to the next.
+    pub steps_per_unit: f64,
+    /// The meaning of the value.
+    pub kind: Kind,
+    /// Whether, at these values of all parameters, the page has a control for it.
+    pub has_control: fn(&Parameter, &[f64]) -> bool,
+    /// The object that it belongs to, where a page has the controls of one object at a
+    /// time; otherwise empty.
+    pub group: &'static str,
+}
+
+/// The meaning of a parameter's value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A number in this unit, such as °.
+    Number(&'static str),
+    /// One of these names, by its place in the list.
+    Choice(&'static [&'static str]),
+    /// 1 for on, 0 for off.
+    Switch,
+}
+
+impl Parameter {
+    /// A number with a symbol, words and a unit.
+    pub fn new(
+        [symbol, words, unit]: [&'static str; 3],
+        default: f64,
+        range: [f64; 2],
+        steps_per_unit: f64,
+    ) -> Self {
+        Self {
+            symbol,
+            words: words.into(),
+            default,
+            range,
+            steps_per_unit,
+            kind: Kind::Number(unit),
+            has_control: |_, _| true,
+            group: "",
+        }
+    }
+
+    /// A number that a handle sets, without words.
+    pub fn coordinate(default: f64, range: [f64; 2], steps_per_unit: f64) -> Self {
+        Self::new(["", "", ""], default, range, steps_per_unit)
+    }
+
+    /// One of several names.
+    pub fn choice(
+        words: &'static str,
+        default: f64,
+        names: &'static [&'static str],
+    ) -> Self {
+        let range = [0.0, (names.len() - 1) as f64];
+        let kind = Kind::Choice(names);
+        Self { kind, ..Self::new(["", words, ""], default, range, 1.0) }
+    }
+
+    /// A switch.
+    pub fn switch(words: &'static str, is_on: bool) -> Self {
+        let default = f64::from(is_on);
+        let kind = Kind::Switch;
+        Self { kind, ..Self::new(["", words, ""], default, [0.0, 1.0], 1.0) }
+    }
+
+    /// The allowed value that is nearest to `value`.
+    pub fn nearest_allowed(&self, value: f64) -> f64 {
+        let [min, max] = self.range;
+        let rounded = (value * self.steps_per_unit).round() / self.steps_per_unit;
+        // Adding 0 makes a 0 of −0.
+        rounded.clamp(min, max) + 0.0
+    }
+
+    /// A value as the page writes it.
+    pub fn format(&self, value: f64) -> String {
+        match self.kind {
+            Kind::Number(unit) => format_number(value) + unit,
+            Kind::Choice(names) => names[value as usize].to_string(),
+            Kind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
+        }
+    }
+}
+
+/// The values of N parameters, to be named one by one.
+///
+/// # Panics
+///
+/// Panics if there are not N: a request with another number of values gets an error
+/// before.
+pub fn array<const N: usize>(values: &[f64]) -> [f64; N] {
+    values.try_into().expect("a value for each parameter")
+}

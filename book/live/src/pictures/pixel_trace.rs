@@ -1,0 +1,98 @@
+//! The trace of a pixel: every number on the way from its ray to its three bytes.
+
+use super::pixel_probe::Probe;
+use super::short_name;
+use crate::live::collect_numbers;
+use crate::{Numbers, discriminant, format_number, format_vector};
+use glam::DVec3;
+use step01_rays::{Ray, direction_colour, rgb8};
+use step05_phong::{
+    Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect,
+    visible_point,
+};
+
+/// The trace of the probe's pixel; `trace_shading` adds what lies between the nearest hit
+/// and the colour.
+pub fn trace_pixel<M>(
+    probe: &Probe,
+    objects: &[Object<M>],
+    trace_shading: impl FnOnce(&Ray) -> Numbers,
+    colour: impl Fn(&Ray) -> DVec3,
+) -> Numbers {
+    let ray = probe.ray();
+    let mut numbers = collect_numbers([
+        ("i", format_number(probe.i)),
+        ("j", format_number(probe.j)),
+        ("V", format_vector(ray.direction)),
+        ("sum", format_vector(colour(&ray))),
+        ("bytes", format_vector(rgb8(colour(&ray)).0.map(f64::from))),
+    ]);
+    for (k, Object { sphere, .. }) in objects.iter().enumerate() {
+        let (a, b, c) = sphere.coefficients(&ray);
+        let d = discriminant(sphere, &ray);
+        let roots = sphere.intersect(&ray);
+        let format_root = |t: Option<f64>| t.map_or("–".into(), format_number);
+        let row = [
+            ("a", format_number(a)),
+            ("b", format_number(b)),
+            ("c", format_number(c)),
+            ("D", format_number(d)),
+            ("near", format_root(roots.iter().next())),
+            ("far", format_root(roots.iter().last())),
+        ];
+        numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
+    }
+    // A ray has either a nearest hit or a colour of the sky; the other is empty.
+    let empty = String::new();
+    let [object, t, sky] = match nearest(objects, &ray) {
+        Some(Hit { object, t }) => {
+            [short_name(object.name).into(), format_number(t), empty]
+        }
+        None => [empty.clone(), empty, format_vector(direction_colour(&ray))],
+    };
+    numbers.extend(collect_numbers([("object", object), ("t", t), ("sky", sky)]));
+    numbers.extend(trace_shading(&ray));
+    numbers
+}
+
+/// The numbers from the point that a ray sees to the terms, and those of each light;
+/// empty for the sky.
+pub fn trace_shading(scene: &Scene<Material, Light>, ray: &Ray) -> Numbers {
+    let Some(point) = visible_point(&scene.objects, ray) else {
+        return Numbers::new();
+    };
+    let SurfacePoint { p, n, material } = point;
+    let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
+    let v = -ray.direction.normalize();
+    let mut numbers = collect_numbers([
+        ("p", format_vector(p)),
+        ("n", format_vector(n)),
+        ("v", format_vector(v)),
+        ("shininess", material.shininess.to_string()),
+        ("ambient", format_vector(terms.ambient)),
+        ("diffuse", format_vector(terms.diffuse)),
+        ("specular", format_vector(terms.specular)),
+    ]);
+    for (light, name_of_light) in scene.lights.iter().zip(["warm", "cool"]) {
+        let (l, d) = light.point_light.direction_from(p);
+        let r = reflect(n, l);
+        let power = r.dot(v).max(0.0).powi(material.shininess);
+        let divisor = light.point_light.attenuation.divisor(d);
+        let terms = phong(&point, ray, DVec3::ZERO, &[*light]);
+        let column = [
+            ("l", format_vector(l)),
+            ("d", format_number(d)),
+            ("divisor", format_number(divisor)),
+            ("nl", format_number(n.dot(l))),
+            ("diffuse", format_vector(terms.diffuse)),
+            ("r", format_vector(r)),
+            ("rv", format_number(r.dot(v))),
+            ("power", format_number(power)),
+            ("specular", format_vector(terms.specular)),
+        ];
+        numbers.extend(
+            column.map(|(name, text)| (format!("{name} {name_of_light}"), text)),
+        );
+    }
+    numbers
+}

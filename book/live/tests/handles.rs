@@ -1,0 +1,143 @@
+//! Handles lead to values, and values to the numbers of the chapters.
+
+use glam::{DVec2, DVec3, dvec2};
+use live::{LIVE, Live, Mark, find};
+
+fn find_live(name: &str) -> &'static Live {
+    find(name).expect("a figure or picture")
+}
+
+/// A number of the text at these values: one, or the entries of a vector.
+fn parse_number(live: &Live, values: &[f64], name: &str) -> Vec<f64> {
+    let text = (live.numbers)(values).remove(name).expect(name);
+    let text = text.replace('−', "-");
+    let entries = text.trim_matches(['(', ')']).split(", ");
+    entries.filter_map(|entry| entry.parse().ok()).collect()
+}
+
+fn parse_vector(live: &Live, values: &[f64], name: &str) -> DVec3 {
+    DVec3::from_slice(&parse_number(live, values, name))
+}
+
+#[test]
+fn dragged_handle_of_a_picture_is_near_the_pointer() {
+    let pictures = LIVE.iter().filter(|live| live.name.starts_with("step"));
+    let handles = pictures
+        .flat_map(|live| live.handles.iter().map(move |handle| (live, handle)));
+    let pointer = dvec2(400.0, 150.0);
+    let count = handles
+        .map(|(live, handle)| {
+            let values = live.drag(&live.default_values(), handle, pointer);
+            let place = handle.place(&values.expect("allowed values"));
+            let distance = place.expect("a place").distance(pointer);
+            assert!(distance < 20.0, "{}: {}", live.name, handle.words);
+        })
+        .count();
+    assert_eq!(count, 7);
+}
+
+#[test]
+fn light_that_is_moved_by_keys_stays_inside_the_picture() {
+    let live = find_live("step04_diffuse");
+    let warm = &live.handles[1];
+    assert_eq!(warm.mark, Mark::Light);
+    let mut values = live.default_values();
+    values[3..6].copy_from_slice(&[0.0, 0.5, -4.0]);
+    for _ in 0..100 {
+        values = live.step(&values, warm, dvec2(1.0, 0.0)).expect("allowed values");
+    }
+    let place = warm.place(&values).expect("a place");
+    assert_eq!(place, place.clamp(DVec2::ZERO, dvec2(640.0, 360.0)));
+}
+
+#[test]
+fn light_behind_the_eye_has_no_place() {
+    let live = find_live("step04_diffuse");
+    let warm = &live.handles[1];
+    let mut values = live.default_values();
+    for (z, has_place) in [(-2.0, true), (0.0, false), (2.0, false)] {
+        values[3..6].copy_from_slice(&[0.0, 0.5, z]);
+        assert_eq!(warm.place(&values).is_some(), has_place, "z = {z}");
+        let new = live.step(&values, warm, dvec2(1.0, 0.0));
+        assert_eq!(new.is_some(), has_place, "z = {z}");
+    }
+}
+
+#[test]
+fn p_plus_d_times_l_is_the_position_of_the_light() {
+    let live = find_live("step04_diffuse");
+    let mut values = live.default_values();
+    values[3..].copy_from_slice(&[-1.0, 2.0, -4.0, 2.5, -1.0, -13.0]);
+    let p = parse_vector(live, &values, "p");
+    for (light, x) in [("warm", 3), ("cool", 6)] {
+        let l = parse_vector(live, &values, &format!("l {light}"));
+        let d = parse_number(live, &values, &format!("d {light}"))[0];
+        let position = DVec3::from_slice(&values[x..]);
+        assert!((p + d * l).abs_diff_eq(position, 0.01), "{light}: {}", p + d * l);
+    }
+}
+
+#[test]
+fn material_controls_are_those_of_the_sphere_at_the_probe() {
+    let live = find_live("step05_phong");
+    for (pixel, colour) in [([583.0, 215.0], "teal"), ([262.0, 132.0], "red")] {
+        let mut values = live.default_values();
+        values[..2].copy_from_slice(&pixel);
+        let has_control = |k: &usize| {
+            let parameter = &live.parameters[*k];
+            (parameter.has_control)(parameter, &values)
+        };
+        let controls: Vec<_> =
+            (6..live.parameters.len()).filter(has_control).collect();
+        let [n, r_s] = controls[..] else { panic!("{colour}: {controls:?}") };
+        assert!(live.parameters[n].words.contains(colour));
+        let specular = parse_vector(live, &values, "specular");
+        assert_ne!(specular, DVec3::ZERO, "{colour} has a highlight there");
+        (values[n], values[r_s]) = (7.0, 0.0);
+        assert_eq!(parse_number(live, &values, "shininess"), [7.0]);
+        assert_eq!(parse_vector(live, &values, "specular"), DVec3::ZERO);
+    }
+}
+
+#[test]
+fn scene_from_above_marks_every_root() {
+    let live = find_live("step03_nearest");
+    let companion = live.companion.expect("the scene from above");
+    for ([i, j], count) in [([195.0, 237.0], 7), ([600.0, 20.0], 0)] {
+        let values = [i, j, 640.0];
+        let names = (0..9).flat_map(|k| [format!("near{k}"), format!("far{k}")]);
+        let roots = names.flat_map(|name| parse_number(live, &values, &name));
+        // The drawing ends at 13.2.
+        assert_eq!(roots.filter(|t| *t < 13.2).count(), count);
+        let drawing = (companion.draw)(&values);
+        let dots = ["\"ray dot\"", "\"behind dot\""]
+            .map(|class| drawing.body().matches(class).count());
+        assert_eq!(dots.iter().sum::<usize>(), count);
+    }
+}
+
+#[test]
+fn angle_of_the_drawn_light_is_that_of_the_caption() {
+    let live = find_live("phong-vectors");
+    for turn in [-30.0, 0.0, 25.0, 70.0] {
+        let place = live.handles[0].place(&[turn]).expect("a place");
+        let angle = live::degrees_left(dvec2(240.0, 240.0), place);
+        let number = parse_number(live, &[turn], "angle")[0];
+        assert!((angle - number).abs() < 0.1, "{angle}, {number}");
+    }
+}
+
+#[test]
+fn ratio_of_an_oval_is_as_the_chapter_derives() {
+    let live = find_live("eggs");
+    let alpha = 8_f64.to_radians();
+    for (theta, phi) in [(60.0, 20_f64), (100.0, 40.0), (140.0, 60.0)] {
+        assert_eq!(parse_number(live, &[theta], "phi"), [phi]);
+        let phi = phi.to_radians();
+        let length = (phi + alpha).tan() - (phi - alpha).tan();
+        let width =
+            2.0 * alpha.sin() / (phi.cos().powi(2) - alpha.sin().powi(2)).sqrt();
+        let ratio = parse_number(live, &[theta], "times")[0];
+        assert!((ratio - length / width).abs() <= 0.051, "{ratio}");
+    }
+}
