@@ -15,11 +15,11 @@ static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
     all.collect()
 });
 
-/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, the
-/// minus of a value as it is written here.
+/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
+/// `minus` in the values: − in a text, a hyphen in code.
 pub fn in_text(text: &str, minus: &str) -> Result<String, String> {
     replace(text, "{{#", "}}", |directive| match directive.split_once(' ') {
-        Some(("value", name)) => Ok(values::get(name)?.replace('-', minus)),
+        Some(("value", name)) => Ok(values::get(name)?.replace('−', minus)),
         Some(("number", which)) => html("span", which),
         _ => Err(format!(
             "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
@@ -35,7 +35,7 @@ pub fn in_formula(
 ) -> Result<String, String> {
     let marked =
         replace(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
-            Some(("value", name)) => values::get(name),
+            Some(("value", name)) => Ok(values::get(name)?.replace('−', "-")),
             Some(("number", which)) => Ok(format!("\\text{{⟦{which}⟧}}")),
             _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
         })?;

@@ -64,6 +64,25 @@ fn a_value_has_the_minus_of_its_place() {
 }
 
 #[test]
+fn a_value_is_of_a_pixel_or_a_figure_or_a_function() {
+    let pixel = right("{{#value step05_phong:470,120:bytes}}");
+    assert!(pixel.contains("(228, 215, 255)"), "{pixel}");
+    assert!(right("{{#value row:D}}").contains("0.1925"));
+    assert!(right("{{#value half-angle 1}}").contains("60.0"));
+    for name in [
+        "step05_phong:470,360:bytes",
+        "step05_phong:470:bytes",
+        "step05_phong:nothing",
+        "row:470,120:D",
+        "half-angle",
+        "half-angle 1 2",
+        "camera-tan 1",
+    ] {
+        wrong(&format!("It is {{{{#value {name}}}}}.\n"), 1, "no value");
+    }
+}
+
+#[test]
 fn a_directive_has_its_place() {
     wrong("One.\n\n{{#figure nowhere}}\n", 3, "no figure nowhere");
     wrong("See {{#figure ray}} here.\n", 1, "stands alone");
@@ -97,9 +116,13 @@ fn every_figure_and_every_value_is_used() {
     let figures = live::LIVE
         .iter()
         .filter(|live| !live.title.is_empty())
-        .map(|live| format!("{{{{#figure {}}}}}", live.name));
-    let values = values::names().map(|name| format!("{{{{#value {name}}}}}"));
-    let unused = figures.chain(values).filter(|one| !chapters.contains(one));
+        .map(|live| format!("{{{{#figure {}", live.name));
+    let values = values::names().map(|name| format!("{{{{#value {name}"));
+    let unused = figures.chain(values).filter(|directive| {
+        ["}}", " "]
+            .iter()
+            .all(|end| !chapters.contains(&format!("{directive}{end}")))
+    });
     assert_eq!(unused.collect::<Vec<_>>(), [""; 0]);
 }
 

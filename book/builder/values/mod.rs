@@ -1,43 +1,118 @@
-//! The numbers of the chapters, computed when the book is built.
+//! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
+//!
+//! - `LIVE:NAME` is a number of a figure at its defaults, such as `row:D`;
+//! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
+//! - `NAME X` is a function of a number, such as `half-angle 40`;
+//! - `NAME` is any other.
+//!
+//! A minus is one (−); code and formulas get a hyphen where it is put in.
 
 mod lecture_errata;
-mod measure;
-mod next;
+mod rays;
 mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
+mod way_back;
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use glam::DVec3;
+use live::{format_fixed, format_number, format_vector};
 
-/// A number of a worked example, by name.
-type Value = (&'static str, fn() -> String);
-
-/// All values by their names. Each is computed once, when a page first asks for it.
-static KNOWN: LazyLock<BTreeMap<&str, LazyLock<String>>> = LazyLock::new(|| {
-    let lists = [
-        step01::VALUES,
-        step02::VALUES,
-        step03::VALUES,
-        step04::VALUES,
-        step05::VALUES,
-        lecture_errata::VALUES,
-        next::VALUES,
-    ];
-    let values = lists.into_iter().flatten();
-    values.map(|&(name, value)| (name, LazyLock::new(value))).collect()
-});
-
-/// The name of every value.
-#[cfg(test)]
-pub fn names() -> impl Iterator<Item = &'static str> {
-    KNOWN.keys().copied()
+/// A number with the way it is written.
+pub enum Value {
+    /// At most four digits after the point.
+    Number(f64),
+    /// So many digits after the point.
+    Fixed(usize, f64),
+    /// A comma between thousands.
+    Count(usize),
+    /// (x, y, z).
+    Vector(DVec3),
+    /// A vector as a column of a formula.
+    Column(DVec3),
 }
 
-/// The value of this name, with a hyphen for a minus.
-pub fn get(name: &str) -> Result<String, String> {
-    let value = KNOWN.get(name).map(|value| value.replace('−', "-"));
-    value.ok_or(format!("there is no value {name}"))
+/// The value of a name with the numbers behind it; None if it is of another chapter.
+type ChapterValue = fn(&str, &[f64]) -> Option<Value>;
+
+const CHAPTERS: [ChapterValue; 7] = [
+    step01::value,
+    step02::value,
+    step03::value,
+    step04::value,
+    step05::value,
+    lecture_errata::value,
+    way_back::value,
+];
+
+/// The name of every value, as it stands in the sources.
+#[cfg(test)]
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let sources = [
+        include_str!("step01.rs"),
+        include_str!("step02.rs"),
+        include_str!("step03.rs"),
+        include_str!("step04.rs"),
+        include_str!("step05.rs"),
+        include_str!("lecture_errata.rs"),
+        include_str!("way_back.rs"),
+    ];
+    let lines = sources.into_iter().flat_map(str::lines);
+    lines.filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next())
+}
+
+/// The text of `{{#value …}}`.
+pub fn get(text: &str) -> Result<String, String> {
+    let number = match text.split_once(':') {
+        Some((live, number)) => live_number(live, number),
+        None => chapter_value(text),
+    };
+    number.ok_or_else(|| format!("there is no value {text}"))
+}
+
+/// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
+/// picture with a probe.
+fn live_number(live: &str, number: &str) -> Option<String> {
+    let live = live::find(live)?;
+    let mut values = live.default_values();
+    let mut name = number;
+    if let Some((pixel, traced)) = number.split_once(':')
+        && live.has_probe()
+    {
+        let (i, j) = pixel.split_once(',')?;
+        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
+        name = traced;
+    }
+    let is_allowed = live.nearest_allowed(&values)? == values;
+    is_allowed.then(|| (live.numbers)(&values).remove(name))?
+}
+
+/// A value such as `camera-tan`, or such as `half-angle 40`.
+fn chapter_value(text: &str) -> Option<String> {
+    let mut words = text.split(' ');
+    let name = words.next()?;
+    let arguments: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
+    let arguments = arguments?;
+    Some(match CHAPTERS.iter().find_map(|value| value(name, &arguments))? {
+        Value::Number(number) => format_number(number),
+        Value::Fixed(digits, number) => format_fixed(number, digits),
+        Value::Count(count) => format_count(count),
+        Value::Vector(vector) => format_vector(vector),
+        Value::Column(vector) => format_column(vector),
+    })
+}
+
+fn format_count(count: usize) -> String {
+    let digits = count.to_string();
+    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
+    let digits = digits.char_indices();
+    digits
+        .map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" }))
+        .collect()
+}
+
+fn format_column(vector: DVec3) -> String {
+    let [x, y, z] = vector.to_array().map(format_number);
+    format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
 }

@@ -1,113 +1,99 @@
 //! The numbers of chapter 2.
 
-use super::Value;
-use super::measure::{
-    ahead, camera, counted, discriminant, number, pixels, tenths, vector,
-};
+use super::Value::{self, Count, Fixed, Number, Vector};
+use super::rays::{camera, count_rays, discriminant, length_in_pixels, pixel_ray};
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
 
-pub const VALUES: &[Value] = &[
-    ("sphere-a", || number(SPHERE.coefficients(&pixel()).0)),
-    ("sphere-b", || number(SPHERE.coefficients(&pixel()).1)),
-    ("sphere-c", || number(SPHERE.coefficients(&pixel()).2)),
-    ("sphere-discriminant", || number(discriminant(&SPHERE, &pixel()))),
-    ("sphere-near", || number(near(&pixel()))),
-    ("step02-axis-a", || number(SPHERE.coefficients(&axis()).0)),
-    ("step02-axis-b", || number(SPHERE.coefficients(&axis()).1)),
-    ("step02-axis-c", || number(SPHERE.coefficients(&axis()).2)),
-    ("step02-behind-b", || number(SPHERE.coefficients(&ahead(0.0, -10.0)).1)),
-    ("step02-behind-near", || number(near(&ahead(0.0, -10.0)))),
-    ("step02-behind-far", || number(far(&ahead(0.0, -10.0)))),
-    ("step02-axis-near", || number(near(&axis()))),
-    ("step02-axis-far", || number(far(&axis()))),
-    ("step02-v-x", || number(pixel().direction.x)),
-    ("step02-v-y", || number(pixel().direction.y)),
-    ("step02-far", || number(far(&pixel()))),
-    ("step02-point", || vector(point())),
-    ("step02-long", || number(pixel().direction.length())),
-    ("step02-distance", || number(point().length())),
-    ("step02-rays", || counted(|_| 1)),
-    ("step02-touches", || {
-        counted(|ray| (discriminant(&SPHERE, ray) == 0.0).into())
-    }),
-    ("step02-edge", || number((1.0_f64 / 24.0).sqrt())),
-    ("step02-edge-pixels", || tenths(pixels((1.0_f64 / 24.0).sqrt()))),
-    ("step02-fifth-pixels", || tenths(pixels(0.2))),
-    ("step02-rim-radius", || format!("{:.2}", rim().0)),
-    ("step02-rim-depth", || number(rim().1)),
-    ("step02-columns", || {
-        let shows = |&i: &u32| is_met(&camera().ray(i.into(), 180.0));
-        (0..640).filter(shows).count().to_string()
-    }),
-    ("step02-without-a", || {
-        counted(|ray| {
+/// The value of this name.
+pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
+    Some(match (name, arguments) {
+        ("axis-b", &[z]) => Number(SPHERE.coefficients(&axis_ray(z)).1),
+        ("axis-c", &[z]) => Number(SPHERE.coefficients(&axis_ray(z)).2),
+        ("axis-D", &[z]) => Number(discriminant(&SPHERE, &axis_ray(z))),
+        ("axis-near", &[z]) => Number(axis_roots(z).0),
+        ("axis-far", &[z]) => Number(axis_roots(z).1),
+        ("step02-point", []) => Vector(hit_point()),
+        ("step02-long", []) => Number(pixel_ray(PIXEL).direction.length()),
+        ("step02-distance", []) => Number(hit_point().length()),
+        ("step02-rays", []) => Count(count_rays(|_| true)),
+        ("step02-touches", []) => {
+            Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0))
+        }
+        ("step02-edge", []) => Number(image_radius()),
+        ("step02-edge-pixels", []) => Fixed(1, length_in_pixels(image_radius())),
+        ("step02-fifth-pixels", []) => Fixed(1, length_in_pixels(0.2)),
+        ("step02-rim-radius", []) => Fixed(2, rim_radius_and_distance().0),
+        ("step02-rim-depth", []) => Number(rim_radius_and_distance().1),
+        ("step02-columns", []) => {
+            let columns = 0..camera().h_res;
+            Count(columns.filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
+        }
+        ("step02-without-a", []) => Count(count_rays(|ray| {
             let (_, b, c) = SPHERE.coefficients(ray);
-            (quadratic(1.0, b, c) != Roots::Zero).into()
-        })
-    }),
-    ("step02-normalised", || {
-        counted(|ray| {
+            quadratic(1.0, b, c) != Roots::Zero
+        })),
+        ("step02-normalised", []) => Count(count_rays(|ray| {
             let unit = Ray { direction: ray.direction.normalize(), ..*ray };
-            (is_met(ray) != is_met(&unit)).into()
-        })
-    }),
-    ("step02-edge-misses", || edge_rays(|d| d < 0.0)),
-    ("step02-edge-touches", || edge_rays(|d| d == 0.0)),
-    ("step02-edge-crosses", || edge_rays(|d| 0.0 < d)),
-];
-
-/// The ray from the origin along −z.
-fn axis() -> Ray {
-    ahead(0.0, 0.0)
+            has_hit(ray) != has_hit(&unit)
+        })),
+        ("step02-edge-misses", []) => Count(count_edge_rays(|d| d < 0.0)),
+        ("step02-edge-touches", []) => Count(count_edge_rays(|d| d == 0.0)),
+        ("step02-edge-crosses", []) => Count(count_edge_rays(|d| 0.0 < d)),
+        _ => return None,
+    })
 }
 
-/// The ray through the pixel in column 300, row 150.
-fn pixel() -> Ray {
-    camera().ray(300.0, 150.0)
+/// The pixel of the worked example.
+const PIXEL: [u32; 2] = [300, 150];
+
+/// A ray along −z that starts at (0, 0, z).
+fn axis_ray(z: f64) -> Ray {
+    Ray { start: z * DVec3::Z, direction: DVec3::NEG_Z }
 }
 
-/// The smaller root of `ray` and the sphere.
-fn near(ray: &Ray) -> f64 {
-    SPHERE.intersect(ray).iter().next().expect("a root")
+/// The smaller and the larger root of that ray.
+fn axis_roots(z: f64) -> (f64, f64) {
+    let Roots::Two(near, far) = SPHERE.intersect(&axis_ray(z)) else {
+        unreachable!("the axis meets the sphere")
+    };
+    (near, far)
 }
 
-/// The larger root.
-fn far(ray: &Ray) -> f64 {
-    SPHERE.intersect(ray).iter().last().expect("a root")
+/// The point where the ray of the worked example meets the sphere.
+fn hit_point() -> DVec3 {
+    let ray = pixel_ray(PIXEL);
+    ray.at(SPHERE.intersect(&ray).first_hit().expect("a hit"))
 }
 
-/// Where it meets the sphere.
-fn point() -> DVec3 {
-    pixel().at(near(&pixel()))
-}
-
-fn is_met(ray: &Ray) -> bool {
+fn has_hit(ray: &Ray) -> bool {
     SPHERE.intersect(ray).first_hit().is_some()
+}
+
+/// The radius of the sphere's image on the image plane.
+fn image_radius() -> f64 {
+    (1.0_f64 / 24.0).sqrt()
 }
 
 /// The radius of the circle in which the rays that touch the sphere do so, and its
 /// distance from the eye.
-fn rim() -> (f64, f64) {
+fn rim_radius_and_distance() -> (f64, f64) {
     let Sphere { centre, radius } = SPHERE;
     let square_of_cosine = 1.0 - radius * radius / centre.length_squared();
     (radius * square_of_cosine.sqrt(), centre.length() * square_of_cosine)
 }
 
-/// How many of 360 rays around the sphere of radius 1 at (1, 2, −5) have a D that
-/// `is_so` holds for.
-///
-/// In real numbers every one of them touches it.
-fn edge_rays(is_so: impl Fn(f64) -> bool) -> String {
+/// The number of those of 360 rays of whose discriminant the predicate holds; in real
+/// numbers, each ray touches the sphere of radius 1 at (1, 2, −5).
+fn count_edge_rays(predicate: impl Fn(f64) -> bool) -> usize {
     let sphere = Sphere { centre: DVec3::new(1.0, 2.0, -5.0), radius: 1.0 };
     let axis = sphere.centre.normalize();
     let (u, v) = axis.any_orthonormal_pair();
     let (sin, cos) = (1.0 / sphere.centre.length()).asin().sin_cos();
-    let ray = |degrees: u32| {
+    let discriminants = (0..360).map(|degrees| {
         let side = DVec2::from_angle(f64::from(degrees).to_radians());
         let direction = cos * axis + sin * (side.x * u + side.y * v);
-        Ray { start: DVec3::ZERO, direction }
-    };
-    let is_so = |&degrees: &u32| is_so(discriminant(&sphere, &ray(degrees)));
-    (0..360).filter(is_so).count().to_string()
+        discriminant(&sphere, &Ray { start: DVec3::ZERO, direction })
+    });
+    discriminants.filter(|d| predicate(*d)).count()
 }

@@ -1,140 +1,132 @@
 //! The numbers of chapter 3.
 
-use super::Value;
-use super::measure::{both, camera, counted, number, pixels, tenths, vector};
+use super::Value::{self, Count, Fixed, Number, Vector};
+use super::rays::{camera, count_rays, length_in_pixels, pixel_ray, sum_over_rays};
 use glam::DVec3;
-use std::sync::LazyLock;
 use step02_sphere::Roots;
-use step03_nearest::{Hit, OBJECTS, Object, Ray, Sphere, nearest};
+use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
-pub const VALUES: &[Value] = &[
-    ("step03-tests", || counted(|_| SCENE.len())),
-    ("step03-hits", || counted(|ray| hits(ray).count())),
-    ("step03-wins", || counted(|ray| hits(ray).count().min(1))),
-    ("step03-last", || counted(|ray| is_wrong(ray, hits(ray).last()))),
-    ("step03-first", || counted(|ray| is_wrong(ray, hits(ray).next()))),
-    ("step03-ties", || {
-        counted(|ray| {
-            let t = nearest(&SCENE, ray).map(|hit| hit.t);
-            hits(ray).filter(|hit| Some(hit.t) == t).count().saturating_sub(1)
-        })
-    }),
-    ("step03-behind", || {
-        counted(|ray| (sphere(4).intersect(ray) != Roots::Zero).into())
-    }),
-    ("step03-red", || both(sphere(0), &crowded())),
-    ("step03-ground", || both(sphere(1), &crowded())),
-    ("step03-blue", || both(sphere(3), &crowded())),
-    ("step03-green", || both(sphere(4), &crowded())),
-    ("step03-meets", || {
-        let met = |object: &&Object<_>| {
-            object.sphere.intersect(&crowded()) != Roots::Zero
-        };
-        SCENE.iter().filter(met).count().to_string()
-    }),
-    ("step03-nearest", || {
-        nearest(&SCENE, &crowded()).map_or("none".to_string(), |hit| number(hit.t))
-    }),
-    ("step03-check-centre", || {
-        vector(
-            (1..)
-                .zip(OBJECTS)
-                .map(|(k, o)| f64::from(k) * o.sphere.centre)
-                .sum::<DVec3>(),
-        )
-    }),
-    ("step03-check-radius", || {
-        number(
-            (1..).zip(OBJECTS).map(|(k, o)| f64::from(k) * o.sphere.radius).sum(),
-        )
-    }),
-    ("step03-check-colour", || {
-        vector(
-            (1..)
-                .zip(OBJECTS)
-                .map(|(k, o)| f64::from(k) * o.material)
-                .sum::<DVec3>(),
-        )
-    }),
-    ("step03-gap", || {
-        let gap = |s: &Sphere| {
-            let apart = s.centre.distance(sphere(1).centre);
-            (apart - sphere(1).radius - s.radius).abs()
-        };
-        let gaps = [0, 2, 3, 5, 6, 7].map(|index| gap(sphere(index)));
-        number(gaps.into_iter().fold(0.0, f64::max))
-    }),
-    ("step03-edge-left", || ground_row(0.0)),
-    ("step03-edge-middle", || ground_row(320.0)),
-    ("step03-phi", || tenths(cone(6).0.to_degrees())),
-    ("step03-alpha", || tenths(cone(6).1.to_degrees())),
-    ("step03-inner", || in_pixels(cone(6).0.tan() - (cone(6).0 - cone(6).1).tan())),
-    ("step03-outer", || in_pixels((cone(6).0 + cone(6).1).tan() - cone(6).0.tan())),
-    ("step03-off", || {
-        let (phi, alpha) = cone(6);
-        let middle = ((phi - alpha).tan() + (phi + alpha).tan()) / 2.0;
-        tenths(pixels(middle - phi.tan()))
-    }),
-    ("step03-long", || in_pixels(oval(6).0)),
-    ("step03-wide", || in_pixels(oval(6).1)),
-    ("step03-red-long", || in_pixels(oval(0).0)),
-    ("step03-red-wide", || in_pixels(oval(0).1)),
-    ("step03-eye", || format!("{:.2}", -0.5 / camera().matrix.z_axis.x)),
-];
-
-/// The objects of the scene, each of which says its place in the list.
-static SCENE: LazyLock<Vec<Object<usize>>> = LazyLock::new(|| {
-    let objects = OBJECTS.into_iter().enumerate();
-    objects.map(|(place, object)| object.with_material(place)).collect()
-});
-
-fn sphere(place: usize) -> &'static Sphere {
-    &SCENE[place].sphere
-}
-
-/// The first hit of `ray` with each object that it meets, in their order.
-fn hits(ray: &Ray) -> impl Iterator<Item = Hit<'static, usize>> {
-    SCENE.iter().filter_map(|object| {
-        Some(Hit { t: object.sphere.intersect(ray).first_hit()?, object })
+/// The value of this name.
+pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
+    Some(match (name, arguments) {
+        ("step03-tests", []) => Count(sum_over_rays(|_| OBJECTS.len())),
+        ("step03-hits", []) => Count(sum_over_rays(|ray| hits(ray).count())),
+        ("step03-wins", []) => Count(count_rays(|ray| hits(ray).next().is_some())),
+        ("step03-last", []) => {
+            Count(count_rays(|ray| hits(ray).last() != winner(ray)))
+        }
+        ("step03-first", []) => {
+            Count(count_rays(|ray| hits(ray).next() != winner(ray)))
+        }
+        ("step03-ties", []) => Count(sum_over_rays(|ray| {
+            let least = winner(ray).map(|(_, t)| t);
+            let ties = hits(ray).filter(|(_, t)| Some(*t) == least);
+            ties.count().saturating_sub(1)
+        })),
+        ("step03-behind", []) => {
+            Count(count_rays(|ray| line_meets(ray, &OBJECTS[4])))
+        }
+        ("step03-meets", []) => {
+            let ray = pixel_ray([195, 237]);
+            Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
+        }
+        ("step03-check-centre", []) => Vector(weighted_sum(|o| o.sphere.centre)),
+        ("step03-check-radius", []) => {
+            Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x)
+        }
+        ("step03-check-colour", []) => Vector(weighted_sum(|o| o.material)),
+        ("step03-gap", []) => {
+            let ground = OBJECTS[1].sphere;
+            let gaps = [0, 2, 3, 5, 6, 7].map(|k| {
+                let Sphere { centre, radius } = OBJECTS[k].sphere;
+                (centre.distance(ground.centre) - ground.radius - radius).abs()
+            });
+            Number(gaps.into_iter().fold(0.0, f64::max))
+        }
+        ("ground-row", &[column]) => Count(first_ground_row(column)),
+        ("step03-phi", []) => Fixed(1, WHITE.phi().to_degrees()),
+        ("step03-alpha", []) => Fixed(1, WHITE.alpha().to_degrees()),
+        ("step03-inner", []) => {
+            Fixed(2, length_in_pixels(WHITE.phi().tan() - WHITE.start()))
+        }
+        ("step03-outer", []) => {
+            Fixed(2, length_in_pixels(WHITE.end() - WHITE.phi().tan()))
+        }
+        ("step03-off", []) => {
+            let middle = (WHITE.start() + WHITE.end()) / 2.0;
+            Fixed(1, length_in_pixels(middle - WHITE.phi().tan()))
+        }
+        ("step03-long", []) => Fixed(2, length_in_pixels(WHITE.length())),
+        ("step03-wide", []) => Fixed(2, length_in_pixels(WHITE.width())),
+        ("step03-red-long", []) => Fixed(2, length_in_pixels(RED.length())),
+        ("step03-red-wide", []) => Fixed(2, length_in_pixels(RED.width())),
+        ("step03-eye", []) => Fixed(2, -0.5 / camera().matrix.z_axis.x),
+        _ => return None,
     })
 }
 
-/// 1 where `hit` is not with the nearest object, otherwise 0.
-fn is_wrong(ray: &Ray, hit: Option<Hit<usize>>) -> usize {
-    let place = |hit: Hit<usize>| hit.object.material;
-    (hit.map(place) != nearest(&SCENE, ray).map(place)).into()
+/// The first hit of a ray with each object, and its t, in the order of the list.
+fn hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
+    OBJECTS.iter().filter_map(|object| {
+        Some((object.name, object.sphere.intersect(ray).first_hit()?))
+    })
 }
 
-/// The ray through the pixel in column 195, row 237.
-fn crowded() -> Ray {
-    camera().ray(195.0, 237.0)
+/// The nearest of the hits.
+fn winner(ray: &Ray) -> Option<(&'static str, f64)> {
+    nearest(&OBJECTS, ray).map(|hit| (hit.object.name, hit.t))
 }
 
-/// The first row in which a column of the picture would show the ground, were it
-/// alone.
-fn ground_row(column: f64) -> String {
-    let shows = |&j: &u32| {
-        let ray = camera().ray(column, j.into());
-        sphere(1).intersect(&ray).first_hit().is_some()
-    };
-    (0..360).find(shows).map_or("none".to_string(), |j| j.to_string())
+/// Whether the line of a ray, with the part behind the eye, meets an object.
+fn line_meets(ray: &Ray, object: &Object<DVec3>) -> bool {
+    object.sphere.intersect(ray) != Roots::Zero
 }
 
-/// The angles of the cone of rays that touch a sphere of the scene: φ from −z to its
-/// axis, and α from its axis to its side.
-fn cone(place: usize) -> (f64, f64) {
-    let Sphere { centre, radius } = sphere(place);
-    (DVec3::NEG_Z.angle_between(*centre), (radius / centre.length()).asin())
+/// The sum over the objects of a vector times the object's number, from 1 to 9.
+fn weighted_sum(vector: impl Fn(&Object<DVec3>) -> DVec3) -> DVec3 {
+    (1..).zip(&OBJECTS).map(|(k, object)| f64::from(k) * vector(object)).sum()
 }
 
-/// How long and how wide the oval is in which that cone cuts the image plane.
-fn oval(place: usize) -> (f64, f64) {
-    let (phi, alpha) = cone(place);
-    let long = (phi + alpha).tan() - (phi - alpha).tan();
-    let root = (phi.cos().powi(2) - alpha.sin().powi(2)).sqrt();
-    (long, 2.0 * alpha.sin() / root)
+/// The first row in which a column of the picture would show the ground, were it alone.
+fn first_ground_row(column: f64) -> usize {
+    let ground = OBJECTS[1].sphere;
+    let rays = (0..).map(|j| camera().ray(column, f64::from(j)));
+    rays.take_while(|ray| ground.intersect(ray).first_hit().is_none()).count()
 }
 
-fn in_pixels(length: f64) -> String {
-    format!("{:.2}", pixels(length))
+/// The oval in which the image plane cuts the cone of rays that touch a sphere.
+struct Oval(Sphere);
+
+const RED: Oval = Oval(OBJECTS[0].sphere);
+const WHITE: Oval = Oval(OBJECTS[6].sphere);
+
+impl Oval {
+    /// The angle from −z to the axis of the cone.
+    fn phi(&self) -> f64 {
+        DVec3::NEG_Z.angle_between(self.0.centre)
+    }
+
+    /// The angle from the axis of the cone to its side.
+    fn alpha(&self) -> f64 {
+        (self.0.radius / self.0.centre.length()).asin()
+    }
+
+    /// The distance from the middle of the picture to the near end.
+    fn start(&self) -> f64 {
+        (self.phi() - self.alpha()).tan()
+    }
+
+    /// The distance from the middle of the picture to the far end.
+    fn end(&self) -> f64 {
+        (self.phi() + self.alpha()).tan()
+    }
+
+    fn length(&self) -> f64 {
+        self.end() - self.start()
+    }
+
+    fn width(&self) -> f64 {
+        let (phi, sin) = (self.phi(), self.alpha().sin());
+        2.0 * sin / (phi.cos().powi(2) - sin.powi(2)).sqrt()
+    }
 }
