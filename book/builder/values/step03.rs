@@ -13,13 +13,13 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step03-hits", []) => Count(sum_over_rays(|ray| hits(ray).count())),
         ("step03-wins", []) => Count(count_rays(|ray| hits(ray).next().is_some())),
         ("step03-last", []) => {
-            Count(count_rays(|ray| hits(ray).last() != winner(ray)))
+            Count(count_rays(|ray| hits(ray).last() != nearest_hit(ray)))
         }
         ("step03-first", []) => {
-            Count(count_rays(|ray| hits(ray).next() != winner(ray)))
+            Count(count_rays(|ray| hits(ray).next() != nearest_hit(ray)))
         }
         ("step03-ties", []) => Count(sum_over_rays(|ray| {
-            let least = winner(ray).map(|(_, t)| t);
+            let least = nearest_hit(ray).map(|(_, t)| t);
             let ties = hits(ray).filter(|(_, t)| Some(*t) == least);
             ties.count().saturating_sub(1)
         })),
@@ -73,7 +73,7 @@ fn hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
 }
 
 /// The nearest of the hits.
-fn winner(ray: &Ray) -> Option<(&'static str, f64)> {
+fn nearest_hit(ray: &Ray) -> Option<(&'static str, f64)> {
     nearest(&OBJECTS, ray).map(|hit| (hit.object.name, hit.t))
 }
 

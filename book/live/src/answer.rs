@@ -45,15 +45,15 @@ fn try_answer(request: &str) -> Option<Answer> {
     let (verb, live) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
         return Some(match parse_address(live, words.next().unwrap_or_default()) {
-            Ok(values) => show(live, &values),
+            Ok(values) => full_answer(live, &values),
             Err(sentence) => error_answer(&sentence),
         });
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     match (verb, &numbers?[..]) {
-        ("about", _) => Some(describe(live)),
-        ("show", values) => Some(show(live, &live.nearest_allowed(values)?)),
-        ("tell", values) => Some(tell(live, &live.nearest_allowed(values)?)),
+        ("about", _) => Some(describe_handles(live)),
+        ("show", values) => Some(full_answer(live, &live.nearest_allowed(values)?)),
+        ("tell", values) => Some(text_answer(live, &live.nearest_allowed(values)?)),
         (_, [handle, x, y, values @ ..]) => {
             let handle = live.handles.get(*handle as usize)?;
             let (values, vector) = (live.nearest_allowed(values)?, dvec2(*x, *y));
@@ -64,7 +64,7 @@ fn try_answer(request: &str) -> Option<Answer> {
             };
             let new = new.unwrap_or(values);
             let is_probe = handle.mark == Mark::Probe;
-            let respond = if is_probe { tell } else { show };
+            let respond = if is_probe { text_answer } else { full_answer };
             Some(respond(live, &new))
         }
         _ => None,
@@ -72,7 +72,7 @@ fn try_answer(request: &str) -> Option<Answer> {
 }
 
 /// The handles and the default values; the controls are printed in the page.
-fn describe(live: &Live) -> Answer {
+fn describe_handles(live: &Live) -> Answer {
     let handles = live.handles.iter().map(|handle| {
         let [first, _] = handle.parameters;
         let [min, max] = live.parameters[first].range;
@@ -92,7 +92,7 @@ fn describe(live: &Live) -> Answer {
 }
 
 /// All that the page shows at these values.
-fn show(live: &Live, values: &[f64]) -> Answer {
+fn full_answer(live: &Live, values: &[f64]) -> Answer {
     let mut fields = text_fields(live, values);
     let mut pixels = vec![];
     match (live.draw)(values) {
@@ -108,7 +108,7 @@ fn show(live: &Live, values: &[f64]) -> Answer {
 }
 
 /// The same without the drawing or the pixels.
-fn tell(live: &Live, values: &[f64]) -> Answer {
+fn text_answer(live: &Live, values: &[f64]) -> Answer {
     Answer::of(text_fields(live, values))
 }
 

@@ -1,5 +1,6 @@
-//! What a page calls. It writes a request, and a file if there is one, into our memory and
-//! reads the answer from there; nothing here looks behind a pointer.
+//! The functions that a page calls. The page writes a request, and a file if there is one,
+//! into the module's memory and reads the answer from there; no pointer is dereferenced
+//! here.
 
 use crate::answer;
 use live::Answer;
@@ -11,7 +12,7 @@ thread_local! {
     static ANSWER: RefCell<Answer> = RefCell::default();
 }
 
-/// Room for a request of this many bytes.
+/// Makes room for a request of this many bytes.
 #[unsafe(no_mangle)]
 extern "C" fn live_request(length: usize) -> *mut u8 {
     REQUEST.with_borrow_mut(|request| {
@@ -20,7 +21,7 @@ extern "C" fn live_request(length: usize) -> *mut u8 {
     })
 }
 
-/// Room for a file of this many bytes, of which the next request speaks.
+/// Makes room for the file of the next request, of this many bytes.
 #[unsafe(no_mangle)]
 extern "C" fn live_file(length: usize) -> *mut u8 {
     FILE.with_borrow_mut(|file| {
@@ -29,7 +30,7 @@ extern "C" fn live_file(length: usize) -> *mut u8 {
     })
 }
 
-/// Answers the request that was written there.
+/// Answers the request that was written into its room.
 #[unsafe(no_mangle)]
 extern "C" fn live_answer() {
     let file = FILE.take();
@@ -39,25 +40,25 @@ extern "C" fn live_answer() {
     ANSWER.set(answer);
 }
 
-/// Where the text of the answer is.
+/// The address of the answer's text.
 #[unsafe(no_mangle)]
 extern "C" fn live_text() -> *const u8 {
     ANSWER.with_borrow(|answer| answer.text.as_ptr())
 }
 
-/// How many bytes of text there are.
+/// The length of the answer's text in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn live_text_length() -> usize {
     ANSWER.with_borrow(|answer| answer.text.len())
 }
 
-/// Where its pixels are.
+/// The address of the answer's pixels.
 #[unsafe(no_mangle)]
 extern "C" fn live_pixels() -> *const u8 {
     ANSWER.with_borrow(|answer| answer.pixels.as_ptr())
 }
 
-/// How many bytes of pixels there are.
+/// The length of the answer's pixels in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn live_pixels_length() -> usize {
     ANSWER.with_borrow(|answer| answer.pixels.len())

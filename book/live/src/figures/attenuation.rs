@@ -5,7 +5,7 @@ use glam::{DVec2, dvec2};
 use step04_diffuse::{Attenuation, WARM};
 
 /// The attenuation that the reader sets.
-fn own_attenuation(values: &[f64]) -> Attenuation {
+fn reader_attenuation(values: &[f64]) -> Attenuation {
     let [a, b, c] = array(values);
     Attenuation { a, b, c }
 }
@@ -15,8 +15,8 @@ fn light_share(attenuation: &Attenuation, d: f64) -> f64 {
     attenuation.divisor(0.0) / attenuation.divisor(d)
 }
 
-/// Three curves, and that of `own`.
-fn draw(own: &Attenuation) -> Drawing {
+/// Three curves, and that of the reader.
+fn draw(reader_attenuation: &Attenuation) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.25, 0.5, 0.75, 1.0] {
@@ -34,7 +34,7 @@ fn draw(own: &Attenuation) -> Drawing {
     drawing.arrow("axis", view.origin, view.place_xy(14.4, 0.0));
     drawing.arrow("axis", view.origin, view.place_xy(0.0, 1.14));
     let from_1 = |b, c| Attenuation { a: 1.0, b, c };
-    let is_warm = *own == WARM.attenuation;
+    let is_warm = *reader_attenuation == WARM.attenuation;
     // The name stands beside the curve, or where every curve begins.
     let (name, name_d, shift) = if is_warm {
         ("the warm light", 7.4, -12.0)
@@ -45,7 +45,7 @@ fn draw(own: &Attenuation) -> Drawing {
         (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
         (from_1(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
         (from_1(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
-        (*own, name_d, shift, name),
+        (*reader_attenuation, name_d, shift, name),
     ];
     for (k, (attenuation, d, shift, text)) in curves.into_iter().enumerate() {
         let class = &format!("curve curve-{}", k + 1);
@@ -87,11 +87,11 @@ pub fn figure() -> Live {
         })
         .into(),
         numbers: |values| {
-            let share = light_share(&own_attenuation(values), 6.0);
+            let share = light_share(&reader_attenuation(values), 6.0);
             collect_numbers([("share", format_number(share))])
         },
         ..Live::new("attenuation", |values| {
-            Output::Drawing(draw(&own_attenuation(values)))
+            Output::Drawing(draw(&reader_attenuation(values)))
         })
     }
 }

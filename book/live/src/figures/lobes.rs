@@ -11,12 +11,12 @@ fn reflection(light_angle: f64) -> DVec2 {
     DVec2::from_angle((90.0 - light_angle).to_radians())
 }
 
-/// The lobes of several n, `last` among them: the distance from the point, in the
+/// The lobes of several n, that of the reader among them: the distance from the point, in the
 /// direction v, is max(r·v, 0)ⁿ.
-fn draw(last: i32, r: DVec2) -> Drawing {
+fn draw(reader_n: i32, r: DVec2) -> Drawing {
     let mut drawing = Drawing::new(480.0, 300.0);
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    for (k, n) in [1, 10, 40, last].into_iter().enumerate() {
+    for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
             .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
             .map(|v| VIEW.place(highlight(r, v, n) * v))
@@ -39,9 +39,12 @@ fn draw(last: i32, r: DVec2) -> Drawing {
         VIEW.place(1.12 * r) + dvec2(6.0, -2.0),
         "$r$",
     );
-    for (n, angle, y) in
-        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (last, 0.7, 118.0)]
-    {
+    for (n, angle, y) in [
+        (1, 0.12, 226.0),
+        (10, 0.44, 190.0),
+        (40, 0.6, 154.0),
+        (reader_n, 0.7, 118.0),
+    ] {
         // The leader ends beside r, on the side of the labels, and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let place = VIEW.place(highlight(r, v, n) * v);

@@ -4,7 +4,6 @@ mod aspect_ratios;
 mod attenuation;
 mod ball_outlines;
 mod eggs;
-mod from_above;
 mod frustum;
 mod hits;
 mod lambert;
@@ -15,9 +14,10 @@ mod pyramid;
 mod ray;
 mod right_hand;
 mod row;
+mod scene_from_above;
 mod three_cases;
 
-pub use from_above::draw as draw_from_above;
+pub use scene_from_above::draw as draw_scene_from_above;
 
 use crate::Live;
 
@@ -32,7 +32,7 @@ pub fn all() -> [Live; 14] {
         aspect_ratios::figure(),
         three_cases::figure(),
         hits::figure(),
-        from_above::figure(),
+        scene_from_above::figure(),
         eggs::figure(),
         lambert::figure(),
         attenuation::figure(),

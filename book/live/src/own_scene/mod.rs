@@ -16,12 +16,12 @@ use crate::pictures::render_scene;
 use crate::pictures::step01::{self, WIDESCREEN};
 use crate::{Handle, Live, Mark};
 use glam::{DVec2, DVec3};
-use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES, split};
+use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES, split_parameters};
 use step05_phong::Camera;
 
 /// The columns of the picture, and its field of view in degrees.
 fn columns_and_degrees(values: &[f64]) -> (f64, f64) {
-    let (settings, _, _) = split(values);
+    let (settings, _, _) = split_parameters(values);
     let [columns, degrees, _red, _green, _blue] = array(settings);
     (columns, degrees)
 }

@@ -21,7 +21,7 @@ pub const SPHERES: usize = OBJECTS.len() + 3;
 
 /// The parameters, or their values, of the camera and the ambient light, of each sphere,
 /// and of each light.
-pub fn split<T>(
+pub fn split_parameters<T>(
     parameters: &[T],
 ) -> (&[T], ChunksExact<'_, T>, ChunksExact<'_, T>) {
     let (settings, objects) = parameters.split_at(SETTINGS);
@@ -46,14 +46,15 @@ pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
         let (r_s, n) = (material.specular.x, material.shininess.into());
         add_group(name, sphere_parameters(true, sphere, colour, r_s, n));
     }
-    let at = |x, y, z, radius| Sphere { centre: DVec3::new(x, y, z), radius };
-    let sphere = at(1.25, -1.1, -5.0, 0.35);
+    let sphere_at =
+        |x, y, z, radius| Sphere { centre: DVec3::new(x, y, z), radius };
+    let sphere = sphere_at(1.25, -1.1, -5.0, 0.35);
     let more = sphere_parameters(false, sphere, [0.45, 0.2, 0.6], 0.8, 80.0);
     add_group("tenth sphere", more);
-    let sphere = at(-1.2, 1.6, -7.0, 0.4);
+    let sphere = sphere_at(-1.2, 1.6, -7.0, 0.4);
     let more = sphere_parameters(false, sphere, [0.1, 0.3, 0.75], 0.6, 60.0);
     add_group("eleventh sphere", more);
-    let sphere = at(1.6, 1.7, -8.0, 0.45);
+    let sphere = sphere_at(1.6, 1.7, -8.0, 0.45);
     let more = sphere_parameters(false, sphere, [0.85, 0.15, 0.35], 0.3, 20.0);
     add_group("twelfth sphere", more);
     for (name, light) in ["warm light", "cool light"].into_iter().zip(scene.lights)

@@ -1,4 +1,4 @@
-use super::parameters::{PARAMETERS, split};
+use super::parameters::{PARAMETERS, split_parameters};
 use crate::parameter::array;
 use glam::DVec3;
 use std::iter::zip;
@@ -8,9 +8,9 @@ use step05_phong::{
 
 /// The reader's own scene of these values.
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
-    let (settings, spheres, lights) = split(values);
+    let (settings, spheres, lights) = split_parameters(values);
     let [_columns, _degrees, red, green, blue] = array(settings);
-    let (_, sphere_parameters, _) = split(&PARAMETERS);
+    let (_, sphere_parameters, _) = split_parameters(&PARAMETERS);
     let names = sphere_parameters.map(|parameters| parameters[0].group);
     Scene {
         objects: zip(names, spheres)

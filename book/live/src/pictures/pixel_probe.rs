@@ -30,7 +30,7 @@ impl Probe {
     }
 
     /// The probe of the first values, and the other values.
-    pub fn split(values: &[f64]) -> (Self, &[f64]) {
+    pub fn split_values(values: &[f64]) -> (Self, &[f64]) {
         let (first, others) = values.split_at(3);
         let [i, j, columns] = array(first);
         (Self { i, j, columns }, others)

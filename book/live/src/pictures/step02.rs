@@ -7,7 +7,7 @@ use step03_nearest::Object;
 
 /// The probe and the sphere of these values; its z stays.
 fn probe_and_sphere(values: &[f64]) -> (Probe, Sphere) {
-    let (probe, others) = Probe::split(values);
+    let (probe, others) = Probe::split_values(values);
     let [x, y, radius] = array(others);
     let centre = SPHERE.centre.with_x(x).with_y(y);
     (probe, Sphere { centre, radius })

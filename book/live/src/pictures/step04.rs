@@ -7,7 +7,7 @@ use step05_phong::{Light, Material};
 
 /// The probe, and the scene with both lights where these values have them.
 fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Matte, PointLight>) {
-    let (probe, others) = Probe::split(values);
+    let (probe, others) = Probe::split_values(values);
     let positions = others.chunks_exact(3).map(DVec3::from_slice);
     let mut scene = step04_diffuse::scene();
     for (light, position) in scene.lights.iter_mut().zip(positions) {

@@ -9,7 +9,7 @@ use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest};
 /// The probe, and the scene in which each term has its factor, 0 or 1, and each object
 /// its n and R_s.
 fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Material, Light>) {
-    let (probe, others) = Probe::split(values);
+    let (probe, others) = Probe::split_values(values);
     let (terms, materials) = others.split_at(3);
     let [ambient, diffuse, specular] = array(terms);
     let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
@@ -41,7 +41,7 @@ fn material_parameters(
         Parameter {
             words: format!("of the {}", object.name),
             has_control: |parameter, values| {
-                let (probe, _) = Probe::split(values);
+                let (probe, _) = Probe::split_values(values);
                 let hit = nearest(&OBJECTS, &probe.ray());
                 hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
             },

@@ -17,7 +17,7 @@ const T_RANGE: [f64; 2] = [-5.4, 13.2];
 /// The scene from above, cut along the row of a pixel, and the ray of that pixel with
 /// every root on its line.
 pub fn draw(values: &[f64]) -> Drawing {
-    let (probe, _) = Probe::split(values);
+    let (probe, _) = Probe::split_values(values);
     let ray = probe.ray();
     let nearest_hit = nearest(&OBJECTS, &ray);
     let mut drawing = Drawing::new(480.0, 330.0);
