@@ -6,42 +6,45 @@ use live::json;
 use std::cell::RefCell;
 
 thread_local! {
-    /// Pictures of ours, in the order of their names.
-    static OURS: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
+    /// The locked pictures that were drawn so far, in the order of `names`.
+    static LOCKED: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
 }
 
-/// What `check` says of a PNG file, to the words `NAME FILE`: the name of the picture
-/// that it should be, or `*` where the file's name tells it, and the file's name. The
-/// pixels are those of the difference.
+/// The report of `check` on a file, and the pixels of the difference. The words are the
+/// name of the picture that it should be, or `*` where the file's name tells it, and the
+/// file's name.
 ///
-/// Pictures of ours are drawn when they are first needed: the one that it should be, the
+/// Locked pictures are drawn when they are first needed: the one that it should be, the
 /// one that it is, and those of the steps; or all where it may be any.
 pub fn check(words: &str, file: &[u8]) -> Answer {
-    let (name, called) = words.split_once(' ').unwrap_or((words, ""));
+    let (name, file_name) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
-        "*" => check::by_file(called, names().into_iter()),
+        "*" => check::by_file(file_name, names().into_iter()),
         name => Some(name),
     };
-    let hash = check::read(file).map(|yours| check::sum(&yours.pixels));
-    let is = |(_, right): &(_, u64)| hash.as_ref() == Ok(right);
-    let is = check::locked_sums().find(is).map(|(name, _)| name);
+    let hash = check::read(file).map(|picture| check::sum(&picture.pixels));
+    let has_hash = |(_, locked): &(_, u64)| hash.as_ref() == Ok(locked);
+    let same = check::locked_sums().find(has_hash).map(|(name, _)| name);
     let is_needed = |known: &str| {
-        let is_asked = name.or(is).is_none_or(|name| name == known);
-        is_asked || is == Some(known) || Step::named(known).is_some()
+        let is_expected = name.or(same).is_none_or(|name| name == known);
+        is_expected || same == Some(known) || Step::named(known).is_some()
     };
     for known in
         names().into_iter().filter(|known| hash.is_ok() && is_needed(known))
     {
-        let is_kept =
-            OURS.with_borrow(|ours| ours.iter().any(|one| one.name == known));
+        let is_kept = LOCKED.with_borrow(|locked| {
+            locked.iter().any(|picture| picture.name == known)
+        });
         if !is_kept && let Some(picture) = draw_picture(known, SIZE[0]) {
             insert(known, picture);
         }
     }
-    OURS.with_borrow(|ours| page_answer(check::check(file, called, name, ours)))
+    LOCKED.with_borrow(|locked| {
+        page_answer(check::check(file, file_name, name, locked))
+    })
 }
 
-/// Keeps a picture of ours that was drawn elsewhere: red, green and blue of each pixel.
+/// Keeps a locked picture that was drawn elsewhere: red, green and blue of each pixel.
 ///
 /// # Panics
 ///
@@ -49,19 +52,19 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
 pub fn keep(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
-    insert(name, picture.expect("all pixels of a picture of ours"));
+    insert(name, picture.expect("all pixels of a locked picture"));
     Answer::of([])
 }
 
 fn insert(name: &str, picture: RgbImage) {
-    let place = |name: &str| names().iter().position(|known| *known == name);
-    OURS.with_borrow_mut(|ours| {
-        let at = ours.partition_point(|one| place(&one.name) < place(name));
-        ours.insert(at, Locked { name: name.to_owned(), picture });
+    let order = |name: &str| names().iter().position(|known| *known == name);
+    LOCKED.with_borrow_mut(|locked| {
+        let index = locked.partition_point(|kept| order(&kept.name) < order(name));
+        locked.insert(index, Locked { name: name.to_owned(), picture });
     });
 }
 
-/// An answer for the page.
+/// The answer of `check` as one for the page.
 fn page_answer(answer: check::Answer) -> Answer {
     let mut fields =
         vec![("code", answer.code.to_string()), ("text", json::text(&answer.text))];

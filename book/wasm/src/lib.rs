@@ -1,6 +1,6 @@
-//! What the pages of the book call, compiled for the browser: what answers there, and
-//! `check` with the pictures that it compares with. Each is a module of its own, as few
-//! readers of a page drop a picture into it.
+//! The modules that the pages of the book call, compiled for the browser: `live`, and
+//! `check` with the pictures that it compares with, as few readers of a page drop a picture
+//! into it.
 
 #[cfg(feature = "check")]
 mod check;
@@ -21,9 +21,9 @@ use live::Answer;
 ///
 /// - `check NAME FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
-/// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of ours: see [`draw`].
+/// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
 /// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep`].
-/// - Every other goes to [`live::answer`].
+/// - [`live::answer`] gets all others.
 #[cfg_attr(not(feature = "check"), expect(unused_variables))]
 pub fn answer(request: &str, file: &[u8]) -> Answer {
     match request.split_once(' ') {

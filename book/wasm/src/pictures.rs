@@ -1,27 +1,27 @@
 use image::RgbImage;
 
-/// Columns and rows of each picture.
+/// Columns and rows of the locked pictures.
 pub const SIZE: [u32; 2] = [640, 360];
 
-/// A picture, drawn by the course's own code: red, green and blue of each pixel. The words
-/// are its name and, if it is to be small, its columns.
+/// A picture of the course: red, green and blue of each pixel. The words are its name and,
+/// if it is to be small, its columns.
 pub fn draw(words: &str) -> live::Answer {
     let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
     let columns = columns.parse().unwrap_or(SIZE[0]);
     let Some(picture) = draw_picture(name, columns) else {
         return live::Answer::default();
     };
-    let size = live::json::list(SIZE);
+    let size = live::json::list([picture.width(), picture.height()]);
     live::Answer {
         pixels: picture.into_raw(),
         ..live::Answer::of([("size", size)])
     }
 }
 
-/// The picture of this name, if there is one, with so many columns.
+/// The picture of this name with so many columns; None if there is none.
 pub fn draw_picture(name: &str, columns: u32) -> Option<RgbImage> {
-    let mut all = exercises::STEPS.iter().chain(exercises::PICTURES);
-    let (_, picture) = all.find(|(known, _)| *known == name)?;
+    let mut pictures = exercises::STEPS.iter().chain(exercises::PICTURES);
+    let (_, picture) = pictures.find(|(known, _)| *known == name)?;
     let rows = columns * SIZE[1] / SIZE[0];
     let camera = step01_rays::Camera::new(columns, rows, 60_f64.to_radians());
     Some(picture(&camera, 1))
