@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand;
-use crate::{Files, Page, Site, links, paper_page, pixel_panel, values};
+use crate::{Files, Page, Site, links, paper_page, pixel_panel};
 use compare::workspace;
 
 const RAY: &str = "../../steps/step01_rays/src/ray.rs";
@@ -117,7 +117,15 @@ fn every_figure_and_every_value_is_used() {
         .iter()
         .filter(|live| !live.title.is_empty())
         .map(|live| format!("{{{{#figure {}", live.name));
-    let values = values::names().map(|name| format!("{{{{#value {name}"));
+    // Each value is an arm of a match, `("name", [])`.
+    let sources = Files::read(&workspace().join("book/builder/values"));
+    let sources = sources.expect("the sources of the values");
+    let lines = sources.texts(".rs").flat_map(|(_, text)| text.lines());
+    let names: Vec<_> = lines
+        .filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next())
+        .collect();
+    assert!(50 < names.len(), "{names:?}");
+    let values = names.iter().map(|name| format!("{{{{#value {name}"));
     let unused = figures.chain(values).filter(|directive| {
         ["}}", " "]
             .iter()

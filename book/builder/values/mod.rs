@@ -46,22 +46,6 @@ const CHAPTERS: [ChapterValue; 7] = [
     way_back::value,
 ];
 
-/// The name of every value, as it stands in the sources.
-#[cfg(test)]
-pub fn names() -> impl Iterator<Item = &'static str> {
-    let sources = [
-        include_str!("step01.rs"),
-        include_str!("step02.rs"),
-        include_str!("step03.rs"),
-        include_str!("step04.rs"),
-        include_str!("step05.rs"),
-        include_str!("lecture_errata.rs"),
-        include_str!("way_back.rs"),
-    ];
-    let lines = sources.into_iter().flat_map(str::lines);
-    lines.filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next())
-}
-
 /// The text of `{{#value …}}`.
 pub fn get(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
