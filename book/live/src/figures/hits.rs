@@ -17,13 +17,12 @@ fn centre_handle(k: usize) -> Handle {
 /// The three spheres; the material of each is its place in the list.
 fn objects(values: &[f64]) -> Vec<Object<usize>> {
     let centres = values.chunks_exact(2).map(DVec2::from_slice);
-    let spheres = centres
-        .zip([1.0, 0.7, 0.8])
-        .map(|(centre, radius)| Sphere { centre: centre.extend(0.0), radius });
-    let named = spheres.enumerate();
-    named
-        .map(|(k, sphere)| Object { name: "sphere", sphere, material: k })
-        .collect()
+    let spheres = centres.zip([1.0, 0.7, 0.8]).enumerate();
+    let objects = spheres.map(|(k, (centre, radius))| {
+        let sphere = Sphere { centre: centre.extend(0.0), radius };
+        Object { name: "sphere", sphere, material: k }
+    });
+    objects.collect()
 }
 
 /// One ray through the spheres, and every t on it.

@@ -1,16 +1,15 @@
-//! Values as the part of an address that keeps a scene: those that differ from the
-//! defaults, such as
-//! `red-sphere-radius:2,camera-field-of-view:45`.
+//! The part of an address that keeps a scene: the values that differ from the defaults,
+//! such as `red-sphere-radius:2,camera-field-of-view:45`.
 
 use crate::{Live, Parameter};
 
 /// The address of these values.
 pub fn format_address(parameters: &[Parameter], values: &[f64]) -> String {
-    let pairs = parameters.iter().zip(values).filter(|(parameter, value)| {
-        has_name(parameter) && parameter.default != **value
+    let pairs = parameters.iter().zip(values);
+    let different = pairs.filter(|(parameter, value)| parameter.default != **value);
+    let parts = different.filter_map(|(parameter, value)| {
+        Some(format!("{}:{value}", key(parameter)?))
     });
-    let parts =
-        pairs.map(|(parameter, value)| format!("{}:{value}", name(parameter)));
     parts.collect::<Vec<_>>().join(",")
 }
 
@@ -18,21 +17,23 @@ pub fn format_address(parameters: &[Parameter], values: &[f64]) -> String {
 pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
     let mut values = live.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
-        let (key, value) = part.split_once(':').unwrap_or((part, ""));
+        let (name, value) = part.split_once(':').unwrap_or((part, ""));
         // The sentence repeats only the beginning of a long address.
-        let [key, value] =
-            [key, value].map(|text| text.chars().take(40).collect::<String>());
-        let is_key =
-            |parameter: &Parameter| has_name(parameter) && name(parameter) == key;
-        let index = live.parameters.iter().position(is_key).ok_or_else(|| {
-            format!("The address speaks of “{key}”, and nothing here is called so.")
+        let [name, value] =
+            [name, value].map(|text| text.chars().take(40).collect::<String>());
+        let mut keys = live.parameters.iter().map(key);
+        let index = keys.position(|key| key.as_ref() == Some(&name));
+        let index = index.ok_or_else(|| {
+            format!(
+                "The address speaks of “{name}”, and nothing here is called so."
+            )
         })?;
         let [min, max] = live.parameters[index].range;
         values[index] = match value.parse() {
             Ok(number) if (min..=max).contains(&number) => number,
             _ => {
                 return Err(format!(
-                    "The address says “{value}” for {key}; allowed are {min} to {max}."
+                    "The address says “{value}” for {name}; allowed are {min} to {max}."
                 ));
             }
         };
@@ -41,12 +42,8 @@ pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
         .ok_or("There is nothing to show at this address.".into())
 }
 
-/// Whether an address may hold the parameter: those of an object, a light or the camera.
-fn has_name(parameter: &Parameter) -> bool {
-    !parameter.group.is_empty()
-}
-
-/// The name of a parameter in an address.
-fn name(parameter: &Parameter) -> String {
-    format!("{} {}", parameter.group, parameter.words).replace(' ', "-")
+/// The name of a parameter in an address; None for the columns of the picture.
+fn key(parameter: &Parameter) -> Option<String> {
+    let key = format!("{} {}", parameter.group, parameter.words);
+    (!parameter.group.is_empty()).then(|| key.replace(' ', "-"))
 }
