@@ -1,7 +1,7 @@
 use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::{Files, Page, Site, inline_styles, links, paper_page, search};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use std::{fs, process};
 /// It is written beside the folder and put in place when it is whole, so that a fault
 /// leaves the book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
-    let draft = sibling_folder(folder, "draft");
+    let draft = own_sibling_folder(folder, "draft");
     let built = write_pages(workspace, &draft);
     let placed =
         built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
@@ -21,21 +21,23 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
 }
 
 /// The name of a folder beside `folder` that no other process takes.
-fn sibling_folder(folder: &Path, what: &str) -> PathBuf {
+fn own_sibling_folder(folder: &Path, what: &str) -> PathBuf {
     folder.with_extension(format!("{what}-{}", process::id()))
 }
 
-/// Moves the folder `new` to `folder`, and removes the one that was there.
+/// Moves the folder `new` to `folder`, and removes the one that was there once it is.
 fn replace_folder(folder: &Path, new: &Path) -> Result<()> {
-    let old = sibling_folder(folder, "old");
-    let result = (0..10).find_map(|_| {
+    let old = own_sibling_folder(folder, "old");
+    for _ in 0..10 {
         // Another process may put its own in place between these two.
         let _ = fs::rename(folder, &old);
-        let renamed = fs::rename(new, folder);
-        let _ = fs::remove_dir_all(&old);
-        renamed.ok()
-    });
-    result.with_context(|| format!("{} can't be replaced", folder.display()))
+        if fs::rename(new, folder).is_ok() {
+            let _ = fs::remove_dir_all(&old);
+            return Ok(());
+        }
+        let _ = fs::rename(&old, folder);
+    }
+    bail!("{} can't be replaced", folder.display())
 }
 
 /// Writes all pages into `folder`. A fault in a chapter stops it before any page is

@@ -29,7 +29,7 @@ fn page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
             for address in addresses(element) {
                 let fault = address_fault(site, &ids, &page.name, &address);
                 let is_link =
-                    element.value().name() == "a" && is_elsewhere(&address);
+                    element.value().name() == "a" && is_outside_book(&address);
                 let fault = fault.filter(|_| !is_link);
                 let place = || {
                     source_line(chapters, &page.name, &address)
@@ -79,7 +79,7 @@ fn addresses(element: ElementRef) -> Vec<String> {
 }
 
 /// Whether an address names another place than the book.
-fn is_elsewhere(address: &str) -> bool {
+fn is_outside_book(address: &str) -> bool {
     let scheme = address.split(['/', '#', '?']).next().unwrap_or_default();
     address.starts_with('/') || scheme.contains(':')
 }
@@ -95,7 +95,7 @@ fn address_fault(
     if address.starts_with("data:") {
         return None;
     }
-    if is_elsewhere(address) {
+    if is_outside_book(address) {
         return Some(format!("fetches {address} from outside the book"));
     }
     let (path, id) = address.split_once('#').unwrap_or((address, ""));

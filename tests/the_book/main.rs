@@ -21,7 +21,7 @@ mod run_command;
 mod typed_book;
 
 // Results by hand and answers to predictions are right.
-mod by_hand;
+mod by_hand_names;
 mod predictions;
 
 mod page_contents;

@@ -50,7 +50,7 @@ pub fn run_command(
     let names: Vec<_> =
         names.filter(|name| has_snapshot(name) && !is_small).collect();
     for name in &names {
-        ensure_locked_picture(reader, name)?;
+        ensure_is_locked_picture(reader, name)?;
     }
     Ok(names.into_iter().map(str::to_owned).collect())
 }
@@ -87,7 +87,7 @@ fn change_direction_colour(reader: &ReaderWorkspace) -> Result<()> {
 }
 
 /// Fails unless the picture `name` in the reader's folder is the locked one.
-fn ensure_locked_picture(reader: &ReaderWorkspace, name: &str) -> Result<()> {
+fn ensure_is_locked_picture(reader: &ReaderWorkspace, name: &str) -> Result<()> {
     let picture = image::open(reader.folder.join(format!("{name}.png")))?;
     match Difference::between(&read_snapshot(name), &picture.to_rgb8()) {
         Some(difference) => bail!("{name} is another picture: {difference}"),

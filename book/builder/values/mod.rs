@@ -7,8 +7,8 @@
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
 
-mod lecture_errata;
 mod rays;
+mod slips;
 mod step01;
 mod step02;
 mod step03;
@@ -42,7 +42,7 @@ const CHAPTERS: [ChapterValue; 7] = [
     step03::value,
     step04::value,
     step05::value,
-    lecture_errata::value,
+    slips::value,
     way_back::value,
 ];
 

@@ -10,17 +10,19 @@ use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
     Some(match (name, arguments) {
         ("step03-tests", []) => Count(sum_over_rays(|_| OBJECTS.len())),
-        ("step03-hits", []) => Count(sum_over_rays(|ray| hits(ray).count())),
-        ("step03-wins", []) => Count(count_rays(|ray| hits(ray).next().is_some())),
+        ("step03-hits", []) => Count(sum_over_rays(|ray| first_hits(ray).count())),
+        ("step03-wins", []) => {
+            Count(count_rays(|ray| first_hits(ray).next().is_some()))
+        }
         ("step03-last", []) => {
-            Count(count_rays(|ray| hits(ray).last() != nearest_hit(ray)))
+            Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray)))
         }
         ("step03-first", []) => {
-            Count(count_rays(|ray| hits(ray).next() != nearest_hit(ray)))
+            Count(count_rays(|ray| first_hits(ray).next() != nearest_hit(ray)))
         }
         ("step03-ties", []) => Count(sum_over_rays(|ray| {
             let least = nearest_hit(ray).map(|(_, t)| t);
-            let ties = hits(ray).filter(|(_, t)| Some(*t) == least);
+            let ties = first_hits(ray).filter(|(_, t)| Some(*t) == least);
             ties.count().saturating_sub(1)
         })),
         ("step03-behind", []) => {
@@ -47,13 +49,13 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step03-phi", []) => Fixed(1, WHITE.phi().to_degrees()),
         ("step03-alpha", []) => Fixed(1, WHITE.alpha().to_degrees()),
         ("step03-inner", []) => {
-            Fixed(2, length_in_pixels(WHITE.phi().tan() - WHITE.start()))
+            Fixed(2, length_in_pixels(WHITE.phi().tan() - WHITE.near_end()))
         }
         ("step03-outer", []) => {
-            Fixed(2, length_in_pixels(WHITE.end() - WHITE.phi().tan()))
+            Fixed(2, length_in_pixels(WHITE.far_end() - WHITE.phi().tan()))
         }
         ("step03-off", []) => {
-            let middle = (WHITE.start() + WHITE.end()) / 2.0;
+            let middle = (WHITE.near_end() + WHITE.far_end()) / 2.0;
             Fixed(1, length_in_pixels(middle - WHITE.phi().tan()))
         }
         ("step03-long", []) => Fixed(2, length_in_pixels(WHITE.length())),
@@ -66,7 +68,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
 }
 
 /// The first hit of a ray with each object, and its t, in the order of the list.
-fn hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
+fn first_hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
     OBJECTS.iter().filter_map(|object| {
         Some((object.name, object.sphere.intersect(ray).first_hit()?))
     })
@@ -112,17 +114,17 @@ impl Oval {
     }
 
     /// The distance from the middle of the picture to the near end.
-    fn start(&self) -> f64 {
+    fn near_end(&self) -> f64 {
         (self.phi() - self.alpha()).tan()
     }
 
     /// The distance from the middle of the picture to the far end.
-    fn end(&self) -> f64 {
+    fn far_end(&self) -> f64 {
         (self.phi() + self.alpha()).tan()
     }
 
     fn length(&self) -> f64 {
-        self.end() - self.start()
+        self.far_end() - self.near_end()
     }
 
     fn width(&self) -> f64 {

@@ -150,7 +150,7 @@ fn encoded<'a>(
 
 /// The way in which the sky alone was turned into bytes, if that is another than ours and
 /// the same in every pixel of the sky.
-pub(crate) fn encode_of_sky(
+pub(crate) fn other_encode_of_sky(
     evidence: &Evidence,
     work: &crate::explanation::Work,
 ) -> Option<(&'static str, Encode)> {
@@ -199,7 +199,7 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
 }
 
 /// Bytes that follow from ours by a factor or by a power.
-pub(crate) fn fitted_curves<'a>(
+pub(crate) fn fitted_factor_and_power<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let table = Table::read(evidence);

@@ -1,6 +1,8 @@
-use crate::byte_curve::{encode_of_sky, encodes, fitted_curves, table};
+use crate::byte_curve::{
+    encodes, fitted_factor_and_power, other_encode_of_sky, table,
+};
 use crate::camera_from_sky::{fitted_camera, sky_colours};
-use crate::crop_or_scale::crop_or_scale;
+use crate::crop_or_scale::describe_crop_or_scale;
 use crate::disturbed::{
     last_digits, lossy, other_places, random_places, recoloured,
 };
@@ -182,7 +184,7 @@ fn explain(
                 None => exercise_hint(name),
             });
     }
-    if let Some(part) = crop_or_scale(yours, &ours.picture, drawn) {
+    if let Some(part) = describe_crop_or_scale(yours, &ours.picture, drawn) {
         return format!("Not right: your picture is that of {name}, {part}.\n");
     }
     let is_size = yours.size == ours.picture.dimensions();
@@ -198,7 +200,12 @@ fn explain(
     let evidence = Evidence::new(name, step, &thinned, own, camera, ENCODE);
     let listed = if is_size { listed_mistake(&yours.pixels, name) } else { None };
     if evidence.wrong().is_empty() {
-        return sentence_of_few(yours, drawn, name, thinned.rows.len());
+        return sentence_beyond_compared_rows(
+            yours,
+            drawn,
+            name,
+            thinned.rows.len(),
+        );
     }
     let at_size = drawn
         .map(OurPicture::of)
@@ -259,7 +266,7 @@ fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
 }
 
 /// What there is to say where all rows are right in which explanations are asked.
-fn sentence_of_few(
+fn sentence_beyond_compared_rows(
     yours: &Picture,
     drawn: Option<&RgbImage>,
     name: &str,
@@ -294,7 +301,8 @@ fn explain_whole<'a>(
     let is_sky_alone = evidence.step == Some(Step::Rays);
     let camera = fitted_camera(evidence).filter(|_| is_sky_alone);
     let colours = sky_colours(evidence).filter(|_| is_sky_alone);
-    let fitted = camera.into_iter().chain(fitted_curves(evidence)).chain(colours);
+    let fitted =
+        camera.into_iter().chain(fitted_factor_and_power(evidence)).chain(colours);
     first_that_holds(evidence, strict.chain(fitted).chain(table(evidence)), work)
 }
 
@@ -330,7 +338,7 @@ fn explain_rest(
         let text = "The pixels of your picture are ours in other places.\n";
         return start + text + &test_command(&[Step::Rays]);
     }
-    match encode_of_sky(evidence, work) {
+    match other_encode_of_sky(evidence, work) {
         Some((words, encode)) => {
             let intensity = intensity(step, &scene(step));
             let own = RgbImage::from_fn(

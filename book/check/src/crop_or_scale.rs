@@ -7,7 +7,7 @@ const MOST_PLACES: usize = 32;
 
 /// What was made of ours that has another size: half a sentence, if that explains the
 /// picture. `drawn` is our own at the picture's size.
-pub(crate) fn crop_or_scale(
+pub(crate) fn describe_crop_or_scale(
     yours: &Picture,
     ours: &RgbImage,
     drawn: Option<&RgbImage>,

@@ -1,4 +1,4 @@
-use crate::png_file::{FILE_BYTES, too_many_bytes};
+use crate::png_file::{FILE_BYTES, size_fault};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -18,7 +18,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, String> {
         file.take(FILE_BYTES + 1).read_to_end(&mut bytes).map_err(unread)?;
     }
     if metadata.len().max(bytes.len() as u64) > FILE_BYTES {
-        return Err(format!("{shown} {}", too_many_bytes()));
+        return Err(format!("{shown} {}", size_fault()));
     }
     Ok(bytes)
 }

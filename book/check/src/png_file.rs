@@ -78,7 +78,7 @@ fn spread(count: u32, all: u32) -> impl Iterator<Item = u32> {
 /// unpacked at all, and of a large picture one row at a time is in the memory.
 pub fn read(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
-        return Err(too_many_bytes());
+        return Err(size_fault());
     }
     if let Some(other) = other_format(file) {
         return Err(format!("is {other}"));
@@ -136,7 +136,7 @@ pub fn read(file: &[u8]) -> Result<Picture, String> {
 }
 
 /// Says that a file is larger than any picture.
-pub(crate) fn too_many_bytes() -> String {
+pub(crate) fn size_fault() -> String {
     format!("is too large: a picture has at most {} MB", FILE_BYTES >> 20)
 }
 

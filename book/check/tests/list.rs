@@ -48,7 +48,7 @@ fn all_that_an_answer_leads_to_is_there() {
     {
         let file = &mistake.file;
         let is_known = places().any(|place| place.path() == *file);
-        assert!(is_known, "{file} is not in files.txt");
+        assert!(is_known, "{file} is not in source_files.txt");
         if let Some(shown) = &mistake.shown {
             let step = mistake.step().expect("a step").name();
             let chapter = text(&format!("book/chapters/{step}.md"));

@@ -137,7 +137,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
 /// The manifest: it needs what the examples and the program around a picture need.
 fn manifest() -> io::Result<String> {
     let section = |path: &str, name: &str| {
-        let text = read(path)?;
+        let text = read_in_workspace(path)?;
         let found = text.split("\n[").find(|section| section.starts_with(name));
         Ok::<_, io::Error>(found.unwrap_or_default().to_owned())
     };
@@ -162,8 +162,11 @@ fn write_step(
         if file == "main.rs" || is_left_out(&path) {
             continue;
         }
-        let mut text =
-            if path == mistake.file { apply(mistake)? } else { read(&path)? };
+        let mut text = if path == mistake.file {
+            apply(mistake)?
+        } else {
+            read_in_workspace(&path)?
+        };
         text = text.replace("crate::", &format!("crate::m{k}::{step}::"));
         for name in mistake.drawn() {
             text = text.replace(
@@ -241,13 +244,13 @@ fn root() -> String {
 
 /// The text of a mistake's file, with the mistake in it.
 fn apply(mistake: &Mistake) -> io::Result<String> {
-    mistake.applied(&read(&mistake.file)?).ok_or_else(|| {
+    mistake.applied(&read_in_workspace(&mistake.file)?).ok_or_else(|| {
         let mistake = describe(mistake);
         io::Error::other(format!("the text is not there, or not once: {mistake}"))
     })
 }
 
-fn read(path: &str) -> io::Result<String> {
+fn read_in_workspace(path: &str) -> io::Result<String> {
     fs::read_to_string(workspace().join(path))
 }
 

@@ -39,7 +39,7 @@ impl RayFigure {
 }
 
 /// Whether a place is in the drawing, with room for a mark.
-fn is_inside(place: DVec2) -> bool {
+fn is_in_drawing(place: DVec2) -> bool {
     place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
 }
 
@@ -48,7 +48,7 @@ fn draw(figure: &RayFigure) -> Drawing {
     let v = place(1.0) - place(0.0);
     let mut drawing = Drawing::new(SIZE.x, SIZE.y);
     let steps = (0..).map(|k| 0.1 * f64::from(k));
-    let end = steps.take_while(|t| is_inside(place(*t))).last().unwrap_or(0.0);
+    let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
     drawing.line("guide", place(0.0) - 90.0 * v.normalize(), place(0.0));
     drawing.arrow("ray", place(0.0), place(end));
     drawing.arrow("vector", place(0.0) + V_SHIFT, figure.tip());
@@ -77,7 +77,7 @@ fn draw(figure: &RayFigure) -> Drawing {
 
 /// The label S + tV of the point, above V and its name if the point is beside them.
 fn draw_point_label(drawing: &mut Drawing, t: f64, point: DVec2, v_length: f64) {
-    if !is_inside(point) {
+    if !is_in_drawing(point) {
         return;
     }
     let sign = if t < 0.0 { '−' } else { '+' };
@@ -137,8 +137,8 @@ pub fn figure() -> Live {
         is_allowed: |values| {
             let figure = RayFigure::new(values);
             0.5 <= figure.ray.direction.length()
-                && is_inside(figure.place(0.0))
-                && is_inside(figure.tip())
+                && is_in_drawing(figure.place(0.0))
+                && is_in_drawing(figure.tip())
         },
         numbers: |values| {
             let RayFigure { ray, t } = RayFigure::new(values);

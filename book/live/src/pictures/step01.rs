@@ -22,9 +22,9 @@ pub fn aspect_ratio(choice: f64) -> AspectRatio {
 }
 
 /// The camera with this field of view, in degrees.
-pub fn camera(degrees: f64, aspect_ratio: AspectRatio, columns: f64) -> Camera {
+pub fn camera(fov_degrees: f64, aspect_ratio: AspectRatio, columns: f64) -> Camera {
     let h_res = columns as u32;
-    Camera::new(h_res, aspect_ratio.v_res(h_res), degrees.to_radians())
+    Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
 }
 
 /// The picture of step 1, with its camera to set, and unit vectors to switch on.
