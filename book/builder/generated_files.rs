@@ -20,8 +20,9 @@ pub const THUMBNAIL_SUFFIX: &str = "-small.png";
 /// A wider picture has one of half the size beside it.
 const MIN_WIDTH_OF_HALF: u32 = 1000;
 
-/// The modules of the pages: what answers, and what looks at a reader's picture.
-const MODULES: [&str; 2] = ["live", "check"];
+/// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
+/// line of the reader's.
+const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// Writes what the chapters show and what the pages load: the locked snapshots as they are,
 /// the pictures of the mistakes, and the modules. Removes all else. One process does so at a time.

@@ -8,7 +8,7 @@
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
 //! - a *listing* is a file of a step or a part of it (`include` in a fence), or a number
-//!   that moves (`listing`);
+//!   that moves (`listing`); it says where a reader may edit it (`expressions`);
 //! - a *value* is computed from the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `live`, and a *picture* a PNG file, locked or made

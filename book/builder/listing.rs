@@ -34,8 +34,9 @@ pub fn html(
     let (first, last) = (range.start + 1, range.end);
     let is_whole = range.len() == lines.len();
     let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
-    let attributes = format!("data-lines=\"{first}-{last}\"");
     let code = lines[range].join("\n");
+    let attributes =
+        format!("data-lines=\"{first}-{last}\"{}", places(path, &code));
     Ok(figure(path, &attributes, part, language, &code, ids))
 }
 
@@ -49,6 +50,27 @@ pub fn moving(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
     let lines = code.lines().count();
     let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{which}\"");
     Ok(figure(path, &attributes, "", "rust", code, ids))
+}
+
+/// The attribute that says where a reader may edit the code: for each place its name, and its
+/// start and length in letters as JavaScript counts them. See book/theme/lines.js.
+fn places(path: &str, code: &str) -> String {
+    let letters = |text: &str| text.encode_utf16().count();
+    let mut places = expressions::places();
+    places.retain(|place| path.strip_prefix("steps/") == Some(place.file));
+    let found = places.iter().filter_map(|place| match &place.find(code)[..] {
+        [range] => Some(format!(
+            "{}:{}:{}",
+            place.name,
+            letters(&code[..range.start]),
+            letters(&code[range.clone()])
+        )),
+        _ => None,
+    });
+    match found.collect::<Vec<_>>().join(" ") {
+        none if none.is_empty() => none,
+        places => format!(" data-places=\"{places}\""),
+    }
 }
 
 /// Code from the file `path` under its caption; `part` says which of it.

@@ -73,7 +73,10 @@ const load = file => scripts[file] ??= new Promise(done => {
 
 // Code: colours, when it comes near the view or is printed, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
-const colour = code => load("highlight.js").then(() => setTimeout(() => hljs.highlightBlock(code)));
+const colour = code => load("highlight.js").then(() => setTimeout(() => {
+    // A line that is being edited stays as it is.
+    if (!code.querySelector("[data-book]")) hljs.highlightBlock(code);
+}));
 function colours() {
     const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
     if (isWhole) codes.forEach(colour);
@@ -89,7 +92,9 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     button.setAttribute("aria-label", `Copy ${caption.querySelector(".path").textContent}`);
     button.addEventListener("click", async () => {
         try {
-            await navigator.clipboard.writeText(code.textContent);
+            const copy = code.cloneNode(true);
+            for (const line of copy.querySelectorAll("[data-book]")) line.textContent = line.dataset.book;
+            await navigator.clipboard.writeText(copy.textContent);
             button.textContent = "Copied";
         } catch {
             button.textContent = "Not copied";
@@ -113,6 +118,9 @@ addEventListener("keydown", event => {
 // What a page can be read without comes once it is shown: colours, what answers, and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     colours();
-    if (!isWhole) load("theme/live.js");
+    if (!isWhole) {
+        load("theme/live.js");
+        load("theme/lines.js");
+    }
     load("theme/search.js");
 })));

@@ -58,3 +58,19 @@ for (const source of ['server', 'folder']) {
     });
   }
 }
+
+test('a line that is edited is drawn', async ({ webkit, served }) => {
+  await webkit('url', { url: `${served}step04_diffuse.html#step-4-ambient-and-diffuse-light` });
+  const run = (script, ...args) => webkit('execute/sync', { script, args });
+  await expect.poll(() => run(`return document.querySelectorAll('[data-line]').length`)).toBeGreaterThan(0);
+  const line = await webkit('element', { using: 'css selector', value: '[data-line=normal]' });
+  const [id] = Object.values(line);
+  await webkit(`element/${id}/click`, {});
+  const status = () => run(`return document.querySelector('figure [role=status]').textContent`);
+  await expect.poll(status).toContain('sphere.centre');
+  await webkit(`element/${id}/value`, { text: '\uE010 * 2' });
+  await expect.poll(status).toContain('Write 2.0');
+  await webkit(`element/${id}/value`, { text: '\uE010.0' });
+  await expect.poll(status).toMatch(/^Drawn|known mistake/);
+  expect(await run(`return document.querySelector('.panel canvas').width`)).toBe(640);
+});

@@ -1,5 +1,6 @@
-//! Compiles the package `wasm` for the browser: a module of what answers in the pages, and one
-//! of `check`. They are checked in, as who builds the book needs no second target.
+//! Compiles the package `wasm` for the browser: a module of what answers in the pages, one of
+//! `check`, and one of the lines that a reader edits. They are checked in, as who builds the
+//! book needs no second target.
 
 use compare::{target_folder, workspace};
 use std::error::Error;
@@ -10,7 +11,7 @@ use std::{env, fs};
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The modules: each is a feature of the package.
-const MODULES: [&str; 2] = ["live", "check"];
+const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// Fails where this machine can't compile for the browser.
 pub fn require_target() -> Result<(), Box<dyn Error>> {
@@ -30,7 +31,7 @@ pub fn require_target() -> Result<(), Box<dyn Error>> {
 /// Compiles all modules; Cargo knows what has changed.
 pub fn compile() -> Result<(), Box<dyn Error>> {
     // No path of this machine stands in what is checked in.
-    let paths = registry_sources().into_iter();
+    let paths = registry_sources().into_iter().chain([target_folder()]);
     let paths: Vec<_> = paths
         .map(|path| format!("--remap-path-prefix={}=", path.display()))
         .collect();

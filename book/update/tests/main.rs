@@ -2,6 +2,7 @@
 //! mistakes and the modules that the pages load. Each failure names the command that makes it
 //! anew.
 
+mod expressions;
 mod module;
 mod modules;
 mod table;

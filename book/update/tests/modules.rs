@@ -13,7 +13,12 @@ use wasm::answer;
 
 /// Fails if the module `name` answers otherwise than our code.
 #[track_caller]
-fn assert_same(name: &str, request: &str, ours: &Answer, theirs: Option<Answer>) {
+pub fn assert_same(
+    name: &str,
+    request: &str,
+    ours: &Answer,
+    theirs: Option<Answer>,
+) {
     let is_same = theirs.as_ref() == Some(ours);
     assert!(
         is_same,
@@ -70,17 +75,19 @@ fn check_wasm_is_up_to_date() {
         answer(&request, &pixels);
         module.answer(&request, &pixels);
     }
-    // What it looks up lies in it as it is.
-    let bytes = module::bytes("check");
-    for file in
-        fs::read_dir(workspace().join("book/check/mistakes")).expect("lists")
-    {
-        let path = file.expect("a list").path();
-        if path.extension().is_some_and(|end| end == "txt") {
+    // What they look up lies in them as it is.
+    for name in ["check", "expressions"] {
+        let bytes = module::bytes(name);
+        let lists = fs::read_dir(workspace().join("book/check/mistakes"));
+        for file in lists.expect("lists") {
+            let path = file.expect("a list").path();
+            if path.extension().is_none_or(|end| end != "txt") {
+                continue;
+            }
             let text = fs::read(&path).expect("a list");
             assert!(
                 bytes.windows(text.len()).any(|part| part == text),
-                "book/wasm/check.wasm has another {}: `cargo run -p update` compiles it \
+                "book/wasm/{name}.wasm has another {}: `cargo run -p update` compiles it \
                  anew.",
                 path.display()
             );
@@ -106,7 +113,7 @@ fn check_wasm_is_up_to_date() {
 
 #[test]
 fn no_path_of_a_machine_stands_in_a_module() {
-    for name in ["check", "live"] {
+    for name in ["check", "expressions", "live"] {
         let bytes = module::bytes(name);
         let text = String::from_utf8_lossy(&bytes);
         for path in [".cargo", "registry/src", "/home/", "/Users/"] {

@@ -1,6 +1,6 @@
-//! The modules that the pages of the book call, compiled for the browser: `live`, and
-//! `check` with the pictures that it compares with, as few readers of a page drop a picture
-//! into it.
+//! The modules that the pages of the book call, compiled for the browser: `live`, `check` with
+//! the pictures that it compares with, and `expressions`, the lines that a reader edits; few
+//! readers of a page drop a picture into it, or edit a line.
 
 #[cfg(feature = "check")]
 mod check;
@@ -10,6 +10,11 @@ mod pictures;
 pub use check::{check, keep};
 #[cfg(feature = "check")]
 pub use pictures::draw;
+
+#[cfg(feature = "expressions")]
+mod expressions;
+#[cfg(feature = "expressions")]
+pub use expressions::{edit, variables};
 
 // A name that is kept for the page counts as unsafe, as it could clash with another.
 #[allow(unsafe_code)]
@@ -23,6 +28,8 @@ use live::Answer;
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
 /// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep`].
+/// - `variables PLACE` gives the names that a line may use: see [`variables`].
+/// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
 /// - [`live::answer`] gets all others.
 #[cfg_attr(not(feature = "check"), expect(unused_variables))]
 pub fn answer(request: &str, file: &[u8]) -> Answer {
@@ -33,6 +40,10 @@ pub fn answer(request: &str, file: &[u8]) -> Answer {
         Some(("drawn", name)) => keep(name, file),
         #[cfg(feature = "check")]
         Some(("draw", name)) => draw(name),
+        #[cfg(feature = "expressions")]
+        Some(("variables", name)) => variables(name),
+        #[cfg(feature = "expressions")]
+        Some(("edit", words)) => edit(words),
         #[cfg(feature = "live")]
         _ => live::answer(request),
         #[cfg(not(feature = "live"))]

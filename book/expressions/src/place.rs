@@ -1,0 +1,122 @@
+use std::ops::Range;
+
+/// The kind of a value, as the reader is told of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// An `f64`.
+    Number,
+    /// A number of which Rust does not know the type before it meets another, such as `2.0`.
+    Literal,
+    /// An `i32` or a `u32`.
+    Whole,
+    /// A `DVec3`.
+    Vector,
+    /// A `bool`.
+    Truth,
+    /// The step's own type of that name.
+    Attenuation,
+}
+
+impl Kind {
+    /// Whether a value of this kind may stand where `wanted` is expected.
+    pub fn fits(self, wanted: Self) -> bool {
+        self == wanted || (self, wanted) == (Self::Literal, Self::Number)
+    }
+
+    /// The kind that `word` means in places.txt.
+    fn from_word(word: &str) -> Option<Self> {
+        Some(match word {
+            "number" => Self::Number,
+            "whole" => Self::Whole,
+            "vector" => Self::Vector,
+            "truth" => Self::Truth,
+            "attenuation" => Self::Attenuation,
+            _ => return None,
+        })
+    }
+}
+
+/// An expression in the steps that a reader may edit: a block of places.txt.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Its name, in the address of an edit.
+    pub name: &'static str,
+    /// Its file, seen from the folder of the steps.
+    pub file: &'static str,
+    /// What stands there, in one row.
+    pub code: &'static str,
+    /// The kind of its value.
+    pub kind: Kind,
+    /// What an expression may name there.
+    pub variables: Vec<(&'static str, Kind)>,
+}
+
+/// All blocks of places.txt, in its order.
+pub fn all_places() -> Vec<Place> {
+    let (mut file, mut places) = ("", Vec::<Place>::new());
+    for line in include_str!("../places.txt").lines() {
+        if let Some(path) = line.strip_prefix("@ ") {
+            file = path;
+        } else if let Some(place) = parse_place(file, line) {
+            places.push(place);
+        } else if let Some(place) = places.last_mut() {
+            let (kind, names) = line.trim().split_once(' ').unwrap_or_default();
+            let Some(kind) = Kind::from_word(kind) else { continue };
+            place.variables.extend(names.split("; ").map(|name| (name, kind)));
+        }
+    }
+    places
+}
+
+/// The place of a line such as `a: number = v.dot(v)`.
+fn parse_place(file: &'static str, line: &'static str) -> Option<Place> {
+    let (head, code) = line.split_once(" = ")?;
+    let (name, kind) = head.split_once(": ")?;
+    let kind = Kind::from_word(kind)?;
+    Some(Place { name, file, code, kind, variables: vec![] })
+}
+
+impl Place {
+    /// The name of its step.
+    pub fn step(&self) -> &'static str {
+        self.file.split('/').next().unwrap_or_default()
+    }
+
+    /// Where it stands in a text, however its rows are broken.
+    pub fn find(&self, text: &str) -> Vec<Range<usize>> {
+        let first = self.code.split(' ').next().unwrap_or_default();
+        let starts = text.match_indices(first).map(|(start, _)| start);
+        let ranges = starts.filter_map(|start| {
+            let mut rest = &text[start..];
+            for word in self.code.split(' ') {
+                rest = rest.trim_start().strip_prefix(word)?;
+            }
+            Some(start..text.len() - rest.len())
+        });
+        ranges.collect()
+    }
+
+    /// A sentence where it can't be edited, as its file, of this text, has changed; `sources`
+    /// is the text of all files of the steps.
+    pub fn fault(&self, text: &str, sources: &str) -> Option<String> {
+        let Self { name, file, code, .. } = self;
+        let count = self.find(text).len();
+        if count != 1 {
+            return Some(format!("{name}: `{code}` is {count} times in {file}."));
+        }
+        let has = |text: &str, word: &str| {
+            let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+            words.any(|one| one == word)
+        };
+        let is_unknown = |variable: &&str| {
+            let mut parts = variable.split('.');
+            let first = parts.next().and_then(|first| first.split('(').next());
+            let mut fields = parts.filter(|part| !part.contains(['(', ')']));
+            !has(text, first.unwrap_or_default())
+                || fields.any(|field| !has(sources, field))
+        };
+        let mut variables = self.variables.iter().map(|(variable, _)| *variable);
+        let unknown = variables.find(is_unknown)?;
+        Some(format!("{name}: there is no `{unknown}` in {file}."))
+    }
+}

@@ -1,0 +1,80 @@
+use crate::is_thorough;
+use crate::module::Module;
+use crate::modules::assert_same;
+use check::{Mistake, Row, locked_sums, mistakes, rows, sum};
+use compare::workspace;
+use expressions::{Place, draw, parse, places};
+use std::fs;
+use wasm::answer;
+
+#[test]
+fn expressions_wasm_is_up_to_date() {
+    let mut module = Module::checked_in("expressions");
+    let mut assert_answered = |request: &str| {
+        let ours = answer(request, b"");
+        assert_same("expressions", request, &ours, module.answer(request, b""));
+    };
+    for (k, place) in places().iter().enumerate() {
+        // A whole picture takes seconds here.
+        let columns = if is_thorough() && k % 6 == 0 { 640 } else { 32 };
+        let Place { name, code, .. } = place;
+        assert_answered(&format!("edit {name} {columns} {code}"));
+        assert_answered(&format!("edit {name} 32 ({code}) * 0.5"));
+        assert_answered(&format!("edit {name} 32 2.0 * √2"));
+        assert_answered(&format!("variables {name}"));
+    }
+}
+
+/// A tenth of the listed mistakes that change one place and nothing else, all where THOROUGH is
+/// set. A mistake that the table does not know yet is left out.
+#[test]
+fn listed_mistakes_are_drawn_by_an_edited_line() {
+    let edits: Vec<_> = places().iter().flat_map(edits).collect();
+    let step = if is_thorough() { 1 } else { 10 };
+    let (mut count, mut refused) = (0, vec![]);
+    for (place, text, expected) in edits.iter().step_by(step) {
+        count += 1;
+        match parse(place, text) {
+            Ok(expression) => {
+                let sum = sum(&draw(place, expression, 640));
+                assert_eq!(
+                    sum, *expected,
+                    "{}: {text} draws another picture",
+                    place.name
+                );
+            }
+            Err(mistake) => {
+                refused.push(format!(
+                    "{}: {text}: {}\n",
+                    place.name, mistake.sentence
+                ));
+            }
+        }
+    }
+    let refused_count = refused.len();
+    let refused = refused.concat();
+    assert!(
+        10 * refused_count < count,
+        "of {count}, these are refused:\n{refused}"
+    );
+}
+
+/// The mistakes that change `place` alone: what is written there, and the sum of the picture.
+fn edits(place: &Place) -> Vec<(Place, String, u64)> {
+    let path = format!("steps/{}", place.file);
+    let text = fs::read_to_string(workspace().join(&path)).expect("a file");
+    let lines: Vec<_> = text.lines().map(str::trim_start).collect();
+    let bare = lines.join("\n");
+    let range = place.find(&bare).first().cloned().expect("the place");
+    let (before, after) = (&bare[..range.start], &bare[range.end..]);
+    let right = locked_sums().find(|(name, _)| *name == place.step());
+    let (_, right) = right.expect("a locked picture");
+    let edit = |(mistake, row): (Mistake, Row)| {
+        let edited = mistake.applied(&bare).filter(|_| mistake.file == path)?;
+        let new = edited.strip_prefix(before)?.strip_suffix(after)?;
+        let is_known = row.key == Row::key(&mistake, &text);
+        is_known
+            .then(|| (place.clone(), new.to_owned(), row.sums[0].unwrap_or(right)))
+    };
+    mistakes().into_iter().zip(rows()).filter_map(edit).collect()
+}
