@@ -1,6 +1,6 @@
 use crate::parameter::array;
 use crate::{Live, Output, Parameter};
-use step01_rays::{AspectRatio, Camera, Ray, direction_colour, render};
+use step01_rays::{AspectRatio, Camera, direction_colour, render};
 
 /// The aspect ratio of the course's pictures.
 pub const WIDESCREEN: AspectRatio = AspectRatio { width: 16.0, height: 9.0 };
@@ -27,26 +27,18 @@ pub fn camera(fov_degrees: f64, aspect_ratio: AspectRatio, columns: f64) -> Came
     Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
 }
 
-/// The picture of step 1, with its camera to set, and unit vectors to switch on.
+/// The picture of step 1, with its camera to set.
 pub fn picture() -> Live {
     Live {
         parameters: vec![
             Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
             aspect_ratio_parameter(),
             Parameter::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
-            Parameter::switch("normalised", false),
         ],
         ..Live::new("step01_rays", |values| {
-            let [degrees, choice, columns, is_unit] = array(values);
+            let [degrees, choice, columns] = array(values);
             let camera = camera(degrees, aspect_ratio(choice), columns);
-            let colour = |ray: &Ray| match is_unit {
-                1.0 => direction_colour(&Ray {
-                    direction: ray.direction.normalize(),
-                    ..*ray
-                }),
-                _ => direction_colour(ray),
-            };
-            Output::Picture(render(&camera, 1, colour))
+            Output::Picture(render(&camera, 1, direction_colour))
         })
     }
 }
