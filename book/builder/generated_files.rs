@@ -29,7 +29,7 @@ const MODULES: [&str; 3] = ["live", "check", "expressions"];
 pub fn write(workspace: &Path) -> Result<()> {
     let lock = File::create(target_folder().join("book.lock"))?;
     lock.lock()?;
-    let folder = workspace.join(CHAPTERS).join("pictures");
+    let folder = workspace.join(CHAPTERS).join("generated");
     fs::create_dir_all(&folder)
         .with_context(|| format!("{} can't be made", folder.display()))?;
     let old = Files::read(&folder)?.0;

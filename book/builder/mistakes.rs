@@ -49,7 +49,7 @@ impl Entry<'_> {
 
     fn section(&self, workspace: &Path) -> Result<String, String> {
         let Self { mistake, shown, name, step } = self;
-        let right = format!("pictures/{}{THUMBNAIL_SUFFIX}", step.name());
+        let right = format!("generated/{}{THUMBNAIL_SUFFIX}", step.name());
         let ours = Picture::plain("The right picture.", &right).html(workspace)?;
         let alt =
             format!("The picture of step {} with this mistake.", step.number());
@@ -63,7 +63,7 @@ impl Entry<'_> {
             "\n### {} {{#{name}}}\n\n\
              <div class=\"panels\">{wrong}{ours}\
              <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
-             style=\"background-image: url(pictures/mistake-{name}.png), url({right})\"></span>\
+             style=\"background-image: url(generated/mistake-{name}.png), url({right})\"></span>\
              </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
             self.title()?,
             diff_figure(mistake),
@@ -74,7 +74,7 @@ impl Entry<'_> {
     }
 
     fn picture(&self, alt: &str) -> Picture {
-        Picture::plain(alt, &format!("pictures/mistake-{}.png", self.name))
+        Picture::plain(alt, &format!("generated/mistake-{}.png", self.name))
     }
 
     /// With a capital letter, unless it begins with a symbol.

@@ -13,7 +13,7 @@ pub const LAZY: &str = r#" loading="lazy""#;
 /// enough for one of 640 pixels.
 const SIZES: &str = "(max-width: 950px) 88vw, 882px";
 
-/// A picture as a chapter asks for it: `![what it shows](pictures/name.png
+/// A picture as a chapter asks for it: `![what it shows](generated/name.png
 /// "Caption")`.
 #[derive(Debug)]
 pub struct Picture {

@@ -94,8 +94,8 @@ fn a_directive_has_its_place() {
 
 #[test]
 fn a_picture_has_words_and_may_answer() {
-    wrong("One.\n\n![](pictures/step01_rays.png)\n", 3, "no alt text");
-    wrong("One.\n\n![What](pictures/nowhere.png)\n", 3, "no picture");
+    wrong("One.\n\n![](generated/step01_rays.png)\n", 3, "no alt text");
+    wrong("One.\n\n![What](generated/nowhere.png)\n", 3, "no picture");
     wrong(
         &format!("![A sky.]({SKY}) {{{{#live nothing}}}}\n"),
         1,

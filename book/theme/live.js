@@ -9,7 +9,7 @@ const liveModule = (() => {
     const come = {}, modules = {}, instances = {};
     const load = name => modules[name] ??= new Promise((resolve, reject) => {
         come[name] = resolve;
-        const script = make("script", { src: `${path_to_root}pictures/${name}-module.js` });
+        const script = make("script", { src: `${path_to_root}generated/${name}-module.js` });
         script.onerror = reject;
         document.head.append(script);
     }).catch(error => {

@@ -23,7 +23,7 @@ export const forms = named(/<form[^>]* data-live="check"[^>]* data-name="([^"]+)
 export const pagesWithFigures = [...new Set(figures.map(([page]) => page))];
 
 // A picture of the book, in base 64.
-export const picture = name => readFileSync(join(folder, `pictures/${name}.png`), 'base64');
+export const picture = name => readFileSync(join(folder, `generated/${name}.png`), 'base64');
 
 // The texts of the scripts and styles that stand in the pages themselves.
 export const inline = tag => new Set(pages.concat('404.html').flatMap(page =>
