@@ -16,7 +16,7 @@ pub struct Place {
 
 /// The files to which an answer may lead, with their sections and tests.
 pub fn places() -> impl Iterator<Item = Place> {
-    let lines = include_str!("../mistakes/source_files.txt").lines();
+    let lines = include_str!("../source_files.txt").lines();
     lines.filter_map(|line| {
         let mut parts = line.split('|').map(str::trim);
         let (step, file) = parts.next()?.split_once('/')?;

@@ -75,15 +75,19 @@ fn check_wasm_is_up_to_date() {
         answer(&request, &pixels);
         module.answer(&request, &pixels);
     }
-    // What they look up lies in them as it is.
-    for name in ["check", "expressions"] {
+    // The lists that they look up lie in them as they are.
+    let lists =
+        fs::read_dir(workspace().join("book/check/mistakes")).expect("lists");
+    let lists = lists.map(|file| file.expect("a list").path());
+    let lists: Vec<_> = lists
+        .filter(|path| path.extension().is_some_and(|end| end == "txt"))
+        .collect();
+    let source_files = vec![workspace().join("book/check/source_files.txt")];
+    for (name, paths) in
+        [("check", &lists), ("expressions", &lists), ("check", &source_files)]
+    {
         let bytes = module::bytes(name);
-        let lists = fs::read_dir(workspace().join("book/check/mistakes"));
-        for file in lists.expect("lists") {
-            let path = file.expect("a list").path();
-            if path.extension().is_none_or(|end| end != "txt") {
-                continue;
-            }
+        for path in paths {
             let text = fs::read(&path).expect("a list");
             assert!(
                 bytes.windows(text.len()).any(|part| part == text),
