@@ -88,7 +88,7 @@ fn check_wasm_is_up_to_date() {
     {
         let bytes = module::bytes(name);
         for path in paths {
-            let text = fs::read(&path).expect("a list");
+            let text = fs::read(path).expect("a list");
             assert!(
                 bytes.windows(text.len()).any(|part| part == text),
                 "book/wasm/{name}.wasm has another {}: `cargo run -p update` compiles it \
