@@ -1,4 +1,4 @@
-use compare::{Difference, panels, target_folder, workspace};
+use compare::{Difference, draw_panels, target_folder, workspace};
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use insta::{Settings, assert_binary_snapshot};
@@ -80,7 +80,7 @@ fn mismatch_message(
         }
     };
     let difference = Difference::between(&locked_picture, picture)?;
-    let caption = match panels(picture, &locked_picture).save(panels_path) {
+    let caption = match draw_panels(picture, &locked_picture).save(panels_path) {
         Ok(()) => {
             "New, locked and difference (orange where the new one is brighter):"
         }

@@ -13,7 +13,7 @@ use std::{fs, process};
 /// leaves the book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let draft = own_sibling_folder(folder, "draft");
-    let built = write_pages(workspace, &draft);
+    let built = write_and_check_pages(workspace, &draft);
     let placed =
         built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
     let _ = fs::remove_dir_all(&draft);
@@ -42,16 +42,16 @@ fn replace_folder(folder: &Path, new: &Path) -> Result<()> {
 
 /// Writes all pages into `folder`. A fault in a chapter stops it before any page is
 /// written; a link that leads nowhere is found when all are.
-fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
+fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = folder.to_owned();
     book.with_preprocessor(Course);
     book.build()?;
     let folder = book.build_dir_for("html");
     let mut files = Files::read(&folder)?;
-    let html: Vec<_> = files.texts(".html").collect();
+    let html: Vec<_> = files.texts_with_suffix(".html").collect();
     let pages = html.into_par_iter().map(|(name, html)| {
-        let mut page = Page::new(name, html);
+        let mut page = Page::parse(name, html);
         finish_page(&mut page, &files)?;
         let html = page.html.html();
         fs::write(folder.join(name), &html).with_context(|| name.to_owned())?;
@@ -62,23 +62,23 @@ fn write_pages(workspace: &Path, folder: &Path) -> Result<Site> {
         files.0.insert(page.name.clone(), html.into_bytes());
         site.pages.insert(page.name.clone(), page);
     }
-    let index = search::index(&site);
+    let index = search::index_script(&site);
     fs::write(folder.join(search::INDEX), &index)?;
     files.0.insert(search::INDEX.to_owned(), index.into_bytes());
     site.files = files;
     let chapters = Files::read(&workspace.join(CHAPTERS))?;
-    fail_with_faults(&links::faults(&site, &chapters))?;
+    fail_with_faults(&links::find_faults(&site, &chapters))?;
     Ok(site)
 }
 
 /// Finishes a page that mdBook has written.
 fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
     // mdBook puts the title of a part into an item of its own, and HTML has no such item.
-    page.change("li:empty", |_| String::new());
+    page.replace_each("li:empty", |_| String::new());
     match page.name.as_str() {
         "toc.html" => return Ok(()),
-        "print.html" => paper_page::arrange(page)?,
+        "print.html" => paper_page::arrange_for_paper(page)?,
         _ => {}
     }
-    inline_styles::inline(page, files)
+    inline_styles::inline_styles(page, files)
 }

@@ -11,7 +11,7 @@ type Fault = (usize, String);
 
 /// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
 /// chapter: gives Markdown as mdBook renders it, and what is wrong on which line.
-pub fn expand(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
+pub fn expand_directives(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
     let (edits, faults, code, listings, open_box) = Default::default();
     let mut chapter =
         Chapter { text, workspace, edits, faults, code, listings, open_box };
@@ -51,37 +51,41 @@ type Events<'a> = [(Event<'a>, Range<usize>)];
 
 impl Chapter<'_> {
     fn expand_blocks(&mut self) {
-        let events = Parser::new_ext(self.text, markdown::options());
+        let events = Parser::new_ext(self.text, markdown::markdown_options());
         let events: Vec<_> = events.into_offset_iter().collect();
         let mut end_of_last = 0;
         for (index, (event, range)) in events.iter().enumerate() {
             if range.start < end_of_last {
                 continue;
             }
-            match self.replacement(event, &events[index..], range) {
+            match self.expand_event(event, &events[index..], range) {
                 Part::Plain => continue,
                 Part::Code => self.code.push(range.clone()),
                 Part::Replaced(text) => {
-                    let text = self.text_or_fault(range.start, text);
+                    let text = self.text_or_record_fault(range.start, text);
                     self.edits.push((range.clone(), text));
                 }
             }
             end_of_last = range.end;
         }
-        if let Some(at) = self.open_box {
-            self.faults.push((at, "the box has no {{#end}}".to_owned()));
+        if let Some(position) = self.open_box {
+            self.faults.push((position, "the box has no {{#end}}".to_owned()));
         }
     }
 
     /// The text for a place; an empty one, and a fault, for an error.
-    fn text_or_fault(&mut self, at: usize, text: Result<String, String>) -> String {
+    fn text_or_record_fault(
+        &mut self,
+        position: usize,
+        text: Result<String, String>,
+    ) -> String {
         text.unwrap_or_else(|fault| {
-            self.faults.push((at, fault));
+            self.faults.push((position, fault));
             String::new()
         })
     }
 
-    fn replacement(
+    fn expand_event(
         &mut self,
         event: &Event,
         events: &Events,
@@ -90,7 +94,7 @@ impl Chapter<'_> {
         let source = &self.text[range.clone()];
         Part::Replaced(match event {
             Event::Start(Tag::CodeBlock(kind)) => {
-                return self.expand_fence(kind, source);
+                return self.expand_code_block(kind, source);
             }
             Event::Start(Tag::Paragraph) => {
                 match self.expand_paragraph(events, range) {
@@ -99,22 +103,23 @@ impl Chapter<'_> {
                 }
             }
             Event::Start(Tag::Image { dest_url, title, .. }) => {
-                let picture = picture::Picture::new(source, dest_url, title);
+                let picture =
+                    picture::Picture::from_markdown(source, dest_url, title);
                 picture.html(self.workspace)
             }
-            Event::InlineMath(latex) => formula::mathml(latex, false),
-            Event::DisplayMath(latex) => formula::mathml(latex, true),
-            Event::Code(code) if is_breakable_name(code) => {
+            Event::InlineMath(latex) => formula::formula_html(latex, false),
+            Event::DisplayMath(latex) => formula::formula_html(latex, true),
+            Event::Code(code) if is_name_with_break(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
             Event::Code(_) => return Part::Code,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
-                if let Some(at) = source.find('$')
-                    && !self.text[..range.start + at].ends_with(['\\', '$'])
+                if let Some(position) = source.find('$')
+                    && !self.text[..range.start + position].ends_with(['\\', '$'])
                 {
                     let fault = "a $ that is no formula is written \\$, and a formula \
                                 has its end, pairs of braces, and no HTML around it";
-                    self.faults.push((range.start + at, fault.to_owned()));
+                    self.faults.push((range.start + position, fault.to_owned()));
                 }
                 return Part::Plain;
             }
@@ -123,7 +128,7 @@ impl Chapter<'_> {
     }
 
     /// A fence: an include becomes a listing, commands get a caption.
-    fn expand_fence(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
+    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
         let CodeBlockKind::Fenced(info) = kind else { return Part::Code };
         let (language, folder) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
@@ -131,7 +136,7 @@ impl Chapter<'_> {
         let html = if content.trim_start().starts_with("{{#include") {
             listing::html(language, &content, self.workspace, &mut self.listings)
         } else if language == "console" {
-            console_figure(folder, &content)
+            console_figure_markdown(folder, &content)
         } else {
             return Part::Code;
         };
@@ -150,8 +155,10 @@ impl Chapter<'_> {
             ("figure", name) => figure::html(name),
             ("check", name) => check_form::html(name, self.workspace),
             ("mistakes", step) => mistakes::html(step, self.workspace),
-            ("listing", words) => listing::moving(words, &mut self.listings),
-            ("by-hand", test) => Ok(by_hand_note(test)),
+            ("listing", words) => {
+                listing::moving_listing_html(words, &mut self.listings)
+            }
+            ("by-hand", test) => Ok(by_hand_note_html(test)),
             ("rust", words) => markdown::inline_html(words).map(|words| {
                 format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")
             }),
@@ -167,34 +174,37 @@ impl Chapter<'_> {
                     self.open_box = Some(range.start);
                     html
                 }
-                None => return self.expand_pictures(events, range),
+                None => return self.expand_pictures_alone(events, range),
             },
         })
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live}}`, that
     /// they answer, or by `{{#live own_scene}}`, what does.
-    fn expand_pictures(
+    fn expand_pictures_alone(
         &self,
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
         let mut pictures = vec![];
-        let mut rest = self.text[range.clone()].to_string();
+        let mut remaining = self.text[range.clone()].to_string();
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
                 && inner.start < range.end
             {
                 let markdown = &self.text[inner.clone()];
-                pictures.push(picture::Picture::new(markdown, dest_url, title));
-                rest = rest.replacen(markdown, "", 1);
+                pictures.push(picture::Picture::from_markdown(
+                    markdown, dest_url, title,
+                ));
+                remaining = remaining.replacen(markdown, "", 1);
             }
         }
-        let live = parse_directive(rest.trim()).filter(|(kind, _)| *kind == "live");
-        let is_whole = live.is_some() || rest.trim().is_empty();
+        let live =
+            parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
+        let is_whole = live.is_some() || remaining.trim().is_empty();
         let live = live.map(|(_, name)| name);
         (is_whole && !pictures.is_empty())
-            .then(|| picture::figure(&pictures, live, self.workspace))
+            .then(|| picture::figures_html(&pictures, live, self.workspace))
     }
 
     /// Puts numbers in place, and finds directives that are left.
@@ -202,18 +212,20 @@ impl Chapter<'_> {
         let text = self.text;
         let replaced: Vec<_> =
             self.edits.iter().map(|(range, _)| range.clone()).collect();
-        let inside = |ranges: &[Range<usize>], at| {
-            ranges.iter().any(|one| one.contains(&at))
+        let inside = |ranges: &[Range<usize>], position| {
+            ranges.iter().any(|one| one.contains(&position))
         };
-        for (at, _) in text.match_indices("{{#") {
-            if inside(&replaced, at) {
+        for (position, _) in text.match_indices("{{#") {
+            if inside(&replaced, position) {
                 continue;
             }
-            let end = text[at..].find("}}").map_or(text.len(), |end| at + end + 2);
-            let minus = if inside(&self.code, at) { "-" } else { "−" };
-            let number = numbers::in_text(&text[at..end], minus);
-            let number = self.text_or_fault(at, number);
-            self.edits.push((at..end, number));
+            let end = text[position..]
+                .find("}}")
+                .map_or(text.len(), |end| position + end + 2);
+            let minus = if inside(&self.code, position) { "-" } else { "−" };
+            let number = numbers::fill_in_text(&text[position..end], minus);
+            let number = self.text_or_record_fault(position, number);
+            self.edits.push((position..end, number));
         }
     }
 
@@ -221,44 +233,47 @@ impl Chapter<'_> {
     fn apply_edits(mut self) -> (String, Vec<Fault>) {
         self.edits.sort_by_key(|(range, _)| range.start);
         let mut markdown = String::new();
-        let mut from = 0;
-        for (range, with) in &self.edits {
-            markdown += &self.text[from..range.start];
-            from = range.end;
+        let mut copied_end = 0;
+        for (range, replacement) in &self.edits {
+            markdown += &self.text[copied_end..range.start];
+            copied_end = range.end;
             // A comma stays on the line of the formula before it.
-            let mark = self.text[from..].chars().next();
+            let mark = self.text[copied_end..].chars().next();
             match mark.filter(|mark| ",.;:?)".contains(*mark)) {
-                Some(mark) if with.ends_with("</math>") => {
-                    markdown +=
-                        &format!("<span class=\"tight\">{with}{mark}</span>");
-                    from += mark.len_utf8();
+                Some(mark) if replacement.ends_with("</math>") => {
+                    markdown += &format!(
+                        "<span class=\"tight\">{replacement}{mark}</span>"
+                    );
+                    copied_end += mark.len_utf8();
                 }
-                _ => markdown += with,
+                _ => markdown += replacement,
             }
         }
-        markdown += &self.text[from..];
+        markdown += &self.text[copied_end..];
         self.faults.sort();
-        let line = |at: usize| 1 + self.text[..at].matches('\n').count();
-        let faults = self.faults.into_iter().map(|(at, what)| (line(at), what));
+        let line =
+            |position: usize| 1 + self.text[..position].matches('\n').count();
+        let faults =
+            self.faults.into_iter().map(|(position, what)| (line(position), what));
         (markdown, faults.collect())
     }
 }
 
 /// Whether code is a name such as `Ray::at`, which may be broken.
-fn is_breakable_name(code: &str) -> bool {
+fn is_name_with_break(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
 }
 
 /// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
-fn by_hand_note(test: &str) -> String {
+fn by_hand_note_html(test: &str) -> String {
     let name = markdown::code_with_break_hints(test);
     format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
 }
 
 /// Commands, under a caption that says in folder folder they are meant, the reader's
 /// or ours.
-fn console_figure(folder: &str, commands: &str) -> Result<String, String> {
+fn console_figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
     let (folder, caption) = match folder {
         "yours" => ("yours", "in your folder"),
         "yours,refused" => ("yours refused", "in your folder"),

@@ -7,17 +7,19 @@ use std::collections::BTreeSet;
 /// They are hidden where no script can answer, and are there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
-    let handled = parameters_of_visible_handles(live);
+    let handled = parameter_indices_of_visible_handles(live);
     let labels = |is_included: fn(&Parameter) -> bool| -> String {
         let parameters = live.parameters.iter().enumerate();
         let included = parameters.filter(|(k, parameter)| {
             let is_grouped = !parameter.group.is_empty();
             (is_grouped || !handled.contains(k)) && is_included(parameter)
         });
-        included.map(|(k, parameter)| label(live, k, parameter)).collect()
+        included
+            .map(|(k, parameter)| parameter_label_html(live, k, parameter))
+            .collect()
     };
     let hint = if live.has_probe() { HINT } else { "" };
-    let content = match group_choice(live) {
+    let content = match group_select_html(live) {
         None => format!("{}{RESET}", labels(|_| true)),
         Some(choice) => format!(
             "<div class=\"choice\">{choice}{}{RESET}</div>{}",
@@ -35,9 +37,9 @@ const RESET: &str =
     "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
 /// The parameters that are set by the handles which are inside the printed output.
-fn parameters_of_visible_handles(live: &Live) -> BTreeSet<usize> {
+fn parameter_indices_of_visible_handles(live: &Live) -> BTreeSet<usize> {
     let values = live.default_values();
-    let [width, height] = live.default_output().size();
+    let [width, height] = live.default_output().width_and_height();
     let handles = live.handles.iter().filter(|handle| {
         handle.place(&values).is_some_and(|place| {
             (0.0..=width).contains(&place.x) && (0.0..=height).contains(&place.y)
@@ -47,7 +49,7 @@ fn parameters_of_visible_handles(live: &Live) -> BTreeSet<usize> {
 }
 
 /// The choice of the group whose controls are visible; None without groups.
-fn group_choice(live: &Live) -> Option<String> {
+fn group_select_html(live: &Live) -> Option<String> {
     let mut groups: Vec<_> =
         live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();
@@ -59,10 +61,10 @@ fn group_choice(live: &Live) -> Option<String> {
 }
 
 /// The control of the parameter number `k`, at its default.
-fn label(live: &Live, k: usize, parameter: &Parameter) -> String {
+fn parameter_label_html(live: &Live, k: usize, parameter: &Parameter) -> String {
     let (class, input) = match parameter.kind {
-        Kind::Switch => ("switch", switch(parameter)),
-        Kind::Number(_) | Kind::Choice(_) => ("range", range(parameter)),
+        Kind::Switch => ("switch", checkbox_html(parameter)),
+        Kind::Number(_) | Kind::Choice(_) => ("range", range_input_html(parameter)),
     };
     let first_group = live.handles.first().map_or("", |handle| {
         let [first, _] = handle.parameters;
@@ -91,7 +93,7 @@ fn label(live: &Live, k: usize, parameter: &Parameter) -> String {
 }
 
 /// A range, and its value as text; a screen reader has that from the script.
-fn range(parameter: &Parameter) -> String {
+fn range_input_html(parameter: &Parameter) -> String {
     let Parameter { range: [min, max], steps_per_unit, default, .. } = parameter;
     let step = 1.0 / steps_per_unit;
     format!(
@@ -101,7 +103,7 @@ fn range(parameter: &Parameter) -> String {
     )
 }
 
-fn switch(parameter: &Parameter) -> String {
+fn checkbox_html(parameter: &Parameter) -> String {
     let checked = if parameter.default == 1.0 { " checked" } else { "" };
     format!("<input type=\"checkbox\"{checked}>")
 }

@@ -5,9 +5,9 @@ use std::{fs, io};
 /// The folder of the chapters, as seen from the root of the workspace.
 pub const CHAPTERS: &str = "book/chapters/";
 
-/// The path to which `path` leads from the file or folder/ `from`.
-pub fn resolve_path(from: &str, path: &str) -> String {
-    let mut parts: Vec<&str> = from.split('/').collect();
+/// The path to which `path` leads from the file or folder/ `base`.
+pub fn resolve_path(base: &str, path: &str) -> String {
+    let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();
     for part in path.split('/') {
         match part {
@@ -49,9 +49,12 @@ impl Files {
         str::from_utf8(self.0.get(path)?).ok()
     }
 
-    /// The paths and texts of all files whose path ends in `end`.
-    pub fn texts(&self, end: &str) -> impl Iterator<Item = (&str, &str)> {
-        let paths = self.0.keys().filter(move |path| path.ends_with(end));
+    /// The paths and texts of all files whose path ends in `suffix`.
+    pub fn texts_with_suffix(
+        &self,
+        suffix: &str,
+    ) -> impl Iterator<Item = (&str, &str)> {
+        let paths = self.0.keys().filter(move |path| path.ends_with(suffix));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
     }
 }

@@ -2,9 +2,9 @@ use crate::numbers;
 use math_core::{LatexToMathML, MathDisplay};
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
-pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
-    let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = numbers::in_formula(latex, |latex| {
+pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
+    let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
+    let mathml = numbers::fill_in_formula(latex, |latex| {
         let converted =
             LatexToMathML::default().convert_with_local_state(latex, style);
         converted.map(|converted| converted.mathml).map_err(|error| {
@@ -12,7 +12,7 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
         })
     })?;
     let mathml = escape_markdown(&mathml);
-    Ok(if display {
+    Ok(if is_display {
         format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)
     } else {
         mathml

@@ -26,7 +26,7 @@ const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// Writes what the chapters show and what the pages load: the locked snapshots as they are,
 /// the pictures of the mistakes, and the modules. Removes all else. One process does so at a time.
-pub fn write(workspace: &Path) -> Result<()> {
+pub fn write_generated_files(workspace: &Path) -> Result<()> {
     let lock = File::create(target_folder().join("book.lock"))?;
     lock.lock()?;
     let folder = workspace.join(CHAPTERS).join("generated");
@@ -40,7 +40,7 @@ pub fn write(workspace: &Path) -> Result<()> {
     for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
         let Some(name) = name.strip_suffix(".snap.png") else { continue };
         files.extend(
-            smaller_picture(name, &bytes).with_context(|| name.to_owned())?,
+            named_smaller_picture(name, &bytes).with_context(|| name.to_owned())?,
         );
         files.insert(format!("{name}.png"), bytes);
     }
@@ -65,11 +65,14 @@ pub fn write(workspace: &Path) -> Result<()> {
 
 /// The smaller pictures that go with the locked picture `name`: half of a wide one, and a
 /// step's beside those of its mistakes.
-fn smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
+fn named_smaller_picture(
+    name: &str,
+    file: &[u8],
+) -> Result<Option<(String, Vec<u8>)>> {
     let (width, height) = ImageReader::new(Cursor::new(file))
         .with_guessed_format()?
         .into_dimensions()?;
-    let (end, part) = match Step::named(name) {
+    let (end, part) = match Step::from_name(name) {
         _ if MIN_WIDTH_OF_HALF <= width => (HALF_SUFFIX, 2),
         Some(_) => (THUMBNAIL_SUFFIX, width / 320),
         None => return Ok(None),

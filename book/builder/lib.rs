@@ -57,6 +57,6 @@ mod tests;
 
 pub use build::build;
 pub use files::Files;
-pub use page::{Page, all, text};
+pub use page::{Page, inner_text, select_all};
 pub use preprocessor::Course;
 pub use site::Site;

@@ -2,7 +2,7 @@
 //! fetched from elsewhere.
 
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Files, Page, Site, text};
+use crate::{Files, Page, Site, inner_text};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
@@ -10,30 +10,36 @@ use std::collections::BTreeSet;
 /// its line in the `chapters`, by their paths, where it stands in one.
 ///
 /// The pages that repeat the chapters are looked at where these have no fault.
-pub fn faults(site: &Site, chapters: &Files) -> Vec<String> {
+pub fn find_faults(site: &Site, chapters: &Files) -> Vec<String> {
     let is_copy =
         |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
     let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
-    let faults = page_faults(site, chapters, &pages);
-    if faults.is_empty() { page_faults(site, chapters, &copies) } else { faults }
+    let faults = find_page_faults(site, chapters, &pages);
+    if faults.is_empty() {
+        find_page_faults(site, chapters, &copies)
+    } else {
+        faults
+    }
 }
 
-fn page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
+fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
-        page.all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
+        page.select_all("[id]")
+            .into_iter()
+            .map(|one| (page.name.as_str(), one.attr("id")))
     });
     let ids = with_id.collect();
     let mut faults = vec![];
     for page in pages {
         for element in page.html.root_element().descendent_elements() {
-            for address in addresses(element) {
-                let fault = address_fault(site, &ids, &page.name, &address);
+            for address in addresses_in(element) {
+                let fault = find_address_fault(site, &ids, &page.name, &address);
                 let is_link =
                     element.value().name() == "a" && is_outside_book(&address);
                 let fault = fault.filter(|_| !is_link);
                 let place = || {
-                    source_line(chapters, &page.name, &address)
-                        .unwrap_or_else(|| page.at(element))
+                    find_source_line(chapters, &page.name, &address)
+                        .unwrap_or_else(|| page.address_for_fault(element))
                 };
                 faults.extend(fault.map(|fault| format!("{} {fault}", place())));
             }
@@ -43,7 +49,7 @@ fn page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
 }
 
 /// The file and the line of the chapter of a page in which an address stands.
-fn source_line(chapters: &Files, page: &str, address: &str) -> Option<String> {
+fn find_source_line(chapters: &Files, page: &str, address: &str) -> Option<String> {
     let file = page.replace(".html", ".md");
     let written = [address.replace(".html", ".md"), address.to_owned()];
     let is_there = |line: &str| {
@@ -55,27 +61,27 @@ fn source_line(chapters: &Files, page: &str, address: &str) -> Option<String> {
 }
 
 /// Everything that an element leads to or loads.
-fn addresses(element: ElementRef) -> Vec<String> {
+fn addresses_in(element: ElementRef) -> Vec<String> {
     if element.value().name() == "base" {
         // Says where the book is, and fetches nothing.
         return vec![];
     }
-    let mut found = vec![];
+    let mut addresses = vec![];
     for (name, value) in element.value().attrs() {
         match name {
-            "href" | "src" => found.push(value.into()),
+            "href" | "src" => addresses.push(value.into()),
             "srcset" => {
                 let sets =
                     value.split(',').flat_map(|set| set.split_whitespace().next());
-                found.extend(sets.map(str::to_owned));
+                addresses.extend(sets.map(str::to_owned));
             }
             _ => {}
         }
     }
     if element.value().name() == "style" {
-        found.extend(style_urls(&text(element)).map(str::to_owned));
+        addresses.extend(style_urls(&inner_text(element)).map(str::to_owned));
     }
-    found
+    addresses
 }
 
 /// Whether an address names another place than the book.
@@ -84,12 +90,12 @@ fn is_outside_book(address: &str) -> bool {
     address.starts_with('/') || scheme.contains(':')
 }
 
-/// The fault of an address in the file `from`; None where it leads to something in the
+/// The fault of an address in the file `page_path`; None where it leads to something in the
 /// book.
-fn address_fault(
+fn find_address_fault(
     site: &Site,
     ids: &BTreeSet<(&str, Option<&str>)>,
-    from: &str,
+    page_path: &str,
     address: &str,
 ) -> Option<String> {
     if address.starts_with("data:") {
@@ -100,8 +106,8 @@ fn address_fault(
     }
     let (path, id) = address.split_once('#').unwrap_or((address, ""));
     let path = match path.split('?').next().unwrap_or_default() {
-        "" => from.to_string(),
-        path => resolve_path(from, path),
+        "" => page_path.to_string(),
+        path => resolve_path(page_path, path),
     };
     if !site.files.0.contains_key(&path) {
         return Some(format!("leads to {path}, which is not in the book"));

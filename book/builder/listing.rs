@@ -30,51 +30,56 @@ pub fn html(
         .map_err(|_| format!("there is no file {target}"))?;
     let path = path.strip_prefix("book/reader/").unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
-    let range = range(part, &lines)?;
+    let range = part_lines(part, &lines)?;
     let (first, last) = (range.start + 1, range.end);
     let is_whole = range.len() == lines.len();
     let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
     let code = lines[range].join("\n");
     let attributes =
-        format!("data-lines=\"{first}-{last}\"{}", places(path, &code));
-    Ok(figure(path, &attributes, part, language, &code, ids))
+        format!("data-lines=\"{first}-{last}\"{}", places_attribute(path, &code));
+    Ok(figure_markdown(path, &attributes, part, language, &code, ids))
 }
 
 /// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
 /// a file whose text is a number that moves.
-pub fn moving(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
-    let (which, path) = words
+pub fn moving_listing_html(
+    words: &str,
+    ids: &mut Vec<String>,
+) -> Result<String, String> {
+    let (number_name, path) = words
         .split_once(' ')
         .ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
-    let code = numbers::printed(which)?;
+    let code = numbers::default_text_of_number(number_name)?;
     let lines = code.lines().count();
-    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{which}\"");
-    Ok(figure(path, &attributes, "", "rust", code, ids))
+    let attributes =
+        format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
+    Ok(figure_markdown(path, &attributes, "", "rust", code, ids))
 }
 
 /// The attribute that says where a reader may edit the code: for each place its name, and its
 /// start and length in letters as JavaScript counts them. See book/theme/lines.js.
-fn places(path: &str, code: &str) -> String {
+fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
-    let mut places = expressions::places();
+    let mut places = expressions::editable_places();
     places.retain(|place| path.strip_prefix("steps/") == Some(place.file));
-    let found = places.iter().filter_map(|place| match &place.find(code)[..] {
-        [range] => Some(format!(
-            "{}:{}:{}",
-            place.name,
-            letters(&code[..range.start]),
-            letters(&code[range.clone()])
-        )),
-        _ => None,
-    });
-    match found.collect::<Vec<_>>().join(" ") {
+    let entries =
+        places.iter().filter_map(|place| match &place.find_ranges(code)[..] {
+            [range] => Some(format!(
+                "{}:{}:{}",
+                place.name,
+                letters(&code[..range.start]),
+                letters(&code[range.clone()])
+            )),
+            _ => None,
+        });
+    match entries.collect::<Vec<_>>().join(" ") {
         none if none.is_empty() => none,
         places => format!(" data-places=\"{places}\""),
     }
 }
 
 /// Code from the file `path` under its caption; `part` says which of it.
-fn figure(
+fn figure_markdown(
     path: &str,
     attributes: &str,
     part: &str,
@@ -82,10 +87,11 @@ fn figure(
     code: &str,
     ids: &mut Vec<String>,
 ) -> String {
-    let shown = path.strip_prefix("steps/").unwrap_or(path);
-    let at = shown.rfind('/').map_or(0, |at| at + 1);
-    let (folder, file) = (escape(&shown[..at]), escape(&shown[at..]));
-    let new = Some(format!("listing-{}", shown.replace('/', "-")));
+    let short_path = path.strip_prefix("steps/").unwrap_or(path);
+    let name_start = short_path.rfind('/').map_or(0, |name_start| name_start + 1);
+    let (folder, file) =
+        (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
+    let new = Some(format!("listing-{}", short_path.replace('/', "-")));
     let new = new.filter(|id| !ids.contains(id));
     ids.extend(new.clone());
     let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
@@ -102,25 +108,39 @@ fn figure(
 
 /// The lines of a part such as `use..impl Ray`, which begins and ends before what
 /// begins with these words.
-fn range(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
-    let (from, to) = part.split_once("..").ok_or(format!(
+fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
+    let (begin_words, end_words) = part.split_once("..").ok_or(format!(
         "a part is ..how its end begins, or how it begins.., not {part}"
     ))?;
-    let start = if from.is_empty() { 0 } else { find(from, lines, 0)? };
-    let end = if to.is_empty() { lines.len() } else { find(to, lines, start + 1)? };
+    let start = if begin_words.is_empty() {
+        0
+    } else {
+        find_line_or_attributes(begin_words, lines, 0)?
+    };
+    let end = if end_words.is_empty() {
+        lines.len()
+    } else {
+        find_line_or_attributes(end_words, lines, start + 1)?
+    };
     Ok(start..end)
 }
 
-/// The place of the first line, not before `from`, that begins with these words, or
+/// The place of the first line, not before `first_line`, that begins with these words, or
 /// that of the comments and attributes above it.
-fn find(words: &str, lines: &[&str], from: usize) -> Result<usize, String> {
-    let mut lines_from = lines.iter().skip(from);
-    let mut at = from
+fn find_line_or_attributes(
+    words: &str,
+    lines: &[&str],
+    first_line: usize,
+) -> Result<usize, String> {
+    let mut lines_from = lines.iter().skip(first_line);
+    let mut line_index = first_line
         + lines_from
             .position(|line| line.trim_start().starts_with(words))
             .ok_or(format!("no line there begins with {words:?}"))?;
-    while from < at && lines[at - 1].trim_start().starts_with(['#', '/']) {
-        at -= 1;
+    while first_line < line_index
+        && lines[line_index - 1].trim_start().starts_with(['#', '/'])
+    {
+        line_index -= 1;
     }
-    Ok(at)
+    Ok(line_index)
 }

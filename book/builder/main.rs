@@ -32,50 +32,51 @@ enum Command {
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let done = match &options.command {
+    let result = match &options.command {
         Some(Command::Preprocess { question }) if question.is_empty() => {
-            preprocess()
+            preprocess_stdin()
         }
         Some(Command::Preprocess { .. }) => Ok(()),
-        None => build(options.open),
+        None => build_and_report(options.open),
     };
-    let Err(error) = done else { return ExitCode::SUCCESS };
+    let Err(error) = result else { return ExitCode::SUCCESS };
     let _ = writeln!(stderr(), "{error:#}");
     ExitCode::FAILURE
 }
 
 /// Reads the book that mdBook hands over, and writes it with its chapters expanded.
-fn preprocess() -> Result<()> {
+fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
     let book = Course.run(&context, book)?;
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
 /// Builds the book, says what was built and where, and opens it if that is asked for.
-fn build(is_opened: bool) -> Result<()> {
+fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
-    say("Building the book …");
+    print_line("Building the book …");
     let folder = target_folder().join("book");
     let site = book::build(&workspace(), &folder)?;
-    say(&format!(
+    print_line(&format!(
         "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
-        site.chapters().len(),
-        site.count(".listing"),
-        site.count(".drawing"),
-        site.count("img"),
-        site.count("math"),
+        site.chapters_in_order().len(),
+        site.count_in_chapters(".listing"),
+        site.count_in_chapters(".drawing"),
+        site.count_in_chapters("img"),
+        site.count_in_chapters("math"),
         start.elapsed().as_secs_f64(),
     ));
     let index = folder.join("index.html");
-    say(&format!("It begins at {}", index.display()));
+    print_line(&format!("It begins at {}", index.display()));
     let patience = Duration::from_secs(2);
-    if is_opened && open::that_detached_with_timeout(&index, patience).is_err() {
-        say("There is no browser here to open it with.");
+    if opens_browser && open::that_detached_with_timeout(&index, patience).is_err()
+    {
+        print_line("There is no browser here to open it with.");
     }
     Ok(())
 }
 
 /// Writes a line. Where nobody listens any more, the book is built all the same.
-fn say(line: &str) {
+fn print_line(line: &str) {
     let _ = writeln!(stdout(), "{line}");
 }

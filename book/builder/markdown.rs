@@ -2,7 +2,7 @@ use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
 /// Markdown as mdBook reads it, with formulas.
-pub fn options() -> Options {
+pub fn markdown_options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH
@@ -18,13 +18,13 @@ pub fn options() -> Options {
 /// the paragraph.
 pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut events = vec![];
-    for event in Parser::new_ext(markdown, options()) {
+    for event in Parser::new_ext(markdown, markdown_options()) {
         events.push(match event {
             Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => {
                 continue;
             }
             Event::InlineMath(latex) | Event::DisplayMath(latex) => {
-                Event::InlineHtml(formula::mathml(&latex, false)?.into())
+                Event::InlineHtml(formula::formula_html(&latex, false)?.into())
             }
             other => other,
         });
@@ -34,7 +34,7 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     if text.contains('$') {
         return Err("a lone $ in the caption".to_string());
     }
-    numbers::in_text(&text.replace('\n', " "), "−")
+    numbers::fill_in_text(&text.replace('\n', " "), "−")
 }
 
 /// The kind and the words of a directive such as `{{#figure ray}}`.

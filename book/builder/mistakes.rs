@@ -1,7 +1,7 @@
 use crate::generated_files::THUMBNAIL_SUFFIX;
 use crate::markdown::inline_html;
 use crate::picture::Picture;
-use check::{Mistake, Shown, Step, mistakes};
+use check::{BookEntry, Mistake, Step, mistakes};
 use live::escape;
 use std::path::Path;
 
@@ -9,24 +9,29 @@ use std::path::Path;
 /// shown in the picture of that step, and then each with its picture, ours, where they
 /// differ, the diff, and what is to be said of it.
 pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
-    let step = Step::named(name).ok_or(format!("there is no step {name}"))?;
+    let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
     let all = mistakes();
-    let shown = all.iter().filter_map(|mistake| {
-        let shown = mistake.shown.as_ref()?;
-        let (picture, of) = shown.pictures.first()?;
-        (*of == step).then_some(Entry { mistake, shown, name: picture, step })
+    let book_entry = all.iter().filter_map(|mistake| {
+        let book_entry = mistake.book_entry.as_ref()?;
+        let (picture, pictured_step) = book_entry.pictures.first()?;
+        (*pictured_step == step).then_some(Entry {
+            mistake,
+            book_entry,
+            name: picture,
+            step,
+        })
     });
-    let entries: Vec<_> = shown.collect();
+    let entries: Vec<_> = book_entry.collect();
     let mut text = format!(
         "<div class=\"contacts\" style=\"--items: {}\">\n\n",
         entries.len()
     );
     for entry in &entries {
-        text += &entry.contact_item(workspace)?;
+        text += &entry.contact_item_markdown(workspace)?;
     }
     text += "\n</div>\n";
     for entry in &entries {
-        text += &entry.section(workspace)?;
+        text += &entry.section_markdown(workspace)?;
     }
     Ok(text)
 }
@@ -34,56 +39,65 @@ pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
 /// A mistake in the picture of a step.
 struct Entry<'a> {
     mistake: &'a Mistake,
-    shown: &'a Shown,
+    book_entry: &'a BookEntry,
     name: &'a str,
     step: Step,
 }
 
 impl Entry<'_> {
     /// The item on the contact sheet, a link to its section.
-    fn contact_item(&self, workspace: &Path) -> Result<String, String> {
-        let picture = self.picture(&self.shown.sees.replace('`', ""));
+    fn contact_item_markdown(&self, workspace: &Path) -> Result<String, String> {
+        let picture = self.picture(&self.book_entry.effect.replace('`', ""));
         let picture = picture.html(workspace)?;
-        Ok(format!("- [{picture} {}](#{})\n", self.title()?, self.name))
+        Ok(format!(
+            "- [{picture} {}](#{})\n",
+            self.capitalised_title_html()?,
+            self.name
+        ))
     }
 
-    fn section(&self, workspace: &Path) -> Result<String, String> {
-        let Self { mistake, shown, name, step } = self;
+    fn section_markdown(&self, workspace: &Path) -> Result<String, String> {
+        let Self { mistake, book_entry, name, step } = self;
         let right = format!("generated/{}{THUMBNAIL_SUFFIX}", step.name());
-        let ours = Picture::plain("The right picture.", &right).html(workspace)?;
+        let ours = Picture::without_caption("The right picture.", &right)
+            .html(workspace)?;
         let alt =
             format!("The picture of step {} with this mistake.", step.number());
         let wrong = self.picture(&alt).html(workspace)?;
-        let own = mistake.step().ok_or("a mistake that is shown is in a step")?;
+        let step_of_file =
+            mistake.step().ok_or("a mistake that is shown is in a step")?;
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
-        let id = shown.section.to_lowercase().replace(' ', "-");
+        let id = book_entry.section.to_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(is_kept).collect();
-        let page = format!("{}.md#{id}", own.name());
+        let page = format!("{}.md#{id}", step_of_file.name());
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
              <div class=\"panels\">{wrong}{ours}\
              <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
              style=\"background-image: url(generated/mistake-{name}.png), url({right})\"></span>\
              </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
-            self.title()?,
-            diff_figure(mistake),
-            inline_html(&with_formulas(shown.why))?,
-            own.number(),
-            shown.section,
+            self.capitalised_title_html()?,
+            diff_figure_html(mistake),
+            inline_html(&symbols_as_formulas(book_entry.why))?,
+            step_of_file.number(),
+            book_entry.section,
         ))
     }
 
     fn picture(&self, alt: &str) -> Picture {
-        Picture::plain(alt, &format!("generated/mistake-{}.png", self.name))
+        Picture::without_caption(
+            alt,
+            &format!("generated/mistake-{}.png", self.name),
+        )
     }
 
     /// With a capital letter, unless it begins with a symbol.
-    fn title(&self) -> Result<String, String> {
+    fn capitalised_title_html(&self) -> Result<String, String> {
         let title = self.mistake.title;
         let word = title.split(' ').next().unwrap_or_default();
         let is_word =
             1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-        inline_html(&with_formulas(&match title.split_at_checked(1) {
+        inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {
             Some((first, rest)) if is_word => first.to_uppercase() + rest,
             _ => title.to_owned(),
         }))
@@ -91,7 +105,7 @@ impl Entry<'_> {
 }
 
 /// The lines of the file, and those that are written instead.
-fn diff_figure(mistake: &Mistake) -> String {
+fn diff_figure_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {
         let lines = text.lines().map(|line| {
@@ -108,7 +122,7 @@ fn diff_figure(mistake: &Mistake) -> String {
 }
 
 /// With symbols such as D_u as formulas.
-fn with_formulas(text: &str) -> String {
+fn symbols_as_formulas(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let is_symbol =
         |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');

@@ -17,58 +17,65 @@ static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
 /// `minus` in the values: − in a text, a hyphen in code.
-pub fn in_text(text: &str, minus: &str) -> Result<String, String> {
-    replace(text, "{{#", "}}", |directive| match directive.split_once(' ') {
-        Some(("value", name)) => Ok(values::get(name)?.replace('−', minus)),
-        Some(("number", which)) => html("span", which),
-        _ => Err(format!(
-            "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
+pub fn fill_in_text(text: &str, minus: &str) -> Result<String, String> {
+    replace_between(text, "{{#", "}}", |directive| {
+        match directive.split_once(' ') {
+            Some(("value", name)) => {
+                Ok(values::value_text(name)?.replace('−', minus))
+            }
+            Some(("number", number_name)) => {
+                moving_number_html("span", number_name)
+            }
+            _ => Err(format!(
+                "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
              or is none of the directives"
-        )),
+            )),
+        }
     })
 }
 
 /// The same for a formula: `convert` gets it with a mark where a number moves.
-pub fn in_formula(
+pub fn fill_in_formula(
     latex: &str,
     convert: impl FnOnce(&str) -> Result<String, String>,
 ) -> Result<String, String> {
-    let marked =
-        replace(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
-            Some(("value", name)) => Ok(values::get(name)?.replace('−', "-")),
-            Some(("number", which)) => Ok(format!("\\text{{⟦{which}⟧}}")),
-            _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
-        })?;
-    replace(&convert(&marked)?, "<mtext>⟦", "⟧</mtext>", |which| {
-        html("mn", which)
+    let marked = replace_between(latex, "{{#", "}}", |directive| match directive
+        .split_once(' ')
+    {
+        Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
+        Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
+        _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
+    })?;
+    replace_between(&convert(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
+        moving_number_html("mn", number_name)
     })
 }
 
-fn html(tag: &str, which: &str) -> Result<String, String> {
-    let printed = printed(which)?;
-    Ok(format!("<{tag} data-number=\"{which}\">{printed}</{tag}>"))
+fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
+    let default_text = default_text_of_number(number_name)?;
+    Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
 }
 
 /// A number that moves as it is printed.
-pub fn printed(which: &str) -> Result<&'static str, String> {
-    let printed = PRINTED.get(which).map(String::as_str);
-    printed.ok_or(format!("there is no number {which}"))
+pub fn default_text_of_number(number_name: &str) -> Result<&'static str, String> {
+    let default_text = PRINTED.get(number_name).map(String::as_str);
+    default_text.ok_or(format!("there is no number {number_name}"))
 }
 
 /// Replaces each part between `begin` and `end`.
-fn replace(
+fn replace_between(
     text: &str,
     begin: &str,
     end: &str,
-    with: impl Fn(&str) -> Result<String, String>,
+    replacement: impl Fn(&str) -> Result<String, String>,
 ) -> Result<String, String> {
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (inside, after) =
+        let (inside, tail) =
             part.split_once(end).ok_or(format!("{begin}{part} has no {end}"))?;
-        replaced += &with(inside)?;
-        replaced += after;
+        replaced += &replacement(inside)?;
+        replaced += tail;
     }
     Ok(replaced)
 }

@@ -13,24 +13,24 @@ pub struct Page {
 
 impl Page {
     /// Reads the HTML of the page `name`.
-    pub fn new(name: &str, html: &str) -> Self {
+    pub fn parse(name: &str, html: &str) -> Self {
         Self { name: name.to_owned(), html: Html::parse_document(html) }
     }
 
     /// Every element that a CSS selector names, from top to bottom.
-    pub fn all(&self, selector: &str) -> Vec<ElementRef<'_>> {
-        all(self.html.root_element(), selector)
+    pub fn select_all(&self, selector: &str) -> Vec<ElementRef<'_>> {
+        select_all(self.html.root_element(), selector)
     }
 
     /// The element that a CSS selector names, which has to be there.
-    pub fn one(&self, selector: &str) -> Result<ElementRef<'_>> {
-        let first = self.all(selector).first().copied();
+    pub fn select_first(&self, selector: &str) -> Result<ElementRef<'_>> {
+        let first = self.select_all(selector).first().copied();
         first.with_context(|| format!("{} has no {selector}", self.name))
     }
 
     /// Where an element is, for the sentence about a fault: its page, and the last id
     /// before it.
-    pub fn at(&self, element: ElementRef) -> String {
+    pub fn address_for_fault(&self, element: ElementRef) -> String {
         let around = std::iter::once(*element).chain(element.ancestors());
         let mut before = around
             .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
@@ -39,7 +39,7 @@ impl Page {
     }
 
     /// Puts a piece of HTML before a node.
-    pub(crate) fn put(&mut self, before: NodeId, html: &str) {
+    pub(crate) fn insert_html_before(&mut self, before: NodeId, html: &str) {
         let tree = &mut self.html.tree;
         let piece = tree.extend_tree(Html::parse_fragment(html).tree).id();
         let nodes = tree.get(piece).and_then(|root| root.first_child());
@@ -52,29 +52,36 @@ impl Page {
         }
     }
 
-    /// Writes each element that a CSS selector names as `with` has its HTML.
-    pub(crate) fn change(&mut self, selector: &str, with: impl Fn(&str) -> String) {
-        let all = self.all(selector).into_iter();
-        let all: Vec<_> = all.map(|one| (one.id(), with(&one.html()))).collect();
+    /// Writes each element that a CSS selector names anew, as `edit` makes it from its HTML.
+    pub(crate) fn replace_each(
+        &mut self,
+        selector: &str,
+        edit: impl Fn(&str) -> String,
+    ) {
+        let all = self.select_all(selector).into_iter();
+        let all: Vec<_> = all.map(|one| (one.id(), edit(&one.html()))).collect();
         for (node, html) in all {
-            self.put(node, &html);
-            self.remove(node);
+            self.insert_html_before(node, &html);
+            self.remove_node(node);
         }
     }
 
     /// Takes a node away, with all that is in it.
-    pub(crate) fn remove(&mut self, node: NodeId) {
+    pub(crate) fn remove_node(&mut self, node: NodeId) {
         self.html.tree.get_mut(node).iter_mut().for_each(|node| node.detach());
     }
 }
 
 /// Every element in another that a CSS selector names, from top to bottom.
-pub fn all<'a>(element: ElementRef<'a>, selector: &str) -> Vec<ElementRef<'a>> {
+pub fn select_all<'a>(
+    element: ElementRef<'a>,
+    selector: &str,
+) -> Vec<ElementRef<'a>> {
     let selector = Selector::parse(selector).expect("a CSS selector");
     element.select(&selector).collect()
 }
 
 /// The text of an element, with that of the elements in it.
-pub fn text(element: ElementRef) -> String {
+pub fn inner_text(element: ElementRef) -> String {
     element.text().collect()
 }

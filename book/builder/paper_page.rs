@@ -1,21 +1,23 @@
-use crate::{Page, all};
+use crate::{Page, select_all};
 use anyhow::{Result, ensure};
 use scraper::Node;
 use std::mem::take;
 
 /// Arranges mdBook's page of the whole book for paper: a list of contents before the
 /// chapters, and behind each chapter what is folded away on the screen.
-pub fn arrange(page: &mut Page) -> Result<()> {
-    let end = page.one("main")?.last_child().map(|node| node.id());
-    let mut before = vec![];
-    let mut gone = vec![];
+pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
+    let end = page.select_first("main")?.last_child().map(|node| node.id());
+    let mut insertions = vec![];
+    let mut removals = vec![];
     let (mut breaks, mut contents) = (vec![], vec![]);
-    let (mut asked, mut answers) = (0, String::new());
-    for part in page.all("main h1, main details, main > div[style*=break-before]") {
-        let inside = |selector| all(part, selector).into_iter().next();
+    let (mut question_count, mut answers) = (0, String::new());
+    for part in
+        page.select_all("main h1, main details, main > div[style*=break-before]")
+    {
+        let inside = |selector| select_all(part, selector).into_iter().next();
         match part.value().name() {
             "div" => {
-                before.push((part.id(), answers_section(&take(&mut answers))));
+                insertions.push((part.id(), answers_html(&take(&mut answers))));
                 breaks.push(part);
             }
             "h1" => {
@@ -24,7 +26,7 @@ pub fn arrange(page: &mut Page) -> Result<()> {
                 contents.push(format!("<li><a href=\"#{id}\">{title}</a></li>"));
             }
             _ => {
-                gone.push(part.id());
+                removals.push(part.id());
                 if part.attr("hidden").is_some() {
                     continue;
                 }
@@ -36,17 +38,17 @@ pub fn arrange(page: &mut Page) -> Result<()> {
                         "<section class=\"aside\"><p>{words}</p>{text}</section>"
                     )
                 } else {
-                    asked += 1;
+                    question_count += 1;
                     answers += &format!(
-                        "<div class=\"answer\" id=\"answer-{asked}\">\
-                         <a href=\"#asked-{asked}\">{asked}</a>{text}</div>"
+                        "<div class=\"answer\" id=\"answer-{question_count}\">\
+                         <a href=\"#asked-{question_count}\">{question_count}</a>{text}</div>"
                     );
                     format!(
-                        "<p class=\"asked\" id=\"asked-{asked}\">{words} \
-                         <a href=\"#answer-{asked}\">→ {asked}</a></p>"
+                        "<p class=\"asked\" id=\"asked-{question_count}\">{words} \
+                         <a href=\"#answer-{question_count}\">→ {question_count}</a></p>"
                     )
                 };
-                before.push((part.id(), html));
+                insertions.push((part.id(), html));
             }
         }
     }
@@ -62,10 +64,10 @@ pub fn arrange(page: &mut Page) -> Result<()> {
         breaks[0].html(),
         contents[1..].concat()
     );
-    before.push((breaks[0].id(), list));
-    before.extend(end.map(|end| (end, answers_section(&answers))));
-    before.iter().for_each(|(node, html)| page.put(*node, html));
-    gone.into_iter().for_each(|node| page.remove(node));
+    insertions.push((breaks[0].id(), list));
+    insertions.extend(end.map(|end| (end, answers_html(&answers))));
+    insertions.iter().for_each(|(node, html)| page.insert_html_before(*node, html));
+    removals.into_iter().for_each(|node| page.remove_node(node));
     // A picture that waits to be seen would not be on paper.
     for node in page.html.tree.values_mut() {
         if let Node::Element(element) = node {
@@ -76,7 +78,7 @@ pub fn arrange(page: &mut Page) -> Result<()> {
 }
 
 /// The section with these answers, behind a chapter.
-fn answers_section(answers: &str) -> String {
+fn answers_html(answers: &str) -> String {
     let heading =
         if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
     format!("{heading}{answers}")

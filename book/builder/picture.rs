@@ -24,7 +24,7 @@ pub struct Picture {
 
 impl Picture {
     /// Takes the alt text from the Markdown of the picture.
-    pub fn new(markdown: &str, source: &str, caption: &str) -> Self {
+    pub fn from_markdown(markdown: &str, source: &str, caption: &str) -> Self {
         // The caption may hold links of its own; the alt text ends before the first.
         let end = format!("]({source}");
         let alt = markdown.trim_start_matches("![").split(&end);
@@ -34,14 +34,14 @@ impl Picture {
     }
 
     /// A picture without a caption.
-    pub fn plain(alt: &str, source: &str) -> Self {
+    pub fn without_caption(alt: &str, source: &str) -> Self {
         let (alt, source) = (alt.to_owned(), source.to_owned());
         Self { alt, source, caption: String::new() }
     }
 
     /// What answers where this picture is: what is called `name`, or has the name of
     /// its file.
-    fn live(&self, name: &str) -> Result<&'static Live, String> {
+    fn find_live(&self, name: &str) -> Result<&'static Live, String> {
         let file =
             Path::new(&self.source).file_stem().and_then(|name| name.to_str());
         let name = if name.is_empty() { file } else { Some(name) };
@@ -79,7 +79,7 @@ impl Picture {
 /// A figure of the pictures of a paragraph, side by side if there are several. Where
 /// they are `live`, by a name or by that of their files, what is said of a pixel stands
 /// below each.
-pub fn figure(
+pub fn figures_html(
     pictures: &[Picture],
     live: Option<&str>,
     workspace: &Path,
@@ -89,7 +89,7 @@ pub fn figure(
         let image = picture.html(workspace)?;
         let (mut data, mut controls_html, mut below) = Default::default();
         if let Some(name) = live {
-            let answers = picture.live(name)?;
+            let answers = picture.find_live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
             controls_html = controls::html(answers);
             if answers.has_probe() {

@@ -1,4 +1,4 @@
-use crate::chapter::expand;
+use crate::chapter::expand_directives;
 use live::Live;
 use std::path::Path;
 use step03_nearest::OBJECTS;
@@ -18,13 +18,14 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
     let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
     let names = OBJECTS.iter().map(|object| live::short_name(object.name));
-    let rows: Vec<_> = names.take(count).enumerate().map(object_row).collect();
+    let rows: Vec<_> =
+        names.take(count).enumerate().map(object_row_markdown).collect();
     let lines: Vec<_> =
-        TEXT.lines().filter_map(|line| line_of_step(name, line)).collect();
+        TEXT.lines().filter_map(|line| line_for_step(name, line)).collect();
     let text = lines.join("\n").replace("{{#spheres}}", &rows.join("\n"));
     let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
     let text = text.replace("NAME:", &format!("{name}:"));
-    let (markdown, faults) = expand(&text, workspace);
+    let (markdown, faults) = expand_directives(&text, workspace);
     if let Some((_, what)) = faults.first() {
         return Err(format!("this pixel of {name}: {what}"));
     }
@@ -35,7 +36,7 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
 }
 
 /// A line as it is for the picture of a step; None where it is for other steps.
-fn line_of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
+fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
     let steps = line.split_once(' ').and_then(|(steps, rest)| {
         let (first, last) = steps.split_once('-')?;
         Some((first.parse::<u32>().ok()?..=last.parse().ok()?, rest))
@@ -46,7 +47,7 @@ fn line_of_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
 }
 
 /// The row of one object.
-fn object_row((k, name): (usize, &str)) -> String {
+fn object_row_markdown((k, name): (usize, &str)) -> String {
     let cells: Vec<_> = COLUMNS
         .iter()
         .map(|column| format!("{{{{#number {column}{k}}}}}"))

@@ -19,18 +19,29 @@ impl Preprocessor for Course {
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let workspace =
             context.root.parent().context("the book is in a workspace")?;
-        generated_files::write(workspace)?;
+        generated_files::write_generated_files(workspace)?;
         let url = context.config.get::<String>("output.html.git-repository-url")?;
-        expand(&mut book, workspace, &our_folder(workspace, url.as_deref()))?;
+        expand_chapters(
+            &mut book,
+            workspace,
+            &our_folder_markdown(workspace, url.as_deref()),
+        )?;
         Ok(book)
     }
 }
 
 /// Turns the chapters as they are written into plain Markdown.
-fn expand(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
+fn expand_chapters(
+    book: &mut Book,
+    workspace: &Path,
+    our_folder: &str,
+) -> Result<()> {
     let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
     let expanded = texts.par_iter().map(|text| {
-        chapter::expand(&text.replace("{{#our-folder}}", our_folder), workspace)
+        chapter::expand_directives(
+            &text.replace("{{#our-folder}}", our_folder),
+            workspace,
+        )
     });
     let expanded: Vec<_> = expanded.collect();
     let mut expanded = expanded.into_iter();
@@ -48,7 +59,7 @@ fn expand(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
 
 /// The place of our folder, for a sentence: a book that is published has a link to it, one
 /// that is built at home was built in it.
-fn our_folder(workspace: &Path, url: Option<&str>) -> String {
+fn our_folder_markdown(workspace: &Path, url: Option<&str>) -> String {
     match url {
         Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
         None => format!("where this book was built: `{}`", workspace.display()),

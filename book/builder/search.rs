@@ -1,4 +1,4 @@
-use crate::{Page, Site, all, text};
+use crate::{Page, Site, inner_text, select_all};
 use live::json;
 use scraper::{ElementRef, Node};
 
@@ -7,14 +7,14 @@ pub const INDEX: &str = "search-index.js";
 
 /// The script from which the search of a page has the text of the book: the address, the
 /// title and the words of each section.
-pub fn index(site: &Site) -> String {
-    let sections = site.chapters().into_iter().flat_map(sections);
+pub fn index_script(site: &Site) -> String {
+    let sections = site.chapters_in_order().into_iter().flat_map(section_jsons);
     format!("window.searchIndex = {};\n", json::list(sections))
 }
 
 /// The sections of a page, each a list in JSON.
-fn sections(page: &Page) -> Vec<String> {
-    let Ok(main) = page.one("main") else { return vec![] };
+fn section_jsons(page: &Page) -> Vec<String> {
+    let Ok(main) = page.select_first("main") else { return vec![] };
     let mut sections = vec![];
     let mut chapter = String::new();
     let (mut address, mut title, mut words) = <(String, String, String)>::default();
@@ -29,7 +29,7 @@ fn sections(page: &Page) -> Vec<String> {
         sections.push((address, title, words));
         let id = heading.attr("id").unwrap_or_default();
         address = format!("{}#{id}", page.name);
-        title = words_of(&text(heading));
+        title = collapse_blanks(&inner_text(heading));
         if heading.value().name() == "h1" {
             chapter.clone_from(&title);
         } else {
@@ -43,7 +43,7 @@ fn sections(page: &Page) -> Vec<String> {
         .into_iter()
         .skip(1)
         .map(|(address, title, words)| {
-            let words = words_of(&words);
+            let words = collapse_blanks(&words);
             json::list([address, title, words].map(|one| json::text(&one)))
         })
         .collect()
@@ -53,10 +53,10 @@ fn sections(page: &Page) -> Vec<String> {
 fn visible_text(part: ego_tree::NodeRef<Node>) -> String {
     match ElementRef::wrap(part) {
         Some(element) if element.attr("hidden").is_some() => String::new(),
-        Some(element) if !all(element, "svg").is_empty() => {
-            all(element, "figcaption").into_iter().map(text).collect()
+        Some(element) if !select_all(element, "svg").is_empty() => {
+            select_all(element, "figcaption").into_iter().map(inner_text).collect()
         }
-        Some(element) => text(element),
+        Some(element) => inner_text(element),
         None => {
             part.value().as_text().map_or(String::new(), |text| text.to_string())
         }
@@ -64,6 +64,6 @@ fn visible_text(part: ego_tree::NodeRef<Node>) -> String {
 }
 
 /// The words of a text, with one blank between two.
-fn words_of(text: &str) -> String {
+fn collapse_blanks(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -14,14 +14,17 @@ impl Site {
     /// The pages in reading order, as the list of contents has them.
     ///
     /// `index.html` is not one of them: it is the first page again.
-    pub fn chapters(&self) -> Vec<&Page> {
-        let contents = self.pages["index.html"].all("#contents a");
+    pub fn chapters_in_order(&self) -> Vec<&Page> {
+        let contents = self.pages["index.html"].select_all("#contents a");
         let names = contents.iter().filter_map(|link| link.attr("href"));
         names.filter_map(|name| self.pages.get(name)).collect()
     }
 
     /// How many elements that a CSS selector names are in the chapters.
-    pub fn count(&self, selector: &str) -> usize {
-        self.chapters().iter().map(|page| page.all(selector).len()).sum()
+    pub fn count_in_chapters(&self, selector: &str) -> usize {
+        self.chapters_in_order()
+            .iter()
+            .map(|page| page.select_all(selector).len())
+            .sum()
     }
 }

@@ -24,7 +24,7 @@ pub fn read_folder(folder: &str) -> Files {
 #[test]
 fn chapters_of_the_steps_are_in_order() {
     let book = built_book();
-    let chapters = book.chapters().into_iter();
+    let chapters = book.chapters_in_order().into_iter();
     let names = chapters.filter_map(|page| page.name.strip_suffix(".html"));
     let steps: Vec<_> = names.filter(|name| name.starts_with("step")).collect();
     assert_eq!(steps, STEP_NAMES);

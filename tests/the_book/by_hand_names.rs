@@ -12,7 +12,7 @@ fn chapters_name_every_test_by_hand() {
     let (book, mut faults) = (built_book(), vec![]);
     for step in STEP_NAMES {
         let page = &book.pages[&format!("{step}.html")];
-        let elements = page.all(".by-hand").into_iter();
+        let elements = page.select_all(".by-hand").into_iter();
         let ids = elements.filter_map(|element| element.attr("id"));
         let page_tests: BTreeSet<_> =
             ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();

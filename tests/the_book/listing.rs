@@ -1,4 +1,4 @@
-use book::{Page, all, text};
+use book::{Page, inner_text, select_all};
 use scraper::ElementRef;
 
 /// A listing: contiguous lines of a file.
@@ -16,15 +16,15 @@ pub struct Listing<'a> {
 
 /// The listings of a page, from top to bottom.
 pub fn page_listings(page: &Page) -> impl Iterator<Item = Listing<'_>> {
-    let figures = page.all(".listing").into_iter();
+    let figures = page.select_all(".listing").into_iter();
     figures.map(|figure| Listing::from_figure(page, figure))
 }
 
 impl<'a> Listing<'a> {
     /// Reads the listing in a `figure` of the page.
     pub fn from_figure(page: &'a Page, figure: ElementRef<'a>) -> Self {
-        let location = page.at(figure);
-        let elements = all(figure, "code");
+        let location = page.address_for_fault(figure);
+        let elements = select_all(figure, "code");
         let [element] = elements[..] else {
             panic!("{location} needs one code element")
         };
@@ -34,7 +34,7 @@ impl<'a> Listing<'a> {
         });
         let is_rust =
             element.attr("class").is_some_and(|class| class.contains("rust"));
-        let mut code = text(element);
+        let mut code = inner_text(element);
         // mdBook ends the last line of all code but Rust.
         if !is_rust && code.ends_with('\n') {
             code.pop();

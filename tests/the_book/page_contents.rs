@@ -3,7 +3,7 @@
 
 use super::assert_no_faults;
 use super::built_book::built_book;
-use book::{all, text};
+use book::{inner_text, select_all};
 
 /// Text that is on a page only if a directive or a formula was not expanded.
 const UNEXPANDED_MARKS: [&str; 4] = ["{{#", "$$", r"\frac", r"\begin{"];
@@ -12,7 +12,8 @@ const UNEXPANDED_MARKS: [&str; 4] = ["{{#", "$$", r"\frac", r"\begin{"];
 fn directives_and_formulas_are_expanded() {
     let (book, mut faults) = (built_book(), vec![]);
     for page in book.pages.values() {
-        let body: String = page.all("body").into_iter().map(text).collect();
+        let body: String =
+            page.select_all("body").into_iter().map(inner_text).collect();
         let marks = UNEXPANDED_MARKS.iter().filter(|mark| body.contains(**mark));
         faults
             .extend(marks.map(|mark| format!("{mark} is left in {}.", page.name)));
@@ -24,16 +25,21 @@ fn directives_and_formulas_are_expanded() {
 fn pictures_and_drawings_have_a_text() {
     let (book, mut faults) = (built_book(), vec![]);
     for page in book.pages.values() {
-        for img in page.all("img:not([role=img] > img)") {
+        for img in page.select_all("img:not([role=img] > img)") {
             if img.attr("alt").is_none_or(|alt| alt.trim().is_empty()) {
-                faults.push(format!("The picture at {} has no alt.", page.at(img)));
+                faults.push(format!(
+                    "The picture at {} has no alt.",
+                    page.address_for_fault(img)
+                ));
             }
         }
-        for svg in page.all("figure svg") {
-            let titles = all(svg, "title");
-            if titles.iter().all(|title| text(*title).trim().is_empty()) {
-                faults
-                    .push(format!("The drawing at {} has no title.", page.at(svg)));
+        for svg in page.select_all("figure svg") {
+            let titles = select_all(svg, "title");
+            if titles.iter().all(|title| inner_text(*title).trim().is_empty()) {
+                faults.push(format!(
+                    "The drawing at {} has no title.",
+                    page.address_for_fault(svg)
+                ));
             }
         }
     }
@@ -63,10 +69,10 @@ fn fonts_have_the_letters_of_the_book() {
                     .any(|&[first, last]| (first..=last).contains(&code))
         };
         for page in book.pages.values() {
-            for element in page.all(selector) {
-                let text = text(element);
+            for element in page.select_all(selector) {
+                let text = inner_text(element);
                 if let Some(c) = text.chars().find(|&c| !is_available(c)) {
-                    let location = page.at(element);
+                    let location = page.address_for_fault(element);
                     faults.push(format!(
                         "No font {family:?} has {c:?}, at {location}."
                     ));

@@ -1,5 +1,5 @@
 use super::listing::Listing;
-use book::{Page, all, text};
+use book::{Page, inner_text, select_all};
 
 /// The exit code of a program that rejects its arguments.
 pub const INVALID_ARGUMENT_EXIT_CODE: i32 = 2;
@@ -37,21 +37,27 @@ pub struct PageCommand {
 /// for a folder of the course itself.
 pub fn page_events(page: &Page) -> Vec<Event<'_>> {
     let mut events = vec![];
-    for element in page.all("h1, h2, h3, .listing, .console") {
+    for element in page.select_all("h1, h2, h3, .listing, .console") {
         match (element.attr("class"), element.attr("data-folder")) {
             (Some("listing"), _) => {
                 events.push(Event::Listing(Listing::from_figure(page, element)));
             }
             (Some("console"), Some("ours")) => {}
             (Some("console"), folder) => {
-                let code: String =
-                    all(element, "code").into_iter().map(text).collect();
+                let code: String = select_all(element, "code")
+                    .into_iter()
+                    .map(inner_text)
+                    .collect();
                 let exit_code = match folder {
                     Some("yours refused") => INVALID_ARGUMENT_EXIT_CODE,
                     Some("yours fails") => FAILED_TEST_EXIT_CODE,
                     _ => 0,
                 };
-                let commands = parse_commands(&page.at(element), &code, exit_code);
+                let commands = parse_commands(
+                    &page.address_for_fault(element),
+                    &code,
+                    exit_code,
+                );
                 events.extend(commands.into_iter().map(Event::Command));
             }
             _ => events.push(Event::Heading),

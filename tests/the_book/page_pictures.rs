@@ -39,14 +39,14 @@ fn decode_png(bytes: &[u8]) -> Option<RgbImage> {
 #[test]
 fn pictures_have_the_expected_pixels() {
     let (pictures, book, mut faults) = (expected_pictures(), built_book(), vec![]);
-    for page in book.chapters() {
-        for img in page.all("img") {
+    for page in book.chapters_in_order() {
+        for img in page.select_all("img") {
             let source = img.attr("src").unwrap_or_default();
             let file = source.rsplit('/').next().unwrap_or_default();
             let expected = pictures.get(file.trim_end_matches(".png"));
             let picture = book.files.0.get(source).and_then(|png| decode_png(png));
             if picture.is_none() || picture.as_ref() != expected {
-                let location = page.at(img);
+                let location = page.address_for_fault(img);
                 faults.push(format!(
                     "{location}: {source} is not what our code draws."
                 ));

@@ -31,7 +31,7 @@ fn home_page(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let may_be_on_any_page =
         file.starts_with("examples/") || !STEP_NAMES.contains(&step);
-    let mut chapters = book.chapters().into_iter();
+    let mut chapters = book.chapters_in_order().into_iter();
     let page = chapters.find(|page| {
         may_be_on_any_page
             && page_listings(page).any(|listing| listing.path == path)
@@ -49,7 +49,7 @@ fn may_be_on_several_pages(path: &str) -> bool {
 #[test]
 fn listings_are_lines_of_their_files() {
     let (book, mut faults) = (built_book(), vec![]);
-    for listing in book.chapters().into_iter().flat_map(page_listings) {
+    for listing in book.chapters_in_order().into_iter().flat_map(page_listings) {
         let Listing { location, path, lines: (first, last), code } = listing;
         // `Cargo.toml` is the name of the reader's manifest and of the course's own.
         let course_file = fs::read_to_string(workspace().join(path)).ok();
@@ -79,11 +79,11 @@ fn listings_are_lines_of_their_files() {
 fn code_outside_listings_is_not_rust() {
     let (book, mut faults) = (built_book(), vec![]);
     let selector = "figure:not(.listing) > pre code, :not(figure) > pre code";
-    for page in book.chapters() {
-        for code in page.all(selector) {
+    for page in book.chapters_in_order() {
+        for code in page.select_all(selector) {
             let class = code.attr("class").unwrap_or_default();
             if class.is_empty() || class.contains("rust") {
-                let location = page.at(code);
+                let location = page.address_for_fault(code);
                 faults.push(format!("The code at {location} is from no file."));
             }
         }
@@ -94,10 +94,10 @@ fn code_outside_listings_is_not_rust() {
 #[test]
 fn every_line_of_every_file_is_listed_once() {
     let (book, mut faults) = (built_book(), vec![]);
-    for (path, text) in SOURCE_FILES.texts("") {
+    for (path, text) in SOURCE_FILES.texts_with_suffix("") {
         let Some(home_page) = home_page(&book, path) else { continue };
         let mut listing_counts = vec![0; text.lines().count()];
-        for page in book.chapters() {
+        for page in book.chapters_in_order() {
             for listing in page_listings(page) {
                 if listing.path != path {
                     continue;

@@ -55,7 +55,7 @@ fn runs_unlisted_solution(command: &PageCommand, typed: &TypedListings) -> bool 
 pub fn typed_workspace() -> ReaderWorkspace {
     let (book, reader) = (built_book(), ReaderWorkspace::new());
     let mut typed = TypedListings::new();
-    for listing in book.chapters().into_iter().flat_map(page_listings) {
+    for listing in book.chapters_in_order().into_iter().flat_map(page_listings) {
         typed.entry(listing.path).or_default().push(listing);
     }
     reader.write_listings(&typed).expect("the files can be written");
@@ -67,6 +67,6 @@ pub fn typed_workspace() -> ReaderWorkspace {
 fn commands_do_what_their_pages_say() -> Result<()> {
     let (book, reader) = (built_book(), ReaderWorkspace::new());
     let mut typed = TypedListings::new();
-    let mut pages = book.chapters().into_iter();
+    let mut pages = book.chapters_in_order().into_iter();
     pages.try_for_each(|page| type_and_run_page(page, &reader, &mut typed))
 }

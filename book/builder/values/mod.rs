@@ -47,17 +47,17 @@ const CHAPTERS: [ChapterValue; 7] = [
 ];
 
 /// The text of `{{#value …}}`.
-pub fn get(text: &str) -> Result<String, String> {
+pub fn value_text(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
-        Some((live, number)) => live_number(live, number),
-        None => chapter_value(text),
+        Some((live, number)) => live_number_text(live, number),
+        None => chapter_value_text(text),
     };
     number.ok_or_else(|| format!("there is no value {text}"))
 }
 
 /// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
 /// picture with a probe.
-fn live_number(live: &str, number: &str) -> Option<String> {
+fn live_number_text(live: &str, number: &str) -> Option<String> {
     let live = live::find(live)?;
     let mut values = live.default_values();
     let mut name = number;
@@ -73,7 +73,7 @@ fn live_number(live: &str, number: &str) -> Option<String> {
 }
 
 /// A value such as `camera-tan`, or such as `half-angle 40`.
-fn chapter_value(text: &str) -> Option<String> {
+fn chapter_value_text(text: &str) -> Option<String> {
     let mut words = text.split(' ');
     let name = words.next()?;
     let arguments: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
@@ -81,13 +81,13 @@ fn chapter_value(text: &str) -> Option<String> {
     Some(match CHAPTERS.iter().find_map(|value| value(name, &arguments))? {
         Value::Number(number) => format_number(number),
         Value::Fixed(digits, number) => format_fixed(number, digits),
-        Value::Count(count) => format_count(count),
+        Value::Count(count) => format_with_thousands_commas(count),
         Value::Vector(vector) => format_vector(vector),
-        Value::Column(vector) => format_column(vector),
+        Value::Column(vector) => format_column_latex(vector),
     })
 }
 
-fn format_count(count: usize) -> String {
+fn format_with_thousands_commas(count: usize) -> String {
     let digits = count.to_string();
     let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
     let digits = digits.char_indices();
@@ -96,7 +96,7 @@ fn format_count(count: usize) -> String {
         .collect()
 }
 
-fn format_column(vector: DVec3) -> String {
+fn format_column_latex(vector: DVec3) -> String {
     let [x, y, z] = vector.to_array().map(format_number);
     format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
 }

@@ -10,7 +10,7 @@ pub fn pixel_ray([i, j]: [u32; 2]) -> Ray {
 }
 
 /// The object that a pixel of step 5's picture shows.
-pub fn object_at(pixel: [u32; 2]) -> Object<Material> {
+pub fn object_of_pixel(pixel: [u32; 2]) -> Object<Material> {
     *nearest(&scene().objects, &pixel_ray(pixel)).expect("an object").object
 }
 

@@ -1,7 +1,7 @@
 //! The numbers of chapter 4 that are not in the trace of a pixel.
 
 use super::Value::{self, Column, Count, Fixed, Number, Vector};
-use super::rays::{count_rays, object_at, pixel_ray};
+use super::rays::{count_rays, object_of_pixel, pixel_ray};
 use glam::DVec3;
 use step04_diffuse::{AMBIENT, COOL, WARM, colour, nearest, scene, visible_point};
 
@@ -9,11 +9,15 @@ use step04_diffuse::{AMBIENT, COOL, WARM, colour, nearest, scene, visible_point}
 pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
     Some(match (name, arguments) {
         ("step04-p-column", []) => Column(point_and_normal(PIXEL).0),
-        ("step04-centre", []) => Vector(object_at(PIXEL).sphere.centre),
-        ("step04-centre-column", []) => Column(object_at(PIXEL).sphere.centre),
-        ("step04-radius", []) => Number(object_at(PIXEL).sphere.radius),
+        ("step04-centre", []) => Vector(object_of_pixel(PIXEL).sphere.centre),
+        ("step04-centre-column", []) => {
+            Column(object_of_pixel(PIXEL).sphere.centre)
+        }
+        ("step04-radius", []) => Number(object_of_pixel(PIXEL).sphere.radius),
         ("step04-n-column", []) => Column(point_and_normal(PIXEL).1),
-        ("step04-surface", []) => Vector(object_at(PIXEL).material.matte.diffuse),
+        ("step04-surface", []) => {
+            Vector(object_of_pixel(PIXEL).material.matte.diffuse)
+        }
         ("step04-peach", []) => Number(blue_per_red(WARM.diffuse)),
         ("step04-orange", []) => Fixed(2, blue_per_red(plaster_light())),
         ("step04-clipped", []) => {

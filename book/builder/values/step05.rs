@@ -1,7 +1,7 @@
 //! The numbers of chapter 5 that are not in the trace of a pixel.
 
 use super::Value::{self, Count, Fixed, Number};
-use super::rays::{camera, object_at, pixel_ray};
+use super::rays::{camera, object_of_pixel, pixel_ray};
 use compare::Difference;
 use std::sync::LazyLock;
 use step05_phong::{
@@ -19,13 +19,13 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
             let (l, _) = COOL.direction_from(point.p);
             Fixed(1, reflect(point.n, l).angle_between(-ray.direction).to_degrees())
         }
-        ("step05-r-s", []) => Number(object_at(PIXEL).material.specular.x),
+        ("step05-r-s", []) => Number(object_of_pixel(PIXEL).material.specular.x),
         ("half-angle", &[n]) => Fixed(1, 0.5_f64.powf(1.0 / n).acos().to_degrees()),
         ("step05-gate-pixels", []) => Count(UNGATED.0),
         ("step05-gate-most", []) => Count(UNGATED.1.into()),
         ("step05-teal-v-length", []) => Number(pixel_ray(TEAL).direction.length()),
         ("step05-teal-power", []) => {
-            let shininess = object_at(TEAL).material.shininess;
+            let shininess = object_of_pixel(TEAL).material.shininess;
             Number(pixel_ray(TEAL).direction.length().powi(shininess))
         }
         ("step05-check-r-s", []) => {

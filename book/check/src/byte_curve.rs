@@ -1,7 +1,7 @@
 use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{ENCODE, Encode, intensity, scene};
+use crate::step_scene::{ENCODE, Encode, intensity_function, scene_of_step};
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -10,76 +10,94 @@ const RGB8: &str = "step01_rays/rgb8.rs";
 const RENDER: &str = "step01_rays/render.rs";
 const SKY: &str = "step01_rays/picture.rs";
 
-fn channels(intensity: DVec3, byte: fn(f64) -> f64) -> [u8; 3] {
+fn map_channels_to_u8(intensity: DVec3, byte: fn(f64) -> f64) -> [u8; 3] {
     intensity.to_array().map(|c| byte(c) as u8)
 }
 
-fn rounded(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
+fn encode_rounded(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
     intensity.to_array().map(|c| (255.0 * curve(c.clamp(0.0, 1.0)) + 0.5) as u8)
 }
 
 /// As many small tracers write bytes: a curve, cut at 0.999, times 256.
-fn cut(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
+fn encode_by_256(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
     intensity
         .to_array()
         .map(|c| (256.0 * curve(c.max(0.0)).clamp(0.0, 0.999)) as u8)
 }
 
-fn srgb(c: f64) -> f64 {
+fn encode_srgb(c: f64) -> f64 {
     if c <= 0.0031308 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
-fn linear(c: f64) -> f64 {
+fn decode_srgb(c: f64) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 /// What else may be done to an intensity I in the place of `rgb8`, and in what words.
 pub(crate) const ENCODES: [(&str, Encode); 45] = [
-    ("255·I cut off, not rounded", |i| channels(i, |c| 255.0 * c)),
-    ("255.99·I cut off", |i| channels(i, |c| 255.99 * c)),
-    ("255.999·I cut off", |i| channels(i, |c| 255.999 * c)),
-    ("256·I cut off", |i| channels(i, |c| 256.0 * c)),
-    ("256·I cut off, with I at most 0.999", |i| cut(i, |c| c)),
-    ("256·I rounded", |i| channels(i, |c| 256.0 * c + 0.5)),
-    ("254·I rounded", |i| channels(i, |c| 254.0 * c + 0.5)),
-    ("255·I rounded up", |i| channels(i, |c| (255.0 * c).ceil())),
-    ("255·I + 1, cut off", |i| channels(i, |c| 255.0 * c + 1.0)),
-    ("128·I, so that all is half as bright", |i| channels(i, |c| 128.0 * c)),
-    ("127·I, so that all is half as bright", |i| channels(i, |c| 127.0 * c)),
-    ("127·I rounded, so that all is half as bright", |i| {
-        channels(i, |c| 127.0 * c + 0.5)
+    ("255·I cut off, not rounded", |i| map_channels_to_u8(i, |c| 255.0 * c)),
+    ("255.99·I cut off", |i| map_channels_to_u8(i, |c| 255.99 * c)),
+    ("255.999·I cut off", |i| map_channels_to_u8(i, |c| 255.999 * c)),
+    ("256·I cut off", |i| map_channels_to_u8(i, |c| 256.0 * c)),
+    ("256·I cut off, with I at most 0.999", |i| encode_by_256(i, |c| c)),
+    ("256·I rounded", |i| map_channels_to_u8(i, |c| 256.0 * c + 0.5)),
+    ("254·I rounded", |i| map_channels_to_u8(i, |c| 254.0 * c + 0.5)),
+    ("255·I rounded up", |i| map_channels_to_u8(i, |c| (255.0 * c).ceil())),
+    ("255·I + 1, cut off", |i| map_channels_to_u8(i, |c| 255.0 * c + 1.0)),
+    ("128·I, so that all is half as bright", |i| {
+        map_channels_to_u8(i, |c| 128.0 * c)
     }),
-    ("100·I", |i| channels(i, |c| 100.0 * c)),
-    ("I itself, without the factor 255", |i| channels(i, |c| c)),
-    ("I itself rounded, without the factor 255", |i| channels(i, |c| c + 0.5)),
-    ("255·I/2", |i| channels(i, |c| 127.5 * c + 0.5)),
-    ("255·2I", |i| channels(i, |c| 510.0 * c + 0.5)),
-    ("255·√I (gamma 2)", |i| rounded(i, f64::sqrt)),
+    ("127·I, so that all is half as bright", |i| {
+        map_channels_to_u8(i, |c| 127.0 * c)
+    }),
+    ("127·I rounded, so that all is half as bright", |i| {
+        map_channels_to_u8(i, |c| 127.0 * c + 0.5)
+    }),
+    ("100·I", |i| map_channels_to_u8(i, |c| 100.0 * c)),
+    ("I itself, without the factor 255", |i| map_channels_to_u8(i, |c| c)),
+    ("I itself rounded, without the factor 255", |i| {
+        map_channels_to_u8(i, |c| c + 0.5)
+    }),
+    ("255·I/2", |i| map_channels_to_u8(i, |c| 127.5 * c + 0.5)),
+    ("255·2I", |i| map_channels_to_u8(i, |c| 510.0 * c + 0.5)),
+    ("255·√I (gamma 2)", |i| encode_rounded(i, f64::sqrt)),
     ("255·√I (gamma 2), cut off", |i| {
-        channels(i, |c| 255.0 * c.clamp(0.0, 1.0).sqrt())
+        map_channels_to_u8(i, |c| 255.0 * c.clamp(0.0, 1.0).sqrt())
     }),
     ("255.99·√I (gamma 2), cut off", |i| {
-        channels(i, |c| 255.99 * c.clamp(0.0, 1.0).sqrt())
+        map_channels_to_u8(i, |c| 255.99 * c.clamp(0.0, 1.0).sqrt())
     }),
-    ("256·√I (gamma 2), with √I at most 0.999", |i| cut(i, f64::sqrt)),
-    ("255·I^(1/2.2) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 2.2))),
+    ("256·√I (gamma 2), with √I at most 0.999", |i| {
+        encode_by_256(i, f64::sqrt)
+    }),
+    ("255·I^(1/2.2) (gamma)", |i| encode_rounded(i, |c| c.powf(1.0 / 2.2))),
     ("255·I^(1/2.2) (gamma), cut off", |i| {
-        channels(i, |c| 255.0 * c.clamp(0.0, 1.0).powf(1.0 / 2.2))
+        map_channels_to_u8(i, |c| 255.0 * c.clamp(0.0, 1.0).powf(1.0 / 2.2))
     }),
-    ("256·I^(1/2.2) (gamma), cut at 0.999", |i| cut(i, |c| c.powf(1.0 / 2.2))),
-    ("255·I^(1/1.8) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 1.8))),
-    ("255·I^(1/2.4) (gamma)", |i| rounded(i, |c| c.powf(1.0 / 2.4))),
-    ("255·I^2.2, gamma the wrong way round", |i| rounded(i, |c| c.powf(2.2))),
-    ("255·I², gamma the wrong way round", |i| rounded(i, |c| c * c)),
-    ("I encoded as sRGB", |i| rounded(i, srgb)),
-    ("I decoded as if it were sRGB", |i| rounded(i, linear)),
-    ("255·(1 − e^−I)", |i| channels(i, |c| 255.0 * (1.0 - (-c).exp()) + 0.5)),
+    ("256·I^(1/2.2) (gamma), cut at 0.999", |i| {
+        encode_by_256(i, |c| c.powf(1.0 / 2.2))
+    }),
+    ("255·I^(1/1.8) (gamma)", |i| encode_rounded(i, |c| c.powf(1.0 / 1.8))),
+    ("255·I^(1/2.4) (gamma)", |i| encode_rounded(i, |c| c.powf(1.0 / 2.4))),
+    ("255·I^2.2, gamma the wrong way round", |i| {
+        encode_rounded(i, |c| c.powf(2.2))
+    }),
+    ("255·I², gamma the wrong way round", |i| encode_rounded(i, |c| c * c)),
+    ("I encoded as sRGB", |i| encode_rounded(i, encode_srgb)),
+    ("I decoded as if it were sRGB", |i| encode_rounded(i, decode_srgb)),
+    ("255·(1 − e^−I)", |i| {
+        map_channels_to_u8(i, |c| 255.0 * (1.0 - (-c).exp()) + 0.5)
+    }),
     ("255·(1 − e^−I), cut off", |i| {
-        channels(i, |c| 255.0 * (1.0 - (-c).exp()))
+        map_channels_to_u8(i, |c| 255.0 * (1.0 - (-c).exp()))
     }),
-    ("255·I/(1 + I)", |i| channels(i, |c| 255.0 * c / (1.0 + c) + 0.5)),
-    ("255·I/(1 + I), cut off", |i| channels(i, |c| 255.0 * c / (1.0 + c))),
-    ("255·(1 − I), a negative", |i| channels(i, |c| 255.0 * (1.0 - c) + 0.5)),
+    ("255·I/(1 + I)", |i| map_channels_to_u8(i, |c| 255.0 * c / (1.0 + c) + 0.5)),
+    ("255·I/(1 + I), cut off", |i| {
+        map_channels_to_u8(i, |c| 255.0 * c / (1.0 + c))
+    }),
+    ("255·(1 − I), a negative", |i| {
+        map_channels_to_u8(i, |c| 255.0 * (1.0 - c) + 0.5)
+    }),
     ("255·I rounded, but what is above 255 begins again at 0", |i| {
         i.to_array().map(|c| (255.0 * c + 0.5) as i64 as u8)
     }),
@@ -87,7 +105,7 @@ pub(crate) const ENCODES: [(&str, Encode); 45] = [
         i.to_array().map(|c| (255.0 * c) as i64 as u8)
     }),
     ("255·I rounded, but what is above 1 becomes 0", |i| {
-        channels(i, |c| if c > 1.0 { 0.0 } else { 255.0 * c + 0.5 })
+        map_channels_to_u8(i, |c| if c > 1.0 { 0.0 } else { 255.0 * c + 0.5 })
     }),
     ("255·I rounded, but black where a channel is above 1", |i| {
         match i.max_element() {
@@ -99,7 +117,7 @@ pub(crate) const ENCODES: [(&str, Encode); 45] = [
         if i.max_element() > 1.0 { [255; 3] } else { ENCODE(i) }
     }),
     ("255·I rounded, but what is above 1 begins again at 0", |i| {
-        channels(i, |c| 255.0 * if c > 1.0 { c.fract() } else { c } + 0.5)
+        map_channels_to_u8(i, |c| 255.0 * if c > 1.0 { c.fract() } else { c } + 0.5)
     }),
     ("255·I divided by its largest channel where that is above 1", |i| {
         ENCODE(i / i.max_element().max(1.0))
@@ -123,50 +141,53 @@ const GREYS: [(&str, [f64; 3]); 3] = [
 ];
 
 /// What else may stand in the place of `rgb8`, as an explanation of a step's picture.
-pub(crate) fn encodes<'a>(
+pub(crate) fn encode_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let step = evidence.step;
     let exact = step.into_iter().flat_map(move |step| {
         ENCODES.map(|(words, encode)| {
             let sentence = format!("Each byte of your picture is {words}.");
-            encoded(evidence, step, sentence, encode)
+            encode_candidate(evidence, step, sentence, encode)
         })
     });
-    exact.chain(greys(evidence))
+    exact.chain(grey_candidates(evidence))
 }
 
-fn encoded<'a>(
+fn encode_candidate<'a>(
     evidence: &'a Evidence,
     step: Step,
     sentence: String,
     encode: Encode,
 ) -> Explanation<'a> {
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     Explanation::exact(sentence, &[RGB8, RENDER], move |pixel| {
-        encode(intensity(&evidence.ray(pixel)))
+        encode(intensity(&evidence.our_ray(pixel)))
     })
 }
 
 /// The way in which the sky alone was turned into bytes, if that is another than ours and
 /// the same in every pixel of the sky.
-pub(crate) fn other_encode_of_sky(
+pub(crate) fn find_other_encode_of_sky(
     evidence: &Evidence,
-    work: &crate::explanation::Work,
+    budget: &crate::explanation::RayBudget,
 ) -> Option<(&'static str, Encode)> {
     let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
-    let (wrong, all) = evidence.count(is_sky);
+    let (wrong, all) = evidence.count_wrong_and_all(is_sky);
     if wrong == 0 || all < 1000 {
         return None;
     }
     let step = evidence.step?;
     ENCODES.into_iter().find(|(words, encode)| {
-        let explanation = encoded(evidence, step, (*words).to_owned(), *encode);
-        explanation.holds(evidence, is_sky, work)
+        let explanation =
+            encode_candidate(evidence, step, (*words).to_owned(), *encode);
+        explanation.holds_in_region(evidence, is_sky, budget)
     })
 }
 
-fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
+fn grey_candidates<'a>(
+    evidence: &'a Evidence,
+) -> impl Iterator<Item = Explanation<'a>> {
     let is_grey = |colour: [u8; 3]| colour == [colour[0]; 3];
     let pixels = &evidence.pixels;
     let is_new = pixels.iter().all(|pixel| is_grey(pixel.yours))
@@ -175,7 +196,7 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
     if is_new {
         greys.extend(GREYS.map(|(words, weights)| {
             let sentence = format!("Your picture is grey in every pixel: {words}.");
-            Explanation::fitted(sentence, files(evidence), move |pixel| {
+            Explanation::fitted(sentence, curve_files(evidence), move |pixel| {
                 let grey: f64 =
                     (0..3).map(|k| weights[k] * f64::from(pixel.ours[k])).sum();
                 [grey.round() as u8; 3]
@@ -185,7 +206,7 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
             let name = ["red", "green", "blue"][k];
             let sentence =
                 format!("Your picture is grey in every pixel: {name} three times.");
-            Explanation::exact(sentence, files(evidence), move |pixel| {
+            Explanation::exact(sentence, curve_files(evidence), move |pixel| {
                 [pixel.ours[k]; 3]
             })
         }));
@@ -199,41 +220,45 @@ fn greys<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Explanation<'a>> {
 }
 
 /// Bytes that follow from ours by a factor or by a power.
-pub(crate) fn fitted_factor_and_power<'a>(
+pub(crate) fn factor_and_power_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
-    let table = Table::read(evidence);
+    let table = ByteTable::read_if_consistent(evidence);
     let curves = table.map(|table| {
-        let (from, to) = table.example();
-        let factor = table.factor().map(|factor| {
+        let (from, to) = table.changed_byte_near_128();
+        let factor = table.fitted_factor().map(|factor| {
             let sentence = format!(
                 "Each byte of your picture is about {factor:.3} times ours: {from} is {to}."
             );
             (sentence, Box::new(move |c: f64| factor * c) as Curve)
         });
-        let power = table.power().map(|power| {
+        let power = table.fitted_power().map(|power| {
             let sentence = format!(
                 "Each byte of your picture is ours to the power {} (gamma): {from} is {to}.",
-                format_power(power)
+                format_exponent(power)
             );
             (sentence, Box::new(move |c: f64| c.max(0.0).powf(power)) as Curve)
         });
         [factor, power]
     });
-    let intensity = evidence.step.map(|step| intensity(step, &scene(step)));
+    let intensity =
+        evidence.step.map(|step| intensity_function(step, &scene_of_step(step)));
     let intensity = intensity.map(Rc::new);
     curves.into_iter().flatten().flatten().flat_map(move |(sentence, curve)| {
         let curve = Rc::new(curve);
         let of_bytes = curve.clone();
-        let bytes =
-            Explanation::fitted(sentence.clone(), files(evidence), move |pixel| {
+        let bytes = Explanation::fitted(
+            sentence.clone(),
+            curve_files(evidence),
+            move |pixel| {
                 let ours =
                     DVec3::from_array(pixel.ours.map(|c| f64::from(c) / 255.0));
                 ENCODE(ours.map(of_bytes.as_ref()))
-            });
+            },
+        );
         let exact = intensity.clone().map(|intensity| {
-            Explanation::fitted(sentence, files(evidence), move |pixel| {
-                ENCODE(intensity(&evidence.ray(pixel)).map(curve.as_ref()))
+            Explanation::fitted(sentence, curve_files(evidence), move |pixel| {
+                ENCODE(intensity(&evidence.our_ray(pixel)).map(curve.as_ref()))
             })
         });
         [bytes].into_iter().chain(exact)
@@ -244,7 +269,7 @@ pub(crate) fn fitted_factor_and_power<'a>(
 type Curve = Box<dyn Fn(f64) -> f64>;
 
 /// Where a curve may be: in step 1, where all is sky, its colour may be another as well.
-fn files(evidence: &Evidence) -> &'static [&'static str] {
+fn curve_files(evidence: &Evidence) -> &'static [&'static str] {
     match evidence.step {
         Some(Step::Rays) => &[RGB8, RENDER, SKY],
         _ => &[RGB8, RENDER],
@@ -253,20 +278,23 @@ fn files(evidence: &Evidence) -> &'static [&'static str] {
 
 /// Bytes that follow from ours alone, whatever they show, by a table that is read from the
 /// picture.
-pub(crate) fn table<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
-    let table = Table::read(evidence).filter(|table| table.width() < 4)?;
-    let (from, to) = table.example();
+pub(crate) fn byte_table_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
+    let table = ByteTable::read_if_consistent(evidence)
+        .filter(|table| table.widest_range() < 4)?;
+    let (from, to) = table.changed_byte_near_128();
     let words = if table.is_common { "" } else { ", each channel in its own way" };
     let sentence = format!(
         "The bytes of your picture follow from ours, whatever they show{words}: {from} is \
          about {to}."
     );
-    Some(Explanation::range(sentence, files(evidence), move |pixel| {
-        table.range(pixel.ours)
+    Some(Explanation::range(sentence, curve_files(evidence), move |pixel| {
+        table.range_of_colour(pixel.ours)
     }))
 }
 
-fn format_power(power: f64) -> String {
+fn format_exponent(power: f64) -> String {
     if power < 1.0 {
         format!("1/{:.1}", 1.0 / power)
     } else {
@@ -278,25 +306,25 @@ fn format_power(power: f64) -> String {
 const WIDEST: u8 = 12;
 
 /// The width of the widest range. What was clamped may be anything.
-fn width(ranges: &[(u8, u8); 256]) -> u8 {
+fn widest_range_below_255(ranges: &[(u8, u8); 256]) -> u8 {
     let widths = ranges[..255].iter().map(|(low, high)| high.saturating_sub(*low));
     widths.max().unwrap_or(0)
 }
 
 /// Whether a byte of ours is never itself in the picture.
-fn is_changed((from, (low, high)): &(u8, (u8, u8))) -> bool {
+fn excludes_byte((from, (low, high)): &(u8, (u8, u8))) -> bool {
     from < low || high < from
 }
 
 /// The range of bytes in the picture for each byte of ours, of each channel.
-struct Table {
+struct ByteTable {
     ranges: [[(u8, u8); 256]; 3],
     is_common: bool,
 }
 
-impl Table {
+impl ByteTable {
     /// Reads it, if a byte of ours is about the same wherever it is.
-    fn read(evidence: &Evidence) -> Option<Self> {
+    fn read_if_consistent(evidence: &Evidence) -> Option<Self> {
         let mut ranges = [[(255, 0); 256]; 3];
         for pixel in &evidence.pixels {
             for (k, ranges) in ranges.iter_mut().enumerate() {
@@ -312,45 +340,50 @@ impl Table {
                 *range = (range.0.min(own.0), range.1.max(own.1));
             }
         }
-        let is_common = width(&common) < WIDEST;
+        let is_common = widest_range_below_255(&common) < WIDEST;
         let ranges = if is_common { [common; 3] } else { ranges };
         let table = Self { ranges, is_common };
-        let is_read = table.width() < WIDEST && 48 <= table.known().count();
+        let is_read = table.widest_range() < WIDEST
+            && 48 <= table.met_bytes_with_ranges().count();
         // Where only the sky is wrong, it is the sky's colour and not that of all bytes.
         let (wrong_objects, objects) =
-            evidence.count(|pixel| pixel.region.object.is_some());
+            evidence.count_wrong_and_all(|pixel| pixel.region.object.is_some());
         let is_everywhere = objects == 0 || 0 < wrong_objects;
-        (is_read && is_everywhere && table.is_most_changed()).then_some(table)
+        (is_read && is_everywhere && table.is_third_changed()).then_some(table)
     }
 
     /// Each byte of ours that was met, and the range of the picture.
-    fn known(&self) -> impl Iterator<Item = (u8, (u8, u8))> {
+    fn met_bytes_with_ranges(&self) -> impl Iterator<Item = (u8, (u8, u8))> {
         let ranges = self.ranges.iter().flat_map(|ranges| (0..=255).zip(*ranges));
         ranges.filter(|(_, (low, high))| low <= high)
     }
 
     /// The width of the widest range.
-    fn width(&self) -> u8 {
-        self.ranges.iter().map(width).max().unwrap_or(0)
+    fn widest_range(&self) -> u8 {
+        self.ranges.iter().map(widest_range_below_255).max().unwrap_or(0)
     }
 
-    fn is_most_changed(&self) -> bool {
-        let changed = self.known().filter(is_changed).count();
-        self.known().count() < 3 * changed + 3
+    fn is_third_changed(&self) -> bool {
+        let changed = self.met_bytes_with_ranges().filter(excludes_byte).count();
+        self.met_bytes_with_ranges().count() < 3 * changed + 3
     }
 
     /// The byte of ours in the middle, and what it is in the picture.
-    fn example(&self) -> (u8, u8) {
-        let known = self.known().filter(is_changed);
+    fn changed_byte_near_128(&self) -> (u8, u8) {
+        let known = self.met_bytes_with_ranges().filter(excludes_byte);
         let known = known.min_by_key(|(from, _)| from.abs_diff(128));
         known.map_or((0, 0), |(from, (to, _))| (from, to))
     }
 
     /// The mean over every second byte, so that the others are asked.
-    fn mean(&self, number: impl Fn(f64, f64) -> f64) -> Option<f64> {
+    fn mean_over_every_second_byte(
+        &self,
+        number: impl Fn(f64, f64) -> f64,
+    ) -> Option<f64> {
         let inner = |c: u8| 8 < c && c < 248;
-        let known =
-            self.known().filter(|(from, (to, _))| inner(*from) && inner(*to));
+        let known = self
+            .met_bytes_with_ranges()
+            .filter(|(from, (to, _))| inner(*from) && inner(*to));
         let numbers = known.step_by(2).map(|(from, (low, high))| {
             number(f64::from(from), (f64::from(low) + f64::from(high)) / 2.0)
         });
@@ -359,16 +392,19 @@ impl Table {
         (1.0 < count).then(|| sum / count)
     }
 
-    fn factor(&self) -> Option<f64> {
-        self.mean(|from, to| to / from).filter(|factor| (factor - 1.0).abs() > 0.01)
+    fn fitted_factor(&self) -> Option<f64> {
+        self.mean_over_every_second_byte(|from, to| to / from)
+            .filter(|factor| (factor - 1.0).abs() > 0.01)
     }
 
-    fn power(&self) -> Option<f64> {
-        let power = self.mean(|from, to| (to / 255.0).ln() / (from / 255.0).ln());
+    fn fitted_power(&self) -> Option<f64> {
+        let power = self.mean_over_every_second_byte(|from, to| {
+            (to / 255.0).ln() / (from / 255.0).ln()
+        });
         power.filter(|power| (power - 1.0).abs() > 0.04)
     }
 
-    fn range(&self, ours: [u8; 3]) -> [[u8; 3]; 2] {
+    fn range_of_colour(&self, ours: [u8; 3]) -> [[u8; 3]; 2] {
         let ranges = [0, 1, 2].map(|k| self.ranges[k][usize::from(ours[k])]);
         [ranges.map(|range| range.0), ranges.map(|range| range.1)]
     }

@@ -1,6 +1,6 @@
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{hits, intensity, scene};
+use crate::step_scene::{intensity_function, scene_of_step, sorted_hits};
 use crate::{Picture, Step};
 use glam::{DMat3, DVec3};
 use std::array;
@@ -13,7 +13,7 @@ const RGB8: &str = "step01_rays/rgb8.rs";
 
 /// What the sky of a picture tells of the camera that drew it: the x and y of D_u, D_v and
 /// V_0. Their z leaves no trace in it.
-pub(crate) struct Sky {
+pub(crate) struct SkyCamera {
     /// x of D_u, D_v and V_0.
     pub x: DVec3,
     /// y of the same.
@@ -26,15 +26,15 @@ const ENOUGH: f64 = 0.02;
 /// How far off a byte the sky that was read may be: its rows are few.
 const UNCERTAIN: f64 = 0.25;
 
-impl Sky {
+impl SkyCamera {
     /// Reads it where blue is 255, as everywhere in our sky: the planes that fit red and
     /// green best, as red = 0.7 + 0.3 V_x and green = 0.7 + 0.3 V_y. None where too little of
     /// the picture is such a sky.
-    pub fn read(yours: &Picture) -> Option<Self> {
+    pub fn fit(yours: &Picture) -> Option<Self> {
         let is_sky = |pixel: [u8; 3]| {
             pixel[2] == 255 && pixel[..2].iter().all(|c| (1..255).contains(c))
         };
-        let all = places(yours).filter(|(_, pixel)| is_sky(*pixel));
+        let all = places_and_colours(yours).filter(|(_, pixel)| is_sky(*pixel));
         let all: Vec<_> = all.collect();
         if all.len() * 20 < yours.pixels.pixels().len() {
             return None;
@@ -46,13 +46,13 @@ impl Sky {
         Some(Self { x, y })
     }
 
-    fn of(camera: &Camera) -> Self {
+    fn from_camera(camera: &Camera) -> Self {
         let rows = camera.matrix.transpose();
         Self { x: rows.x_axis, y: rows.y_axis }
     }
 
     /// The camera that it tells, with the z of ours. What is 0 in ours and hardly more here is 0.
-    fn camera(&self, ours: &Camera) -> Camera {
+    fn camera_with_z_of(&self, ours: &Camera) -> Camera {
         let (columns, rows) = (f64::from(ours.h_res), f64::from(ours.v_res));
         let (mut x, mut y) = (self.x, self.y);
         for (number, count) in [(&mut x.y, rows), (&mut y.x, columns)] {
@@ -65,13 +65,13 @@ impl Sky {
     }
 
     /// The field of view that it tells, to a tenth of a degree.
-    pub fn field_of_view(&self, columns: u32) -> f64 {
+    pub fn fov_degrees(&self, columns: u32) -> f64 {
         let tan = self.x.x.abs() * f64::from(columns - 1) / 2.0;
         (20.0 * tan.atan().to_degrees()).round() / 10.0
     }
 
     /// Whether D_u and D_v have one direction, as those of no camera have.
-    fn is_flat(&self) -> bool {
+    fn has_parallel_axes(&self) -> bool {
         let area = self.x.x * self.y.y - self.x.y * self.y.x;
         let [u, v] =
             [(self.x.x, self.y.x), (self.x.y, self.y.y)].map(|(x, y)| x.hypot(y));
@@ -79,7 +79,7 @@ impl Sky {
     }
 
     /// Whether a byte of a picture would be off by no more with the other camera.
-    fn is_like(
+    fn draws_same_bytes(
         &self,
         other: &Self,
         (columns, rows): (u32, u32),
@@ -94,7 +94,11 @@ impl Sky {
     }
 
     /// Says which of D_u, D_v and V_0 are others than in `ours`.
-    fn differences(&self, ours: &Self, (columns, rows): (u32, u32)) -> String {
+    fn clauses_of_differences(
+        &self,
+        ours: &Self,
+        (columns, rows): (u32, u32),
+    ) -> String {
         let mut text = String::new();
         let parts = [("D_u", columns), ("D_v", rows), ("V_0", 1)];
         for (k, (name, count)) in parts.into_iter().enumerate() {
@@ -102,7 +106,11 @@ impl Sky {
             let apart = (yours.0 - right.0).abs().max((yours.1 - right.1).abs());
             if ENOUGH < apart * f64::from(count) * 76.5 {
                 let [yours, right] = [yours, right].map(|(x, y)| {
-                    format!("({}, {})", format_short(x), format_short(y))
+                    format!(
+                        "({}, {})",
+                        format_4_or_6_decimals(x),
+                        format_4_or_6_decimals(y)
+                    )
                 });
                 let _ =
                     write!(text, " x and y of {name} are {yours}, not {right};");
@@ -113,7 +121,7 @@ impl Sky {
 }
 
 /// Each pixel, and its place (i, j, 1).
-fn places(yours: &Picture) -> impl Iterator<Item = (DVec3, [u8; 3])> {
+fn places_and_colours(yours: &Picture) -> impl Iterator<Item = (DVec3, [u8; 3])> {
     yours.pixels.enumerate_pixels().map(|(i, k, pixel)| {
         let j = yours.rows[k as usize];
         (DVec3::new(i.into(), j.into(), 1.0), pixel.0)
@@ -121,7 +129,7 @@ fn places(yours: &Picture) -> impl Iterator<Item = (DVec3, [u8; 3])> {
 }
 
 /// A number with four digits that tell.
-fn format_short(number: f64) -> String {
+fn format_4_or_6_decimals(number: f64) -> String {
     let number = if number.abs() < 1e-6 { 0.0 } else { number };
     let digits = if number.abs() < 0.1 { 6 } else { 4 };
     let text = format!("{number:.digits$}").replace('-', "−");
@@ -183,24 +191,31 @@ fn fit_planes<const N: usize>(points: &[(DVec3, [f64; N])]) -> Option<[DVec3; N]
 const SLACK: f64 = 0.3;
 
 /// Our own step with the camera that the sky tells.
-pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+pub(crate) fn camera_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
     let (step, size) = (evidence.step?, evidence.yours.size);
-    let (sky, ours) = (Sky::read(evidence.yours)?, Sky::of(&evidence.camera));
-    if sky.is_like(&ours, size, ENOUGH) || sky.is_flat() {
+    let (sky, ours) =
+        (SkyCamera::fit(evidence.yours)?, SkyCamera::from_camera(&evidence.camera));
+    if sky.draws_same_bytes(&ours, size, ENOUGH) || sky.has_parallel_axes() {
         return None;
     }
     // Where the angle alone is another, one number is fitted, and not six.
     let tan = (sky.x.x * f64::from(size.0 - 1) / 2.0 - sky.x.z) / 2.0;
     let zoomed = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
-    let is_zoomed = sky.is_like(&Sky::of(&zoomed), size, UNCERTAIN)
-        && !sky.is_like(&ours, size, UNCERTAIN)
-        && 0.0 < tan;
+    let is_zoomed =
+        sky.draws_same_bytes(&SkyCamera::from_camera(&zoomed), size, UNCERTAIN)
+            && !sky.draws_same_bytes(&ours, size, UNCERTAIN)
+            && 0.0 < tan;
     let (camera, what) = match is_zoomed {
         true => {
-            let angle = sky.field_of_view(size.0);
+            let angle = sky.fov_degrees(size.0);
             (zoomed, format!(" its field of view is {angle}°, not 60°."))
         }
-        false => (sky.camera(&evidence.camera), sky.differences(&ours, size)),
+        false => (
+            sky.camera_with_z_of(&evidence.camera),
+            sky.clauses_of_differences(&ours, size),
+        ),
     };
     let sentence = match step {
         Step::Rays => format!(
@@ -224,7 +239,7 @@ pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
         Step::Rays => &[CAMERA, SKY],
         _ => &[CAMERA],
     };
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     let mut explanation = Explanation::range(sentence, files, move |pixel| {
         let offsets =
             [(0.0, 0.0), (SLACK, 0.0), (-SLACK, 0.0), (0.0, SLACK), (0.0, -SLACK)];
@@ -232,7 +247,7 @@ pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
             let ray = camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
             evidence.encode(intensity(&ray))
         });
-        around(&colours, 1)
+        range_with_margin(&colours, 1)
     });
     explanation.rays = 5;
     // An edge may lie between two of these places.
@@ -241,7 +256,7 @@ pub(crate) fn fitted_camera<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
 }
 
 /// The range of some colours, and so much beyond it.
-pub(crate) fn around(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
+pub(crate) fn range_with_margin(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
     let mut range = [[255; 3], [0; 3]];
     for colour in colours {
         for k in 0..3 {
@@ -256,24 +271,24 @@ pub(crate) fn around(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
 type Direction = fn(DVec3) -> DVec3;
 
 /// The sky of another colour, where each channel is a plane in the picture; objects as ours.
-pub(crate) fn sky_colours<'a>(
+pub(crate) fn sky_colour_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
     let is_alone = evidence.step == Some(Step::Rays);
     let is_asked = evidence.step.is_some()
-        && 0 < evidence.count(is_sky).0
-        && evidence.count(|pixel| !is_sky(pixel)).0 == 0;
+        && 0 < evidence.count_wrong_and_all(is_sky).0
+        && evidence.count_wrong_and_all(|pixel| !is_sky(pixel)).0 == 0;
     let directions: [(&str, Direction); 2] =
         [("V", |v| v), ("V/|V|", |v| v.normalize())];
     let directions = directions.into_iter().filter(move |_| is_asked);
     directions.filter_map(move |(name, direction)| {
         let fits: Vec<_> = (0..3)
-            .map(|k| fit_colour(evidence, k, direction))
+            .map(|k| fit_sky_channel(evidence, k, direction))
             .collect::<Option<_>>()?;
         let words: Vec<_> = (0..3)
             .zip(&fits)
-            .map(|(k, fit)| format_colour(k, *fit, name))
+            .map(|(k, fit)| format_channel_plane(k, *fit, name))
             .collect();
         let else_right = if is_alone { "" } else { ", and all else is right" };
         let words = words.join(", ");
@@ -289,7 +304,7 @@ pub(crate) fn sky_colours<'a>(
             match pixel.region.object {
                 Some(_) => pixel.ours,
                 None => {
-                    let v = direction(evidence.ray(pixel).direction);
+                    let v = direction(evidence.our_ray(pixel).direction);
                     let at = DVec3::new(v.x, v.y, 1.0);
                     [0, 1, 2].map(|k| (255.0 * fits[k].dot(at)).round() as u8)
                 }
@@ -299,14 +314,14 @@ pub(crate) fn sky_colours<'a>(
 }
 
 /// Fits a channel of the sky: a·V_x + b·V_y + c.
-fn fit_colour(
+fn fit_sky_channel(
     evidence: &Evidence,
     channel: usize,
     direction: Direction,
 ) -> Option<DVec3> {
     let sky = evidence.pixels.iter().filter(|pixel| pixel.region.object.is_none());
     let point = |pixel: &Pixel| {
-        let v = direction(evidence.ray(pixel).direction);
+        let v = direction(evidence.our_ray(pixel).direction);
         (DVec3::new(v.x, v.y, 1.0), [f64::from(pixel.yours[channel]) / 255.0])
     };
     let points: Vec<_> = sky.map(point).collect();
@@ -319,13 +334,14 @@ fn fit_colour(
     }
 }
 
-fn format_colour(channel: usize, fit: DVec3, direction: &str) -> String {
+fn format_channel_plane(channel: usize, fit: DVec3, direction: &str) -> String {
     let name = ["red", "green", "blue"][channel];
-    let mut text = format!("{name} = {}", format_places(fit.z));
+    let mut text = format!("{name} = {}", format_2_decimals(fit.z));
     for (number, letter) in [(fit.x, "x"), (fit.y, "y")] {
         if number.abs() > 0.005 {
             let sign = if number < 0.0 { "−" } else { "+" };
-            text += &format!(" {sign} {} {letter}", format_places(number.abs()));
+            text +=
+                &format!(" {sign} {} {letter}", format_2_decimals(number.abs()));
         }
     }
     match channel {
@@ -334,30 +350,36 @@ fn format_colour(channel: usize, fit: DVec3, direction: &str) -> String {
     }
 }
 
-fn format_places(number: f64) -> String {
+fn format_2_decimals(number: f64) -> String {
     format!("{number:.2}").replace('-', "−")
 }
 
 /// The pixels in which the camera that the sky tells meets nothing, if these are all as that
 /// camera would draw them: the sentence that is told of the sky alone.
-pub(crate) fn sky_alone(
+pub(crate) fn clauses_and_count_of_sky(
     evidence: &Evidence,
-    work: &crate::explanation::Work,
+    budget: &crate::explanation::RayBudget,
 ) -> Option<(String, usize)> {
     let step = evidence.step.filter(|step| Step::Rays < *step)?;
-    let explanation = fitted_camera(evidence)?;
-    let sky = Sky::read(evidence.yours)?;
-    let camera = sky.camera(&evidence.camera);
-    let scene = scene(step);
+    let explanation = camera_candidate(evidence)?;
+    let sky = SkyCamera::fit(evidence.yours)?;
+    let camera = sky.camera_with_z_of(&evidence.camera);
+    let scene = scene_of_step(step);
     let is_sky = |pixel: &Pixel| {
         let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
         [(0.0, 0.0), (2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)]
             .iter()
-            .all(|(u, v)| hits(&scene, &camera.ray(i + u, j + v)).is_empty())
+            .all(|(u, v)| sorted_hits(&scene, &camera.ray(i + u, j + v)).is_empty())
     };
     let count = evidence.pixels.iter().filter(|pixel| is_sky(pixel)).count();
     let is_much = evidence.pixels.len() / 10 < count;
-    (is_much && explanation.holds(evidence, is_sky, work)).then(|| {
-        (sky.differences(&Sky::of(&evidence.camera), evidence.yours.size), count)
+    (is_much && explanation.holds_in_region(evidence, is_sky, budget)).then(|| {
+        (
+            sky.clauses_of_differences(
+                &SkyCamera::from_camera(&evidence.camera),
+                evidence.yours.size,
+            ),
+            count,
+        )
     })
 }

@@ -1,27 +1,36 @@
 use crate::byte_curve::{
-    encodes, fitted_factor_and_power, other_encode_of_sky, table,
+    byte_table_candidate, encode_candidates, factor_and_power_candidates,
+    find_other_encode_of_sky,
 };
-use crate::camera_from_sky::{fitted_camera, sky_colours};
-use crate::crop_or_scale::describe_crop_or_scale;
+use crate::camera_from_sky::{camera_candidate, sky_colour_candidates};
+use crate::crop_or_scale::crop_or_scale_clause;
 use crate::disturbed::{
-    last_digits, lossy, other_places, random_places, recoloured,
+    lossy_candidate, random_ray_candidate, recoloured_candidate,
+    rounding_candidate, shifted_ray_candidates,
 };
 use crate::evidence::{Evidence, Pixel};
-use crate::explanation::{Explanation, Work, first_that_holds};
-use crate::listed_mistake::listed_mistake;
-use crate::missing_parts::{never_drawn, other_objects, other_terms, scaled_terms};
-use crate::other_options::{draw_rows, other_options};
-use crate::pixel_regions::computed;
-use crate::scene_parameter::other_numbers;
-use crate::source_ref::{back, place, test_command};
-use crate::step_scene::{ENCODE, intensity, scene};
-use crate::transformed::{OurPicture, has_same_pixels, rearranged, turned};
-use crate::wrong_regions::wrong_regions;
-use crate::{
-    Answer, Locked, Picture, Step, camera, known, png_file, printable, sum,
-    which_picture,
+use crate::explanation::{Explanation, RayBudget, find_first_that_holds};
+use crate::listed_mistake::explain_listed_mistake;
+use crate::missing_parts::{
+    missing_or_doubled_term_candidates, object_candidates, scaled_term_candidates,
+    undrawn_pixels_candidate,
 };
-use compare::{Difference, panels};
+use crate::other_options::{draw_rows, find_other_options};
+use crate::pixel_regions::computed_values_clause;
+use crate::scene_parameter::changed_number_candidates;
+use crate::source_ref::{
+    find_source_ref, go_back_sentences, test_command_sentence,
+};
+use crate::step_scene::{ENCODE, intensity_function, scene_of_step};
+use crate::transformed::{
+    OurPicture, has_our_colours_elsewhere, rearranged_candidates, turned_candidates,
+};
+use crate::wrong_regions::describe_wrong_regions;
+use crate::{
+    Answer, Locked, Picture, Step, default_camera, escape_for_terminal,
+    find_mistakes, hash_picture, png_file, which_picture,
+};
+use compare::{Difference, draw_panels};
 use image::{Rgb, RgbImage};
 use std::rc::Rc;
 
@@ -35,17 +44,18 @@ const RAYS: u32 = 4_000_000;
 /// left out, with the one that the file's own name tells, or else with the nearest.
 ///
 /// It takes nothing but what it is given: no file, no argument, no time.
-pub fn check(
+pub fn check_png(
     png: &[u8],
     file: &str,
     name: Option<&str>,
     locked: &[Locked],
 ) -> Answer {
-    match png_file::read(png) {
+    match png_file::read_png(png) {
         Ok(picture) => {
             let names = locked.iter().map(|one| one.name.as_str());
-            let name = name.or_else(|| which_picture::by_file(file, names));
-            let mut answer = compare_with_ours(&picture, name, locked);
+            let name =
+                name.or_else(|| which_picture::find_name_in_file_name(file, names));
+            let mut answer = check_read_picture(&picture, name, locked);
             if answer.code < 2 && picture.is_invisible {
                 answer.text = format!(
                     "Not right: alpha is 0 in every pixel, so that a viewer shows nothing. \
@@ -60,17 +70,23 @@ pub fn check(
             }
             answer
         }
-        Err(what) => Answer::new(2, format!("error: {} {what}", printable(file))),
+        Err(what) => {
+            Answer::new(2, format!("error: {} {what}", escape_for_terminal(file)))
+        }
     }
 }
 
 /// Compares a picture with the locked picture `name`, or with the nearest where `name`
 /// is left out.
-pub fn look(yours: &RgbImage, name: Option<&str>, locked: &[Locked]) -> Answer {
-    compare_with_ours(&Picture::whole(yours.clone()), name, locked)
+pub fn check_picture(
+    yours: &RgbImage,
+    name: Option<&str>,
+    locked: &[Locked],
+) -> Answer {
+    check_read_picture(&Picture::from_all_rows(yours.clone()), name, locked)
 }
 
-fn compare_with_ours(
+fn check_read_picture(
     yours: &Picture,
     name: Option<&str>,
     locked: &[Locked],
@@ -79,18 +95,20 @@ fn compare_with_ours(
     let asked: Vec<_> = locked.iter().filter(is_asked).collect();
     if asked.is_empty() {
         let names: Vec<_> = locked.iter().map(|one| one.name.as_str()).collect();
-        let (name, names) = (printable(name.unwrap_or_default()), names.join(", "));
+        let (name, names) =
+            (escape_for_terminal(name.unwrap_or_default()), names.join(", "));
         let text = format!(
             "error: there is no locked picture '{name}'; allowed are {names}"
         );
         return Answer::new(2, text);
     }
-    let is_this = |one: &&&Locked| yours.is_whole() && one.picture == yours.pixels;
+    let is_this =
+        |one: &&&Locked| yours.has_all_rows() && one.picture == yours.pixels;
     let right = asked.iter().find(is_this);
     let ours = right
         .copied()
-        .unwrap_or_else(|| which_picture::nearest(&yours.pixels, &asked));
-    if !ours.is_of_this_version() {
+        .unwrap_or_else(|| which_picture::find_most_similar(&yours.pixels, &asked));
+    if !ours.has_compiled_hash() {
         let text = format!(
             "error: our picture of {} is of another version of the course than this program",
             ours.name
@@ -102,37 +120,43 @@ fn compare_with_ours(
         let text = format!("Right: this is the picture of {name}, in every pixel.");
         return Answer::new(0, text);
     }
-    let work = Work::new(RAYS);
-    let step = Step::named(&ours.name).filter(|_| 2 <= yours.size.0);
-    if let Some((step, options)) =
-        step.and_then(|step| Some((step, other_options(step, yours, &work)?)))
+    let budget = RayBudget::new(RAYS);
+    let step = Step::from_name(&ours.name).filter(|_| 2 <= yours.size.0);
+    if let Some((step, options)) = step
+        .and_then(|step| Some((step, find_other_options(step, yours, &budget)?)))
     {
-        let is_right = options.are_default() && !yours.is_whole();
-        return Answer::new(u8::from(!is_right), options.sentence(step, yours));
+        let is_right = options.are_default_but_size() && !yours.has_all_rows();
+        return Answer::new(u8::from(!is_right), options.sentences(step, yours));
     }
     let is_size = yours.size == ours.picture.dimensions();
-    let drawn = match step.filter(|_| yours.is_whole()) {
+    let drawn = match step.filter(|_| yours.has_all_rows()) {
         _ if is_size => Some(ours.picture.clone()),
-        Some(step) => Some(step.picture(&camera(yours.size.0, yours.size.1), 1)),
+        Some(step) => {
+            Some(step.draw_picture(&default_camera(yours.size.0, yours.size.1), 1))
+        }
         None => None,
     };
     let same = locked.iter().find(|one| is_this(&one));
     let text = match same {
-        Some(other) => another_picture(&yours.pixels, ours, other),
-        None => explain(yours, ours, drawn.as_ref(), step, &work),
+        Some(other) => explain_other_picture(&yours.pixels, ours, other),
+        None => explain_wrong_picture(yours, ours, drawn.as_ref(), step, &budget),
     };
-    let difference = drawn.map(|drawn| panels(&yours.pixels, &drawn));
+    let difference = drawn.map(|drawn| draw_panels(&yours.pixels, &drawn));
     Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 
 /// What there is to say of a picture that is right elsewhere.
-fn another_picture(yours: &RgbImage, ours: &Locked, other: &Locked) -> String {
+fn explain_other_picture(
+    yours: &RgbImage,
+    ours: &Locked,
+    other: &Locked,
+) -> String {
     let (name, asked) = (&other.name, &ours.name);
     let start =
         format!("Not right: this is the picture of {name}, not of {asked}.");
-    let steps = [name, asked].map(|name| Step::named(name));
+    let steps = [name, asked].map(|name| Step::from_name(name));
     let [Some(from), Some(to)] = steps else {
-        return format!("{start}\n{}", exercise_hint(asked));
+        return format!("{start}\n{}", hint_to_check_step_first(asked));
     };
     let missing = match (from, to) {
         _ if to < from => return start,
@@ -143,9 +167,10 @@ fn another_picture(yours: &RgbImage, ours: &Locked, other: &Locked) -> String {
     };
     let later = Step::ALL.into_iter().filter(|step| from < *step && *step <= to);
     let later: Vec<_> = later.collect();
-    let is_listed = known(sum(yours)).iter().any(|(_, name)| name == asked);
-    let listed = listed_mistake(yours, asked).filter(|_| is_listed);
-    let tests = listed.unwrap_or_else(|| test_command(&later));
+    let is_listed =
+        find_mistakes(hash_picture(yours)).iter().any(|(_, name)| name == asked);
+    let listed = explain_listed_mistake(yours, asked).filter(|_| is_listed);
+    let tests = listed.unwrap_or_else(|| test_command_sentence(&later));
     format!(
         "{start}\n{missing}. (Or the file is that of step {}.)\n{tests}",
         from.number()
@@ -153,7 +178,7 @@ fn another_picture(yours: &RgbImage, ours: &Locked, other: &Locked) -> String {
 }
 
 /// The step whose picture is to be asked first, where that of an exercise is wrong.
-fn exercise_hint(name: &str) -> String {
+fn hint_to_check_step_first(name: &str) -> String {
     let Some(step) = which_picture::step_of_exercise(name) else {
         return String::new();
     };
@@ -166,31 +191,31 @@ fn exercise_hint(name: &str) -> String {
 }
 
 /// What went wrong. `drawn` is ours at the size of yours.
-fn explain(
+fn explain_wrong_picture(
     yours: &Picture,
     ours: &Locked,
     drawn: Option<&RgbImage>,
     step: Option<Step>,
-    work: &Work,
+    budget: &RayBudget,
 ) -> String {
     let name = &ours.name;
-    if let Some(text) = one_colour(yours) {
+    if let Some(text) = explain_one_colour(yours) {
         let steps: Vec<_> =
             Step::ALL.into_iter().filter(|one| Some(*one) <= step).collect();
-        let listed = listed_mistake(&yours.pixels, name);
+        let listed = explain_listed_mistake(&yours.pixels, name);
         return text
             + &listed.unwrap_or_else(|| match step {
-                Some(_) => test_command(&steps),
-                None => exercise_hint(name),
+                Some(_) => test_command_sentence(&steps),
+                None => hint_to_check_step_first(name),
             });
     }
-    if let Some(part) = describe_crop_or_scale(yours, &ours.picture, drawn) {
+    if let Some(part) = crop_or_scale_clause(yours, &ours.picture, drawn) {
         return format!("Not right: your picture is that of {name}, {part}.\n");
     }
     let is_size = yours.size == ours.picture.dimensions();
-    let thinned = yours.thinned(COMPARED);
+    let thinned = yours.with_spread_rows(COMPARED);
     let (columns, rows) = yours.size;
-    let camera = camera(columns.max(2), rows);
+    let camera = default_camera(columns.max(2), rows);
     let own = match step {
         _ if is_size => ours.picture.clone(),
         Some(step) => draw_rows(step, &camera, &thinned.rows),
@@ -198,9 +223,10 @@ fn explain(
         None => RgbImage::new(columns, thinned.rows.len() as u32),
     };
     let evidence = Evidence::new(name, step, &thinned, own, camera, ENCODE);
-    let listed = if is_size { listed_mistake(&yours.pixels, name) } else { None };
-    if evidence.wrong().is_empty() {
-        return sentence_beyond_compared_rows(
+    let listed =
+        if is_size { explain_listed_mistake(&yours.pixels, name) } else { None };
+    if evidence.wrong_pixels().is_empty() {
+        return explain_difference_beyond_compared_rows(
             yours,
             drawn,
             name,
@@ -208,38 +234,48 @@ fn explain(
         );
     }
     let at_size = drawn
-        .map(OurPicture::of)
+        .map(OurPicture::from_drawn)
         .or_else(|| step.map(|step| computed_picture(step, &evidence)));
-    let whole = at_size.into_iter().chain([OurPicture::of(&ours.picture)]);
-    let rearranged = drawn.map_or(vec![], |drawn| rearranged(&evidence, drawn));
-    let mut text = match explain_whole(&evidence, whole, rearranged, work) {
-        Some(found) => {
-            let places = found.files.iter().filter_map(|file| place(file));
-            let back = listed.unwrap_or_else(|| back(&places.collect::<Vec<_>>()));
-            format!("Not right: {}\n{back}", lower_first(&found.sentence))
-        }
-        None if is_size || step.is_some() => match listed {
-            Some(listed) => format!("Not right: {}", lower_first(&listed)),
-            None => explain_rest(&evidence, drawn, work),
-        },
-        None => {
-            return format!(
-                "Not right yet, compared with {name}.\n{}",
-                size_hint(yours, ours)
-            );
-        }
-    };
+    let whole = at_size.into_iter().chain([OurPicture::from_drawn(&ours.picture)]);
+    let rearranged =
+        drawn.map_or(vec![], |drawn| rearranged_candidates(&evidence, drawn));
+    let mut text =
+        match find_explanation_of_whole(&evidence, whole, rearranged, budget) {
+            Some(found) => {
+                let places =
+                    found.files.iter().filter_map(|file| find_source_ref(file));
+                let back = listed.unwrap_or_else(|| {
+                    go_back_sentences(&places.collect::<Vec<_>>())
+                });
+                format!(
+                    "Not right: {}\n{back}",
+                    lowercase_first_letter(&found.sentence)
+                )
+            }
+            None if is_size || step.is_some() => match listed {
+                Some(listed) => {
+                    format!("Not right: {}", lowercase_first_letter(&listed))
+                }
+                None => explain_or_count(&evidence, drawn, budget),
+            },
+            None => {
+                return format!(
+                    "Not right yet, compared with {name}.\n{}",
+                    hint_on_size(yours, ours)
+                );
+            }
+        };
     if !is_size {
-        text += &size_hint(yours, ours);
+        text += &hint_on_size(yours, ours);
     }
     if is_size || step.is_some() {
-        text + &sentence_of_pixel(&evidence)
+        text + &sentences_of_wrong_pixel(&evidence)
     } else {
         text
     }
 }
 
-fn size_hint(yours: &Picture, ours: &Locked) -> String {
+fn hint_on_size(yours: &Picture, ours: &Locked) -> String {
     let ((w, h), (columns, rows)) = (yours.size, ours.picture.dimensions());
     format!(
         "It is {w}×{h} pixels, and ours {columns}×{rows}: draw it with the default \
@@ -247,7 +283,7 @@ fn size_hint(yours: &Picture, ours: &Locked) -> String {
     )
 }
 
-fn one_colour(yours: &Picture) -> Option<String> {
+fn explain_one_colour(yours: &Picture) -> Option<String> {
     let first = yours.pixels.get_pixel_checked(0, 0)?;
     let [r, g, b] = first.0;
     let is_one = yours.pixels.pixels().all(|pixel| pixel == first);
@@ -258,7 +294,7 @@ fn one_colour(yours: &Picture) -> Option<String> {
 
 /// Our picture at the size of the reader's, where that is too large to be drawn.
 fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     let colour = move |i: u32, j: u32| {
         evidence.encode(intensity(&evidence.camera.ray(i.into(), j.into())))
     };
@@ -266,7 +302,7 @@ fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
 }
 
 /// What there is to say where all rows are right in which explanations are asked.
-fn sentence_beyond_compared_rows(
+fn explain_difference_beyond_compared_rows(
     yours: &Picture,
     drawn: Option<&RgbImage>,
     name: &str,
@@ -289,58 +325,67 @@ fn sentence_beyond_compared_rows(
 }
 
 /// What was made of ours as a whole: the strongest explanations.
-fn explain_whole<'a>(
+fn find_explanation_of_whole<'a>(
     evidence: &'a Evidence,
     ours: impl Iterator<Item = OurPicture<'a>>,
     rearranged: Vec<Explanation<'a>>,
-    work: &Work,
+    budget: &RayBudget,
 ) -> Option<Explanation<'a>> {
-    let turned = ours.flat_map(|ours| turned(evidence, ours));
-    let strict = turned.chain(rearranged).chain(encodes(evidence));
+    let turned = ours.flat_map(|ours| turned_candidates(evidence, ours));
+    let strict = turned.chain(rearranged).chain(encode_candidates(evidence));
     // In step 1, where all is sky, a camera and another colour of it look like a curve.
     let is_sky_alone = evidence.step == Some(Step::Rays);
-    let camera = fitted_camera(evidence).filter(|_| is_sky_alone);
-    let colours = sky_colours(evidence).filter(|_| is_sky_alone);
-    let fitted =
-        camera.into_iter().chain(fitted_factor_and_power(evidence)).chain(colours);
-    first_that_holds(evidence, strict.chain(fitted).chain(table(evidence)), work)
+    let camera = camera_candidate(evidence).filter(|_| is_sky_alone);
+    let colours = sky_colour_candidates(evidence).filter(|_| is_sky_alone);
+    let fitted = camera
+        .into_iter()
+        .chain(factor_and_power_candidates(evidence))
+        .chain(colours);
+    find_first_that_holds(
+        evidence,
+        strict.chain(fitted).chain(byte_table_candidate(evidence)),
+        budget,
+    )
 }
 
 /// What explains a picture that is not in the list; or what there is to count.
-fn explain_rest(
+fn explain_or_count(
     evidence: &Evidence,
     drawn: Option<&RgbImage>,
-    work: &Work,
+    budget: &RayBudget,
 ) -> String {
-    let one = never_drawn(evidence)
+    let one = undrawn_pixels_candidate(evidence)
         .into_iter()
-        .chain(other_objects(evidence))
-        .chain(other_numbers(evidence))
-        .chain(other_terms(evidence))
-        .chain(scaled_terms(evidence))
-        .chain(other_places(evidence))
-        .chain(fitted_camera(evidence))
-        .chain(sky_colours(evidence))
-        .chain(last_digits(evidence))
-        .chain(random_places(evidence))
-        .chain(recoloured(evidence))
-        .chain(lossy(evidence));
-    if let Some(found) = first_that_holds(evidence, one, work) {
-        let places = found.files.iter().filter_map(|file| place(file));
-        let back = back(&places.collect::<Vec<_>>());
-        return format!("Not right: {}\n{back}", lower_first(&found.sentence));
+        .chain(object_candidates(evidence))
+        .chain(changed_number_candidates(evidence))
+        .chain(missing_or_doubled_term_candidates(evidence))
+        .chain(scaled_term_candidates(evidence))
+        .chain(shifted_ray_candidates(evidence))
+        .chain(camera_candidate(evidence))
+        .chain(sky_colour_candidates(evidence))
+        .chain(rounding_candidate(evidence))
+        .chain(random_ray_candidate(evidence))
+        .chain(recoloured_candidate(evidence))
+        .chain(lossy_candidate(evidence));
+    if let Some(found) = find_first_that_holds(evidence, one, budget) {
+        let places = found.files.iter().filter_map(|file| find_source_ref(file));
+        let back = go_back_sentences(&places.collect::<Vec<_>>());
+        return format!(
+            "Not right: {}\n{back}",
+            lowercase_first_letter(&found.sentence)
+        );
     }
     let start = format!("Not right yet, compared with {}.\n", evidence.name);
     let Some(step) = evidence.step else {
-        return start + &exercise_hint(evidence.name);
+        return start + &hint_to_check_step_first(evidence.name);
     };
-    if drawn.is_some() && has_same_pixels(evidence) {
+    if drawn.is_some() && has_our_colours_elsewhere(evidence) {
         let text = "The pixels of your picture are ours in other places.\n";
-        return start + text + &test_command(&[Step::Rays]);
+        return start + text + &test_command_sentence(&[Step::Rays]);
     }
-    match other_encode_of_sky(evidence, work) {
+    match find_other_encode_of_sky(evidence, budget) {
         Some((words, encode)) => {
-            let intensity = intensity(step, &scene(step));
+            let intensity = intensity_function(step, &scene_of_step(step));
             let own = RgbImage::from_fn(
                 evidence.ours.width(),
                 evidence.ours.height(),
@@ -352,36 +397,39 @@ fn explain_rest(
             let Evidence { name, yours, camera, .. } = *evidence;
             let second =
                 Evidence::new(name, Some(step), yours, own, camera, encode);
-            let rest = explain_rest(&second, None, work);
+            let rest = explain_or_count(&second, None, budget);
             format!(
                 "{start}In every pixel of the sky each byte of your picture is {words}: see \
                  rgb8.rs of step 1.\nBeside that: {}",
                 rest.trim_start_matches(&start).trim_start_matches("Not right: ")
             )
         }
-        None => start + &wrong_regions(evidence, step, work),
+        None => start + &describe_wrong_regions(evidence, step, budget),
     }
 }
 
 /// A sentence as it goes on after a colon.
-fn lower_first(sentence: &str) -> String {
+fn lowercase_first_letter(sentence: &str) -> String {
     let mut letters = sentence.chars();
     let first = letters.next().map(|c| c.to_lowercase().to_string());
     first.unwrap_or_default() + letters.as_str()
 }
 
 /// One pixel that is wrong, among those that differ most, and how many there are.
-fn sentence_of_pixel(evidence: &Evidence) -> String {
-    let wrong = evidence.wrong();
-    let Some(most) = wrong.iter().map(Pixel::distance).max() else {
+fn sentences_of_wrong_pixel(evidence: &Evidence) -> String {
+    let wrong = evidence.wrong_pixels();
+    let Some(most) = wrong.iter().map(Pixel::largest_channel_difference).max()
+    else {
         return String::new();
     };
-    let mut far: Vec<_> =
-        wrong.iter().filter(|pixel| most.div_ceil(2) <= pixel.distance()).collect();
+    let mut far: Vec<_> = wrong
+        .iter()
+        .filter(|pixel| most.div_ceil(2) <= pixel.largest_channel_difference())
+        .collect();
     far.sort_by_key(|pixel| (pixel.j, pixel.i));
     let pixel = far[far.len() / 2];
     let computed = evidence.step.map_or(String::new(), |step| {
-        format!(": {}", computed(step, &evidence.ray(pixel)))
+        format!(": {}", computed_values_clause(step, &evidence.our_ray(pixel)))
     });
     let [a, b] =
         [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));

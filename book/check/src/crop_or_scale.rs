@@ -7,29 +7,29 @@ const MOST_PLACES: usize = 32;
 
 /// What was made of ours that has another size: half a sentence, if that explains the
 /// picture. `drawn` is our own at the picture's size.
-pub(crate) fn describe_crop_or_scale(
+pub(crate) fn crop_or_scale_clause(
     yours: &Picture,
     ours: &RgbImage,
     drawn: Option<&RgbImage>,
 ) -> Option<String> {
-    if !yours.is_whole() || yours.size == ours.dimensions() {
+    if !yours.has_all_rows() || yours.size == ours.dimensions() {
         return None;
     }
     let yours = &yours.pixels;
     let (w, h) = yours.dimensions();
-    if let Some((i, j)) = find_part(yours, ours) {
+    if let Some((i, j)) = find_corner_of_part(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
         return Some(format!(
             "cut out: its columns {i} to {right} and rows {j} to {low}"
         ));
     }
-    if let Some((i, j)) = find_part(ours, yours) {
+    if let Some((i, j)) = find_corner_of_part(ours, yours) {
         return Some(format!(
             "inside a larger picture, perhaps a screenshot, from column {i} and row {j} on"
         ));
     }
     let is_likely = w * h <= 9 * ours.width() * ours.height();
-    (is_likely && is_scaled(yours, ours, drawn)).then(|| {
+    (is_likely && is_scaled_copy(yours, ours, drawn)).then(|| {
         let (from, to) = ours.dimensions();
         format!("scaled, {from}×{to} pixels made into {w}×{h}")
     })
@@ -42,7 +42,7 @@ const PIECE: usize = 16;
 ///
 /// The piece of a row of `part` that has most colours is searched for, so that where much
 /// has one colour little is compared.
-fn find_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
+fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let columns = whole.width().checked_sub(w)?;
     let rows = whole.height().checked_sub(h)?;
@@ -91,7 +91,11 @@ fn find_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
 
 /// Whether the picture is nearer to ours scaled than to what is drawn at its size, and
 /// nowhere brighter or darker than what is there in ours allows.
-fn is_scaled(yours: &RgbImage, ours: &RgbImage, drawn: Option<&RgbImage>) -> bool {
+fn is_scaled_copy(
+    yours: &RgbImage,
+    ours: &RgbImage,
+    drawn: Option<&RgbImage>,
+) -> bool {
     let (w, h) = yours.dimensions();
     let mean = |other: &RgbImage| {
         let bytes = yours.as_raw().iter().zip(other.as_raw());

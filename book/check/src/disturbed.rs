@@ -1,9 +1,9 @@
 use crate::Step;
-use crate::camera_from_sky::around;
+use crate::camera_from_sky::range_with_margin;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{intensity, scene};
-use crate::wrong_regions::regions;
+use crate::step_scene::{intensity_function, scene_of_step};
+use crate::wrong_regions::regions_with_names;
 use std::collections::{HashMap, HashSet};
 
 const CAMERA: &str = "step01_rays/camera.rs";
@@ -11,22 +11,27 @@ const RENDER: &str = "step01_rays/render.rs";
 
 /// A picture in which a few pixels are off by one, and those at edges perhaps by more: the
 /// formulas are right, and what differs is in the last digits.
-pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
-    let wrong = evidence.wrong().len();
+pub(crate) fn rounding_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
+    let wrong = evidence.wrong_pixels().len();
     let step = evidence.step?;
-    let is_spread = regions(step).iter().all(|(_, is_in)| {
-        let (wrong, all) = evidence.count(is_in);
+    let is_spread = regions_with_names(step).iter().all(|(_, is_in)| {
+        let (wrong, all) = evidence.count_wrong_and_all(is_in);
         wrong <= 3.max(all / 100)
     });
-    let by_one =
-        evidence.wrong().iter().filter(|pixel| pixel.distance() == 1).count();
+    let by_one = evidence
+        .wrong_pixels()
+        .iter()
+        .filter(|pixel| pixel.largest_channel_difference() == 1)
+        .count();
     // What is rounded otherwise is brighter as often as darker; a mistake is not.
     let is_brighter = |pixel: &&Pixel| {
         let sum =
             |colour: [u8; 3]| colour.iter().map(|c| u32::from(*c)).sum::<u32>();
         sum(pixel.ours) < sum(pixel.yours)
     };
-    let brighter = evidence.wrong().iter().filter(is_brighter).count();
+    let brighter = evidence.wrong_pixels().iter().filter(is_brighter).count();
     let is_mixed = wrong < 6 || 4 * brighter.min(wrong - brighter) >= wrong / 2;
     let is_few = 200 * wrong <= evidence.pixels.len() && wrong <= 2 * by_one;
     if !is_spread || !is_mixed || !is_few {
@@ -38,7 +43,7 @@ pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
          sums and products?",
         evidence.pixels.len()
     );
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     Some(Explanation::range(sentence, &[], move |pixel| {
         let offsets =
             [(0.0, 0.0), (0.02, 0.0), (-0.02, 0.0), (0.0, 0.02), (0.0, -0.02)];
@@ -47,13 +52,13 @@ pub(crate) fn last_digits<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
                 evidence.camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
             evidence.encode(intensity(&ray))
         });
-        around(&colours, 1)
+        range_with_margin(&colours, 1)
     }))
 }
 
 /// Rays through other places of the pixels than their middles: all shifted alike, or on a
 /// grid with another start.
-pub(crate) fn other_places<'a>(
+pub(crate) fn shifted_ray_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     evidence.step.into_iter().flat_map(move |step| {
@@ -64,10 +69,10 @@ pub(crate) fn other_places<'a>(
             let sentence = format!(
                 "Your rays do not go through the middles of the pixels, but through i {} and \
                  j {}.",
-                format_shift(u),
-                format_shift(v)
+                format_sign_and_number(u),
+                format_sign_and_number(v)
             );
-            through(evidence, step, sentence, &[CAMERA, RENDER], vec![(u, v)])
+            ray_offsets_candidate(evidence, step, sentence, &[CAMERA, RENDER], vec![(u, v)])
         });
         let corners = [2, 3, 4].into_iter().flat_map(move |side: u32| {
             let starts = [(0.0, "0"), (0.5, "1/2 of a part"), (-0.5, "−1/2")];
@@ -81,27 +86,27 @@ pub(crate) fn other_places<'a>(
                     "Each pixel has {side}×{side} rays, whose places begin at {words} and not \
                      around the middle."
                 );
-                through(evidence, step, sentence, &[RENDER], grid.collect())
+                ray_offsets_candidate(evidence, step, sentence, &[RENDER], grid.collect())
             })
         });
         shifted.chain(corners)
     })
 }
 
-fn format_shift(shift: f64) -> String {
+fn format_sign_and_number(shift: f64) -> String {
     let sign = if shift < 0.0 { '−' } else { '+' };
     format!("{sign} {}", shift.abs())
 }
 
 /// The mean of some rays, whose places are relative to the middle of a pixel.
-fn through<'a>(
+fn ray_offsets_candidate<'a>(
     evidence: &'a Evidence,
     step: Step,
     sentence: String,
     files: &[&'static str],
     places: Vec<(f64, f64)>,
 ) -> Explanation<'a> {
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     let rays = places.len() as u32;
     let mut explanation = Explanation::exact(sentence, files, move |pixel| {
         let colour = |(u, v): &(f64, f64)| {
@@ -116,14 +121,17 @@ fn through<'a>(
 }
 
 /// Each pixel as some places within a pixel of its middle would have it.
-pub(crate) fn random_places<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+pub(crate) fn random_ray_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
     let step = evidence.step?;
     // In the sky, a slope, another place in the pixel changes little, but something.
-    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
+    let (wrong_sky, sky) =
+        evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
     if sky < 4 * wrong_sky || 200 * wrong_sky < sky {
         return None;
     }
-    let intensity = intensity(step, &scene(step));
+    let intensity = intensity_function(step, &scene_of_step(step));
     let sentence = "Each pixel shows what rays within one pixel of its middle see: your rays go \
                     through other places of the pixels, as random or shifted ones do, or the \
                     picture was blurred.";
@@ -134,7 +142,7 @@ pub(crate) fn random_places<'a>(evidence: &'a Evidence) -> Option<Explanation<'a
             let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
             evidence.encode(intensity(&evidence.camera.ray(i, j)))
         });
-        around(&colours.collect::<Vec<_>>(), 2)
+        range_with_margin(&colours.collect::<Vec<_>>(), 2)
     });
     explanation.rays = 25;
     // An edge may lie between two of these places.
@@ -151,13 +159,16 @@ const MEAN: u64 = 14;
 
 /// Ours, a little off everywhere: in each small square the mean is about ours, and what
 /// differs there is brighter as often as darker.
-pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
-    let (wrong, all) = (evidence.wrong().len(), evidence.pixels.len());
-    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
-    if wrong < all / 100 || wrong_sky < sky / 100 || !evidence.is_whole() {
+pub(crate) fn lossy_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
+    let (wrong, all) = (evidence.wrong_pixels().len(), evidence.pixels.len());
+    let (wrong_sky, sky) =
+        evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
+    if wrong < all / 100 || wrong_sky < sky / 100 || !evidence.has_all_rows() {
         return None;
     }
-    if evidence.step.is_none() && !is_flat_changed(evidence) {
+    if evidence.step.is_none() && !are_flat_parts_changed(evidence) {
         return None;
     }
     let mut squares: HashMap<(u32, u32), ([i64; 3], u64, u64)> = HashMap::new();
@@ -172,8 +183,8 @@ pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
         *count += 1;
     }
     let (few, many) = (
-        colour_count(evidence, |pixel| pixel.yours),
-        colour_count(evidence, |pixel| pixel.ours),
+        count_colours(evidence, |pixel| pixel.yours),
+        count_colours(evidence, |pixel| pixel.ours),
     );
     let has_few = few <= 256 && 4 * few < many;
     let mean = if has_few { 2 * MEAN } else { MEAN };
@@ -205,7 +216,7 @@ pub(crate) fn lossy<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
 
 /// Whether much is changed where ours is flat: a ray through another place changes only what
 /// is at an edge.
-fn is_flat_changed(evidence: &Evidence) -> bool {
+fn are_flat_parts_changed(evidence: &Evidence) -> bool {
     let ours = &evidence.ours;
     let is_flat = |pixel: &Pixel| {
         [(0, 1), (1, 0), (1, 2), (2, 1)].into_iter().all(|(u, v)| {
@@ -216,22 +227,25 @@ fn is_flat_changed(evidence: &Evidence) -> bool {
             other.is_some_and(|other| other.0 == pixel.ours)
         })
     };
-    let (wrong, all) = evidence.count(is_flat);
+    let (wrong, all) = evidence.count_wrong_and_all(is_flat);
     500 < all && all < 4 * wrong
 }
 
-fn colour_count(evidence: &Evidence, colour: fn(&Pixel) -> [u8; 3]) -> usize {
+fn count_colours(evidence: &Evidence, colour: fn(&Pixel) -> [u8; 3]) -> usize {
     let colours: HashSet<_> = evidence.pixels.iter().map(colour).collect();
     colours.len()
 }
 
 /// Ours in other colours: what has one colour in ours has one in the picture, in the sky and
 /// in the objects.
-pub(crate) fn recoloured<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
+pub(crate) fn recoloured_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
     evidence.step.filter(|step| Step::Rays < *step)?;
     let is_sky = |pixel: &Pixel| pixel.region.object.is_none();
-    let (wrong_sky, sky) = evidence.count(is_sky);
-    let (wrong_objects, objects) = evidence.count(|pixel| !is_sky(pixel));
+    let (wrong_sky, sky) = evidence.count_wrong_and_all(is_sky);
+    let (wrong_objects, objects) =
+        evidence.count_wrong_and_all(|pixel| !is_sky(pixel));
     if 2 * wrong_sky < sky || 2 * wrong_objects < objects || objects == 0 {
         return None;
     }

@@ -43,7 +43,7 @@ impl Pixel {
     }
 
     /// How far the channel is apart that differs most.
-    pub fn distance(&self) -> u8 {
+    pub fn largest_channel_difference(&self) -> u8 {
         (0..3).map(|k| self.yours[k].abs_diff(self.ours[k])).max().unwrap_or(0)
     }
 }
@@ -62,7 +62,7 @@ impl<'a> Evidence<'a> {
         let count = columns * yours.rows.len() as u64;
         // 7919 is a prime, so that it visits every place where it divides no count.
         let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
-        let region = Region::reader(step);
+        let region = Region::function_of_ray(step);
         let pixel = |n: u64| {
             let place = n * stride % count;
             let (i, k) = ((place % columns) as u32, (place / columns) as u32);
@@ -79,18 +79,18 @@ impl<'a> Evidence<'a> {
     }
 
     /// The pixels that are wrong.
-    pub fn wrong(&self) -> &[Pixel] {
+    pub fn wrong_pixels(&self) -> &[Pixel] {
         let count = self.pixels.partition_point(Pixel::is_wrong);
         &self.pixels[..count]
     }
 
     /// Whether it has the size and the rows of a locked picture.
-    pub fn is_whole(&self) -> bool {
-        self.yours.is_whole()
+    pub fn has_all_rows(&self) -> bool {
+        self.yours.has_all_rows()
     }
 
     /// The ray of our camera through a pixel.
-    pub fn ray(&self, pixel: &Pixel) -> Ray {
+    pub fn our_ray(&self, pixel: &Pixel) -> Ray {
         self.camera.ray(pixel.i.into(), pixel.j.into())
     }
 
@@ -100,7 +100,10 @@ impl<'a> Evidence<'a> {
     }
 
     /// How many of the pixels in a region are wrong, and how many there are.
-    pub fn count(&self, is_in_region: impl Fn(&Pixel) -> bool) -> (usize, usize) {
+    pub fn count_wrong_and_all(
+        &self,
+        is_in_region: impl Fn(&Pixel) -> bool,
+    ) -> (usize, usize) {
         let pixels = self.pixels.iter().filter(|pixel| is_in_region(pixel));
         pixels.fold((0, 0), |(wrong, all), pixel| {
             (wrong + usize::from(pixel.is_wrong()), all + 1)

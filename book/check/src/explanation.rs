@@ -63,13 +63,13 @@ impl<'a> Explanation<'a> {
     }
 
     /// Whether it gives the reader's colour in every pixel of a region.
-    pub fn holds(
+    pub fn holds_in_region(
         &self,
         evidence: &Evidence,
         is_in_region: impl Fn(&Pixel) -> bool,
-        work: &Work,
+        budget: &RayBudget,
     ) -> bool {
-        self.exceptions(evidence, is_in_region, work) == Some(0)
+        self.count_exceptions(evidence, is_in_region, budget) == Some(0)
     }
 
     /// Whether it gives the reader's colour in the first pixels of those that are compared.
@@ -77,32 +77,35 @@ impl<'a> Explanation<'a> {
         &self,
         evidence: &Evidence,
         count: usize,
-        work: &Work,
+        budget: &RayBudget,
     ) -> bool {
         evidence.pixels[..count].iter().all(|pixel| {
             let [low, high] = (self.colours)(pixel);
-            work.take(self.rays) && is_between(low, pixel.yours, high)
+            budget.spend(self.rays) && is_colour_between(low, pixel.yours, high)
         })
     }
 
     /// In how many pixels it does not, if these are not too many.
-    pub fn exceptions(
+    pub fn count_exceptions(
         &self,
         evidence: &Evidence,
         is_in_region: impl Fn(&Pixel) -> bool,
-        work: &Work,
+        budget: &RayBudget,
     ) -> Option<usize> {
         let most = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
-        let most = most.min(evidence.wrong().len() / 100);
+        let most = most.min(evidence.wrong_pixels().len() / 100);
         let mut count = 0;
-        let pixels =
-            if self.only_wrong { evidence.wrong() } else { &evidence.pixels };
+        let pixels = if self.only_wrong {
+            evidence.wrong_pixels()
+        } else {
+            &evidence.pixels
+        };
         for pixel in pixels.iter().filter(|pixel| is_in_region(pixel)) {
-            if !work.take(self.rays) {
+            if !budget.spend(self.rays) {
                 return None;
             }
             let [low, high] = (self.colours)(pixel);
-            count += usize::from(!is_between(low, pixel.yours, high));
+            count += usize::from(!is_colour_between(low, pixel.yours, high));
             if most < count {
                 return None;
             }
@@ -111,24 +114,24 @@ impl<'a> Explanation<'a> {
     }
 }
 
-fn is_between(low: [u8; 3], colour: [u8; 3], high: [u8; 3]) -> bool {
+fn is_colour_between(low: [u8; 3], colour: [u8; 3], high: [u8; 3]) -> bool {
     (0..3).all(|k| low[k] <= colour[k] && colour[k] <= high[k])
 }
 
 /// What may still be computed for an answer, in rays: the bound of its time, and the same on
 /// every machine.
-pub(crate) struct Work {
+pub(crate) struct RayBudget {
     rays: Cell<u32>,
 }
 
-impl Work {
+impl RayBudget {
     /// Work for one answer.
     pub fn new(rays: u32) -> Self {
         Self { rays: Cell::new(rays) }
     }
 
     /// Takes some of it, if so much is left.
-    pub fn take(&self, rays: u32) -> bool {
+    pub fn spend(&self, rays: u32) -> bool {
         let left = self.rays.get().checked_sub(rays);
         self.rays.set(left.unwrap_or(0));
         left.is_some()
@@ -137,13 +140,14 @@ impl Work {
 
 /// The first explanation that gives the whole picture: the loop of `check`. What it tells
 /// says in how many pixels it does not, where it may.
-pub(crate) fn first_that_holds<'a>(
+pub(crate) fn find_first_that_holds<'a>(
     evidence: &Evidence,
     explanations: impl Iterator<Item = Explanation<'a>>,
-    work: &Work,
+    budget: &RayBudget,
 ) -> Option<Explanation<'a>> {
     explanations.into_iter().find_map(|mut explanation| {
-        let exceptions = explanation.exceptions(evidence, |_| true, work)?;
+        let exceptions =
+            explanation.count_exceptions(evidence, |_| true, budget)?;
         if 0 < exceptions {
             explanation.sentence +=
                 &format!(" All but {exceptions} pixels are so.");

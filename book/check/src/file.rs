@@ -1,12 +1,12 @@
-use crate::png_file::{FILE_BYTES, size_fault};
+use crate::png_file::{FILE_BYTES, too_large_clause};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
 /// The bytes of a file, or why they can't be had. What is not a file, such as a folder, a
 /// device or a pipe, is not opened, and of a larger file than any picture nothing is read.
-pub fn read_file(path: &Path) -> Result<Vec<u8>, String> {
-    let shown = printable(&path.display().to_string());
+pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
+    let shown = escape_for_terminal(&path.display().to_string());
     let unread = |error| format!("can't read {shown}: {error}");
     let metadata = fs::metadata(path).map_err(unread)?;
     if !metadata.is_file() {
@@ -18,13 +18,13 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, String> {
         file.take(FILE_BYTES + 1).read_to_end(&mut bytes).map_err(unread)?;
     }
     if metadata.len().max(bytes.len() as u64) > FILE_BYTES {
-        return Err(format!("{shown} {}", size_fault()));
+        return Err(format!("{shown} {}", too_large_clause()));
     }
     Ok(bytes)
 }
 
 /// A name, with escapes for what a terminal would obey and for what turns letters around.
-pub fn printable(name: &str) -> String {
+pub fn escape_for_terminal(name: &str) -> String {
     let is_obeyed = |c: char| {
         c.is_control()
             || matches!(c, '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')

@@ -54,7 +54,7 @@ const STARTS: [(&[u8], &str); 24] = [
 ];
 
 /// What a file is, by its first bytes, if it is not a PNG file that can be read.
-pub(crate) fn other_format(file: &[u8]) -> Option<&'static str> {
+pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         let is_apples = file.get(12..16) == Some(b"CgBI");
         return is_apples.then_some(
@@ -84,12 +84,12 @@ pub(crate) fn other_format(file: &[u8]) -> Option<&'static str> {
         [0, 0 | 1, 2 | 3 | 10 | 11, ..] => {
             Some("a TGA picture, it seems; save it as PNG")
         }
-        _ => Some(text(file)),
+        _ => Some(text_or_unknown_clause(file)),
     }
 }
 
 /// What a file is whose first bytes tell no format.
-fn text(file: &[u8]) -> &'static str {
+fn text_or_unknown_clause(file: &[u8]) -> &'static str {
     let start = &file[..file.len().min(512)];
     let start = String::from_utf8_lossy(start).to_ascii_lowercase();
     let start = start.trim_start_matches('\u{feff}').trim_start();

@@ -1,4 +1,4 @@
-use crate::{Answer, Locked, check, printable, read_file};
+use crate::{Answer, Locked, check_png, escape_for_terminal, read_bounded_file};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -25,11 +25,11 @@ enum Verdict {
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
 /// none is there.
-pub fn folder_report(folder: &Path, locked: &[Locked], is_json: bool) -> Answer {
-    let own = entries(folder, locked);
+pub fn report_on_folder(folder: &Path, locked: &[Locked], is_json: bool) -> Answer {
+    let own = check_entries(folder, locked);
     let inner =
         match own.iter().all(|entry| matches!(entry.verdict, Verdict::Absent)) {
-            true => folders_in(folder),
+            true => visible_folders_in(folder),
             false => vec![],
         };
     let is_class = !inner.is_empty();
@@ -37,18 +37,21 @@ pub fn folder_report(folder: &Path, locked: &[Locked], is_json: bool) -> Answer 
         false => vec![(folder.to_owned(), own)],
         true => {
             let own = |folder: PathBuf| {
-                let entries = entries(&folder, locked);
+                let entries = check_entries(&folder, locked);
                 (folder, entries)
             };
             inner.into_iter().map(own).collect()
         }
     };
     let lines: Vec<_> = match (is_json, is_class) {
-        (true, _) => vec![json(&all)],
-        (false, false) => all.iter().map(|(_, entries)| table(entries)).collect(),
-        (false, true) => {
-            all.iter().map(|(folder, own)| line(folder, own)).collect()
+        (true, _) => vec![format_json(&all)],
+        (false, false) => {
+            all.iter().map(|(_, entries)| format_table(entries)).collect()
         }
+        (false, true) => all
+            .iter()
+            .map(|(folder, own)| format_student_line(folder, own))
+            .collect(),
     };
     let verdicts = all.iter().flat_map(|(_, entries)| entries);
     let codes = verdicts.filter_map(|entry| match entry.verdict {
@@ -60,7 +63,7 @@ pub fn folder_report(folder: &Path, locked: &[Locked], is_json: bool) -> Answer 
 }
 
 /// The folders in a folder, by their names.
-fn folders_in(folder: &Path) -> Vec<PathBuf> {
+fn visible_folders_in(folder: &Path) -> Vec<PathBuf> {
     let all = fs::read_dir(folder).into_iter().flatten().flatten();
     let is_shown = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -72,7 +75,7 @@ fn folders_in(folder: &Path) -> Vec<PathBuf> {
     folders
 }
 
-fn entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
+fn check_entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
     let entry = |Locked { name, .. }: &'a Locked| {
         let file = format!("{name}.png");
         let path = folder.join(&file);
@@ -80,15 +83,17 @@ fn entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 Verdict::Absent
             }
-            _ => match read_file(&path) {
+            _ => match read_bounded_file(&path) {
                 Err(why) => Verdict::Unreadable(why),
                 Ok(png) => {
                     let Answer { code, text, .. } =
-                        check(&png, &file, Some(name), locked);
+                        check_png(&png, &file, Some(name), locked);
                     match code {
-                        0 => Verdict::Right(notes(&text)),
+                        0 => Verdict::Right(join_lines_after_first(&text)),
                         1 => Verdict::Wrong(text),
-                        _ => Verdict::Unreadable(without_prefix(&text).to_owned()),
+                        _ => Verdict::Unreadable(
+                            first_line_without_prefix(&text).to_owned(),
+                        ),
                     }
                 }
             },
@@ -99,12 +104,12 @@ fn entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
 }
 
 /// What follows the first line of an answer, in one line.
-fn notes(text: &str) -> String {
+fn join_lines_after_first(text: &str) -> String {
     text.lines().skip(1).collect::<Vec<_>>().join(" ")
 }
 
 /// The first line of an answer, without what a table says itself.
-fn without_prefix(text: &str) -> &str {
+fn first_line_without_prefix(text: &str) -> &str {
     let line = text.lines().next().unwrap_or_default();
     let starts = ["Not right: ", "Not right yet, ", "error: "];
     starts.iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line)
@@ -115,7 +120,7 @@ fn is_right(entry: &&Entry) -> bool {
 }
 
 /// One line for each picture, and how many are right.
-fn table(entries: &[Entry]) -> String {
+fn format_table(entries: &[Entry]) -> String {
     let width =
         entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0) + 2;
     let line = |Entry { picture, verdict }: &Entry| {
@@ -124,7 +129,9 @@ fn table(entries: &[Entry]) -> String {
             Verdict::Unreadable(why) => format!("unreadable: {why}"),
             Verdict::Right(notes) if notes.is_empty() => "right".to_owned(),
             Verdict::Right(notes) => format!("right; {notes}"),
-            Verdict::Wrong(text) => format!("not right: {}", without_prefix(text)),
+            Verdict::Wrong(text) => {
+                format!("not right: {}", first_line_without_prefix(text))
+            }
         };
         format!("{picture:width$}{told}\n")
     };
@@ -134,14 +141,16 @@ fn table(entries: &[Entry]) -> String {
 }
 
 /// One line for a student's folder.
-fn line(folder: &Path, entries: &[Entry]) -> String {
+fn format_student_line(folder: &Path, entries: &[Entry]) -> String {
     let names = |is_one: fn(&Verdict) -> bool| {
         let those = entries.iter().filter(|entry| is_one(&entry.verdict));
         those.map(|entry| entry.picture).collect::<Vec<_>>().join(", ")
     };
     let mut line = format!(
         "{}: {} of {} are right",
-        printable(&folder.file_name().unwrap_or_default().to_string_lossy()),
+        escape_for_terminal(
+            &folder.file_name().unwrap_or_default().to_string_lossy()
+        ),
         entries.iter().filter(is_right).count(),
         entries.len()
     );
@@ -163,7 +172,7 @@ fn line(folder: &Path, entries: &[Entry]) -> String {
 }
 
 /// A list of folders, each with the verdict on each picture.
-fn json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
+fn format_json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
     let entry = |Entry { picture, verdict }: &Entry| {
         let (verdict, text) = match verdict {
             Verdict::Absent => ("absent", ""),
@@ -171,14 +180,14 @@ fn json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
             Verdict::Right(notes) => ("right", &notes[..]),
             Verdict::Wrong(text) => ("not right", &text[..]),
         };
-        let [picture, verdict, text] = [picture, verdict, text].map(json_text);
+        let [picture, verdict, text] = [picture, verdict, text].map(quote_json);
         format!(
             "    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}"
         )
     };
     let folder = |(folder, entries): &(PathBuf, Vec<Entry>)| {
         let entries: Vec<_> = entries.iter().map(entry).collect();
-        let folder = json_text(&folder.display().to_string());
+        let folder = quote_json(&folder.display().to_string());
         let entries = entries.join(",\n");
         format!("  {{\"folder\": {folder}, \"pictures\": [\n{entries}\n  ]}}")
     };
@@ -186,7 +195,7 @@ fn json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
     format!("[\n{}\n]", folders.join(",\n"))
 }
 
-fn json_text(text: &str) -> String {
+fn quote_json(text: &str) -> String {
     let letter = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),
         c if c.is_control() => format!("\\u{:04x}", u32::from(c)),

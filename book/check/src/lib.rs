@@ -3,15 +3,15 @@
 //! A picture is compared with the locked one of its name. What is said of it is an
 //! *explanation* (`explanation`): a sentence, files to go back to, and a function from pixels
 //! to colours. It is told if it gives the reader's colour in every pixel, or, where a number
-//! in it was fitted, within one of 255. One loop, `first_that_holds`, tries them; the
+//! in it was fitted, within one of 255. One loop, `find_first_that_holds`, tries them; the
 //! strongest come first:
 //!
 //! 1. It is **right**, or the locked picture of another name (`check`).
-//! 2. It is right **with other options** (`other_options`), **cut out or scaled**
+//! 2. It is right **with other options** (`find_other_options`), **cut out or scaled**
 //!    (`crop_or_scale`), or one colour.
 //! 3. It is ours **as a whole**, but turned or with its bytes in other places (`transformed`),
 //!    or with another curve of the bytes (`byte_curve`).
-//! 4. It is **in the list** (`listed_mistake`): these very pixels are what a mistake that we
+//! 4. It is **in the list** (`explain_listed_mistake`): these very pixels are what a mistake that we
 //!    know gives. The lists are the text files in `mistakes/`; the package `update` draws
 //!    them, and the hashes of what they give are in a table (`fingerprints`).
 //! 5. Something **is missing**, pixels, objects or terms of the light, or counted otherwise
@@ -22,13 +22,13 @@
 //!
 //! Where nothing explains the whole, the wrong pixels are counted by regions of our own scene
 //! (`pixel_regions`), what explains one region alone is told of that region, and no file is
-//! blamed: the tests by hand of the stages that may be wrong are named (`wrong_regions`). In
+//! blamed: the tests by hand of the stages that may be wrong are named (`describe_wrong_regions`). In
 //! the end there is one pixel, yours and ours.
 //!
 //! What is compared is the `evidence`: both pictures pixel by pixel. It is bounded: a file is
 //! read row by row (`png_file`), of what is larger than 1920×1080 only 64 rows are kept, and
 //! explanations are asked in as many pixels as a locked picture has. Each ray that is drawn
-//! is counted as `Work`, so that every answer comes soon, and is the same on every machine.
+//! is counted as `RayBudget`, so that every answer comes soon, and is the same on every machine.
 
 mod answer;
 mod byte_curve;
@@ -58,13 +58,15 @@ mod which_picture;
 mod wrong_regions;
 
 pub use answer::Answer;
-pub use check::{check, look};
-pub use file::{printable, read_file};
-pub use fingerprints::{Row, known, locked_sums, rows, sum};
-pub use folder_report::folder_report;
-pub use locked::{Locked, names};
-pub use mistake::{Mistake, Shown, mistakes};
-pub use png_file::{Picture, read};
-pub use source_ref::{Place, places};
-pub use step::{Step, camera};
-pub use which_picture::{by_file, step_of_exercise};
+pub use check::{check_picture, check_png};
+pub use file::{escape_for_terminal, read_bounded_file};
+pub use fingerprints::{
+    TableRow, find_mistakes, hash_picture, locked_hashes, table_rows,
+};
+pub use folder_report::report_on_folder;
+pub use locked::{Locked, locked_names};
+pub use mistake::{BookEntry, Mistake, mistakes};
+pub use png_file::{Picture, read_png};
+pub use source_ref::{SourceRef, source_refs};
+pub use step::{Step, default_camera};
+pub use which_picture::{find_name_in_file_name, step_of_exercise};

@@ -1,5 +1,5 @@
-use crate::fingerprints::{known, sum};
-use crate::source_ref::{Place, back, test_command};
+use crate::fingerprints::{find_mistakes, hash_picture};
+use crate::source_ref::{SourceRef, go_back_sentences, test_command_sentence};
 use crate::{Mistake, Step};
 use image::RgbImage;
 use std::collections::BTreeMap;
@@ -11,8 +11,11 @@ const LINES: usize = 4;
 const TITLES: usize = 3;
 
 /// Tells which mistakes of the list give these very pixels.
-pub(crate) fn listed_mistake(yours: &RgbImage, asked: &str) -> Option<String> {
-    let mut all = known(sum(yours));
+pub(crate) fn explain_listed_mistake(
+    yours: &RgbImage,
+    asked: &str,
+) -> Option<String> {
+    let mut all = find_mistakes(hash_picture(yours));
     if all.iter().any(|(_, name)| name == asked) {
         all.retain(|(_, name)| name == asked);
     }
@@ -26,9 +29,9 @@ pub(crate) fn listed_mistake(yours: &RgbImage, asked: &str) -> Option<String> {
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
     all.iter().for_each(|(one, _)| *files.entry(&one.file).or_default() += 1);
     if 1 < files.len() {
-        return Some(start + &in_several_files(all.len(), first, files));
+        return Some(start + &explain_several_files(all.len(), first, files));
     }
-    let why = match &first.shown {
+    let why = match &first.book_entry {
         Some(shown) if all.len() == 1 => format!("{}\n", shown.why),
         _ => String::new(),
     };
@@ -41,13 +44,13 @@ pub(crate) fn listed_mistake(yours: &RgbImage, asked: &str) -> Option<String> {
     Some(format!(
         "{start}Your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
         titles.join("; "),
-        format_diff(first),
-        back_to(first),
+        format_short_diff(first),
+        go_back_to_mistake(first),
     ))
 }
 
 /// Its diff, cut where it is long.
-fn format_diff(mistake: &Mistake) -> String {
+fn format_short_diff(mistake: &Mistake) -> String {
     let diff = mistake.diff();
     let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     match lines.len() {
@@ -56,18 +59,18 @@ fn format_diff(mistake: &Mistake) -> String {
     }
 }
 
-fn back_to(mistake: &Mistake) -> String {
-    let Some(mut place) = Place::of(&mistake.file) else {
+fn go_back_to_mistake(mistake: &Mistake) -> String {
+    let Some(mut place) = SourceRef::from_path(&mistake.file) else {
         return format!("Compare with {}.\n", mistake.file);
     };
-    if let Some(shown) = &mistake.shown {
+    if let Some(shown) = &mistake.book_entry {
         place.section = shown.section;
     }
-    back(&[place])
+    go_back_sentences(&[place])
 }
 
 /// Tells of mistakes in several files, of which there are so many each.
-fn in_several_files(
+fn explain_several_files(
     count: usize,
     first: &Mistake,
     files: BTreeMap<&str, usize>,
@@ -75,7 +78,7 @@ fn in_several_files(
     let (mut steps, mut counts) = (vec![], vec![]);
     for (file, count) in files {
         let name = file.rsplit('/').next().unwrap_or_default();
-        let Some(step) = Step::of(file) else { continue };
+        let Some(step) = Step::from_path(file) else { continue };
         steps.push(step);
         counts.push(format!("{count} in {name} of step {}", step.number()));
     }
@@ -84,6 +87,6 @@ fn in_several_files(
          They are {}.\n{}",
         first.title,
         counts.join(", "),
-        test_command(&steps),
+        test_command_sentence(&steps),
     )
 }

@@ -1,4 +1,4 @@
-use crate::{locked_sums, read, sum};
+use crate::{hash_picture, locked_hashes, read_png};
 use compare::workspace;
 use image::RgbImage;
 use std::fs;
@@ -15,8 +15,8 @@ pub struct Locked {
 impl Locked {
     /// All that there are in the folder of the course, or a sentence about why one of
     /// them can't be had.
-    pub fn all() -> Result<Vec<Self>, String> {
-        names().into_iter().map(Self::read).collect()
+    pub fn read_all() -> Result<Vec<Self>, String> {
+        locked_names().into_iter().map(Self::read).collect()
     }
 
     /// The one of this name.
@@ -24,19 +24,19 @@ impl Locked {
         let path = format!("tests/snapshots/{name}.snap.png");
         let file = fs::read(workspace().join(&path));
         let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-        let picture = read(&file).map_err(|what| format!("{path} {what}"))?;
+        let picture = read_png(&file).map_err(|what| format!("{path} {what}"))?;
         Ok(Self { name: name.to_owned(), picture: picture.pixels })
     }
 
     /// Whether it is the picture with which this program was compiled.
-    pub(crate) fn is_of_this_version(&self) -> bool {
-        let hash = sum(&self.picture);
-        locked_sums().any(|(name, right)| name == self.name && right == hash)
+    pub(crate) fn has_compiled_hash(&self) -> bool {
+        let hash = hash_picture(&self.picture);
+        locked_hashes().any(|(name, right)| name == self.name && right == hash)
     }
 }
 
 /// The names of all pictures that there are to compare with: those of the steps, and
 /// those of the exercises, which are examples of a step, in the steps' order.
-pub fn names() -> Vec<&'static str> {
-    locked_sums().map(|(name, _)| name).collect()
+pub fn locked_names() -> Vec<&'static str> {
+    locked_hashes().map(|(name, _)| name).collect()
 }

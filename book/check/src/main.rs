@@ -1,6 +1,9 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
-use check::{Answer, Locked, check, folder_report, names, printable, read_file};
+use check::{
+    Answer, Locked, check_png, escape_for_terminal, locked_names,
+    read_bounded_file, report_on_folder,
+};
 use clap::Parser;
 use image::RgbImage;
 use std::fs;
@@ -15,7 +18,7 @@ use std::{env, process::ExitCode};
 ///
 /// The exit code is 0 if all is right, 1 if not, 2 if there is nothing to look at.
 #[derive(Parser)]
-#[command(name = "check", after_help = format!("Names: {}", names().join(", ")))]
+#[command(name = "check", after_help = format!("Names: {}", locked_names().join(", ")))]
 struct Arguments {
     /// The picture to look at, a PNG file
     file: Option<PathBuf>,
@@ -33,7 +36,7 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let Arguments { file, name, folder, json } = Arguments::parse();
-    let Answer { code, text, .. } = Locked::all()
+    let Answer { code, text, .. } = Locked::read_all()
         .and_then(|locked| match file {
             None => check_folder(&folder, &locked, json),
             Some(file) => check_file(&file, name.as_deref(), &locked),
@@ -54,10 +57,10 @@ fn check_folder(
     json: bool,
 ) -> Result<Answer, String> {
     if !folder.is_dir() {
-        let shown = printable(&folder.display().to_string());
+        let shown = escape_for_terminal(&folder.display().to_string());
         return Err(format!("{shown} is not a folder"));
     }
-    Ok(folder_report(folder, locked, json))
+    Ok(report_on_folder(folder, locked, json))
 }
 
 /// Looks at one picture, and saves the difference.
@@ -66,8 +69,8 @@ fn check_file(
     name: Option<&str>,
     locked: &[Locked],
 ) -> Result<Answer, String> {
-    let png = read_file(file)?;
-    let mut answer = check(&png, &file.display().to_string(), name, locked);
+    let png = read_bounded_file(file)?;
+    let mut answer = check_png(&png, &file.display().to_string(), name, locked);
     if let Some(difference) = &answer.difference {
         answer.text += &format!("\n{}", save_difference(difference, file));
     }
@@ -84,7 +87,7 @@ fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let saved = fs::create_dir_all(folder.join("check"))
         .map_err(Into::into)
         .and_then(|()| difference.save(&path));
-    let path = printable(&path.display().to_string());
+    let path = escape_for_terminal(&path.display().to_string());
     match saved {
         Ok(()) => format!(
             "Yours, ours and the difference (orange where yours is brighter, else \

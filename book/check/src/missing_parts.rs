@@ -1,7 +1,10 @@
 use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{LIGHTS, Scene, hits, intensity, object_name, scene};
+use crate::step_scene::{
+    LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
+    sorted_hits,
+};
 use glam::DVec3;
 use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -16,54 +19,73 @@ const RENDER: &str = "step01_rays/render.rs";
 
 /// Our scene without one of its objects, without those after the first ones, and without the
 /// rule that the nearest is in front.
-pub(crate) fn other_objects<'a>(
+pub(crate) fn object_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let step = evidence.step.filter(|step| Step::Nearest <= *step);
     step.into_iter().flat_map(move |step| {
-        let count = scene(step).objects.len();
+        let count = scene_of_step(step).objects.len();
         let one_missing = (0..count).map(move |k| {
-            let sentence =
-                format!("In your picture {} is missing.", object_name(step, k));
-            without(evidence, step, sentence, &[OBJECTS], |n| n == k)
+            let sentence = format!(
+                "In your picture {} is missing.",
+                object_name_with_article(step, k)
+            );
+            missing_objects_candidate(evidence, step, sentence, &[OBJECTS], |n| {
+                n == k
+            })
         });
         let only_first = (1..count - 1).map(move |first| {
             let sentence = format!(
                 "In your picture only the first {first} objects are there."
             );
-            without(evidence, step, sentence, &[OBJECTS, NEAREST], |n| first <= n)
+            missing_objects_candidate(
+                evidence,
+                step,
+                sentence,
+                &[OBJECTS, NEAREST],
+                |n| first <= n,
+            )
         });
         let only_last = (1..count - 1).map(move |first| {
             let sentence =
                 format!("In your picture the first {first} objects are missing.");
-            without(evidence, step, sentence, &[OBJECTS, NEAREST], |n| n < first)
+            missing_objects_candidate(
+                evidence,
+                step,
+                sentence,
+                &[OBJECTS, NEAREST],
+                |n| n < first,
+            )
         });
-        let behind = in_order(evidence, step);
+        let behind = wrong_order_candidates(evidence, step);
         one_missing.chain(only_first).chain(only_last).chain(behind)
     })
 }
 
-fn without<'a>(
+fn missing_objects_candidate<'a>(
     evidence: &'a Evidence,
     step: Step,
     sentence: String,
     files: &[&'static str],
     is_gone: impl Fn(usize) -> bool,
 ) -> Explanation<'a> {
-    let mut scene = scene(step);
+    let mut scene = scene_of_step(step);
     let mut k = 0;
     scene.objects.retain(|_| {
         k += 1;
         !is_gone(k - 1)
     });
-    let intensity = intensity(step, &scene);
+    let intensity = intensity_function(step, &scene);
     Explanation::exact(sentence, files, move |pixel| {
-        evidence.encode(intensity(&evidence.ray(pixel)))
+        evidence.encode(intensity(&evidence.our_ray(pixel)))
     })
 }
 
 /// Another one of the objects that a ray meets is in front.
-fn in_order<'a>(evidence: &'a Evidence, step: Step) -> Vec<Explanation<'a>> {
+fn wrong_order_candidates<'a>(
+    evidence: &'a Evidence,
+    step: Step,
+) -> Vec<Explanation<'a>> {
     type Choice = fn(&[(f64, usize)]) -> Option<usize>;
     let choices: [(&str, Choice); 3] = [
         ("the farthest", |hits| hits.last().map(|hit| hit.1)),
@@ -71,19 +93,19 @@ fn in_order<'a>(evidence: &'a Evidence, step: Step) -> Vec<Explanation<'a>> {
         ("the last in the list", |hits| hits.iter().map(|hit| hit.1).max()),
     ];
     let explanation = |(words, choose): (&str, Choice)| {
-        let scene = scene(step);
+        let scene = scene_of_step(step);
         let alone = (0..scene.objects.len()).map(|k| {
             let objects = vec![scene.objects[k]];
-            intensity(step, &Scene { objects, ..scene.clone() })
+            intensity_function(step, &Scene { objects, ..scene.clone() })
         });
         let alone: Vec<_> = alone.collect();
-        let sky = intensity(Step::Rays, &scene);
+        let sky = intensity_function(Step::Rays, &scene);
         let sentence = format!(
             "Of the objects that a ray meets, {words} is in front, not the nearest."
         );
         Explanation::exact(sentence, &[NEAREST], move |pixel| {
-            let ray = evidence.ray(pixel);
-            let chosen = choose(&hits(&scene, &ray));
+            let ray = evidence.our_ray(pixel);
+            let chosen = choose(&sorted_hits(&scene, &ray));
             evidence.encode(chosen.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
         })
     };
@@ -91,7 +113,7 @@ fn in_order<'a>(evidence: &'a Evidence, step: Step) -> Vec<Explanation<'a>> {
 }
 
 /// The terms of the light, some of them left out or counted twice.
-pub(crate) fn other_terms<'a>(
+pub(crate) fn missing_or_doubled_term_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let step = evidence.step.filter(|step| Step::Diffuse <= *step);
@@ -107,7 +129,8 @@ pub(crate) fn other_terms<'a>(
         all.sort_by_key(|factors| {
             factors.iter().filter(|factor| **factor != 1.0).count()
         });
-        all.into_iter().map(move |factors| with_factors(evidence, step, factors))
+        all.into_iter()
+            .map(move |factors| term_factors_candidate(evidence, step, factors))
     })
 }
 
@@ -115,7 +138,7 @@ pub(crate) fn other_terms<'a>(
 const FIRST: usize = 8;
 
 /// One term, or that of one light, times a factor.
-pub(crate) fn scaled_terms<'a>(
+pub(crate) fn scaled_term_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let step = evidence.step.filter(|step| Step::Diffuse <= *step);
@@ -125,7 +148,7 @@ pub(crate) fn scaled_terms<'a>(
             Step::Phong => &[&[0], &[1, 2], &[3, 4], &[1], &[2], &[3], &[4]],
             _ => &[&[0], &[1, 2], &[1], &[2]],
         };
-        let wrong = evidence.wrong();
+        let wrong = evidence.wrong_pixels();
         let first: Vec<_> =
             wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1)).collect();
         groups.iter().flat_map(move |group| {
@@ -136,7 +159,7 @@ pub(crate) fn scaled_terms<'a>(
             numbers.filter_map(move |number| {
                 let factor = |k| if group.contains(&k) { number } else { 1.0 };
                 let factors = (0..count).map(factor).collect();
-                let explanation = with_factors(evidence, step, factors);
+                let explanation = term_factors_candidate(evidence, step, factors);
                 let is_it = first
                     .iter()
                     .all(|pixel| (explanation.colours)(pixel) == [pixel.yours; 2]);
@@ -156,13 +179,13 @@ fn term_names(step: Step) -> Vec<String> {
 }
 
 /// The scene with one of its lights.
-fn lit_by(step: Step, light: usize) -> Scene {
-    let mut scene = scene(step);
+fn scene_with_one_light(step: Step, light: usize) -> Scene {
+    let mut scene = scene_of_step(step);
     scene.lights = vec![scene.lights[light]];
     scene
 }
 
-fn with_factors<'a>(
+fn term_factors_candidate<'a>(
     evidence: &'a Evidence,
     step: Step,
     factors: Vec<f64>,
@@ -178,11 +201,13 @@ fn with_factors<'a>(
         }
     }
     let words = changes.iter().map(|(factor, names)| {
-        let names = join(names);
+        let names = join_with_and(names);
         match factor {
             0.0 => format!("without {names}"),
             2.0 => format!("with {names} twice"),
-            factor => format!("with {names} times {}", format_factor(*factor)),
+            factor => {
+                format!("with {names} times {}", format_2_decimals_trimmed(*factor))
+            }
         }
     });
     let words: Vec<_> = words.collect();
@@ -221,10 +246,10 @@ fn with_factors<'a>(
         Step::Phong => "step05_phong/phong.rs",
         _ => "step04_diffuse/picture.rs",
     });
-    let scenes = [lit_by(step, 0), lit_by(step, 1)];
+    let scenes = [scene_with_one_light(step, 0), scene_with_one_light(step, 1)];
     let mut explanation = Explanation::exact(sentence, &files, move |pixel| {
-        let ray = evidence.ray(pixel);
-        match sum_of_terms(&scenes, &ray, &factors) {
+        let ray = evidence.our_ray(pixel);
+        match sum_scaled_terms(&scenes, &ray, &factors) {
             Some(intensity) => evidence.encode(intensity),
             None => pixel.ours,
         }
@@ -233,7 +258,11 @@ fn with_factors<'a>(
     explanation
 }
 
-fn sum_of_terms(scenes: &[Scene; 2], ray: &Ray, factors: &[f64]) -> Option<DVec3> {
+fn sum_scaled_terms(
+    scenes: &[Scene; 2],
+    ray: &Ray,
+    factors: &[f64],
+) -> Option<DVec3> {
     let own = |k: usize| -> Option<Phong> { terms(&scenes[k], ray) };
     let (warm, cool) = (own(0)?, own(1)?);
     let mut sum = factors[0] * warm.ambient;
@@ -245,11 +274,11 @@ fn sum_of_terms(scenes: &[Scene; 2], ray: &Ray, factors: &[f64]) -> Option<DVec3
 }
 
 /// A factor with two places, or as what it is a part of.
-fn format_factor(factor: f64) -> String {
+fn format_2_decimals_trimmed(factor: f64) -> String {
     format!("{factor:.2}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn join(names: &[&str]) -> String {
+fn join_with_and(names: &[&str]) -> String {
     match names.split_last() {
         Some((last, [])) => (*last).to_owned(),
         Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
@@ -258,8 +287,10 @@ fn join(names: &[&str]) -> String {
 }
 
 /// Ours, of which some pixels were never drawn: all of these have one colour.
-pub(crate) fn never_drawn<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>> {
-    let wrong = evidence.wrong();
+pub(crate) fn undrawn_pixels_candidate<'a>(
+    evidence: &'a Evidence,
+) -> Option<Explanation<'a>> {
+    let wrong = evidence.wrong_pixels();
     let blank = wrong.first()?.yours;
     if wrong.iter().any(|pixel| pixel.yours != blank) {
         return None;
@@ -284,15 +315,15 @@ pub(crate) fn never_drawn<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
             .map(|(k, _)| *k)
             .collect();
         let is_told = !is_mixed && gone.len() < counts.len();
-        is_told.then(|| format!("{name} {}", format_lines(&gone)))
+        is_told.then(|| format!("{name} {}", format_line_numbers(&gone)))
     };
     let what = whole_lines("rows", lines(|pixel| pixel.j))
         .or_else(|| whole_lines("columns", lines(|pixel| pixel.i)))
         .or_else(|| {
-            let is_told = is_black && is_scattered(evidence);
+            let is_told = is_black && are_wrong_pixels_isolated(evidence);
             is_told.then(|| format!("{} of {all} pixels", wrong.len()))
         })?;
-    let compared = if evidence.is_whole() { "" } else { " of those compared" };
+    let compared = if evidence.has_all_rows() { "" } else { " of those compared" };
     let [r, g, b] = blank;
     let sentence = format!(
         "Never drawn, it seems: {what}{compared}, all of them ({r}, {g}, {b}); all others are right."
@@ -306,18 +337,19 @@ pub(crate) fn never_drawn<'a>(evidence: &'a Evidence) -> Option<Explanation<'a>>
 }
 
 /// Whether most wrong pixels are alone in their row, in the sky as well.
-fn is_scattered(evidence: &Evidence) -> bool {
+fn are_wrong_pixels_isolated(evidence: &Evidence) -> bool {
     let wrong: HashSet<_> =
-        evidence.wrong().iter().map(|pixel| (pixel.i, pixel.j)).collect();
+        evidence.wrong_pixels().iter().map(|pixel| (pixel.i, pixel.j)).collect();
     let is_alone = |(i, j): &&(u32, u32)| {
         !wrong.contains(&(i + 1, *j)) && (*i == 0 || !wrong.contains(&(i - 1, *j)))
     };
-    let (wrong_sky, _) = evidence.count(|pixel| pixel.region.object.is_none());
+    let (wrong_sky, _) =
+        evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
     0 < wrong_sky && wrong.len() < 2 * wrong.iter().filter(is_alone).count()
 }
 
 /// 200 to 359, or 1, 3, 5 and so on.
-fn format_lines(lines: &[u32]) -> String {
+fn format_line_numbers(lines: &[u32]) -> String {
     let (first, last) = (lines[0], lines[lines.len() - 1]);
     match lines {
         [one] => one.to_string(),

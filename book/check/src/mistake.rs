@@ -18,12 +18,12 @@ pub struct Mistake {
     /// What is written instead.
     pub new: String,
     /// What the book says, where it shows the mistake.
-    pub shown: Option<Shown>,
+    pub book_entry: Option<BookEntry>,
 }
 
 /// What the book says of a mistake that it shows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct BookEntry {
     /// The name of each picture, lower-case words with `-` between them, and the step
     /// that is drawn with the mistake in it: after `! name`, or else that of its file.
     pub pictures: Vec<(&'static str, Step)>,
@@ -32,7 +32,7 @@ pub struct Shown {
     /// The heading of its section, in the chapter of its step.
     pub section: &'static str,
     /// What its picture shows, in one sentence.
-    pub sees: &'static str,
+    pub effect: &'static str,
 }
 
 /// The lists, and the folder of the files in each, if it is one.
@@ -53,7 +53,7 @@ pub fn mistakes() -> Vec<Mistake> {
         for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
             match block.strip_prefix("@ ") {
                 Some(path) => file = format!("{folder}{path}"),
-                None => mistakes.extend(mistake(&file, block)),
+                None => mistakes.extend(parse_mistake(&file, block)),
             }
         }
     }
@@ -61,7 +61,7 @@ pub fn mistakes() -> Vec<Mistake> {
 }
 
 /// The mistake that a block of a list tells.
-fn mistake(file: &str, block: &'static str) -> Option<Mistake> {
+fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
     let (title, rest) = block.split_once('\n')?;
     let marked = |mark: char| {
         let lines = rest.lines().filter_map(move |line| line.strip_prefix(mark));
@@ -69,31 +69,31 @@ fn mistake(file: &str, block: &'static str) -> Option<Mistake> {
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let one = |mark| marked(mark).next().unwrap_or_default();
-    let own = Step::of(file);
+    let own = Step::from_path(file);
     let pictures =
         marked('!').filter_map(|picture| match picture.split_once(' ') {
-            Some((name, step)) => Some((name, Step::of(step)?)),
+            Some((name, step)) => Some((name, Step::from_path(step)?)),
             None => Some((picture, own?)),
         });
     let pictures: Vec<_> = pictures.collect();
-    let shown = (!pictures.is_empty()).then(|| Shown {
+    let book_entry = (!pictures.is_empty()).then(|| BookEntry {
         pictures,
         why: one('?'),
         section: one('/'),
-        sees: one('"'),
+        effect: one('"'),
     });
     let file = file.to_owned();
-    Some(Mistake { title, file, old: text('-'), new: text('+'), shown })
+    Some(Mistake { title, file, old: text('-'), new: text('+'), book_entry })
 }
 
 impl Mistake {
     /// The first step whose program it is in.
     pub fn step(&self) -> Option<Step> {
-        Step::of(&self.file)
+        Step::from_path(&self.file)
     }
 
     /// The names of the pictures that it may spoil, in their order.
-    pub fn drawn(&self) -> Vec<String> {
+    pub fn affected_pictures(&self) -> Vec<String> {
         let exercise = self.file.split("/examples/").nth(1);
         if let Some(name) = exercise.and_then(|file| file.strip_suffix(".rs")) {
             return vec![name.to_owned()];
@@ -111,7 +111,7 @@ impl Mistake {
     }
 
     /// The text of its file with the mistake in it, if its place is there once.
-    pub fn applied(&self, text: &str) -> Option<String> {
+    pub fn apply_to(&self, text: &str) -> Option<String> {
         let bare = |text: &str| {
             let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
             lines.join("\n")

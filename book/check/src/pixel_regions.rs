@@ -1,5 +1,7 @@
 use crate::Step;
-use crate::step_scene::{LIGHTS, Scene, hits, object_name, scene};
+use crate::step_scene::{
+    LIGHTS, Scene, object_name_with_article, scene_of_step, sorted_hits,
+};
 use glam::DVec3;
 use step05_phong::{Ray, normal, reflect, terms};
 
@@ -18,16 +20,16 @@ pub(crate) struct Region {
 
 impl Region {
     /// What tells the region of a ray of a step; of an exercise nothing is known.
-    pub fn reader(step: Option<Step>) -> impl Fn(&Ray) -> Self {
-        let scene = step.map(|step| (step, scene(step)));
+    pub fn function_of_ray(step: Option<Step>) -> impl Fn(&Ray) -> Self {
+        let scene = step.map(|step| (step, scene_of_step(step)));
         move |ray| match &scene {
-            Some((step, scene)) => Self::of(*step, scene, ray),
+            Some((step, scene)) => Self::of_ray(*step, scene, ray),
             None => Self::default(),
         }
     }
 
-    fn of(step: Step, scene: &Scene, ray: &Ray) -> Self {
-        let hits = hits(scene, ray);
+    fn of_ray(step: Step, scene: &Scene, ray: &Ray) -> Self {
+        let hits = sorted_hits(scene, ray);
         let mut region = Self { is_crowded: 1 < hits.len(), ..Self::default() };
         let Some((t, k)) = hits.first().copied() else { return region };
         region.object = u8::try_from(k).ok();
@@ -47,37 +49,39 @@ impl Region {
 }
 
 /// What our program computes for one pixel, in letters of the book.
-pub(crate) fn computed(step: Step, ray: &Ray) -> String {
-    let scene = scene(step);
-    let Some((t, k)) = hits(&scene, ray).first().copied() else {
-        return format!("the sky, V = {}", format_vector(ray.direction));
+pub(crate) fn computed_values_clause(step: Step, ray: &Ray) -> String {
+    let scene = scene_of_step(step);
+    let Some((t, k)) = sorted_hits(&scene, ray).first().copied() else {
+        return format!("the sky, V = {}", format_vector_4_decimals(ray.direction));
     };
-    let mut text = format!("{} at t = {t:.4}", object_name(step, k));
+    let mut text = format!("{} at t = {t:.4}", object_name_with_article(step, k));
     if Step::Diffuse <= step {
         let p = ray.at(t);
         let n = normal(&scene.objects[k].sphere, p);
-        text += &format!(", n = {}", format_vector(n));
+        text += &format!(", n = {}", format_vector_4_decimals(n));
         for (light, name) in scene.lights.iter().zip(LIGHTS) {
             let to_light = light.point_light.position - p;
             let (l, d) = (to_light.normalize(), to_light.length());
-            text +=
-                &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
+            text += &format!(
+                "; {name}: n·l = {}, d = {d:.4}",
+                format_4_decimals(n.dot(l))
+            );
         }
     }
     if step == Step::Phong
         && let Some(terms) = terms(&scene, ray)
     {
-        let [a, d, s] =
-            [terms.ambient, terms.diffuse, terms.specular].map(format_vector);
+        let [a, d, s] = [terms.ambient, terms.diffuse, terms.specular]
+            .map(format_vector_4_decimals);
         text += &format!(";\n  I_a = {a}, I_d = {d}, I_s = {s}");
     }
     text
 }
 
-fn format_vector(vector: DVec3) -> String {
-    format!("({})", vector.to_array().map(format_number).join(", "))
+fn format_vector_4_decimals(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(format_4_decimals).join(", "))
 }
 
-fn format_number(number: f64) -> String {
+fn format_4_decimals(number: f64) -> String {
     format!("{number:.4}").replace('-', "−")
 }

@@ -1,4 +1,4 @@
-use crate::file_format::other_format;
+use crate::file_format::other_format_clause;
 use image::RgbImage;
 use png::{
     BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations,
@@ -36,37 +36,37 @@ pub struct Picture {
 
 impl Picture {
     /// A picture with all of its rows.
-    pub fn whole(pixels: RgbImage) -> Self {
+    pub fn from_all_rows(pixels: RgbImage) -> Self {
         let size = pixels.dimensions();
         let rows = (0..size.1).collect();
         Self { size, rows, pixels, notes: vec![], is_invisible: false }
     }
 
     /// Whether all of its rows are kept.
-    pub fn is_whole(&self) -> bool {
+    pub fn has_all_rows(&self) -> bool {
         self.rows.len() == self.size.1 as usize
     }
 
-    /// The same picture with at most `pixels` pixels, in rows spread over it.
-    pub fn thinned(&self, pixels: u32) -> Self {
+    /// The same picture with at most `most_pixels` pixels, in rows spread over it.
+    pub fn with_spread_rows(&self, most_pixels: u32) -> Self {
         let kept = self.rows.len() as u32;
-        let rows = (pixels / self.size.0).clamp(1, kept);
-        let places: Vec<_> = spread(rows, kept).collect();
+        let rows = (most_pixels / self.size.0).clamp(1, kept);
+        let places: Vec<_> = spread_indices(rows, kept).collect();
         let image = RgbImage::from_fn(self.size.0, rows, |i, k| {
             *self.pixels.get_pixel(i, places[k as usize])
         });
         let rows = places.iter().map(|k| self.rows[*k as usize]).collect();
-        Self { rows, pixels: image, ..self.clone_without_pixels() }
+        Self { rows, pixels: image, ..self.clone_without_rows() }
     }
 
-    fn clone_without_pixels(&self) -> Self {
+    fn clone_without_rows(&self) -> Self {
         let (pixels, notes) = (RgbImage::new(0, 0), self.notes.clone());
         Self { pixels, notes, rows: vec![], ..*self }
     }
 }
 
 /// `count` of the numbers below `all`, spread over them.
-fn spread(count: u32, all: u32) -> impl Iterator<Item = u32> {
+fn spread_indices(count: u32, all: u32) -> impl Iterator<Item = u32> {
     let middle =
         move |k| (2 * u64::from(k) + 1) * u64::from(all) / (2 * u64::from(count));
     (0..count).map(move |k: u32| middle(k) as u32)
@@ -76,11 +76,11 @@ fn spread(count: u32, all: u32) -> impl Iterator<Item = u32> {
 ///
 /// The size is looked at before anything is unpacked, colour profiles and texts are not
 /// unpacked at all, and of a large picture one row at a time is in the memory.
-pub fn read(file: &[u8]) -> Result<Picture, String> {
+pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
-        return Err(size_fault());
+        return Err(too_large_clause());
     }
-    if let Some(other) = other_format(file) {
+    if let Some(other) = other_format_clause(file) {
         return Err(format!("is {other}"));
     }
     let mut decoder =
@@ -88,7 +88,7 @@ pub fn read(file: &[u8]) -> Result<Picture, String> {
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
     decoder.set_transformations(Transformations::EXPAND);
-    let header = decoder.read_header_info().map_err(damage)?;
+    let header = decoder.read_header_info().map_err(damage_clause)?;
     let size @ (width, height) = (header.width, header.height);
     let too_large = format!(
         "is {width}×{height} pixels, which is too large: the programs draw up to {}×{}",
@@ -97,27 +97,27 @@ pub fn read(file: &[u8]) -> Result<Picture, String> {
     if LARGEST.0 < width || LARGEST.1 < height {
         return Err(too_large);
     }
-    let mut reader = decoder.read_info().map_err(damage)?;
+    let mut reader = decoder.read_info().map_err(damage_clause)?;
     let line = reader.output_line_size(width).unwrap_or(usize::MAX);
     if UNPACKED_BYTES < line as u64 * u64::from(height) {
         return Err(too_large);
     }
     let format = reader.output_color_type();
-    let mut notes = notes(file, reader.info(), format);
+    let mut notes = viewer_notes(file, reader.info(), format);
     let mut kept = Kept { format, bytes: vec![], most: 0, least: u8::MAX };
     let rows: Vec<_> = if u64::from(width) * u64::from(height) <= WHOLE {
         let mut bytes = vec![0; line * height as usize];
-        reader.next_frame(&mut bytes).map_err(damage)?;
-        bytes.chunks_exact(line).for_each(|row| kept.push(row));
+        reader.next_frame(&mut bytes).map_err(damage_clause)?;
+        bytes.chunks_exact(line).for_each(|row| kept.push_rgb_of_row(row));
         (0..height).collect()
     } else if reader.info().interlaced {
         return Err(format!("{too_large} interlaced; save it without"));
     } else {
-        let rows: Vec<_> = spread(ROWS.min(height), height).collect();
+        let rows: Vec<_> = spread_indices(ROWS.min(height), height).collect();
         for j in 0..height {
-            let row = reader.next_row().map_err(damage)?;
+            let row = reader.next_row().map_err(damage_clause)?;
             if let Some(row) = row.filter(|_| rows.binary_search(&j).is_ok()) {
-                kept.push(row.data());
+                kept.push_rgb_of_row(row.data());
             }
         }
         rows
@@ -136,7 +136,7 @@ pub fn read(file: &[u8]) -> Result<Picture, String> {
 }
 
 /// Says that a file is larger than any picture.
-pub(crate) fn size_fault() -> String {
+pub(crate) fn too_large_clause() -> String {
     format!("is too large: a picture has at most {} MB", FILE_BYTES >> 20)
 }
 
@@ -154,7 +154,7 @@ struct Kept {
 
 impl Kept {
     /// Keeps red, green and blue of a row.
-    fn push(&mut self, row: &[u8]) {
+    fn push_rgb_of_row(&mut self, row: &[u8]) {
         let (colour, depth) = self.format;
         let narrow: Vec<u8>;
         let row = match depth {
@@ -171,25 +171,25 @@ impl Kept {
                 [grey] => self.bytes.extend([grey; 3]),
                 [grey, alpha] => {
                     self.bytes.extend([grey; 3]);
-                    self.alpha(alpha);
+                    self.widen_alpha_range(alpha);
                 }
                 [r, g, b, alpha] => {
                     self.bytes.extend([r, g, b]);
-                    self.alpha(alpha);
+                    self.widen_alpha_range(alpha);
                 }
                 _ => self.bytes.extend(pixel),
             }
         }
     }
 
-    fn alpha(&mut self, alpha: u8) {
+    fn widen_alpha_range(&mut self, alpha: u8) {
         self.most = self.most.max(alpha);
         self.least = self.least.min(alpha);
     }
 }
 
 /// Says what a decoder's error means for the file.
-fn damage(error: DecodingError) -> String {
+fn damage_clause(error: DecodingError) -> String {
     let what = match error {
         DecodingError::IoError(error)
             if error.kind() == ErrorKind::UnexpectedEof =>
@@ -208,7 +208,7 @@ fn damage(error: DecodingError) -> String {
 }
 
 /// What a viewer may show otherwise, and what was left out.
-fn notes(
+fn viewer_notes(
     file: &[u8],
     info: &Info,
     (colour, depth): (ColorType, BitDepth),
@@ -246,7 +246,7 @@ fn notes(
     );
     let exif = info.exif_metadata.as_deref();
     note(
-        exif.is_some_and(|exif| !matches!(orientation(exif), None | Some(1))),
+        exif.is_some_and(|exif| !matches!(exif_orientation(exif), None | Some(1))),
         "Its EXIF data asks a viewer to turn it; that was left out.",
     );
     note(
@@ -270,7 +270,7 @@ fn has_chunk(file: &[u8], name: &[u8; 4]) -> bool {
 }
 
 /// The orientation in EXIF data, from 1, which is upright, to 8.
-fn orientation(exif: &[u8]) -> Option<u16> {
+fn exif_orientation(exif: &[u8]) -> Option<u16> {
     let is_little = exif.starts_with(b"II");
     let short = |at: usize| {
         let bytes = *exif.get(at..)?.first_chunk()?;

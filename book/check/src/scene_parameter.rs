@@ -1,7 +1,9 @@
 use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{LIGHTS, Scene, intensity, object_name, scene};
+use crate::step_scene::{
+    LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
+};
 use step05_phong::Matte;
 
 /// One or three numbers of each object or of each light, which stand in one place of a
@@ -140,7 +142,7 @@ const DIFFUSE: Parameter = Parameter {
 const FIRST: usize = 32;
 
 /// Our scene with one other number, where that gives the first pixels that are wrong.
-pub(crate) fn other_numbers<'a>(
+pub(crate) fn changed_number_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
     let step = evidence.step.filter(|step| Step::Sphere <= *step);
@@ -148,18 +150,25 @@ pub(crate) fn other_numbers<'a>(
     step.into_iter().flat_map(move |step| {
         let parameters = parameters.clone();
         parameters.flat_map(move |parameter| {
-            let owners = owner_names(parameter, step).into_iter().enumerate();
-            let owners =
-                owners.filter(move |(k, _)| may_be(parameter, *k, evidence));
+            let owners = parameter_name_of_each_owner(parameter, step)
+                .into_iter()
+                .enumerate();
+            let owners = owners.filter(move |(k, _)| {
+                may_cause_wrong_pixels(parameter, *k, evidence)
+            });
             owners.flat_map(move |(k, owner)| {
-                with_numbers(evidence, step, parameter, k, owner)
+                fitting_number_candidates(evidence, step, parameter, k, owner)
             })
         })
     })
 }
 
 /// Whether all wrong pixels are where the parameter of owner `k` can change one.
-fn may_be(parameter: &Parameter, k: usize, evidence: &Evidence) -> bool {
+fn may_cause_wrong_pixels(
+    parameter: &Parameter,
+    k: usize,
+    evidence: &Evidence,
+) -> bool {
     let is_of_surface = parameter.owner == Owner::Object
         && parameter.since != Step::Sphere
         || parameter.name == COLOUR.name;
@@ -170,31 +179,32 @@ fn may_be(parameter: &Parameter, k: usize, evidence: &Evidence) -> bool {
         Owner::Object => true,
         _ => pixel.region.object.is_some(),
     };
-    !evidence.wrong().is_empty() && evidence.wrong().iter().all(is_there)
+    !evidence.wrong_pixels().is_empty()
+        && evidence.wrong_pixels().iter().all(is_there)
 }
 
 /// The numbers in the place of one parameter that give the first wrong pixels.
-fn with_numbers<'a>(
+fn fitting_number_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
     parameter: &'static Parameter,
     k: usize,
     owner: String,
 ) -> Vec<Explanation<'a>> {
-    let mut scene = scene(step);
+    let mut scene = scene_of_step(step);
     let old = (parameter.get)(&scene, k);
     let first: Vec<_> = {
-        let wrong = evidence.wrong();
+        let wrong = evidence.wrong_pixels();
         let spread = wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1));
-        spread.map(|pixel| (evidence.ray(pixel), pixel.yours)).collect()
+        spread.map(|pixel| (evidence.our_ray(pixel), pixel.yours)).collect()
     };
     let file = match step {
         Step::Sphere => "step02_sphere/picture.rs",
         _ => parameter.file,
     };
-    let fits = changed_numbers(parameter, old).into_iter().filter(|new| {
+    let fits = alternative_numbers(parameter, old).into_iter().filter(|new| {
         (parameter.set)(&mut scene, k, *new);
-        let intensity = intensity(step, &scene);
+        let intensity = intensity_function(step, &scene);
         first.iter().all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
     });
     let fits: Vec<_> = fits.take(8).collect();
@@ -202,25 +212,25 @@ fn with_numbers<'a>(
     let is = if fits.len() == 1 { "is" } else { "may be" };
     let explanation = |new: [f64; 3]| {
         (parameter.set)(&mut scene, k, new);
-        let intensity = intensity(step, &scene);
+        let intensity = intensity_function(step, &scene);
         let [new, old] =
             [new, old].map(|one| format_numbers(&one[..parameter.count]));
         let sentence = format!(
             "In your picture {owner} {is} {at}{new}; it should be {at}{old}."
         );
         Explanation::exact(sentence, &[file], move |pixel| {
-            evidence.encode(intensity(&evidence.ray(pixel)))
+            evidence.encode(intensity(&evidence.our_ray(pixel)))
         })
     };
     fits.into_iter().map(explanation).collect()
 }
 
 /// The name of a parameter of each of its owners.
-fn owner_names(parameter: &Parameter, step: Step) -> Vec<String> {
+fn parameter_name_of_each_owner(parameter: &Parameter, step: Step) -> Vec<String> {
     let names: Vec<_> = match parameter.owner {
         Owner::Object => {
-            let count = scene(step).objects.len();
-            (0..count).map(|k| object_name(step, k)).collect()
+            let count = scene_of_step(step).objects.len();
+            (0..count).map(|k| object_name_with_article(step, k)).collect()
         }
         Owner::Light => LIGHTS.map(str::to_owned).into(),
         Owner::Scene => vec!["the scene".to_owned()],
@@ -229,7 +239,7 @@ fn owner_names(parameter: &Parameter, step: Step) -> Vec<String> {
 }
 
 /// A parameter with one of its numbers changed, the nearest first.
-fn changed_numbers(parameter: &Parameter, old: [f64; 3]) -> Vec<[f64; 3]> {
+fn alternative_numbers(parameter: &Parameter, old: [f64; 3]) -> Vec<[f64; 3]> {
     let (start, end, parts) = parameter.range;
     let values = start * parts..=end * parts;
     let mut all = vec![];

@@ -2,7 +2,7 @@ use crate::Step;
 
 /// A file of a step, with its section in the book and its tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct SourceRef {
     /// The step.
     pub step: Step,
     /// The file, in the folder `src` of the step.
@@ -15,39 +15,40 @@ pub struct Place {
 }
 
 /// The files to which an answer may lead, with their sections and tests.
-pub fn places() -> impl Iterator<Item = Place> {
+pub fn source_refs() -> impl Iterator<Item = SourceRef> {
     let lines = include_str!("../source_files.txt").lines();
     lines.filter_map(|line| {
         let mut parts = line.split('|').map(str::trim);
         let (step, file) = parts.next()?.split_once('/')?;
         let (section, tests) = (parts.next()?, parts.next()?);
-        Some(Place { step: Step::named(step)?, file, section, tests })
+        Some(SourceRef { step: Step::from_name(step)?, file, section, tests })
     })
 }
 
 /// The place `name`, such as `step01_rays/camera.rs`.
-pub(crate) fn place(name: &str) -> Option<Place> {
-    places().find(|place| format!("{}/{}", place.step.name(), place.file) == name)
+pub(crate) fn find_source_ref(name: &str) -> Option<SourceRef> {
+    source_refs()
+        .find(|place| format!("{}/{}", place.step.name(), place.file) == name)
 }
 
-impl Place {
+impl SourceRef {
     /// The file, seen from the root of the workspace.
-    pub fn path(&self) -> String {
+    pub fn workspace_path(&self) -> String {
         format!("steps/{}/src/{}", self.step.name(), self.file)
     }
 
     /// The place of a file, seen from the root of the workspace.
-    pub fn of(path: &str) -> Option<Self> {
-        places().find(|place| place.path() == path)
+    pub fn from_path(path: &str) -> Option<Self> {
+        source_refs().find(|place| place.workspace_path() == path)
     }
 }
 
 /// Tells where to go back to, and which tests by hand of the first step go through it.
-pub(crate) fn back(places: &[Place]) -> String {
-    let Some(Place { step, section, .. }) = places.first() else {
+pub(crate) fn go_back_sentences(places: &[SourceRef]) -> String {
+    let Some(SourceRef { step, section, .. }) = places.first() else {
         return String::new();
     };
-    let files: Vec<_> = places.iter().map(Place::path).collect();
+    let files: Vec<_> = places.iter().map(SourceRef::workspace_path).collect();
     let own = places.iter().filter(|place| place.step == *step);
     let mut tests = vec![];
     for test in own.flat_map(|place| place.tests.split(", ")) {
@@ -68,7 +69,7 @@ pub(crate) fn back(places: &[Place]) -> String {
 }
 
 /// Tells which tests by hand to run: those of some steps.
-pub(crate) fn test_command(steps: &[Step]) -> String {
+pub(crate) fn test_command_sentence(steps: &[Step]) -> String {
     let mut steps = steps.to_vec();
     steps.sort();
     steps.dedup();

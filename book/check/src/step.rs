@@ -2,7 +2,7 @@ use image::RgbImage;
 use step01_rays::Camera;
 
 /// The camera of the course, with a field of view of 60 degrees.
-pub fn camera(width: u32, height: u32) -> Camera {
+pub fn default_camera(width: u32, height: u32) -> Camera {
     Camera::new(width, height, 60_f64.to_radians())
 }
 
@@ -43,17 +43,17 @@ impl Step {
     }
 
     /// The step whose name `name` is.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }
 
     /// The step whose folder or file a path leads to.
-    pub fn of(path: &str) -> Option<Self> {
+    pub fn from_path(path: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| path.contains(step.name()))
     }
 
     /// Its right picture.
-    pub fn picture(self, camera: &Camera, samples: u32) -> RgbImage {
+    pub fn draw_picture(self, camera: &Camera, samples: u32) -> RgbImage {
         let picture: fn(&Camera, u32) -> RgbImage = match self {
             Self::Rays => step01_rays::picture,
             Self::Sphere => step02_sphere::picture,

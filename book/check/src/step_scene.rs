@@ -19,13 +19,13 @@ pub(crate) const OBJECT_COUNT: usize = OBJECTS.len();
 pub(crate) const LIGHTS: [&str; 2] = ["the warm light", "the cool light"];
 
 /// The name of object `k` of a step, with its article.
-pub(crate) fn object_name(step: Step, k: usize) -> String {
+pub(crate) fn object_name_with_article(step: Step, k: usize) -> String {
     let name = if step == Step::Sphere { "sphere" } else { OBJECTS[k].name };
     format!("the {name}")
 }
 
 /// The scene of a step, without the objects that it has not got.
-pub(crate) fn scene(step: Step) -> Scene {
+pub(crate) fn scene_of_step(step: Step) -> Scene {
     let mut scene = step05_phong::scene();
     match step {
         Step::Rays => scene.objects.clear(),
@@ -39,7 +39,10 @@ pub(crate) fn scene(step: Step) -> Scene {
 }
 
 /// The intensity that a ray gets of a scene, by the functions of a step.
-pub(crate) fn intensity(step: Step, scene: &Scene) -> Box<dyn Fn(&Ray) -> DVec3> {
+pub(crate) fn intensity_function(
+    step: Step,
+    scene: &Scene,
+) -> Box<dyn Fn(&Ray) -> DVec3> {
     match step {
         Step::Rays => Box::new(step01_rays::direction_colour),
         Step::Sphere => match scene.objects.first().map(|object| object.sphere) {
@@ -76,7 +79,7 @@ pub(crate) fn intensity(step: Step, scene: &Scene) -> Box<dyn Fn(&Ray) -> DVec3>
 }
 
 /// The t and the number of each object that a ray meets, the nearest first.
-pub(crate) fn hits(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
+pub(crate) fn sorted_hits(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
     let hit =
         |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
     let mut hits: Vec<_> = (0..scene.objects.len()).filter_map(hit).collect();

@@ -42,14 +42,14 @@ pub(crate) struct OurPicture<'a> {
 
 impl<'a> OurPicture<'a> {
     /// One that is drawn.
-    pub fn of(picture: &'a RgbImage) -> Self {
+    pub fn from_drawn(picture: &'a RgbImage) -> Self {
         let colour = Rc::new(|i, j| picture.get_pixel(i, j).0);
         Self { size: picture.dimensions(), colour }
     }
 }
 
 /// Ours turned, mirrored, with its channels in another order.
-pub(crate) fn turned<'a>(
+pub(crate) fn turned_candidates<'a>(
     evidence: &Evidence,
     ours: OurPicture<'a>,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -83,11 +83,11 @@ pub(crate) fn turned<'a>(
 }
 
 /// Ours with its bytes in other places, as where a buffer is laid out in another way.
-pub(crate) fn rearranged<'a>(
+pub(crate) fn rearranged_candidates<'a>(
     evidence: &'a Evidence,
     ours: &'a RgbImage,
 ) -> Vec<Explanation<'a>> {
-    if ours.dimensions() != evidence.yours.size || !evidence.is_whole() {
+    if ours.dimensions() != evidence.yours.size || !evidence.has_all_rows() {
         return vec![];
     }
     let (w, h) = ours.dimensions();
@@ -151,7 +151,7 @@ pub(crate) fn rearranged<'a>(
         "three bytes a pixel, taken for four, of which the last is left out",
         Box::new(move |n| bytes[(n / 3 * 4 + n % 3) % bytes.len()]),
     ));
-    all.extend(shifts(evidence, ours).into_iter().map(|shift| {
+    all.extend(find_byte_shifts(evidence, ours).into_iter().map(|shift| {
         let (count, unit) = match shift {
             _ if shift % (3 * w) == 0 => (shift / (3 * w), "rows"),
             _ if shift % 3 == 0 => (shift / 3, "pixels"),
@@ -205,7 +205,7 @@ pub(crate) fn rearranged<'a>(
 }
 
 /// By how many bytes all may have moved: where a piece of ours is found again.
-fn shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
+fn find_byte_shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
     let (ours, yours) = (ours.as_raw(), evidence.yours.pixels.as_raw());
     let piece_at = |start: usize| ours.get(start..start + 96);
     let middle = ours.len() / 2;
@@ -222,12 +222,12 @@ fn shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
 }
 
 /// The same pixels as in ours, at other places.
-pub(crate) fn has_same_pixels(evidence: &Evidence) -> bool {
+pub(crate) fn has_our_colours_elsewhere(evidence: &Evidence) -> bool {
     let sorted = |which: fn(&crate::evidence::Pixel) -> [u8; 3]| {
-        let mut all: Vec<_> = evidence.wrong().iter().map(which).collect();
+        let mut all: Vec<_> = evidence.wrong_pixels().iter().map(which).collect();
         all.sort_unstable();
         all
     };
-    let is_much = evidence.pixels.len() / 50 < evidence.wrong().len();
+    let is_much = evidence.pixels.len() / 50 < evidence.wrong_pixels().len();
     is_much && sorted(|pixel| pixel.yours) == sorted(|pixel| pixel.ours)
 }

@@ -4,18 +4,18 @@ use image::imageops::thumbnail;
 
 /// The one of `names` that a file's own name tells: `step03_nearest.png`,
 /// `my_lens-2.png`, `step3.png`.
-pub fn by_file<'a>(
+pub fn find_name_in_file_name<'a>(
     file: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<&'a str> {
     let lower = file.to_ascii_lowercase();
     let file = lower.rsplit(['/', '\\']).next()?;
-    let named = names.clone().filter(|name| has_word(file, name));
+    let named = names.clone().filter(|name| contains_whole_word(file, name));
     named.max_by_key(|name| name.len()).or_else(|| {
         let is_named = |step: &Step| {
             let number = step.number();
             let words = [format!("step{number}"), format!("step0{number}")];
-            words.iter().any(|word| has_word(file, word))
+            words.iter().any(|word| contains_whole_word(file, word))
         };
         let step = Step::ALL.into_iter().find(is_named)?;
         names.clone().find(|name| *name == step.name())
@@ -23,7 +23,7 @@ pub fn by_file<'a>(
 }
 
 /// Whether `word` is in `text` with no letter or digit before it or after it.
-fn has_word(text: &str, word: &str) -> bool {
+fn contains_whole_word(text: &str, word: &str) -> bool {
     let is_end = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric());
     text.match_indices(word).any(|(k, _)| {
         let (before, after) = (&text[..k], &text[k + word.len()..]);
@@ -32,7 +32,10 @@ fn has_word(text: &str, word: &str) -> bool {
 }
 
 /// The picture that is most like yours, whatever its size.
-pub(crate) fn nearest<'a>(yours: &RgbImage, asked: &[&'a Locked]) -> &'a Locked {
+pub(crate) fn find_most_similar<'a>(
+    yours: &RgbImage,
+    asked: &[&'a Locked],
+) -> &'a Locked {
     let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
     let yours = small(yours);
     let distance = |one: &&&Locked| {

@@ -1,11 +1,14 @@
 use crate::Step;
-use crate::camera_from_sky::sky_alone;
+use crate::camera_from_sky::clauses_and_count_of_sky;
 use crate::evidence::{Evidence, Pixel};
-use crate::explanation::{Explanation, Work};
+use crate::explanation::{Explanation, RayBudget};
 use crate::pixel_regions::Region;
-use crate::source_ref::{back, place, test_command};
+use crate::source_ref::{
+    find_source_ref, go_back_sentences, test_command_sentence,
+};
 use crate::step_scene::{
-    LIGHTS, OBJECT_COUNT, hits, intensity, object_name, scene,
+    LIGHTS, OBJECT_COUNT, intensity_function, object_name_with_article,
+    scene_of_step, sorted_hits,
 };
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -19,23 +22,25 @@ const FAINT: u8 = 12;
 /// What there is to say of a picture that nothing explains as a whole: which regions are
 /// right, how many pixels of the others are wrong, what explains one of these alone, and the
 /// tests by hand of the stages that may be wrong.
-pub(crate) fn wrong_regions(
+pub(crate) fn describe_wrong_regions(
     evidence: &Evidence,
     step: Step,
-    work: &Work,
+    budget: &RayBudget,
 ) -> String {
     let (mut right, mut wrong, mut explained) = (vec![], vec![], vec![]);
     let mut wrong_names = vec![];
-    for (name, is_in) in regions(step) {
-        match evidence.count(&is_in) {
+    for (name, is_in) in regions_with_names(step) {
+        match evidence.count_wrong_and_all(&is_in) {
             (_, 0) => {}
             (0, _) => right.push(name),
             (some, all) => {
                 let is_large = 200 <= all;
                 wrong.push(format!("{some} of {all} pixels of {name}"));
-                let found = region_explanations(evidence, step, &name)
+                let found = region_candidates(evidence, step, &name)
                     .into_iter()
-                    .find(|one| is_large && one.holds(evidence, &is_in, work));
+                    .find(|one| {
+                        is_large && one.holds_in_region(evidence, &is_in, budget)
+                    });
                 wrong_names.push(name);
                 explained.extend(found);
             }
@@ -51,50 +56,53 @@ pub(crate) fn wrong_regions(
     wrong.truncate(MOST_REGIONS);
     let more = if 0 < more { format!("; and {more} more") } else { String::new() };
     text += &format!("Wrong: {}{more}.\n", wrong.join("; "));
-    text += &sentence_of_objects(evidence, step);
-    if let Some((differences, count)) = sky_alone(evidence, work) {
+    text += &sentence_of_wrong_outlines(evidence, step);
+    if let Some((differences, count)) = clauses_and_count_of_sky(evidence, budget) {
         text += &format!(
             "In the {count} pixels of your sky that are far from objects,{differences}\n"
         );
-        let places: Vec<_> = place("step01_rays/camera.rs").into_iter().collect();
-        return text + &back(&places);
+        let places: Vec<_> =
+            find_source_ref("step01_rays/camera.rs").into_iter().collect();
+        return text + &go_back_sentences(&places);
     }
     explained.truncate(2);
     for one in &explained {
         text += &format!("{}\n", one.sentence);
     }
-    let steps = stages(evidence, step, &wrong_names);
-    text + &test_command(&steps)
+    let steps = steps_that_may_be_wrong(evidence, step, &wrong_names);
+    text + &test_command_sentence(&steps)
 }
 
 /// Tells of the outlines: objects that show the sky, and the sky that does not; or of which
 /// objects alone there are wrong pixels.
-fn sentence_of_objects(evidence: &Evidence, step: Step) -> String {
+fn sentence_of_wrong_outlines(evidence: &Evidence, step: Step) -> String {
     if step == Step::Rays {
         return String::new();
     }
-    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
+    let (wrong_sky, sky) =
+        evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
     if sky < 2 * wrong_sky {
         return String::new();
     }
-    let (gone, extra) = outlines(evidence);
+    let (gone, extra) = count_wrong_outlines(evidence);
     let gone_names: Vec<_> =
-        gone.keys().map(|k| object_name(step, (*k).into())).collect();
+        gone.keys().map(|k| object_name_with_article(step, (*k).into())).collect();
     let gone_names = match gone_names.len() {
         5.. => format!("{} objects", gone_names.len()),
         _ => gone_names.join(", "),
     };
     let gone: usize = gone.values().sum();
-    let names = wrong_objects(evidence, step);
+    let names = names_of_wrong_objects(evidence, step);
     match (gone, extra, &names[..]) {
-        (0, 0, [one]) if 1 < scene(step).objects.len() => {
+        (0, 0, [one]) if 1 < scene_of_step(step).objects.len() => {
             format!(
                 "The outlines are right, and of all objects only {one} is wrong.\n"
             )
         }
         (0, 0, _) => {
-            let (crowded, all) = evidence.count(|pixel| pixel.region.is_crowded);
-            match crowded == evidence.wrong().len() {
+            let (crowded, all) =
+                evidence.count_wrong_and_all(|pixel| pixel.region.is_crowded);
+            match crowded == evidence.wrong_pixels().len() {
                 true => format!(
                     "All of them are among the {all} pixels where one object hides another.\n"
                 ),
@@ -110,15 +118,16 @@ fn sentence_of_objects(evidence: &Evidence, step: Step) -> String {
 }
 
 /// How many pixels of each object show the sky behind it, and how many of the sky do not.
-fn outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
-    let sky = intensity(Step::Rays, &scene(Step::Rays));
+fn count_wrong_outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
+    let sky = intensity_function(Step::Rays, &scene_of_step(Step::Rays));
     let (mut gone, mut extra) = (BTreeMap::new(), 0);
-    for pixel in evidence.wrong() {
+    for pixel in evidence.wrong_pixels() {
         match pixel.region.object {
-            None if pixel.distance() <= FAINT => {}
+            None if pixel.largest_channel_difference() <= FAINT => {}
             None => extra += 1,
             Some(k)
-                if evidence.encode(sky(&evidence.ray(pixel))) == pixel.yours =>
+                if evidence.encode(sky(&evidence.our_ray(pixel)))
+                    == pixel.yours =>
             {
                 *gone.entry(k).or_default() += 1;
             }
@@ -129,18 +138,23 @@ fn outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
 }
 
 /// The steps whose stages may be wrong, where these regions are.
-fn stages(evidence: &Evidence, step: Step, wrong: &[String]) -> Vec<Step> {
-    let (wrong_sky, sky) = evidence.count(|pixel| pixel.region.object.is_none());
-    let (gone, extra) = outlines(evidence);
+fn steps_that_may_be_wrong(
+    evidence: &Evidence,
+    step: Step,
+    wrong: &[String],
+) -> Vec<Step> {
+    let (wrong_sky, sky) =
+        evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
+    let (gone, extra) = count_wrong_outlines(evidence);
     let only = |is_one: fn(&str) -> bool| wrong.iter().all(|name| is_one(name));
     let is_faint = |pixel: &Pixel| {
         pixel.region.object.is_none()
             && pixel.is_wrong()
-            && pixel.distance() <= FAINT
+            && pixel.largest_channel_difference() <= FAINT
     };
-    let (faint, _) = evidence.count(is_faint);
+    let (faint, _) = evidence.count_wrong_and_all(is_faint);
     let is_one_object =
-        wrong_objects(evidence, step).len() == 1 && Step::Sphere < step;
+        names_of_wrong_objects(evidence, step).len() == 1 && Step::Sphere < step;
     let first = if sky < 4 * wrong_sky || wrong_sky < 2 * faint {
         Step::Rays
     } else if 0 < gone.len() + extra {
@@ -157,13 +171,13 @@ fn stages(evidence: &Evidence, step: Step, wrong: &[String]) -> Vec<Step> {
 }
 
 /// What may explain one region alone.
-fn region_explanations<'a>(
+fn region_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
     region: &str,
 ) -> Vec<Explanation<'a>> {
     let mut all = vec![];
-    let first = evidence.wrong().first().map_or([0; 3], |pixel| pixel.yours);
+    let first = evidence.wrong_pixels().first().map_or([0; 3], |pixel| pixel.yours);
     let [r, g, b] = first;
     let sentence =
         format!("In every pixel of {region} your colour is ({r}, {g}, {b}).");
@@ -171,8 +185,8 @@ fn region_explanations<'a>(
     if step < Step::Nearest || region == "the sky" {
         return all;
     }
-    let scene_of_step = scene(step);
-    let own = intensity(step, &scene_of_step);
+    let scene_of_step = scene_of_step(step);
+    let own = intensity_function(step, &scene_of_step);
     let flat =
         scene_of_step.objects.iter().map(|object| object.material.matte.diffuse);
     let flat: Vec<DVec3> = flat.collect();
@@ -186,7 +200,7 @@ fn region_explanations<'a>(
             evidence.encode(flat[k])
         }));
     }
-    all.extend(fitted_factor(evidence, region, own));
+    all.extend(region_factor_candidate(evidence, region, own));
     if 1 < scene_of_step.objects.len() {
         let sentence = format!(
             "Wherever {region} is wrong you see another object that the ray meets, \
@@ -196,13 +210,13 @@ fn region_explanations<'a>(
             let objects = vec![scene_of_step.objects[k]];
             let scene =
                 crate::step_scene::Scene { objects, ..scene_of_step.clone() };
-            (object_name(step, k), intensity(step, &scene))
+            (object_name_with_article(step, k), intensity_function(step, &scene))
         });
         let alone: Vec<_> = alone.collect();
         let scene = scene_of_step;
         all.push(Explanation::exact(sentence, &[], move |pixel| {
-            let ray = evidence.ray(pixel);
-            let hits = hits(&scene, &ray);
+            let ray = evidence.our_ray(pixel);
+            let hits = sorted_hits(&scene, &ray);
             let colours = hits
                 .iter()
                 .skip(1)
@@ -215,13 +229,14 @@ fn region_explanations<'a>(
 }
 
 /// Ours times a factor, of each channel, fitted to every second pixel of a region.
-fn fitted_factor<'a>(
+fn region_factor_candidate<'a>(
     evidence: &'a Evidence,
     region: &str,
     own: Box<dyn Fn(&step01_rays::Ray) -> DVec3>,
 ) -> Option<Explanation<'a>> {
     let step = evidence.step?;
-    let (_, is_in) = regions(step).into_iter().find(|(name, _)| name == region)?;
+    let (_, is_in) =
+        regions_with_names(step).into_iter().find(|(name, _)| name == region)?;
     let (mut sum, mut count) = (DVec3::ZERO, DVec3::ZERO);
     for pixel in evidence.pixels.iter().filter(|pixel| is_in(pixel)).step_by(2) {
         for k in 0..3 {
@@ -242,14 +257,14 @@ fn fitted_factor<'a>(
     let sentence =
         format!("In every pixel of {region} your colour is {words} times ours.");
     Some(Explanation::fitted(sentence, &[], move |pixel| {
-        evidence.encode(factor * own(&evidence.ray(pixel)))
+        evidence.encode(factor * own(&evidence.our_ray(pixel)))
     }))
 }
 
 type InRegion = Box<dyn Fn(&Pixel) -> bool>;
 
 /// The regions of a step, in the order of the stages that draw them, with their names.
-pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
+pub(crate) fn regions_with_names(step: Step) -> Vec<(String, InRegion)> {
     let mut regions: Vec<(String, InRegion)> = vec![(
         "the sky".to_owned(),
         Box::new(|pixel| pixel.region.object.is_none()),
@@ -260,7 +275,7 @@ pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
             |k| {
                 let is_object: InRegion =
                     Box::new(move |pixel| pixel.region.object == Some(k as u8));
-                (object_name(step, k), is_object)
+                (object_name_with_article(step, k), is_object)
             },
         ));
         return regions;
@@ -288,13 +303,13 @@ pub(crate) fn regions(step: Step) -> Vec<(String, InRegion)> {
 }
 
 /// The names of all objects that have a wrong pixel.
-fn wrong_objects(evidence: &Evidence, step: Step) -> Vec<String> {
+fn names_of_wrong_objects(evidence: &Evidence, step: Step) -> Vec<String> {
     let mut is_wrong = [false; OBJECT_COUNT];
-    for pixel in evidence.wrong() {
+    for pixel in evidence.wrong_pixels() {
         if let Some(k) = pixel.region.object {
             is_wrong[usize::from(k)] = true;
         }
     }
     let wrong = (0..OBJECT_COUNT).filter(|k| is_wrong[*k]);
-    wrong.map(|k| object_name(step, k)).collect()
+    wrong.map(|k| object_name_with_article(step, k)).collect()
 }

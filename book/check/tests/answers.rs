@@ -1,38 +1,38 @@
 //! What is said of pictures, by the lines of an answer.
 
-use crate::{answer_text, locked, right};
-use check::{Step, camera, look};
+use crate::{locked, locked_picture, text_of_wrong_picture};
+use check::{Step, check_picture, default_camera};
 use glam::DVec3;
 use image::imageops::{self, FilterType, crop_imm, overlay, resize};
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, render};
 use step05_phong::{Light, Material, Scene};
 
-fn assert_said(picture: &RgbImage, name: &str, words: &[&str]) {
-    let text = answer_text(picture, name);
+fn assert_answer_contains(picture: &RgbImage, name: &str, words: &[&str]) {
+    let text = text_of_wrong_picture(picture, name);
     for word in words {
         assert!(text.contains(word), "{word} is not in: {text}");
     }
 }
 
-type Shiny = Scene<Material, Light>;
-type Change<'a> = &'a dyn Fn(&mut Shiny);
+type PhongScene = Scene<Material, Light>;
+type Change<'a> = &'a dyn Fn(&mut PhongScene);
 
 /// The picture of step 5 with another scene.
-fn shiny(change: impl Fn(&mut Shiny)) -> RgbImage {
+fn draw_changed_step05(change: impl Fn(&mut PhongScene)) -> RgbImage {
     let mut scene = step05_phong::scene();
     change(&mut scene);
-    render(&camera(640, 360), 1, |ray| step05_phong::colour(&scene, ray))
+    render(&default_camera(640, 360), 1, |ray| step05_phong::colour(&scene, ray))
 }
 
 #[test]
 fn what_is_right_is_told() {
     for one in locked() {
-        let answer = look(&one.picture, Some(&one.name), locked());
+        let answer = check_picture(&one.picture, Some(&one.name), locked());
         assert_eq!(answer.code, 0, "{}", answer.text);
     }
-    assert_said(
-        &right("glass"),
+    assert_answer_contains(
+        &locked_picture("glass"),
         "sun",
         &["this is the picture of glass, not of sun"],
     );
@@ -44,17 +44,21 @@ fn other_options_are_told() {
         [((320, 180), 60.0_f64, 1), ((100, 75), 75.5, 2), ((640, 360), 110.0, 1)]
     {
         let camera = Camera::new(size.0, size.1, fov.to_radians());
-        let picture = Step::Phong.picture(&camera, samples);
+        let picture = Step::Phong.draw_picture(&camera, samples);
         let words = format!("{fov}° and {samples}×{samples} rays");
-        assert_said(
+        assert_answer_contains(
             &picture,
             "step05_phong",
             &["Right, but with other options", &words],
         );
     }
-    let mut picture = Step::Phong.picture(&camera(320, 180), 1);
+    let mut picture = Step::Phong.draw_picture(&default_camera(320, 180), 1);
     picture.put_pixel(9, 9, Rgb([0; 3]));
-    assert_said(&picture, "step05_phong", &["draw it with the default options"]);
+    assert_answer_contains(
+        &picture,
+        "step05_phong",
+        &["draw it with the default options"],
+    );
 }
 
 #[test]
@@ -65,7 +69,7 @@ fn what_was_made_of_the_whole_is_told() {
         picture
     };
     for name in ["step05_phong", "plane"] {
-        let ours = right(name);
+        let ours = locked_picture(name);
         let power =
             |c: u8| (255.0 * (f64::from(c) / 255.0).powf(1.0 / 1.8)).round() as u8;
         let mut shot = RgbImage::from_pixel(800, 500, Rgb([220; 3]));
@@ -87,22 +91,26 @@ fn what_was_made_of_the_whole_is_told() {
             (crop_imm(&ours, 100, 150, 300, 200).to_image(), "columns 100 to 399"),
             (shot, "from column 30 and row 60 on"),
         ] {
-            let text = answer_text(&picture, name);
+            let text = text_of_wrong_picture(&picture, name);
             let told = text.lines().next().unwrap_or_default();
             assert!(told.contains(words), "{name}: {words}: {text}");
         }
     }
     // What is grey in ours as well explains nothing.
-    let mut depth = right("depth");
+    let mut depth = locked_picture("depth");
     depth.put_pixel(9, 9, Rgb([9; 3]));
-    assert!(!answer_text(&depth, "depth").contains("grey"));
+    assert!(!text_of_wrong_picture(&depth, "depth").contains("grey"));
 }
 
 #[test]
 fn a_screenshot_of_a_flat_picture_is_told() {
     let mut shot = RgbImage::from_pixel(656, 404, Rgb([90; 3]));
-    overlay(&mut shot, &right("step03_nearest"), 8, 36);
-    assert_said(&shot, "step03_nearest", &["from column 8 and row 36 on"]);
+    overlay(&mut shot, &locked_picture("step03_nearest"), 8, 36);
+    assert_answer_contains(
+        &shot,
+        "step03_nearest",
+        &["from column 8 and row 36 on"],
+    );
 }
 
 #[test]
@@ -125,17 +133,22 @@ fn one_number_is_told_with_its_owner() {
         ),
     ];
     for (change, words) in cases {
-        assert_said(&shiny(change), "step05_phong", &[words]);
+        assert_answer_contains(
+            &draw_changed_step05(change),
+            "step05_phong",
+            &[words],
+        );
     }
 }
 
 #[test]
 fn where_to_look_is_told() {
-    let mut higher = camera(640, 360);
+    let mut higher = default_camera(640, 360);
     higher.matrix.y_axis.y *= 1.07;
     let scene = step05_phong::scene();
     let higher = render(&higher, 1, |ray| step05_phong::colour(&scene, ray));
-    let every_light = |scene: &mut Shiny, part: fn(&mut Light) -> &mut DVec3| {
+    let every_light = |scene: &mut PhongScene,
+                       part: fn(&mut Light) -> &mut DVec3| {
         scene.lights.iter_mut().for_each(|light| *part(light) *= 0.69);
     };
     let diffuse: fn(&mut Light) -> &mut DVec3 =
@@ -151,40 +164,40 @@ fn where_to_look_is_told() {
             ],
         ),
         (
-            Step::Rays.picture(&camera(640, 360), 1),
+            Step::Rays.draw_picture(&default_camera(640, 360), 1),
             &["picture of step01_rays, not of"],
         ),
         (
-            shiny(|scene| scene.objects[7].sphere.centre += moved),
+            draw_changed_step05(|scene| scene.objects[7].sphere.centre += moved),
             &["pixels of the salmon sphere show the sky", "-p step03_nearest"],
         ),
         (
-            shiny(|scene| scene.ambient_light *= 0.69),
+            draw_changed_step05(|scene| scene.ambient_light *= 0.69),
             &["ours with the ambient term times 0.69", "ambient.rs"],
         ),
         (
-            shiny(|scene| every_light(scene, diffuse)),
+            draw_changed_step05(|scene| every_light(scene, diffuse)),
             &["diffuse term of the cool light times 0.69", "diffuse.rs"],
         ),
         (
-            shiny(|scene| every_light(scene, specular)),
+            draw_changed_step05(|scene| every_light(scene, specular)),
             &["specular term of the cool light times 0.69", "specular.rs"],
         ),
     ];
     for (picture, words) in cases {
-        assert_said(&picture, "step05_phong", words);
+        assert_answer_contains(&picture, "step05_phong", words);
     }
 }
 
 #[test]
 fn a_listed_one_is_told_with_its_diff() {
-    let picture = render(&camera(640, 360), 1, |ray| {
+    let picture = render(&default_camera(640, 360), 1, |ray| {
         let v = ray.direction;
         DVec3::new(v.x, v.y, -v.z)
     });
     let diff =
         "- 0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)\n  + DVec3::new(v.x, v.y, -v.z)";
-    assert_said(&picture, "step01_rays", &[diff]);
+    assert_answer_contains(&picture, "step01_rays", &[diff]);
     let words = "pixels of step01_rays with a mistake in it, not of step04";
-    assert_said(&picture, "step04_diffuse", &[words]);
+    assert_answer_contains(&picture, "step04_diffuse", &[words]);
 }

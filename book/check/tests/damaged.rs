@@ -1,13 +1,13 @@
 //! Whatever the bytes of a file are, there is an answer, and soon.
 
-use check::{Answer, Locked, Step, camera, check};
+use check::{Answer, Locked, Step, check_png, default_camera};
 use fastrand::Rng;
 use image::codecs::png::PngEncoder;
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, Rgba};
 use std::io::Cursor;
 
 /// Changes a few bytes, or leaves some out, or doubles them.
-fn mutate(file: &mut Vec<u8>, random: &mut Rng) {
+fn damage_bytes(file: &mut Vec<u8>, random: &mut Rng) {
     for _ in 0..=random.usize(..3) {
         let (at, end) = (random.usize(..file.len()), random.usize(..=file.len()));
         match random.u8(..6) {
@@ -23,7 +23,7 @@ fn mutate(file: &mut Vec<u8>, random: &mut Rng) {
 }
 
 /// Writes the checksum of each chunk anew, so that a change is not noticed at once.
-fn mend(file: &mut [u8]) {
+fn correct_checksums(file: &mut [u8]) {
     let mut at = 8;
     while let Some(size) = file.get(at..).and_then(|rest| rest.first_chunk()) {
         let end = (at + 8).saturating_add(u32::from_be_bytes(*size) as usize);
@@ -37,7 +37,7 @@ fn mend(file: &mut [u8]) {
 
 #[test]
 fn two_thousand_damaged_files_give_answers() {
-    let picture = Step::Rays.picture(&camera(16, 9), 1);
+    let picture = Step::Rays.draw_picture(&default_camera(16, 9), 1);
     let mut whole = vec![];
     let encoder = PngEncoder::new(&mut whole);
     encoder
@@ -47,11 +47,11 @@ fn two_thousand_damaged_files_give_answers() {
     let (mut random, mut codes) = (Rng::with_seed(0x5EED), [0; 3]);
     for k in 0..2000 {
         let mut file = whole.clone();
-        mutate(&mut file, &mut random);
+        damage_bytes(&mut file, &mut random);
         if k % 2 == 0 {
-            mend(&mut file);
+            correct_checksums(&mut file);
         }
-        let answer = check(&file, "my.png", None, &ours);
+        let answer = check_png(&file, "my.png", None, &ours);
         assert!(!answer.text.is_empty());
         codes[usize::from(answer.code)] += 1;
     }
@@ -60,11 +60,11 @@ fn two_thousand_damaged_files_give_answers() {
 
 #[test]
 fn other_kinds_of_png_are_read() {
-    let ours = crate::right("step02_sphere");
+    let ours = crate::locked_picture("step02_sphere");
     let said = |picture: DynamicImage| -> Answer {
         let mut png = Cursor::new(vec![]);
         picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
-        check(png.get_ref(), "my.png", Some("step02_sphere"), crate::locked())
+        check_png(png.get_ref(), "my.png", Some("step02_sphere"), crate::locked())
     };
     let whole = DynamicImage::from(ours);
     let mut clear = whole.to_rgba8();
@@ -88,7 +88,7 @@ fn other_kinds_of_png_are_read() {
 #[test]
 fn other_formats_are_told_by_their_first_bytes() {
     let mut png = Cursor::new(vec![]);
-    let picture = DynamicImage::from(crate::right("step02_sphere"));
+    let picture = DynamicImage::from(crate::locked_picture("step02_sphere"));
     picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
     let png = png.into_inner();
     let text_mode: Vec<u8> =
@@ -114,14 +114,14 @@ fn other_formats_are_told_by_their_first_bytes() {
         (&apples, "CgBI"),
         (&png[..png.len() / 2], "ends too early"),
     ] {
-        let answer = check(file, "my.png", None, crate::locked());
+        let answer = check_png(file, "my.png", None, crate::locked());
         assert_eq!(answer.code, 2, "{words}");
         assert!(answer.text.contains(words), "{words}: {}", answer.text);
     }
 }
 
 /// A PNG file with a chunk of this name and these bytes before its pixels.
-fn with_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
+fn insert_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
     let mut chunk =
         u32::try_from(data.len()).expect("a size").to_be_bytes().to_vec();
     chunk.extend(name);
@@ -132,7 +132,7 @@ fn with_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
 
 #[test]
 fn what_a_viewer_may_show_otherwise_is_noted() {
-    let ours = crate::right("step02_sphere");
+    let ours = crate::locked_picture("step02_sphere");
     let encode = |picture: DynamicImage| {
         let mut png = Cursor::new(vec![]);
         picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
@@ -143,19 +143,20 @@ fn what_a_viewer_may_show_otherwise_is_noted() {
     clear.pixels_mut().for_each(|pixel| pixel[3] = 0);
     let turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     for (file, code, words) in [
-        (with_chunk(&png, b"gAMA", &100_000_u32.to_be_bytes()), 0, "gAMA"),
-        (with_chunk(&png, b"gAMA", &45_455_u32.to_be_bytes()), 0, ""),
-        (with_chunk(&png, b"cICP", &[9, 16, 0, 1]), 0, "cICP"),
+        (insert_chunk(&png, b"gAMA", &100_000_u32.to_be_bytes()), 0, "gAMA"),
+        (insert_chunk(&png, b"gAMA", &45_455_u32.to_be_bytes()), 0, ""),
+        (insert_chunk(&png, b"cICP", &[9, 16, 0, 1]), 0, "cICP"),
         (
-            with_chunk(&png, b"iCCP", b"profile\0\0not unpacked"),
+            insert_chunk(&png, b"iCCP", b"profile\0\0not unpacked"),
             0,
             "colour profile",
         ),
-        (with_chunk(&png, b"eXIf", turned), 0, "asks a viewer to turn it"),
-        (with_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]), 0, "an animation"),
+        (insert_chunk(&png, b"eXIf", turned), 0, "asks a viewer to turn it"),
+        (insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]), 0, "an animation"),
         (encode(clear.into()), 1, "Not right: alpha is 0 in every pixel"),
     ] {
-        let answer = check(&file, "my.png", Some("step02_sphere"), crate::locked());
+        let answer =
+            check_png(&file, "my.png", Some("step02_sphere"), crate::locked());
         assert_eq!(answer.code, code, "{}", answer.text);
         let is_noted =
             answer.text.contains(words) && answer.text.contains("Right: ");
@@ -174,6 +175,6 @@ fn a_small_file_of_a_large_picture_is_soon_answered() {
     let mut writer = encoder.write_header().expect("a header");
     writer.write_image_data(&vec![77; 3 << 26]).expect("pixels");
     drop(writer);
-    let answer = check(&png, "my.png", Some("glass"), crate::locked());
+    let answer = check_png(&png, "my.png", Some("glass"), crate::locked());
     assert!(answer.text.contains("one colour, (77, 77, 77)"), "{}", answer.text);
 }

@@ -1,24 +1,24 @@
 //! What is told of each kind of picture, and that nothing is told of the others.
 
-use crate::{answer_text, right};
-use check::{Step, camera};
+use crate::{locked_picture, text_of_wrong_picture};
+use check::{Step, default_camera};
 use glam::DVec3;
 use image::imageops::{blur, rotate90};
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, Ray, render, rgb8};
 use step05_phong::{Light, Material, Scene};
 
-type Shiny = Scene<Material, Light>;
+type PhongScene = Scene<Material, Light>;
 
-fn assert_told(picture: &RgbImage, name: &str, words: &[&str]) {
-    let text = answer_text(picture, name);
+fn assert_answer_contains(picture: &RgbImage, name: &str, words: &[&str]) {
+    let text = text_of_wrong_picture(picture, name);
     for word in words {
         assert!(text.contains(word), "{word} is not in: {text}");
     }
 }
 
 /// A picture of step 1, 3 or 5 by a camera, with another colour of the sky and other bytes.
-fn draw(
+fn draw_with_sky_and_bytes(
     step: Step,
     camera: &Camera,
     sky: impl Fn(&Ray) -> DVec3 + Sync,
@@ -48,15 +48,15 @@ fn our_bytes(intensity: DVec3) -> [u8; 3] {
 }
 
 /// The picture of step 5 with another scene.
-fn shiny(change: impl Fn(&mut Shiny)) -> RgbImage {
+fn draw_changed_step05(change: impl Fn(&mut PhongScene)) -> RgbImage {
     let mut scene = step05_phong::scene();
     change(&mut scene);
-    render(&camera(640, 360), 1, |ray| step05_phong::colour(&scene, ray))
+    render(&default_camera(640, 360), 1, |ray| step05_phong::colour(&scene, ray))
 }
 
 /// Ours with each byte changed by its place.
-fn changed(name: &str, change: impl Fn(usize, u8) -> u8) -> RgbImage {
-    let mut picture = right(name);
+fn map_bytes_of_locked(name: &str, change: impl Fn(usize, u8) -> u8) -> RgbImage {
+    let mut picture = locked_picture(name);
     picture.iter_mut().enumerate().for_each(|(k, byte)| *byte = change(k, *byte));
     picture
 }
@@ -64,7 +64,7 @@ fn changed(name: &str, change: impl Fn(usize, u8) -> u8) -> RgbImage {
 #[test]
 fn another_camera_is_read_from_the_sky() {
     let zoomed = |half_width: f64| {
-        let mut camera = camera(640, 360);
+        let mut camera = default_camera(640, 360);
         let factor = half_width / (60_f64 / 2.0).to_radians().tan();
         camera.matrix.x_axis *= factor;
         camera.matrix.y_axis *= factor;
@@ -74,17 +74,23 @@ fn another_camera_is_read_from_the_sky() {
     for (half_width, angle) in [(0.37, "40.6°"), (0.523, "55.2°"), (0.9, "84°")]
     {
         for step in [Step::Rays, Step::Phong] {
-            let picture = draw(step, &zoomed(half_width), our_sky, our_bytes);
-            let text = answer_text(&picture, step.name());
+            let picture = draw_with_sky_and_bytes(
+                step,
+                &zoomed(half_width),
+                our_sky,
+                our_bytes,
+            );
+            let text = text_of_wrong_picture(&picture, step.name());
             let is_told =
                 text.contains(angle) || text.contains("with other options");
             assert!(is_told, "{text}");
         }
     }
-    let mut slanted = camera(640, 360);
+    let mut slanted = default_camera(640, 360);
     slanted.matrix.y_axis.x = 0.0004;
-    let picture = draw(Step::Phong, &slanted, our_sky, our_bytes);
-    assert_told(
+    let picture =
+        draw_with_sky_and_bytes(Step::Phong, &slanted, our_sky, our_bytes);
+    assert_answer_contains(
         &picture,
         "step05_phong",
         &["another camera: x and y of D_v", "camera.rs"],
@@ -99,28 +105,38 @@ fn another_colour_of_the_sky_is_told() {
     };
     let other = |ray: &Ray| 0.55 + 0.2 * ray.direction;
     for step in [Step::Nearest, Step::Phong] {
-        let camera = camera(640, 360);
-        let picture = draw(step, &camera, white_to_blue, our_bytes);
-        assert_told(
+        let camera = default_camera(640, 360);
+        let picture =
+            draw_with_sky_and_bytes(step, &camera, white_to_blue, our_bytes);
+        assert_answer_contains(
             &picture,
             step.name(),
             &["red = 0.75 − 0.25 y", "of V/|V|", "step01_rays/src/picture.rs"],
         );
-        let picture = draw(step, &camera, other, our_bytes);
-        assert_told(
+        let picture = draw_with_sky_and_bytes(step, &camera, other, our_bytes);
+        assert_answer_contains(
             &picture,
             step.name(),
             &["red = 0.55 + 0.20 x", "all else is right"],
         );
-        let picture = draw(step, &camera, |_| DVec3::splat(0.4), our_bytes);
-        assert_told(&picture, step.name(), &["red = 0.40, green = 0.40"]);
+        let picture = draw_with_sky_and_bytes(
+            step,
+            &camera,
+            |_| DVec3::splat(0.4),
+            our_bytes,
+        );
+        assert_answer_contains(
+            &picture,
+            step.name(),
+            &["red = 0.40, green = 0.40"],
+        );
     }
 }
 
 #[test]
 fn another_curve_of_the_bytes_is_told() {
     type Bytes = fn(DVec3) -> [u8; 3];
-    let camera = camera(640, 360);
+    let camera = default_camera(640, 360);
     let curves: [(Bytes, &str); 6] = [
         (|i| i.to_array().map(|c| (255.99 * c) as u8), "255.99·I cut off"),
         (|i| i.to_array().map(|c| (240.0 * c + 0.5) as u8), "0.941 times ours"),
@@ -136,8 +152,8 @@ fn another_curve_of_the_bytes_is_told() {
         (|i| (i * 200.0 + 40.0).to_array().map(|c| c as u8), "follow from ours"),
     ];
     for (bytes, words) in curves {
-        let picture = draw(Step::Phong, &camera, our_sky, bytes);
-        assert_told(&picture, "step05_phong", &[words, "rgb8.rs"]);
+        let picture = draw_with_sky_and_bytes(Step::Phong, &camera, our_sky, bytes);
+        assert_answer_contains(&picture, "step05_phong", &[words, "rgb8.rs"]);
     }
 }
 
@@ -145,14 +161,14 @@ fn another_curve_of_the_bytes_is_told() {
 fn of_two_mistakes_both_are_told_where_one_is_in_rgb8() {
     let mut scene = step04_diffuse::scene();
     scene.ambient_light *= 0.37;
-    let camera = camera(640, 360);
+    let camera = default_camera(640, 360);
     let cut = |i: DVec3| i.to_array().map(|c| (255.0 * c) as u8);
     let picture = RgbImage::from_fn(640, 360, |i, j| {
         Rgb(cut(step04_diffuse::colour(&scene, &camera.ray(i.into(), j.into()))))
     });
     let words =
         ["255·I cut off, not rounded", "the ambient term times 0.37", "ambient.rs"];
-    assert_told(&picture, "step04_diffuse", &words);
+    assert_answer_contains(&picture, "step04_diffuse", &words);
 }
 
 #[test]
@@ -161,7 +177,7 @@ fn other_places_in_the_pixel_are_told() {
         let hash = (i * 640 + j * 1009 + k * 77).wrapping_mul(2_654_435_761);
         f64::from(hash >> 8) / f64::from(1 << 24) - 0.5
     };
-    let camera = camera(640, 360);
+    let camera = default_camera(640, 360);
     for step in [Step::Sphere, Step::Nearest] {
         let picture = |place: &dyn Fn(u32, u32) -> (f64, f64)| {
             RgbImage::from_fn(640, 360, |i, j| {
@@ -176,13 +192,17 @@ fn other_places_in_the_pixel_are_told() {
             })
         };
         let anywhere = picture(&|i, j| (random(i, j, 1), random(i, j, 2)));
-        assert_told(
+        assert_answer_contains(
             &anywhere,
             step.name(),
             &["rays within one pixel", "render.rs"],
         );
         let shifted = picture(&|_, _| (-0.5, 1.0));
-        assert_told(&shifted, step.name(), &["through i − 0.5 and j + 1"]);
+        assert_answer_contains(
+            &shifted,
+            step.name(),
+            &["through i − 0.5 and j + 1"],
+        );
     }
 }
 
@@ -198,13 +218,17 @@ fn pixels_that_were_never_drawn_are_told() {
         ),
     ] {
         for name in ["step01_rays", "step04_diffuse"] {
-            let mut picture = right(name);
+            let mut picture = locked_picture(name);
             for (i, j, pixel) in picture.enumerate_pixels_mut() {
                 if is_gone(i, j) {
                     *pixel = Rgb([0; 3]);
                 }
             }
-            assert_told(&picture, name, &["ever drawn", words, "render.rs"]);
+            assert_answer_contains(
+                &picture,
+                name,
+                &["ever drawn", words, "render.rs"],
+            );
         }
     }
 }
@@ -212,12 +236,12 @@ fn pixels_that_were_never_drawn_are_told() {
 #[test]
 fn differences_in_the_last_digits_are_told_as_such() {
     for step in ["step03_nearest", "step05_phong"] {
-        let picture = changed(step, |k, byte| match k % 19946 {
+        let picture = map_bytes_of_locked(step, |k, byte| match k % 19946 {
             0 => byte.saturating_sub(1),
             9973 => byte.saturating_add(1),
             _ => byte,
         });
-        let text = answer_text(&picture, step);
+        let text = text_of_wrong_picture(&picture, step);
         assert!(text.contains("the formulas are right"), "{text}");
         assert!(!text.contains("compare with"), "{text}");
     }
@@ -226,26 +250,27 @@ fn differences_in_the_last_digits_are_told_as_such() {
 #[test]
 fn what_was_packed_with_loss_is_told() {
     let noisy = |name| {
-        changed(name, |k, byte| {
+        map_bytes_of_locked(name, |k, byte| {
             byte.saturating_add((k * 7919 % 5) as u8).saturating_sub(2)
         })
     };
-    let few =
-        changed("step05_phong", |_, byte| (byte / 48 * 48).saturating_add(24));
+    let few = map_bytes_of_locked("step05_phong", |_, byte| {
+        (byte / 48 * 48).saturating_add(24)
+    });
     for (picture, name, words) in [
         (noisy("step05_phong"), "step05_phong", "something random"),
         (noisy("glass"), "glass", "something random"),
-        (blur(&right("step05_phong"), 2.0), "step05_phong", "blurred"),
+        (blur(&locked_picture("step05_phong"), 2.0), "step05_phong", "blurred"),
         (few, "step05_phong", "follow from ours"),
     ] {
-        assert_told(&picture, name, &[words]);
+        assert_answer_contains(&picture, name, &[words]);
     }
 }
 
 #[test]
 fn bytes_in_other_places_are_told() {
     for name in ["step03_nearest", "step05_phong", "sun"] {
-        let ours = right(name);
+        let ours = locked_picture(name);
         let pixels: Vec<_> = ours.pixels().copied().collect();
         let of_pixels = |place: &dyn Fn(usize) -> usize| {
             RgbImage::from_fn(640, 360, |i, j| {
@@ -265,14 +290,14 @@ fn bytes_in_other_places_are_told() {
             (of_bytes((0..3).flat_map(planes).collect()), "first all red"),
             (of_bytes(padded.collect()), "four bytes a pixel (RGBA)"),
         ] {
-            assert_told(&picture, name, &[words]);
+            assert_answer_contains(&picture, name, &[words]);
         }
     }
 }
 
 #[test]
 fn terms_and_objects_that_are_missing_are_told() {
-    type Change = fn(&mut Shiny);
+    type Change = fn(&mut PhongScene);
     let changes: [(Change, &str); 6] = [
         (|scene| scene.lights.truncate(1), "the cool light"),
         (
@@ -288,7 +313,8 @@ fn terms_and_objects_that_are_missing_are_told() {
         (|scene| scene.objects.truncate(3), "only the first 3 objects"),
     ];
     for (change, words) in changes {
-        let text = answer_text(&shiny(change), "step05_phong");
+        let text =
+            text_of_wrong_picture(&draw_changed_step05(change), "step05_phong");
         assert!(
             text.contains(words) || text.contains("mistakes that we know"),
             "{words}: {text}"
@@ -300,23 +326,23 @@ fn terms_and_objects_that_are_missing_are_told() {
         ("step03_nearest", "step01_rays", "no ray meets one"),
         ("sun", "step04_diffuse", "First ask about step 4's picture"),
     ] {
-        assert_told(&right(of), name, &["this is the picture of", words]);
+        assert_answer_contains(
+            &locked_picture(of),
+            name,
+            &["this is the picture of", words],
+        );
     }
 }
 
 #[test]
 fn where_nothing_explains_a_picture_no_file_is_blamed() {
-    let moved = shiny(|scene| {
+    let moved = draw_changed_step05(|scene| {
         scene.lights[0].point_light.position *= 1.07;
         scene.objects[4].sphere.radius *= 1.01;
     });
-    let half =
-        changed(
-            "step05_phong",
-            |k, byte| {
-                if k % 1920 < 960 { byte } else { byte ^ 0x15 }
-            },
-        );
+    let half = map_bytes_of_locked("step05_phong", |k, byte| {
+        if k % 1920 < 960 { byte } else { byte ^ 0x15 }
+    });
     let waves = RgbImage::from_fn(640, 360, |i, j| {
         Rgb([(i * j / 64) as u8, (i ^ j) as u8, 255])
     });
@@ -327,7 +353,7 @@ fn where_nothing_explains_a_picture_no_file_is_blamed() {
         (&waves, "step01_rays"),
         (&waves, "glass"),
     ] {
-        let text = answer_text(picture, name);
+        let text = text_of_wrong_picture(picture, name);
         assert!(text.starts_with("Not right yet, compared with "), "{text}");
         assert!(!text.contains("compare with steps"), "{text}");
         assert!(
@@ -339,12 +365,15 @@ fn where_nothing_explains_a_picture_no_file_is_blamed() {
 
 #[test]
 fn large_pictures_are_compared_in_rows() {
-    let large = camera(2560, 1440);
-    let picture = Step::Nearest.picture(&large, 1);
-    let text = crate::answer_of_file(&picture, "step03_nearest", 0);
+    let large = default_camera(2560, 1440);
+    let picture = Step::Nearest.draw_picture(&large, 1);
+    let text = crate::text_with_exit_code(&picture, "step03_nearest", 0);
     assert!(text.starts_with("Right in the 64 rows of 1440"), "{text}");
-    let turned =
-        crate::answer_of_file(&rotate90(&rotate90(&picture)), "step03_nearest", 1);
+    let turned = crate::text_with_exit_code(
+        &rotate90(&rotate90(&picture)),
+        "step03_nearest",
+        1,
+    );
     assert!(turned.contains("turned half around"), "{turned}");
 }
 
@@ -358,13 +387,13 @@ fn an_exercise_by_another_camera_is_not_called_lossy() {
             continue;
         }
         for shift in [0.3, 1.5] {
-            let mut camera = camera(640, 360);
+            let mut camera = default_camera(640, 360);
             camera.matrix.z_axis += shift * camera.matrix.x_axis;
             let picture = picture(&camera, 1);
-            if picture == right(name) {
+            if picture == locked_picture(name) {
                 continue;
             }
-            let text = answer_text(&picture, name);
+            let text = text_of_wrong_picture(&picture, name);
             assert!(!text.contains("packed with loss"), "{name}, {shift}: {text}");
             assert!(!text.contains("follow from ours"), "{name}, {shift}: {text}");
         }

@@ -1,13 +1,13 @@
 //! The program `check`: its arguments, its exit codes, and where it looks.
 
-use crate::{folder, right};
+use crate::{create_empty_folder, locked_picture};
 use image::Rgb;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::{env, fs};
 
 /// What it says with these arguments in this folder, and its exit code.
-fn said(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+fn run_check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
     let output = command.current_dir(folder).args(arguments).output();
     let Output { status, stdout, stderr } = output.expect("check runs");
@@ -18,8 +18,8 @@ fn said(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
 
 #[test]
 fn the_program_ends_with_0_1_or_2() {
-    let folder = folder("codes");
-    let ours = right("step02_sphere");
+    let folder = create_empty_folder("codes");
+    let ours = locked_picture("step02_sphere");
     ours.save(folder.join("step2.png")).expect("a file");
     let mut wrong = ours.clone();
     wrong.put_pixel(320, 180, Rgb([0; 3]));
@@ -30,9 +30,9 @@ fn the_program_ends_with_0_1_or_2() {
         (&["step2.png", "step01_rays"], 1),
         (&["my.png"], 1),
     ] {
-        assert_eq!(said(&folder, arguments).0, Some(code), "{arguments:?}");
+        assert_eq!(run_check(&folder, arguments).0, Some(code), "{arguments:?}");
     }
-    let (_, text) = said(&folder, &["my.png"]);
+    let (_, text) = run_check(&folder, &["my.png"]);
     let (_, panels) = text.trim().rsplit_once("side by side: ").expect("a path");
     let panels = image::open(panels).expect("a picture");
     assert_eq!((panels.width(), panels.height()), (3 * 640, 360));
@@ -47,9 +47,9 @@ fn the_program_ends_with_0_1_or_2() {
 
 #[test]
 fn what_can_not_be_looked_at_is_told_in_one_sentence() {
-    let folder = folder("refused");
+    let folder = create_empty_folder("refused");
     let mut right = vec![];
-    let picture = crate::right("step01_rays");
+    let picture = crate::locked_picture("step01_rays");
     picture
         .write_with_encoder(image::codecs::png::PngEncoder::new(&mut right))
         .expect("a picture");
@@ -76,34 +76,34 @@ fn what_can_not_be_looked_at_is_told_in_one_sentence() {
         (&["right.png", "step06_mirror"], "step01_rays, step02_sphere"),
         (&["--in", "nowhere"], "is not a folder"),
     ] {
-        let (code, text) = said(&folder, arguments);
+        let (code, text) = run_check(&folder, arguments);
         assert_eq!(code, Some(2), "{text}");
         assert!(text.starts_with("error: ") && text.lines().count() == 1, "{text}");
         assert!(text.contains(words), "{text}");
     }
     for arguments in [&["a.png", "step01_rays", "more"][..], &["--width", "640"]] {
-        let (code, text) = said(&folder, arguments);
+        let (code, text) = run_check(&folder, arguments);
         assert!(code == Some(2) && text.contains("Usage: check"), "{text}");
     }
-    let (code, help) = said(&folder, &["--help"]);
+    let (code, help) = run_check(&folder, &["--help"]);
     assert!(code == Some(0) && help.contains("step05_phong, "), "{help}");
 }
 
 #[test]
 fn without_a_file_it_ticks_off_every_picture_of_the_course() {
-    let folder = folder("table");
+    let folder = create_empty_folder("table");
     let count = crate::locked().len();
-    let (code, text) = said(&folder, &["--in", "."]);
+    let (code, text) = run_check(&folder, &["--in", "."]);
     assert!(code == Some(1) || code == Some(2), "{text}");
     assert_eq!(text.matches(" not there\n").count(), count, "{text}");
-    right("glass").save(folder.join("glass.png")).expect("a file");
-    let (code, text) = said(&folder, &[]);
+    locked_picture("glass").save(folder.join("glass.png")).expect("a file");
+    let (code, text) = run_check(&folder, &[]);
     assert!(code == Some(0) && text.contains("\nglass "), "{text}");
-    image::imageops::flip_vertical(&right("glass"))
+    image::imageops::flip_vertical(&locked_picture("glass"))
         .save(folder.join("sun.png"))
         .expect("a file");
     let (code, text) =
-        said(&env::temp_dir(), &["--in", &folder.display().to_string()]);
+        run_check(&env::temp_dir(), &["--in", &folder.display().to_string()]);
     assert!(code == Some(1) && text.contains("not right: "), "{text}");
     assert!(text.contains(&format!("1 of {count} are right.")), "{text}");
 }
@@ -118,13 +118,13 @@ fn the_name_of_the_file_tells_whose_picture_it_is() {
         ("a/glass (1).png", Some("glass")),
         ("glasses.png", None),
     ] {
-        assert_eq!(check::by_file(file, names()), name, "{file}");
+        assert_eq!(check::find_name_in_file_name(file, names()), name, "{file}");
     }
 }
 
 #[test]
 fn what_is_no_picture_file_is_not_waited_for() {
-    let folder = folder("devices");
+    let folder = create_empty_folder("devices");
     let pipe = folder.join("sun.png");
     let is_made = Command::new("mkfifo").arg(&pipe).status();
     let is_made = is_made.is_ok_and(|status| status.success());
@@ -132,7 +132,7 @@ fn what_is_no_picture_file_is_not_waited_for() {
     file.set_len(3 << 30).expect("a sparse file");
     fs::create_dir(folder.join("plane.png")).expect("a folder");
     fs::write(folder.join("lens.png"), "<!doctype html><p>404").expect("a file");
-    let (code, text) = said(&folder, &["--in", "."]);
+    let (code, text) = run_check(&folder, &["--in", "."]);
     assert_eq!(code, Some(1), "{text}");
     for (name, words) in [
         ("glass", "is too large: a picture has at most 128 MB"),
@@ -144,22 +144,24 @@ fn what_is_no_picture_file_is_not_waited_for() {
         assert!(line.contains("unreadable: ") && line.contains(words), "{line}");
     }
     assert!(!is_made || text.contains("sun.png is not a file"), "{text}");
-    let (code, text) = said(&folder, &["a\u{1b}[2J\u{202e}.png"]);
+    let (code, text) = run_check(&folder, &["a\u{1b}[2J\u{202e}.png"]);
     assert!(code == Some(2) && text.contains("a\\u{1b}[2J\\u{202e}.png"), "{text}");
 }
 
 #[test]
 fn a_folder_of_folders_is_a_class() {
-    let folder = folder("class");
+    let folder = create_empty_folder("class");
     for (student, name) in [("ada", "sun"), ("bob", "glass"), ("cleo", "")] {
         let own = folder.join(student);
         fs::create_dir(&own).expect("a folder");
         if !name.is_empty() {
-            right("glass").save(own.join(format!("{name}.png"))).expect("a file");
+            locked_picture("glass")
+                .save(own.join(format!("{name}.png")))
+                .expect("a file");
         }
     }
     let count = crate::locked().len();
-    let (code, text) = said(&folder, &[]);
+    let (code, text) = run_check(&folder, &[]);
     assert_eq!(code, Some(1), "{text}");
     let lines = [
         format!("ada: 0 of {count} are right; not right: sun"),
@@ -167,7 +169,7 @@ fn a_folder_of_folders_is_a_class() {
         format!("cleo: 0 of {count} are right"),
     ];
     assert_eq!(text.trim_end(), lines.join("\n"));
-    let (code, json) = said(&folder, &["--json"]);
+    let (code, json) = run_check(&folder, &["--json"]);
     assert_eq!(code, Some(1), "{json}");
     let entry = "{\"picture\": \"glass\", \"verdict\": \"right\", \"text\": \"\"}";
     assert!(
@@ -181,7 +183,7 @@ fn a_folder_of_folders_is_a_class() {
 fn a_picture_of_another_version_is_no_measure() {
     let mut ours = crate::locked().to_vec();
     ours[0].picture.put_pixel(9, 9, Rgb([0; 3]));
-    let answer = check::look(&ours[0].picture, Some("step01_rays"), &ours);
+    let answer = check::check_picture(&ours[0].picture, Some("step01_rays"), &ours);
     assert_eq!(answer.code, 2, "{}", answer.text);
     assert!(answer.text.contains("of another version"), "{}", answer.text);
 }

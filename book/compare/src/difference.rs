@@ -30,7 +30,10 @@ impl Difference {
         let &((i, j, a), b) = differ.first()?;
         Some(Self::Pixels {
             count: differ.len(),
-            largest: differ.iter().map(|((_, _, a), b)| apart(a, b)).max()?,
+            largest: differ
+                .iter()
+                .map(|((_, _, a), b)| largest_channel_difference(a, b))
+                .max()?,
             first: (i, j),
             colours: (a.0, b.0),
         })
@@ -39,7 +42,7 @@ impl Difference {
 
 /// How far apart two colours are in the channel that differs most.
 #[inline]
-pub fn apart(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
+pub fn largest_channel_difference(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
@@ -78,13 +81,13 @@ mod tests {
     }
 
     #[test]
-    fn one_pixel_off_by_one_is_found_and_told() {
+    fn one_pixel_off_by_one_is_described() {
         let locked = RgbImage::from_pixel(4, 3, Rgb([9, 9, 9]));
         let mut new = locked.clone();
         new.put_pixel(2, 1, Rgb([9, 8, 9]));
-        let found = Difference::between(&locked, &new).expect("they differ");
+        let difference = Difference::between(&locked, &new).expect("they differ");
         assert_eq!(
-            found.to_string(),
+            difference.to_string(),
             "1 pixel differs from the locked picture, by up to 1 of 255; the first is in \
              column 2, row 1: locked [9, 9, 9], now [9, 8, 9]"
         );
@@ -92,7 +95,8 @@ mod tests {
 
     #[test]
     fn sizes_are_compared_first() {
-        let found = Difference::between(&RgbImage::new(4, 3), &RgbImage::new(2, 3));
-        assert_eq!(found, Some(Difference::Size((4, 3), (2, 3))));
+        let difference =
+            Difference::between(&RgbImage::new(4, 3), &RgbImage::new(2, 3));
+        assert_eq!(difference, Some(Difference::Size((4, 3), (2, 3))));
     }
 }

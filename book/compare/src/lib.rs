@@ -4,6 +4,6 @@ mod difference;
 mod panels;
 mod workspace;
 
-pub use difference::{Difference, apart};
-pub use panels::panels;
+pub use difference::{Difference, largest_channel_difference};
+pub use panels::draw_panels;
 pub use workspace::{target_folder, workspace};

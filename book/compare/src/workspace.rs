@@ -8,9 +8,10 @@ use std::path::{Path, PathBuf};
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
-    let found = starts.iter().flatten().find_map(|start| upwards(start));
+    let difference =
+        starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
     let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    found.unwrap_or(compiled).to_owned()
+    difference.unwrap_or(compiled).to_owned()
 }
 
 /// The target folder, marked by Cargo, in which this program lies; that of the workspace
@@ -22,7 +23,7 @@ pub fn target_folder() -> PathBuf {
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
 }
 
-fn upwards(start: &Path) -> Option<&Path> {
+fn find_workspace_upwards(start: &Path) -> Option<&Path> {
     let has = |folder: &Path| {
         ["Cargo.toml", "steps", "tests/snapshots"]
             .iter()

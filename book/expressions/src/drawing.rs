@@ -19,14 +19,14 @@ static EXPRESSION: RwLock<Option<Expression>> = RwLock::new(None);
 static DRAWING: Mutex<()> = Mutex::new(());
 
 /// The places that can be edited.
-pub fn places() -> Vec<Place> {
+pub fn editable_places() -> Vec<Place> {
     let mut places = all_places();
     places.retain(|place| FAULTS.iter().all(|(name, _)| *name != place.name));
     places
 }
 
 /// A sentence about each place that can't be edited, since the steps have changed.
-pub fn faults() -> Vec<&'static str> {
+pub fn place_faults() -> Vec<&'static str> {
     FAULTS.iter().map(|(_, fault)| *fault).collect()
 }
 
@@ -46,12 +46,16 @@ pub(crate) fn evaluate<T: Value>(variables: &[DVec3]) -> T {
 }
 
 /// The picture of the step of `place`, with an expression there in place of the book's.
-pub fn draw(place: &Place, expression: Expression, columns: u32) -> RgbImage {
+pub fn draw_edited(
+    place: &Place,
+    expression: Expression,
+    columns: u32,
+) -> RgbImage {
     let _alone = DRAWING.lock();
     let index = all_places().iter().position(|one| one == place);
     set_expression(Some(expression));
     PLACE.store(index.unwrap_or(usize::MAX), Relaxed);
-    let picture = match place.step() {
+    let picture = match place.step_name() {
         "step01_rays" => step01_rays::picture,
         "step02_sphere" => step02_sphere::picture,
         "step03_nearest" => step03_nearest::picture,

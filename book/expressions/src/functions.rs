@@ -68,28 +68,32 @@ const TABLE: [&[Function]; 9] = [
 const OPERATORS: &[Function] = &[
     ("||", "ttt", |[a, b, _]| a.max(b)),
     ("&&", "ttt", |[a, b, _]| a.min(b)),
-    ("==", "nnt vvt wwt ttt", |[a, b, _]| truth(a == b)),
-    ("!=", "nnt vvt wwt ttt", |[a, b, _]| truth(a != b)),
-    ("<=", "nnt wwt", |[a, b, _]| truth(a.x <= b.x)),
-    (">=", "nnt wwt", |[a, b, _]| truth(a.x >= b.x)),
-    ("<", "nnt wwt", |[a, b, _]| truth(a.x < b.x)),
-    (">", "nnt wwt", |[a, b, _]| truth(a.x > b.x)),
+    ("==", "nnt vvt wwt ttt", |[a, b, _]| pack_bool(a == b)),
+    ("!=", "nnt vvt wwt ttt", |[a, b, _]| pack_bool(a != b)),
+    ("<=", "nnt wwt", |[a, b, _]| pack_bool(a.x <= b.x)),
+    (">=", "nnt wwt", |[a, b, _]| pack_bool(a.x >= b.x)),
+    ("<", "nnt wwt", |[a, b, _]| pack_bool(a.x < b.x)),
+    (">", "nnt wwt", |[a, b, _]| pack_bool(a.x > b.x)),
     ("+", "nnn nvv vnv vvv", |[a, b, _]| a + b),
     ("-", "nnn nvv vnv vvv", |[a, b, _]| a - b),
     ("*", "nnn nvv vnv vvv", |[a, b, _]| a * b),
     ("/", "nnn nvv vnv vvv", |[a, b, _]| a / b),
     ("%", "nnn nvv vnv vvv", |[a, b, _]| a % b),
     // Whole numbers as in a release build: they wrap. What is divided by 0 is 0.
-    ("+", "www", |[a, b, _]| whole(int(a).wrapping_add(int(b)))),
-    ("-", "www", |[a, b, _]| whole(int(a).wrapping_sub(int(b)))),
-    ("*", "www", |[a, b, _]| whole(int(a).wrapping_mul(int(b)))),
-    ("/", "www", |[a, b, _]| whole(int(a).checked_div(int(b)).unwrap_or(0))),
-    ("%", "www", |[a, b, _]| whole(int(a).checked_rem(int(b)).unwrap_or(0))),
+    ("+", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_add(unpack_i32(b)))),
+    ("-", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_sub(unpack_i32(b)))),
+    ("*", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_mul(unpack_i32(b)))),
+    ("/", "www", |[a, b, _]| {
+        pack_i32(unpack_i32(a).checked_div(unpack_i32(b)).unwrap_or(0))
+    }),
+    ("%", "www", |[a, b, _]| {
+        pack_i32(unpack_i32(a).checked_rem(unpack_i32(b)).unwrap_or(0))
+    }),
     // Before a value: the parser calls them so.
     ("-value", "nn vv ww", |[a, ..]| -a),
     ("!value", "tt", |[a, ..]| 1.0 - a),
     ("as f64", "nn wn", |[a, ..]| a),
-    ("as i32", "nw ww tw", |[a, ..]| whole(int(a))),
+    ("as i32", "nw ww tw", |[a, ..]| pack_i32(unpack_i32(a))),
 ];
 
 const CONSTANTS: &[Function] = &[
@@ -127,44 +131,48 @@ const MIXED: &[Function] = &[
     (".with_x()", "vnv", |[a, b, _]| a.with_x(b.x)),
     (".with_y()", "vnv", |[a, b, _]| a.with_y(b.x)),
     (".with_z()", "vnv", |[a, b, _]| a.with_z(b.x)),
-    (".powi()", "nwn", |[a, b, _]| DVec3::splat(a.x.powi(int(b)))),
+    (".powi()", "nwn", |[a, b, _]| DVec3::splat(a.x.powi(unpack_i32(b)))),
     (".powf()", "vnv", |[a, b, _]| a.powf(b.x)),
     (".lerp()", "vvnv", |[a, b, c]| a.lerp(b, c.x)),
-    (".clamp()", "nnnn", |[a, b, c]| DVec3::splat(clamp(a.x, b.x, c.x))),
+    (".clamp()", "nnnn", |[a, b, c]| DVec3::splat(clamp_or_nan(a.x, b.x, c.x))),
     (".clamp()", "vvvv", |[a, b, c]| a.clamp(b, c)),
     (".mul_add()", "nnnn", |[a, b, c]| DVec3::splat(a.x.mul_add(b.x, c.x))),
-    (".abs()", "ww", |[a, ..]| whole(int(a).wrapping_abs())),
-    (".signum()", "ww", |[a, ..]| whole(int(a).signum())),
+    (".abs()", "ww", |[a, ..]| pack_i32(unpack_i32(a).wrapping_abs())),
+    (".signum()", "ww", |[a, ..]| pack_i32(unpack_i32(a).signum())),
     (".min()", "www", |[a, b, _]| a.min(b)),
     (".max()", "www", |[a, b, _]| a.max(b)),
-    (".pow()", "www", |[a, b, _]| whole(int(a).wrapping_pow(int(b) as u32))),
+    (".pow()", "www", |[a, b, _]| {
+        pack_i32(unpack_i32(a).wrapping_pow(unpack_i32(b) as u32))
+    }),
 ];
 
 /// Rust's clamp, but no number where that panics.
-fn clamp(number: f64, min: f64, max: f64) -> f64 {
+fn clamp_or_nan(number: f64, min: f64, max: f64) -> f64 {
     if min <= max { number.clamp(min, max) } else { f64::NAN }
 }
 
-fn truth(is_true: bool) -> DVec3 {
+fn pack_bool(is_true: bool) -> DVec3 {
     DVec3::splat(is_true.into())
 }
 
-fn whole(number: i32) -> DVec3 {
+fn pack_i32(number: i32) -> DVec3 {
     DVec3::splat(number.into())
 }
 
-fn int(value: DVec3) -> i32 {
+fn unpack_i32(value: DVec3) -> i32 {
     value.x as i32
 }
 
 /// The names that begin with `prefix`.
-pub fn names_with_prefix(prefix: &str) -> impl Iterator<Item = &'static str> {
+pub fn function_names_with_prefix(
+    prefix: &str,
+) -> impl Iterator<Item = &'static str> {
     let names = TABLE.into_iter().flatten().map(|(name, ..)| *name);
     names.filter(move |name| name.starts_with(prefix))
 }
 
 /// The ways to call `name`: the kinds of what it takes, that of its result, what it does.
-pub fn signatures(name: &str) -> impl Iterator<Item = (Vec<Kind>, Kind, Apply)> {
+pub fn signatures_of(name: &str) -> impl Iterator<Item = (Vec<Kind>, Kind, Apply)> {
     let rows = TABLE.into_iter().flatten().filter(move |row| row.0 == name);
     rows.flat_map(|(_, types, apply)| {
         types.split(' ').map(|letters| {

@@ -1,4 +1,4 @@
-use crate::functions::signatures;
+use crate::functions::signatures_of;
 use crate::{Kind, Place, refusal};
 use glam::DVec3;
 use std::ops::Range;
@@ -43,20 +43,21 @@ const OPERATORS: [&[&str]; 5] = [
 const COMPARISONS: usize = 2;
 
 /// Reads what a reader wrote at a place.
-pub fn parse(place: &Place, text: &str) -> Result<Expression, Mistake> {
+pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Mistake> {
     let mut parser = Parser { place, text, at: 0, depth: 0 };
     if LENGTH < text.len() {
         return parser
             .refuse(0..text.len(), "That's longer than a line should be.");
     }
-    let part = parser.parse_operation(0)?;
-    if !parser.skip_blanks().is_empty() {
+    let part = parser.parse_operations_of_level(0)?;
+    if !parser.remaining_after_blanks().is_empty() {
         return parser
-            .refuse_next("Something is missing before this, such as * or +.");
+            .refuse_next_word("Something is missing before this, such as * or +.");
     }
-    if !part.kind.fits(place.kind) {
+    if !part.kind.is_accepted_as(place.kind) {
         let result = &text[part.range.clone()];
-        let sentence = refusal::explain_result(result, part.kind, place.kind);
+        let sentence =
+            refusal::explain_wrong_kind_of_result(result, part.kind, place.kind);
         return parser.refuse(part.range, sentence);
     }
     Ok(Expression(part.code))
@@ -80,74 +81,79 @@ struct Parser<'a> {
 type Parsed<T> = Result<T, Mistake>;
 
 /// Whether a letter may be in a name.
-pub fn is_word(c: char) -> bool {
+pub fn is_word_char(c: char) -> bool {
     c.is_alphabetic() || c.is_ascii_digit() || c == '_'
 }
 
 impl<'a> Parser<'a> {
     fn refuse<T>(
         &self,
-        at: Range<usize>,
+        range: Range<usize>,
         sentence: impl Into<String>,
     ) -> Parsed<T> {
-        Err(Mistake { range: at, sentence: sentence.into() })
+        Err(Mistake { range: range, sentence: sentence.into() })
     }
 
     /// Refuses the word or the sign that comes next, or the end of the text.
-    fn refuse_next<T>(&mut self, otherwise: &str) -> Parsed<T> {
-        let rest = self.skip_blanks();
-        let Some(sign) = rest.chars().next() else {
+    fn refuse_next_word<T>(&mut self, otherwise: &str) -> Parsed<T> {
+        let remaining = self.remaining_after_blanks();
+        let Some(sign) = remaining.chars().next() else {
             let text = self.text.trim_end();
             let last = text.chars().next_back().map_or(0, char::len_utf8);
             let range = text.len() - last..text.len();
             return self.refuse(range, "A value is missing behind this.");
         };
-        let word = &rest[..rest.find(|c| !is_word(c)).unwrap_or(rest.len())];
-        let word = if word.is_empty() { &rest[..sign.len_utf8()] } else { word };
-        let sentence = refusal::explain_word(word).unwrap_or(otherwise.to_owned());
+        let word = &remaining
+            [..remaining.find(|c| !is_word_char(c)).unwrap_or(remaining.len())];
+        let word =
+            if word.is_empty() { &remaining[..sign.len_utf8()] } else { word };
+        let sentence =
+            refusal::explain_misplaced_word(word).unwrap_or(otherwise.to_owned());
         self.refuse(self.at..self.at + word.len(), sentence)
     }
 
     /// What is still to be read, from the next sign on.
-    fn skip_blanks(&mut self) -> &'a str {
-        let rest = self.text[self.at..].trim_start();
-        self.at = self.text.len() - rest.len();
-        rest
+    fn remaining_after_blanks(&mut self) -> &'a str {
+        let remaining = self.text[self.at..].trim_start();
+        self.at = self.text.len() - remaining.len();
+        remaining
     }
 
-    /// Whether `what` comes next; a word has to end there.
-    fn is_next(&mut self, what: &str) -> bool {
-        let rest = self.skip_blanks().strip_prefix(what);
-        rest.is_some_and(|rest| {
-            !(what.ends_with(is_word) && rest.starts_with(is_word))
+    /// Whether `word` comes next; a word has to end there.
+    fn has_next(&mut self, word: &str) -> bool {
+        let remaining = self.remaining_after_blanks().strip_prefix(word);
+        remaining.is_some_and(|remaining| {
+            !(word.ends_with(is_word_char) && remaining.starts_with(is_word_char))
         })
     }
 
-    /// Reads `what`, if it comes next.
-    fn read(&mut self, what: &str) -> bool {
-        let is_next = self.is_next(what);
-        self.at += if is_next { what.len() } else { 0 };
+    /// Reads `word`, if it comes next.
+    fn skip_if_next(&mut self, word: &str) -> bool {
+        let is_next = self.has_next(word);
+        self.at += if is_next { word.len() } else { 0 };
         is_next
     }
 
     /// Reads as far as letters are such, from here.
-    fn read_while(&mut self, is_part: impl Fn(char) -> bool) -> &'a str {
-        let rest = &self.text[self.at..];
-        let word = &rest[..rest.find(|c| !is_part(c)).unwrap_or(rest.len())];
+    fn take_while(&mut self, is_part: impl Fn(char) -> bool) -> &'a str {
+        let remaining = &self.text[self.at..];
+        let word = &remaining
+            [..remaining.find(|c| !is_part(c)).unwrap_or(remaining.len())];
         self.at += word.len();
         word
     }
 
     /// Values with operators of this level between them.
-    fn parse_operation(&mut self, level: usize) -> Parsed<Part> {
+    fn parse_operations_of_level(&mut self, level: usize) -> Parsed<Part> {
         let Some(operators) = OPERATORS.get(level) else {
             return self.parse_cast();
         };
-        let mut left = self.parse_operation(level + 1)?;
+        let mut left_value = self.parse_operations_of_level(level + 1)?;
         for count in 0.. {
-            self.skip_blanks();
+            self.remaining_after_blanks();
             let start = self.at;
-            let Some(name) = operators.iter().find(|name| self.read(name)) else {
+            let Some(name) = operators.iter().find(|name| self.skip_if_next(name))
+            else {
                 break;
             };
             let sign = start..self.at;
@@ -155,19 +161,20 @@ impl<'a> Parser<'a> {
                 return self
                     .refuse(sign, "Rust compares two at a time: a < b && b < c.");
             }
-            let right = self.parse_operation(level + 1)?;
-            left = self.build_call(name, sign, vec![left, right])?;
+            let right = self.parse_operations_of_level(level + 1)?;
+            left_value = self.build_call(name, sign, vec![left_value, right])?;
         }
-        Ok(left)
+        Ok(left_value)
     }
 
     /// A value, perhaps with `as` behind it.
     fn parse_cast(&mut self) -> Parsed<Part> {
-        let mut part = self.parse_signed()?;
-        while self.is_next("as") {
+        let mut part = self.parse_value_with_signs_and_methods()?;
+        while self.has_next("as") {
             let start = self.at;
-            let Some(name) =
-                ["as f64", "as i32"].into_iter().find(|name| self.read(name))
+            let Some(name) = ["as f64", "as i32"]
+                .into_iter()
+                .find(|name| self.skip_if_next(name))
             else {
                 return self.refuse(start..start + 2, "Behind as: f64 or i32.");
             };
@@ -177,8 +184,8 @@ impl<'a> Parser<'a> {
     }
 
     /// A value with signs before it, and fields and methods behind it.
-    fn parse_signed(&mut self) -> Parsed<Part> {
-        self.skip_blanks();
+    fn parse_value_with_signs_and_methods(&mut self) -> Parsed<Part> {
+        self.remaining_after_blanks();
         let start = self.at;
         if DEPTH < self.depth {
             return self
@@ -186,71 +193,72 @@ impl<'a> Parser<'a> {
         }
         self.depth += 1;
         let signs = [("-", "-value"), ("!", "!value")];
-        let part = match signs.into_iter().find(|(sign, _)| self.read(sign)) {
+        let part = match signs.into_iter().find(|(sign, _)| self.skip_if_next(sign))
+        {
             Some((_, name)) => {
-                let value = self.parse_signed()?;
+                let value = self.parse_value_with_signs_and_methods()?;
                 self.build_call(name, start..start + 1, vec![value])?
             }
-            None => self.parse_methods()?,
+            None => self.parse_value_with_methods()?,
         };
         self.depth -= 1;
         Ok(part)
     }
 
-    fn parse_methods(&mut self) -> Parsed<Part> {
-        let mut part = self.parse_value()?;
-        while self.skip_blanks().starts_with('.') {
+    fn parse_value_with_methods(&mut self) -> Parsed<Part> {
+        let mut part = self.parse_atom()?;
+        while self.remaining_after_blanks().starts_with('.') {
             let start = self.at;
             self.at += 1;
-            self.read_while(is_word);
-            part = self.parse_arguments(start, vec![part])?;
+            self.take_while(is_word_char);
+            part = self.parse_call_from(start, vec![part])?;
         }
         Ok(part)
     }
 
     /// The call of the name from `start` to here, with what stands in parentheses behind it,
     /// if they come next.
-    fn parse_arguments(
+    fn parse_call_from(
         &mut self,
         start: usize,
         mut arguments: Vec<Part>,
     ) -> Parsed<Part> {
         let name = &self.text[start..self.at];
-        if !self.is_next("(") {
+        if !self.has_next("(") {
             return self.build_call(name, start..start + name.len(), arguments);
         }
         let open = self.at;
         self.at += 1;
-        while !self.is_next(")") {
-            arguments.push(self.parse_operation(0)?);
-            if !self.read(",") {
+        while !self.has_next(")") {
+            arguments.push(self.parse_operations_of_level(0)?);
+            if !self.skip_if_next(",") {
                 break;
             }
         }
-        self.read_closing(open)?;
+        self.expect_closing(open)?;
         self.build_call(&format!("{name}()"), start..start + name.len(), arguments)
     }
 
     /// Reads the parenthesis that closes the one at `open`.
-    fn read_closing(&mut self, open: usize) -> Parsed<()> {
-        match self.read(")") {
+    fn expect_closing(&mut self, open: usize) -> Parsed<()> {
+        match self.skip_if_next(")") {
             true => Ok(()),
-            false if self.skip_blanks().is_empty() => {
+            false if self.remaining_after_blanks().is_empty() => {
                 self.refuse(open..open + 1, "The ) for this is missing.")
             }
-            false => self.refuse_next("Something is missing before this."),
+            false => self.refuse_next_word("Something is missing before this."),
         }
     }
 
     /// A number, a variable, a call, or what stands in parentheses.
-    fn parse_value(&mut self) -> Parsed<Part> {
-        let rest = self.skip_blanks();
+    fn parse_atom(&mut self) -> Parsed<Part> {
+        let remaining = self.remaining_after_blanks();
         let start = self.at;
-        if rest.starts_with(|c: char| c.is_ascii_digit()) {
+        if remaining.starts_with(|c: char| c.is_ascii_digit()) {
             return self.parse_number();
         }
         let variables = self.place.variables.iter().enumerate();
-        let variables = variables.filter(|(_, (name, _))| self.is_next(name));
+        let variables = variables.filter(|(_, (name, _))| self.has_next(name));
         if let Some((index, (name, kind))) =
             variables.max_by_key(|(_, (name, _))| name.len())
         {
@@ -258,46 +266,49 @@ impl<'a> Parser<'a> {
             let code = Box::new(move |values: &[DVec3]| values[index]);
             return Ok(Part { code, kind: *kind, range: start..self.at });
         }
-        if self.read("(") {
-            let inside = self.parse_operation(0)?;
-            self.read_closing(start)?;
+        if self.skip_if_next("(") {
+            let inside = self.parse_operations_of_level(0)?;
+            self.expect_closing(start)?;
             return Ok(Part { range: start..self.at, ..inside });
         }
-        let first = self.read_while(is_word);
-        if first.is_empty() || refusal::explain_word(first).is_some() {
+        let first = self.take_while(is_word_char);
+        if first.is_empty() || refusal::explain_misplaced_word(first).is_some() {
             self.at = start;
-            return self
-                .refuse_next("A number, a name or a ( is missing before this.");
+            return self.refuse_next_word(
+                "A number, a name or a ( is missing before this.",
+            );
         }
-        self.read_while(|c| is_word(c) || c == ':');
+        self.take_while(|c| is_word_char(c) || c == ':');
         // What is not known is named whole, but for a method behind it.
         while self.text[self.at..].starts_with('.')
-            && signatures(&self.text[start..self.at]).next().is_none()
+            && signatures_of(&self.text[start..self.at]).next().is_none()
         {
             let end = self.at;
             self.at += 1;
-            self.read_while(is_word);
+            self.take_while(is_word_char);
             if self.text[self.at..].starts_with('(') {
                 self.at = end;
                 break;
             }
         }
-        self.parse_arguments(start, vec![])
+        self.parse_call_from(start, vec![])
     }
 
     fn parse_number(&mut self) -> Parsed<Part> {
         let start = self.at;
-        self.read_while(|c| c.is_ascii_digit() || c == '_');
+        self.take_while(|c| c.is_ascii_digit() || c == '_');
         // A point before a name belongs to a method.
-        let rest = &self.text[self.at..];
-        if rest.starts_with('.')
-            && !rest[1..].starts_with(|c| is_word(c) && !c.is_ascii_digit())
+        let remaining = &self.text[self.at..];
+        if remaining.starts_with('.')
+            && !remaining[1..]
+                .starts_with(|c| is_word_char(c) && !c.is_ascii_digit())
         {
             self.at += 1;
         }
-        self.read_while(is_word);
-        if self.text[start..self.at].ends_with(['e', 'E']) && self.read("-") {
-            self.read_while(is_word);
+        self.take_while(is_word_char);
+        if self.text[start..self.at].ends_with(['e', 'E']) && self.skip_if_next("-")
+        {
+            self.take_while(is_word_char);
         }
         let text = self.text[start..self.at].replace('_', "");
         let (digits, kind) =
@@ -328,17 +339,18 @@ impl<'a> Parser<'a> {
         range: Range<usize>,
         arguments: Vec<Part>,
     ) -> Parsed<Part> {
-        let is =
+        let argument_kinds =
             arguments.iter().map(|one| (one.kind, &self.text[one.range.clone()]));
-        let is: Vec<_> = is.collect();
+        let argument_kinds: Vec<_> = argument_kinds.collect();
         let fits = |wanted: &[Kind]| {
-            let mut pairs = is.iter().zip(wanted);
-            is.len() == wanted.len()
-                && pairs.all(|((kind, _), wanted)| kind.fits(*wanted))
+            let mut pairs = argument_kinds.iter().zip(wanted);
+            argument_kinds.len() == wanted.len()
+                && pairs.all(|((kind, _), wanted)| kind.is_accepted_as(*wanted))
         };
-        let found = signatures(name).find(|(wanted, ..)| fits(wanted));
-        let are_literals = is.iter().all(|(kind, _)| *kind == Kind::Literal);
-        let kind = match &found {
+        let signature = signatures_of(name).find(|(wanted, ..)| fits(wanted));
+        let are_literals =
+            argument_kinds.iter().all(|(kind, _)| *kind == Kind::Literal);
+        let kind = match &signature {
             // What is computed from numbers of an open type has an open type, and no methods.
             Some((_, Kind::Number, _)) if are_literals && !name.ends_with(')') => {
                 Kind::Literal
@@ -346,11 +358,14 @@ impl<'a> Parser<'a> {
             Some((_, kind, _)) => *kind,
             None => Kind::Number,
         };
-        let is_open = name.starts_with('.') && is[0].0 == Kind::Literal;
-        let Some((.., apply)) = found.filter(|_| !is_open) else {
-            let (at, sentence) = refusal::explain_call(name, &is, self.place);
+        let is_open = name.starts_with('.') && argument_kinds[0].0 == Kind::Literal;
+        let Some((.., apply)) = signature.filter(|_| !is_open) else {
+            let (argument_index, sentence) =
+                refusal::explain_refused_call(name, &argument_kinds, self.place);
             return self.refuse(
-                at.map_or(range, |at| arguments[at].range.clone()),
+                argument_index.map_or(range, |argument_index| {
+                    arguments[argument_index].range.clone()
+                }),
                 sentence,
             );
         };

@@ -19,7 +19,7 @@ pub enum Kind {
 
 impl Kind {
     /// Whether a value of this kind may stand where `wanted` is expected.
-    pub fn fits(self, wanted: Self) -> bool {
+    pub fn is_accepted_as(self, wanted: Self) -> bool {
         self == wanted || (self, wanted) == (Self::Literal, Self::Number)
     }
 
@@ -78,20 +78,20 @@ fn parse_place(file: &'static str, line: &'static str) -> Option<Place> {
 
 impl Place {
     /// The name of its step.
-    pub fn step(&self) -> &'static str {
+    pub fn step_name(&self) -> &'static str {
         self.file.split('/').next().unwrap_or_default()
     }
 
     /// Where it stands in a text, however its rows are broken.
-    pub fn find(&self, text: &str) -> Vec<Range<usize>> {
+    pub fn find_ranges(&self, text: &str) -> Vec<Range<usize>> {
         let first = self.code.split(' ').next().unwrap_or_default();
         let starts = text.match_indices(first).map(|(start, _)| start);
         let ranges = starts.filter_map(|start| {
-            let mut rest = &text[start..];
+            let mut remaining = &text[start..];
             for word in self.code.split(' ') {
-                rest = rest.trim_start().strip_prefix(word)?;
+                remaining = remaining.trim_start().strip_prefix(word)?;
             }
-            Some(start..text.len() - rest.len())
+            Some(start..text.len() - remaining.len())
         });
         ranges.collect()
     }
@@ -100,7 +100,7 @@ impl Place {
     /// is the text of all files of the steps.
     pub fn fault(&self, text: &str, sources: &str) -> Option<String> {
         let Self { name, file, code, .. } = self;
-        let count = self.find(text).len();
+        let count = self.find_ranges(text).len();
         if count != 1 {
             return Some(format!("{name}: `{code}` is {count} times in {file}."));
         }

@@ -1,7 +1,7 @@
 //! What a reader is told where Rust would refuse a text.
 
-use crate::functions::{names_with_prefix, signatures};
-use crate::parser::is_word;
+use crate::functions::{function_names_with_prefix, signatures_of};
+use crate::parser::is_word_char;
 use crate::{Kind, Place};
 
 /// What people write in place of Rust's signs.
@@ -30,7 +30,7 @@ const ONE_EXPRESSION: &str = "One expression fits here, without let, if, blocks 
     that's true, else 0.";
 
 /// What is wrong with a word or a sign, wherever it is.
-pub fn explain_word(word: &str) -> Option<String> {
+pub fn explain_misplaced_word(word: &str) -> Option<String> {
     if STATEMENTS.contains(&word) {
         return Some(ONE_EXPRESSION.to_owned());
     }
@@ -45,9 +45,13 @@ pub fn explain_word(word: &str) -> Option<String> {
 }
 
 /// Why the value of a whole text does not fit.
-pub fn explain_result(text: &str, is: Kind, wanted: Kind) -> String {
-    let cure = match (is, wanted) {
-        (Kind::Whole, Kind::Number) => return explain_whole(text),
+pub fn explain_wrong_kind_of_result(
+    text: &str,
+    actual_kind: Kind,
+    wanted: Kind,
+) -> String {
+    let cure = match (actual_kind, wanted) {
+        (Kind::Whole, Kind::Number) => return explain_whole_number(text),
         (_, Kind::Truth) => " Compare something, as in a < b.",
         (Kind::Vector, Kind::Number) => " a.dot(b) makes a number of two vectors.",
         (Kind::Literal | Kind::Number, Kind::Vector) => {
@@ -57,39 +61,41 @@ pub fn explain_result(text: &str, is: Kind, wanted: Kind) -> String {
     };
     format!(
         "This is {}, and {} belongs here.{cure}",
-        kind_name(is),
-        kind_name(wanted)
+        kind_name_with_article(actual_kind),
+        kind_name_with_article(wanted)
     )
 }
 
 /// Why `name` can't be called with values of these kinds, which have these texts; and which
 /// of them is wrong, if it is one of them.
-pub fn explain_call(
+pub fn explain_refused_call(
     name: &str,
     arguments: &[(Kind, &str)],
     place: &Place,
 ) -> (Option<usize>, String) {
-    let mut ways: Vec<_> = signatures(name).map(|(kinds, ..)| kinds).collect();
-    let shown = name.trim_end_matches("()").trim_end_matches("value");
-    let (is_method, is_operator) = (name.starts_with('.'), !name.contains(is_word));
+    let mut ways: Vec<_> = signatures_of(name).map(|(kinds, ..)| kinds).collect();
+    let bare_name = name.trim_end_matches("()").trim_end_matches("value");
+    let (is_method, is_operator) =
+        (name.starts_with('.'), !name.contains(is_word_char));
     let Some(count) = ways.first().map(Vec::len) else {
-        return (None, explain_name(name, arguments, place));
+        return (None, explain_unknown_name(name, arguments, place));
     };
     ways.retain(|kinds| kinds.len() == arguments.len());
     if ways.is_empty() {
         let receivers = usize::from(is_method);
-        let (wanted, is) = (count - receivers, arguments.len() - receivers);
+        let (wanted, actual) = (count - receivers, arguments.len() - receivers);
         let sentence =
-            format!("{shown} takes {wanted} in its parentheses, not {is}.");
+            format!("{bare_name} takes {wanted} in its parentheses, not {actual}.");
         return (None, sentence);
     }
-    let takes =
-        |at: usize, kind: Kind| ways.iter().any(|kinds| kind.fits(kinds[at]));
+    let takes = |index: usize, kind: Kind| {
+        ways.iter().any(|kinds| kind.is_accepted_as(kinds[index]))
+    };
     // What happens most: a whole number where another belongs.
-    for (at, (kind, text)) in arguments.iter().enumerate() {
-        let is_mixed = is_operator || !takes(at, Kind::Whole);
-        if *kind == Kind::Whole && is_mixed && takes(at, Kind::Number) {
-            return (Some(at), explain_whole(text));
+    for (index, (kind, text)) in arguments.iter().enumerate() {
+        let is_mixed = is_operator || !takes(index, Kind::Whole);
+        if *kind == Kind::Whole && is_mixed && takes(index, Kind::Number) {
+            return (Some(index), explain_whole_number(text));
         }
     }
     match arguments {
@@ -106,34 +112,58 @@ pub fn explain_call(
             )
         }
         [(kind, _), ..] if is_method && !takes(0, *kind) => {
-            let (wanted, is) = (kind_name(ways[0][0]), kind_name(*kind));
+            let (wanted, actual) =
+                (kind_name_with_article(ways[0][0]), kind_name_with_article(*kind));
             let cure = if name == ".pow()" { " Take .powi." } else { "" };
-            (None, format!("{shown} belongs to {wanted}, and this is {is}.{cure}"))
+            (
+                None,
+                format!(
+                    "{bare_name} belongs to {wanted}, and this is {actual}.{cure}"
+                ),
+            )
         }
-        [(left, _), (right, _)] if is_operator => {
-            let cure = match [left, right].contains(&&Kind::Truth) {
+        [(left_kind, _), (right_kind, _)] if is_operator => {
+            let cure = match [left_kind, right_kind].contains(&&Kind::Truth) {
                 true => " f64::from(a < b) is a number, 1 or 0.",
                 false => "",
             };
-            let (left, right) = (kind_name(*left), kind_name(*right));
-            (None, format!("{shown} can't stand between {left} and {right}.{cure}"))
+            let (left_kind, right_kind) = (
+                kind_name_with_article(*left_kind),
+                kind_name_with_article(*right_kind),
+            );
+            (
+                None,
+                format!(
+                    "{bare_name} can't stand between {left_kind} and {right_kind}.{cure}"
+                ),
+            )
         }
         _ => {
-            let wrong =
-                (0..arguments.len()).find(|at| !takes(*at, arguments[*at].0));
-            let at = wrong.unwrap_or(arguments.len() - 1);
-            let (wanted, is) = (kind_name(ways[0][at]), kind_name(arguments[at].0));
+            let wrong = (0..arguments.len())
+                .find(|index| !takes(*index, arguments[*index].0));
+            let index = wrong.unwrap_or(arguments.len() - 1);
+            let (wanted, actual) = (
+                kind_name_with_article(ways[0][index]),
+                kind_name_with_article(arguments[index].0),
+            );
             let cure =
                 if name == ".powi()" { " Write 2, or take .powf." } else { "" };
-            (Some(at), format!("{shown} takes {wanted} here, not {is}.{cure}"))
+            (
+                Some(index),
+                format!("{bare_name} takes {wanted} here, not {actual}.{cure}"),
+            )
         }
     }
 }
 
 /// Says that there is no `name`, and what there is.
-fn explain_name(name: &str, arguments: &[(Kind, &str)], place: &Place) -> String {
+fn explain_unknown_name(
+    name: &str,
+    arguments: &[(Kind, &str)],
+    place: &Place,
+) -> String {
     let bare = name.trim_end_matches("()");
-    let is_known = |name: &str| signatures(name).next().is_some();
+    let is_known = |name: &str| signatures_of(name).next().is_some();
     let kind = arguments.first().map_or(Kind::Vector, |(kind, _)| *kind);
     if bare == "." {
         return "A name is missing behind this point.".to_owned();
@@ -147,24 +177,30 @@ fn explain_name(name: &str, arguments: &[(Kind, &str)], place: &Place) -> String
                 "Write {bare} without the (): it's a part of the vector."
             );
         }
-        let takes =
-            |name: &&str| signatures(name).any(|(kinds, ..)| kind.fits(kinds[0]));
-        let mut known: Vec<_> = names_with_prefix(".").filter(takes).collect();
-        known.sort_unstable();
-        known.dedup();
-        let known = known.join(" ").replace("()", "");
+        let takes = |name: &&str| {
+            signatures_of(name).any(|(kinds, ..)| kind.is_accepted_as(kinds[0]))
+        };
+        let mut known_names: Vec<_> =
+            function_names_with_prefix(".").filter(takes).collect();
+        known_names.sort_unstable();
+        known_names.dedup();
+        let known_names = known_names.join(" ").replace("()", "");
         return format!(
-            "{bare} isn't known here. Of {}, there is: {known}.",
-            kind_name(kind)
+            "{bare} isn't known here. Of {}, there is: {known_names}.",
+            kind_name_with_article(kind)
         );
     }
     let method = bare.rsplit("::").next().unwrap_or_default().to_lowercase();
     if name.ends_with("()") && is_known(&format!(".{method}()")) {
         let first = arguments.first().map_or("a", |(_, text)| *text);
-        let rest = if arguments.len() < 2 { "" } else { "…" };
-        return match first.chars().all(|c| is_word(c) || c == '.') {
-            true => format!("In Rust, it's a method: {first}.{method}({rest})."),
-            false => format!("In Rust, it's a method: ({first}).{method}({rest})."),
+        let further_arguments = if arguments.len() < 2 { "" } else { "…" };
+        return match first.chars().all(|c| is_word_char(c) || c == '.') {
+            true => format!(
+                "In Rust, it's a method: {first}.{method}({further_arguments})."
+            ),
+            false => format!(
+                "In Rust, it's a method: ({first}).{method}({further_arguments})."
+            ),
         };
     }
     let cure = match &*method {
@@ -183,7 +219,7 @@ fn explain_name(name: &str, arguments: &[(Kind, &str)], place: &Place) -> String
 }
 
 /// How a whole number becomes an `f64`.
-fn explain_whole(text: &str) -> String {
+fn explain_whole_number(text: &str) -> String {
     let cure = match text.trim_start_matches('-').parse::<u32>() {
         Ok(_) => format!("{text}.0"),
         Err(_) => format!("f64::from({text})"),
@@ -191,7 +227,7 @@ fn explain_whole(text: &str) -> String {
     format!("Write {cure}: Rust doesn't mix whole numbers with others.")
 }
 
-fn kind_name(kind: Kind) -> &'static str {
+fn kind_name_with_article(kind: Kind) -> &'static str {
     match kind {
         Kind::Number | Kind::Literal => "a number",
         Kind::Whole => "a whole number",

@@ -1,23 +1,25 @@
 use check::Locked;
-use expressions::{draw, faults, parse, places};
+use expressions::{draw_edited, editable_places, parse_expression, place_faults};
 
 #[test]
 fn each_place_stands_in_the_steps() {
-    let faults = faults();
+    let faults = place_faults();
     assert!(
         faults.is_empty(),
         "The steps have changed; mend book/expressions/places.txt:\n{}",
         faults.join("\n")
     );
-    assert_eq!(places().len(), 30);
+    assert_eq!(editable_places().len(), 30);
 }
 
 #[test]
 fn the_lines_of_the_book_draw_the_locked_pictures() {
-    for place in places() {
-        let expression = parse(&place, place.code).expect("it stands in the book");
-        let locked = Locked::read(place.step()).expect("a locked picture").picture;
-        let is_same = draw(&place, expression, 640) == locked;
+    for place in editable_places() {
+        let expression =
+            parse_expression(&place, place.code).expect("it stands in the book");
+        let locked =
+            Locked::read(place.step_name()).expect("a locked picture").picture;
+        let is_same = draw_edited(&place, expression, 640) == locked;
         assert!(is_same, "{}: {} draws another picture", place.name, place.code);
     }
 }

@@ -1,4 +1,4 @@
-use expressions::{Place, all_places, parse};
+use expressions::{Place, all_places, parse_expression};
 
 /// A place, a text, the part of it that is underlined, and words of what is said.
 const REFUSED: [(&str, &str, &str, &str); 50] = [
@@ -79,12 +79,16 @@ const REFUSED: [(&str, &str, &str, &str); 50] = [
 #[test]
 fn what_rust_refuses_is_refused_in_place() {
     for (name, text, part, words) in REFUSED {
-        let Err(mistake) = parse(&place(name), text) else {
+        let Err(mistake) = parse_expression(&find_place(name), text) else {
             panic!("{name}: {text} is not refused");
         };
-        let found = (&text[mistake.range.clone()], &*mistake.sentence);
-        assert_eq!(found.0, part, "{text}: {}", found.1);
-        assert!(found.1.contains(words), "{text}: {}", found.1);
+        let part_and_sentence = (&text[mistake.range.clone()], &*mistake.sentence);
+        assert_eq!(part_and_sentence.0, part, "{text}: {}", part_and_sentence.1);
+        assert!(
+            part_and_sentence.1.contains(words),
+            "{text}: {}",
+            part_and_sentence.1
+        );
     }
 }
 
@@ -120,7 +124,7 @@ const READ: [(&str, &str); 25] = [
 #[test]
 fn what_the_book_and_readers_try_is_read() {
     for (name, text) in READ {
-        let read = parse(&place(name), text);
+        let read = parse_expression(&find_place(name), text);
         assert!(read.is_ok(), "{text}: {:?}", read.err());
     }
 }
@@ -133,12 +137,13 @@ fn what_is_too_long_or_too_deep_is_refused() {
         ("1.0.max(".repeat(48), "inside each other"),
         (format!("v.x{}", " + v.x".repeat(100_000)), "longer than a line"),
     ] {
-        let mistake = parse(&place("a"), &text).err().expect("it is refused");
+        let mistake =
+            parse_expression(&find_place("a"), &text).err().expect("it is refused");
         assert!(mistake.sentence.contains(words), "{}", mistake.sentence);
     }
 }
 
-fn place(name: &str) -> Place {
-    let found = all_places().into_iter().find(|place| place.name == name);
-    found.unwrap_or_else(|| panic!("no place {name}"))
+fn find_place(name: &str) -> Place {
+    let found_place = all_places().into_iter().find(|place| place.name == name);
+    found_place.unwrap_or_else(|| panic!("no place {name}"))
 }

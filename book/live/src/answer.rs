@@ -14,7 +14,9 @@ pub struct Answer {
 
 impl Answer {
     /// An answer of these fields, which are JSON already.
-    pub fn of(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
+    pub fn from_fields(
+        fields: impl IntoIterator<Item = (&'static str, String)>,
+    ) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
 }
@@ -37,7 +39,7 @@ pub fn answer(request: &str) -> Answer {
 
 /// The answer that says, in a sentence, what was wrong with the request.
 fn error_answer(sentence: &str) -> Answer {
-    Answer::of([("error", json::text(sentence))])
+    Answer::from_fields([("error", json::text(sentence))])
 }
 
 fn try_answer(request: &str) -> Option<Answer> {
@@ -51,15 +53,15 @@ fn try_answer(request: &str) -> Option<Answer> {
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     match (verb, &numbers?[..]) {
-        ("about", _) => Some(describe_handles(live)),
+        ("about", _) => Some(handles_and_defaults_answer(live)),
         ("show", values) => Some(full_answer(live, &live.nearest_allowed(values)?)),
         ("tell", values) => Some(text_answer(live, &live.nearest_allowed(values)?)),
         (_, [handle, x, y, values @ ..]) => {
             let handle = live.handles.get(*handle as usize)?;
             let (values, vector) = (live.nearest_allowed(values)?, dvec2(*x, *y));
             let new = match verb {
-                "drag" => live.drag(&values, handle, vector),
-                "step" => live.step(&values, handle, vector),
+                "drag" => live.drag_handle(&values, handle, vector),
+                "step" => live.step_handle(&values, handle, vector),
                 _ => return None,
             };
             let new = new.unwrap_or(values);
@@ -72,7 +74,7 @@ fn try_answer(request: &str) -> Option<Answer> {
 }
 
 /// The handles and the default values; the controls are printed in the page.
-fn describe_handles(live: &Live) -> Answer {
+fn handles_and_defaults_answer(live: &Live) -> Answer {
     let handles = live.handles.iter().map(|handle| {
         let [first, _] = handle.parameters;
         let [min, max] = live.parameters[first].range;
@@ -85,7 +87,7 @@ fn describe_handles(live: &Live) -> Answer {
             ("group", json::text(live.parameters[first].group)),
         ])
     });
-    Answer::of([
+    Answer::from_fields([
         ("handles", json::list(handles)),
         ("values", json::list(live.default_values())),
     ])
@@ -97,19 +99,19 @@ fn full_answer(live: &Live, values: &[f64]) -> Answer {
     let mut pixels = vec![];
     match (live.draw)(values) {
         Output::Drawing(drawing) => {
-            fields.push(("drawing", json::text(drawing.body())));
+            fields.push(("drawing", json::text(drawing.svg_elements())));
         }
         Output::Picture(picture) => {
             fields.push(("size", json::list([picture.width(), picture.height()])));
-            pixels = rgba(&picture);
+            pixels = rgba_bytes(&picture);
         }
     }
-    Answer { pixels, ..Answer::of(fields) }
+    Answer { pixels, ..Answer::from_fields(fields) }
 }
 
 /// The same without the drawing or the pixels.
 fn text_answer(live: &Live, values: &[f64]) -> Answer {
-    Answer::of(text_fields(live, values))
+    Answer::from_fields(text_fields(live, values))
 }
 
 fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
@@ -132,13 +134,13 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     ];
     if let Some(companion) = live.companion {
         let drawing = (companion.draw)(values);
-        fields.push(("beside", json::text(drawing.body())));
+        fields.push(("beside", json::text(drawing.svg_elements())));
     }
     fields
 }
 
 /// Red, green, blue and 255 for each pixel, row by row, as a canvas takes them.
-pub fn rgba(image: &RgbImage) -> Vec<u8> {
+pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
     let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
     for (rgba, rgb) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
         rgba[..3].copy_from_slice(&rgb.0);

@@ -35,7 +35,7 @@ impl Drawing {
     pub fn path(&mut self, class: &str, points: &[DVec2]) {
         self.body += &format!(
             r#"<path class="{class}" d="{}"></path>"#,
-            path_commands(points)
+            svg_path_commands(points)
         );
     }
 
@@ -43,14 +43,18 @@ impl Drawing {
     pub fn area(&mut self, class: &str, points: &[DVec2]) {
         self.body += &format!(
             r#"<path class="{class} area" d="{}Z"></path>"#,
-            path_commands(points)
+            svg_path_commands(points)
         );
     }
 
     /// A rectangle, from its middle to its upper right corner.
-    pub fn rectangle(&mut self, class: &str, middle: DVec2, half: DVec2) {
-        let flip = dvec2(half.x, -half.y);
-        self.area(class, &[-half, flip, half, -flip].map(|corner| middle + corner));
+    pub fn rectangle(&mut self, class: &str, middle: DVec2, half_diagonal: DVec2) {
+        let flip = dvec2(half_diagonal.x, -half_diagonal.y);
+        self.area(
+            class,
+            &[-half_diagonal, flip, half_diagonal, -flip]
+                .map(|corner| middle + corner),
+        );
     }
 
     /// A circle.
@@ -86,12 +90,15 @@ impl Drawing {
         class: &str,
         centre: DVec2,
         radius: f64,
-        [start, end]: [f64; 2],
+        [start_radians, end_radians]: [f64; 2],
     ) {
-        let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
+        let angle = |k: i32| {
+            start_radians + (end_radians - start_radians) * f64::from(k) / 24.0
+        };
         let view = View { origin: centre, scale: DVec2::splat(radius) };
-        let points: Vec<_> =
-            (0..=24).map(|k| view.place(DVec2::from_angle(angle(k)))).collect();
+        let points: Vec<_> = (0..=24)
+            .map(|k| view.to_drawing(DVec2::from_angle(angle(k))))
+            .collect();
         self.path(class, &points);
     }
 
@@ -128,12 +135,12 @@ impl Drawing {
     }
 
     /// The width and the height.
-    pub fn size(&self) -> [f64; 2] {
+    pub fn width_and_height(&self) -> [f64; 2] {
         self.size.to_array()
     }
 
     /// The elements, as the children of an element of SVG.
-    pub fn body(&self) -> &str {
+    pub fn svg_elements(&self) -> &str {
         &self.body
     }
 
@@ -150,7 +157,7 @@ impl Drawing {
 }
 
 /// The commands of a path through `points`.
-fn path_commands(points: &[DVec2]) -> String {
+fn svg_path_commands(points: &[DVec2]) -> String {
     let pair = |point: &DVec2| format!("{:.2} {:.2}", point.x, point.y);
     format!("M{}", points.iter().map(pair).collect::<Vec<_>>().join("L"))
 }

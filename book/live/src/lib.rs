@@ -25,7 +25,7 @@ mod symbol;
 mod view;
 pub use drawing::Drawing;
 pub use symbol::{escape, italic_letter};
-pub use view::{View, degrees_left};
+pub use view::{View, degrees_left_of_up};
 
 mod discriminant;
 pub use discriminant::discriminant;
@@ -59,4 +59,4 @@ pub fn find(name: &str) -> Option<&'static Live> {
 
 mod answer;
 pub mod json;
-pub use answer::{Answer, answer, rgba};
+pub use answer::{Answer, answer, rgba_bytes};

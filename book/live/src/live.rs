@@ -51,9 +51,9 @@ pub enum Output {
 
 impl Output {
     /// The width and the height.
-    pub fn size(&self) -> [f64; 2] {
+    pub fn width_and_height(&self) -> [f64; 2] {
         match self {
-            Self::Drawing(drawing) => drawing.size(),
+            Self::Drawing(drawing) => drawing.width_and_height(),
             Self::Picture(picture) => {
                 [picture.width(), picture.height()].map(f64::from)
             }
@@ -94,7 +94,7 @@ impl Live {
 
     /// The values after a handle was dragged to a place; None if nothing is allowed
     /// there.
-    pub fn drag(
+    pub fn drag_handle(
         &self,
         values: &[f64],
         handle: &Handle,
@@ -110,7 +110,7 @@ impl Live {
 
     /// The values after a handle was moved by some steps of its parameters, to the right
     /// and upwards.
-    pub fn step(
+    pub fn step_handle(
         &self,
         values: &[f64],
         handle: &Handle,
@@ -122,7 +122,7 @@ impl Live {
             new[index] += steps / self.parameters[index].steps_per_unit;
         }
         // As by dragging, it stays inside the picture.
-        self.drag(&new, handle, handle.place(&new)?)
+        self.drag_handle(&new, handle, handle.place(&new)?)
     }
 
     /// The allowed values that are nearest to these; None if there is nothing to draw.

@@ -27,7 +27,7 @@ fn dragged_handle_of_a_picture_is_near_the_pointer() {
     let pointer = dvec2(400.0, 150.0);
     let count = handles
         .map(|(live, handle)| {
-            let values = live.drag(&live.default_values(), handle, pointer);
+            let values = live.drag_handle(&live.default_values(), handle, pointer);
             let place = handle.place(&values.expect("allowed values"));
             let distance = place.expect("a place").distance(pointer);
             assert!(distance < 20.0, "{}: {}", live.name, handle.words);
@@ -44,7 +44,9 @@ fn light_that_is_moved_by_keys_stays_inside_the_picture() {
     let mut values = live.default_values();
     values[3..6].copy_from_slice(&[0.0, 0.5, -4.0]);
     for _ in 0..100 {
-        values = live.step(&values, warm, dvec2(1.0, 0.0)).expect("allowed values");
+        values = live
+            .step_handle(&values, warm, dvec2(1.0, 0.0))
+            .expect("allowed values");
     }
     let place = warm.place(&values).expect("a place");
     assert_eq!(place, place.clamp(DVec2::ZERO, dvec2(640.0, 360.0)));
@@ -58,7 +60,7 @@ fn light_behind_the_eye_has_no_place() {
     for (z, has_place) in [(-2.0, true), (0.0, false), (2.0, false)] {
         values[3..6].copy_from_slice(&[0.0, 0.5, z]);
         assert_eq!(warm.place(&values).is_some(), has_place, "z = {z}");
-        let new = live.step(&values, warm, dvec2(1.0, 0.0));
+        let new = live.step_handle(&values, warm, dvec2(1.0, 0.0));
         assert_eq!(new.is_some(), has_place, "z = {z}");
     }
 }
@@ -111,7 +113,7 @@ fn scene_from_above_marks_every_root() {
         assert_eq!(roots.filter(|t| *t < 13.2).count(), count);
         let drawing = (companion.draw)(&values);
         let dots = ["\"ray dot\"", "\"behind dot\""]
-            .map(|class| drawing.body().matches(class).count());
+            .map(|class| drawing.svg_elements().matches(class).count());
         assert_eq!(dots.iter().sum::<usize>(), count);
     }
 }
@@ -121,7 +123,7 @@ fn angle_of_the_drawn_light_is_that_of_the_caption() {
     let live = find_live("phong-vectors");
     for turn in [-30.0, 0.0, 25.0, 70.0] {
         let place = live.handles[0].place(&[turn]).expect("a place");
-        let angle = live::degrees_left(dvec2(240.0, 240.0), place);
+        let angle = live::degrees_left_of_up(dvec2(240.0, 240.0), place);
         let number = parse_number(live, &[turn], "angle")[0];
         assert!((angle - number).abs() < 0.1, "{angle}, {number}");
     }

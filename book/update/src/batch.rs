@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
-/// The pictures that a mistake may spoil, in the order of [`Mistake::drawn`]; None where it
+/// The pictures that a mistake may spoil, in the order of [`Mistake::affected_pictures`]; None where it
 /// panics.
 pub type Pictures = Vec<Option<RgbImage>>;
 
@@ -33,7 +33,7 @@ const COUNT: usize = 100;
 
 /// Draws `mistakes`, and hands each to `finish` with its pictures; without any where it does
 /// not compile, never ends or crashes.
-pub fn draw<'a>(
+pub fn draw_mistakes<'a>(
     mut mistakes: Vec<&'a Mistake>,
     mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -42,15 +42,15 @@ pub fn draw<'a>(
     while !mistakes.is_empty() {
         let count = COUNT.min(mistakes.len());
         write_package(&mistakes[..count])?;
-        let faulty = compile()?;
+        let faulty = find_modules_with_errors()?;
         for k in faulty.iter().rev() {
             let mistake = mistakes.remove(*k);
-            println!("does not compile: {}", describe(mistake));
+            println!("does not compile: {}", title_and_file(mistake));
             finish(mistake, vec![])?;
         }
         // What is left is compiled again, without those.
         if faulty.is_empty() {
-            let drawn = draw_batch(&mistakes[..count], &mut finish)?;
+            let drawn = run_and_read_pictures(&mistakes[..count], &mut finish)?;
             mistakes.drain(..drawn);
         }
         let done = all - mistakes.len();
@@ -61,20 +61,20 @@ pub fn draw<'a>(
 }
 
 /// Runs the program until it ends, and returns the number of mistakes that are finished.
-fn draw_batch<'a>(
+fn run_and_read_pictures<'a>(
     mistakes: &[&'a Mistake],
     mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
 ) -> io::Result<usize> {
-    let mut run = cargo("run");
+    let mut run = cargo_command("run");
     let mut program = run.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
     let mut output = BufReader::new(program.stdout.take().expect("it is piped"));
     let mut count = 0;
     for mistake in mistakes {
         count += 1;
-        let names = mistake.drawn().into_iter();
+        let names = mistake.affected_pictures().into_iter();
         let pictures = names.map(|_| read_picture(&mut output)).collect();
         let Some(pictures) = pictures else {
-            println!("never ends, or crashes: {}", describe(mistake));
+            println!("never ends, or crashes: {}", title_and_file(mistake));
             finish(mistake, vec![])?;
             break;
         };
@@ -90,32 +90,35 @@ fn draw_batch<'a>(
 fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
     let folder = target_folder().join("mistakes");
     let _ = fs::remove_dir_all(folder.join("src"));
-    write(&folder.join("Cargo.toml"), &manifest()?)?;
+    write_with_folders(&folder.join("Cargo.toml"), &manifest_text()?)?;
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
     let (mut modules, mut pictures, mut programs) = (vec![], vec![], vec![]);
     for (mistake, k) in mistakes.iter().zip(0..) {
         let source = folder.join(format!("src/m{k}"));
         let own_step = mistake.step().map_or("", Step::name);
-        let names = mistake.drawn();
+        let names = mistake.affected_pictures();
         let text: String =
             names.iter().map(|name| format!("pub mod {name};\n")).collect();
-        write(&source.join("mod.rs"), &text)?;
+        write_with_folders(&source.join("mod.rs"), &text)?;
         modules.push(format!("mod m{k};"));
         for name in names {
             let path = format!("m{k}::{name}");
-            let is_step = Step::named(&name).is_some();
+            let is_step = Step::from_name(&name).is_some();
             if is_step {
                 write_step(&source.join(&name), mistake, &name, k)?;
             } else {
                 // An example may have the module of another in it.
-                let folder =
-                    format!("#[path = \"{}/steps/{own_step}/examples/", root());
-                let text = apply(mistake)?.replace("#[path = \"", &folder);
-                write(&source.join(format!("{name}.rs")), &text)?;
+                let folder = format!(
+                    "#[path = \"{}/steps/{own_step}/examples/",
+                    quotable_workspace_path()
+                );
+                let text =
+                    text_with_mistake(mistake)?.replace("#[path = \"", &folder);
+                write_with_folders(&source.join(format!("{name}.rs")), &text)?;
             }
             let camera = if is_step { &path } else { own_step };
             pictures.push(match &*name {
-                _ if is_program(&mistake.file) => {
+                _ if is_program_file(&mistake.file) => {
                     programs
                         .push(format!("|| {path}::run(\"\", {path}::picture),"));
                     format!("|| draw_with_program({}),", programs.len() - 1)
@@ -131,18 +134,19 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
         "{MAIN}\n{modules}\n\nconst PICTURES: &[fn() -> RgbImage] = &[\n{pictures}\n];\n\n\
          const PROGRAMS: &[fn()] = &[\n{programs}\n];\n"
     );
-    write(&folder.join("src/main.rs"), &main)
+    write_with_folders(&folder.join("src/main.rs"), &main)
 }
 
 /// The manifest: it needs what the examples and the program around a picture need.
-fn manifest() -> io::Result<String> {
+fn manifest_text() -> io::Result<String> {
     let section = |path: &str, name: &str| {
         let text = read_in_workspace(path)?;
         let found = text.split("\n[").find(|section| section.starts_with(name));
         Ok::<_, io::Error>(found.unwrap_or_default().to_owned())
     };
     let versions = section("Cargo.toml", "workspace.dependencies]")?;
-    let versions = versions.replace("path = \"", &format!("path = \"{}/", root()));
+    let versions = versions
+        .replace("path = \"", &format!("path = \"{}/", quotable_workspace_path()));
     let used = section("book/exercises/Cargo.toml", "dependencies]")?;
     Ok(format!("{MANIFEST}\n[{versions}\n[{used}\nclap.workspace = true\n"))
 }
@@ -155,7 +159,8 @@ fn write_step(
     step: &str,
     k: usize,
 ) -> io::Result<()> {
-    let is_left_out = |path: &str| is_program(path) && !is_program(&mistake.file);
+    let is_left_out =
+        |path: &str| is_program_file(path) && !is_program_file(&mistake.file);
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
@@ -163,12 +168,12 @@ fn write_step(
             continue;
         }
         let mut text = if path == mistake.file {
-            apply(mistake)?
+            text_with_mistake(mistake)?
         } else {
             read_in_workspace(&path)?
         };
         text = text.replace("crate::", &format!("crate::m{k}::{step}::"));
-        for name in mistake.drawn() {
+        for name in mistake.affected_pictures() {
             text = text.replace(
                 &format!("use {name}"),
                 &format!("use crate::m{k}::{name}"),
@@ -183,19 +188,20 @@ fn write_step(
             );
         }
         let file = if file == "lib.rs" { "mod.rs" } else { &file };
-        write(&folder.join(file), &text)?;
+        write_with_folders(&folder.join(file), &text)?;
     }
     Ok(())
 }
 
 /// Whether a file belongs to the program around a picture.
-fn is_program(path: &str) -> bool {
+fn is_program_file(path: &str) -> bool {
     PROGRAM.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
 }
 
 /// Compiles the program, and returns the numbers of the modules that have errors.
-fn compile() -> io::Result<BTreeSet<usize>> {
-    let output = cargo("build").args(["--message-format", "short"]).output()?;
+fn find_modules_with_errors() -> io::Result<BTreeSet<usize>> {
+    let output =
+        cargo_command("build").args(["--message-format", "short"]).output()?;
     if output.status.success() {
         return Ok(BTreeSet::new());
     }
@@ -212,7 +218,7 @@ fn compile() -> io::Result<BTreeSet<usize>> {
     Ok(faulty)
 }
 
-fn cargo(command: &str) -> Command {
+fn cargo_command(command: &str) -> Command {
     let folder = target_folder().join("mistakes");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo
@@ -233,19 +239,19 @@ fn read_picture(output: &mut impl BufRead) -> Option<Option<RgbImage>> {
 }
 
 /// The title and the file of a mistake.
-pub fn describe(mistake: &Mistake) -> String {
+pub fn title_and_file(mistake: &Mistake) -> String {
     format!("{} ({})", mistake.title, mistake.file)
 }
 
 /// The folder of the course, as it can be quoted.
-fn root() -> String {
+fn quotable_workspace_path() -> String {
     workspace().display().to_string().replace('\\', "/")
 }
 
 /// The text of a mistake's file, with the mistake in it.
-fn apply(mistake: &Mistake) -> io::Result<String> {
-    mistake.applied(&read_in_workspace(&mistake.file)?).ok_or_else(|| {
-        let mistake = describe(mistake);
+fn text_with_mistake(mistake: &Mistake) -> io::Result<String> {
+    mistake.apply_to(&read_in_workspace(&mistake.file)?).ok_or_else(|| {
+        let mistake = title_and_file(mistake);
         io::Error::other(format!("the text is not there, or not once: {mistake}"))
     })
 }
@@ -254,7 +260,7 @@ fn read_in_workspace(path: &str) -> io::Result<String> {
     fs::read_to_string(workspace().join(path))
 }
 
-fn write(path: &Path, text: &str) -> io::Result<()> {
+fn write_with_folders(path: &Path, text: &str) -> io::Result<()> {
     fs::create_dir_all(path.parent().unwrap_or(path))?;
     fs::write(path, text)
 }

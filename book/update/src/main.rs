@@ -40,7 +40,7 @@ fn update(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     // Minutes would be lost if this were told after the mistakes.
     modules::require_target()?;
-    mistakes::draw(|mistake| {
+    mistakes::update_mistakes(|mistake| {
         let is_in = |word: &String| {
             mistake.title.contains(word) || mistake.file.contains(word)
         };

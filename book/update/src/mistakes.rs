@@ -1,5 +1,8 @@
-use crate::batch::{self, Pictures, describe};
-use check::{Locked, Mistake, Row, Step, locked_sums, mistakes, rows, sum};
+use crate::batch::{self, Pictures, title_and_file};
+use check::{
+    Locked, Mistake, Step, TableRow, hash_picture, locked_hashes, mistakes,
+    table_rows,
+};
 use compare::workspace;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
@@ -10,24 +13,28 @@ use std::{fs, io};
 
 /// Draws the mistakes about which the table is old, and those that `is_chosen` selects;
 /// writes the table and the small pictures.
-pub fn draw(is_chosen: impl Fn(&Mistake) -> bool) -> Result<(), Box<dyn Error>> {
+pub fn update_mistakes(
+    is_chosen: impl Fn(&Mistake) -> bool,
+) -> Result<(), Box<dyn Error>> {
     let (locked, all) = (locked()?, mistakes());
-    let drawn = rows().filter(|row| row.sums.iter().any(Option::is_some));
-    let mut table: HashMap<u32, Row> = drawn.map(|row| (row.key, row)).collect();
+    let drawn = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+    let mut table: HashMap<u32, TableRow> =
+        drawn.map(|row| (row.key, row)).collect();
     // Where what is right is another picture, so is what a mistake makes of it.
-    let right: HashMap<_, _> = locked_sums().collect();
-    let is_new = |one: &&Locked| right.get(&*one.name) != Some(&sum(&one.picture));
+    let right: HashMap<_, _> = locked_hashes().collect();
+    let is_new =
+        |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
     let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
     let is_current = |mistake: &Mistake| {
         table.contains_key(&key(mistake))
-            && !mistake.drawn().iter().any(|name| new.contains(&name))
+            && !mistake.affected_pictures().iter().any(|name| new.contains(&name))
             && small_pictures(mistake).all(|(path, _)| path.exists())
     };
     let chosen = all.iter().filter(|one| is_chosen(one) || !is_current(one));
-    batch::draw(chosen.collect(), |mistake, pictures| {
+    batch::draw_mistakes(chosen.collect(), |mistake, pictures| {
         let row = row(mistake, &pictures, &locked);
-        if row.sums.iter().all(Option::is_none) {
-            println!("shows nowhere: {}", describe(mistake));
+        if row.hashes.iter().all(Option::is_none) {
+            println!("shows nowhere: {}", title_and_file(mistake));
         }
         table.insert(row.key, row);
         write_small_pictures(mistake, &pictures)
@@ -40,13 +47,13 @@ pub fn draw(is_chosen: impl Fn(&Mistake) -> bool) -> Result<(), Box<dyn Error>> 
 pub fn compare_sample(count: usize, seed: u64) -> Result<(), Box<dyn Error>> {
     println!("seed {seed}");
     let (locked, all) = (locked()?, mistakes());
-    let rows: HashMap<_, _> = rows().map(|row| (row.key, row)).collect();
+    let rows: HashMap<_, _> = table_rows().map(|row| (row.key, row)).collect();
     let mut wrong = vec![];
     let chosen = fastrand::Rng::with_seed(seed).choose_multiple(&all, count);
-    batch::draw(chosen, |mistake, pictures| {
+    batch::draw_mistakes(chosen, |mistake, pictures| {
         let row = row(mistake, &pictures, &locked);
         if rows.get(&row.key) != Some(&row) {
-            wrong.push(describe(mistake));
+            wrong.push(title_and_file(mistake));
         }
         Ok(())
     })?;
@@ -63,7 +70,7 @@ fn folder() -> PathBuf {
 /// The key of a mistake in the table, with its file as it is now.
 fn key(mistake: &Mistake) -> u32 {
     let text = fs::read_to_string(workspace().join(&mistake.file));
-    Row::key(mistake, &text.unwrap_or_default())
+    TableRow::compute_key(mistake, &text.unwrap_or_default())
 }
 
 /// All locked pictures that somebody may draw.
@@ -81,24 +88,24 @@ fn locked() -> Result<Vec<Locked>, String> {
 fn small_pictures(
     mistake: &Mistake,
 ) -> impl Iterator<Item = (PathBuf, &'static str)> {
-    let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
+    let pictures = mistake.book_entry.iter().flat_map(|shown| &shown.pictures);
     let path = |name: &str| folder().join(format!("pictures/{name}.png"));
     pictures.map(move |(name, step)| (path(name), step.name()))
 }
 
 /// A mistake's row of the table.
-fn row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> Row {
-    let sums = mistake.drawn().into_iter().zip(0..).map(|(name, k)| {
+fn row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> TableRow {
+    let sums = mistake.affected_pictures().into_iter().zip(0..).map(|(name, k)| {
         let picture = pictures.get(k)?.as_ref()?;
         let is_right = |one: &Locked| one.name == name && one.picture == *picture;
-        (!locked.iter().any(is_right)).then(|| sum(picture))
+        (!locked.iter().any(is_right)).then(|| hash_picture(picture))
     });
-    Row { key: key(mistake), sums: sums.collect() }
+    TableRow { key: key(mistake), hashes: sums.collect() }
 }
 
 fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
     for (path, step) in small_pictures(mistake) {
-        let names = mistake.drawn().into_iter();
+        let names = mistake.affected_pictures().into_iter();
         let mut drawn = names.zip(pictures).filter(|(name, _)| *name == step);
         let Some((_, Some(picture))) = drawn.next() else {
             println!("not drawn: {}", path.display());
@@ -117,17 +124,17 @@ fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()
 /// Writes the table: the hashes of what is right, then a row for each mistake.
 fn write_table(
     all: &[Mistake],
-    table: &HashMap<u32, Row>,
+    table: &HashMap<u32, TableRow>,
     locked: &[Locked],
 ) -> io::Result<()> {
     let mut text = String::new();
     for Locked { name, picture } in locked {
-        text += &format!("= {name} {:016x}\n", sum(picture));
+        text += &format!("= {name} {:016x}\n", hash_picture(picture));
     }
     for mistake in all {
         let key = key(mistake);
-        let unknown = || Row { key, sums: vec![None] };
-        text += &table.get(&key).cloned().unwrap_or_else(unknown).line();
+        let unknown = || TableRow { key, hashes: vec![None] };
+        text += &table.get(&key).cloned().unwrap_or_else(unknown).to_line();
     }
     fs::write(folder().join("table.txt"), text)
 }

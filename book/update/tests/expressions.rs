@@ -1,9 +1,9 @@
 use crate::is_thorough;
 use crate::module::Module;
 use crate::modules::assert_same;
-use check::{Mistake, Row, locked_sums, mistakes, rows, sum};
+use check::{Mistake, TableRow, hash_picture, locked_hashes, mistakes, table_rows};
 use compare::workspace;
-use expressions::{Place, draw, parse, places};
+use expressions::{Place, draw_edited, editable_places, parse_expression};
 use std::fs;
 use wasm::answer;
 
@@ -14,7 +14,7 @@ fn expressions_wasm_is_up_to_date() {
         let ours = answer(request, b"");
         assert_same("expressions", request, &ours, module.answer(request, b""));
     };
-    for (k, place) in places().iter().enumerate() {
+    for (k, place) in editable_places().iter().enumerate() {
         // A whole picture takes seconds here.
         let columns = if is_thorough() && k % 6 == 0 { 640 } else { 32 };
         let Place { name, code, .. } = place;
@@ -29,14 +29,14 @@ fn expressions_wasm_is_up_to_date() {
 /// set. A mistake that the table does not know yet is left out.
 #[test]
 fn listed_mistakes_are_drawn_by_an_edited_line() {
-    let edits: Vec<_> = places().iter().flat_map(edits).collect();
+    let edits: Vec<_> = editable_places().iter().flat_map(edits).collect();
     let step = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refused) = (0, vec![]);
     for (place, text, expected) in edits.iter().step_by(step) {
         count += 1;
-        match parse(place, text) {
+        match parse_expression(place, text) {
             Ok(expression) => {
-                let sum = sum(&draw(place, expression, 640));
+                let sum = hash_picture(&draw_edited(place, expression, 640));
                 assert_eq!(
                     sum, *expected,
                     "{}: {text} draws another picture",
@@ -65,16 +65,17 @@ fn edits(place: &Place) -> Vec<(Place, String, u64)> {
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
     let lines: Vec<_> = text.lines().map(str::trim_start).collect();
     let bare = lines.join("\n");
-    let range = place.find(&bare).first().cloned().expect("the place");
+    let range = place.find_ranges(&bare).first().cloned().expect("the place");
     let (before, after) = (&bare[..range.start], &bare[range.end..]);
-    let right = locked_sums().find(|(name, _)| *name == place.step());
+    let right = locked_hashes().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
-    let edit = |(mistake, row): (Mistake, Row)| {
-        let edited = mistake.applied(&bare).filter(|_| mistake.file == path)?;
+    let edit = |(mistake, row): (Mistake, TableRow)| {
+        let edited = mistake.apply_to(&bare).filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(before)?.strip_suffix(after)?;
-        let is_known = row.key == Row::key(&mistake, &text);
-        is_known
-            .then(|| (place.clone(), new.to_owned(), row.sums[0].unwrap_or(right)))
+        let is_known = row.key == TableRow::compute_key(&mistake, &text);
+        is_known.then(|| {
+            (place.clone(), new.to_owned(), row.hashes[0].unwrap_or(right))
+        })
     };
-    mistakes().into_iter().zip(rows()).filter_map(edit).collect()
+    mistakes().into_iter().zip(table_rows()).filter_map(edit).collect()
 }

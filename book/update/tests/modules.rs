@@ -1,6 +1,6 @@
 use crate::is_thorough;
 use crate::module::{self, Module};
-use check::{Locked, camera, names};
+use check::{Locked, default_camera, locked_names};
 use compare::workspace;
 use image::{ImageFormat, RgbImage};
 use live::{Answer, LIVE, Live, Parameter};
@@ -55,7 +55,7 @@ fn check_wasm_draws_the_pictures() {
     let mut module = Module::checked_in("check");
     // Small ones, as a module is slow where no browser compiles it, and a thousand spheres
     // are slowest.
-    for name in names() {
+    for name in locked_names() {
         let columns = if name == "crowd" && !is_thorough() { 8 } else { 32 };
         let request = format!("draw {name} {columns}");
         let ours = answer(&request, b"");
@@ -69,7 +69,7 @@ fn check_wasm_draws_the_pictures() {
 fn check_wasm_is_up_to_date() {
     let mut module = Module::checked_in("check");
     // As book/theme/live.js does, keep the pictures that it asks for.
-    let steps = names().into_iter().filter(|name| name.starts_with("step"));
+    let steps = locked_names().into_iter().filter(|name| name.starts_with("step"));
     for name in steps.chain(["gradient"]) {
         let (request, pixels) = (format!("drawn {name}"), locked(name).into_raw());
         answer(&request, &pixels);
@@ -98,7 +98,7 @@ fn check_wasm_is_up_to_date() {
         }
     }
     let right = png(&locked("gradient"));
-    let small = png(&step03_nearest::picture(&camera(16, 9), 1));
+    let small = png(&step03_nearest::picture(&default_camera(16, 9), 1));
     let mut asked = vec![
         ("check step03_nearest a.png", &small[..], "16×9"),
         ("check step01_rays a.png", &right[..1000], "a damaged PNG file"),

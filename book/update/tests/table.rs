@@ -1,4 +1,7 @@
-use check::{Locked, Mistake, Row, known, locked_sums, mistakes, rows, sum};
+use check::{
+    Locked, Mistake, TableRow, find_mistakes, hash_picture, locked_hashes,
+    mistakes, table_rows,
+};
 use compare::workspace;
 use std::fs;
 use std::process::Command;
@@ -7,16 +10,16 @@ const AGAIN: &str = "`cargo run -p update` makes it anew";
 
 #[test]
 fn the_table_knows_each_mistake() {
-    let (all, rows) = (mistakes(), rows().collect::<Vec<_>>());
-    let is_known = |mistake: &Mistake, row: Option<&Row>| {
+    let (all, rows) = (mistakes(), table_rows().collect::<Vec<_>>());
+    let is_known = |mistake: &Mistake, row: Option<&TableRow>| {
         let text = fs::read_to_string(workspace().join(&mistake.file));
-        let pictures = mistake.shown.iter().flat_map(|shown| &shown.pictures);
+        let pictures = mistake.book_entry.iter().flat_map(|shown| &shown.pictures);
         let mut pictures = pictures.map(|(name, _)| {
             workspace().join(format!("book/check/mistakes/pictures/{name}.png"))
         });
         row.is_some_and(|row| {
-            row.key == Row::key(mistake, &text.unwrap_or_default())
-                && row.sums.iter().any(Option::is_some)
+            row.key == TableRow::compute_key(mistake, &text.unwrap_or_default())
+                && row.hashes.iter().any(Option::is_some)
         }) && pictures.all(|path| path.exists())
     };
     let pairs = all.iter().zip(0..).filter(|(one, k)| !is_known(one, rows.get(*k)));
@@ -28,12 +31,13 @@ fn the_table_knows_each_mistake() {
 
 #[test]
 fn the_table_knows_what_is_right() {
-    let locked = Locked::all().expect("locked pictures");
-    let names: Vec<_> = locked_sums().map(|(name, _)| name).collect();
-    for (Locked { name, picture }, (_, right)) in locked.iter().zip(locked_sums()) {
-        assert_eq!(right, sum(picture), "{name} has changed: {AGAIN}");
+    let locked = Locked::read_all().expect("locked pictures");
+    let names: Vec<_> = locked_hashes().map(|(name, _)| name).collect();
+    for (Locked { name, picture }, (_, right)) in locked.iter().zip(locked_hashes())
+    {
+        assert_eq!(right, hash_picture(picture), "{name} has changed: {AGAIN}");
         assert!(
-            known(right).iter().all(|(_, of)| of != name),
+            find_mistakes(right).iter().all(|(_, drawn_name)| drawn_name != name),
             "{name}: it is right"
         );
     }

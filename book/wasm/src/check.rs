@@ -1,5 +1,5 @@
 use crate::pictures::{SIZE, draw_picture};
-use ::check::{Locked, Step, names};
+use ::check::{Locked, Step, locked_names};
 use image::RgbImage;
 use live::Answer;
 use live::json;
@@ -19,18 +19,19 @@ thread_local! {
 pub fn check(words: &str, file: &[u8]) -> Answer {
     let (name, file_name) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
-        "*" => check::by_file(file_name, names().into_iter()),
+        "*" => check::find_name_in_file_name(file_name, locked_names().into_iter()),
         name => Some(name),
     };
-    let hash = check::read(file).map(|picture| check::sum(&picture.pixels));
+    let hash =
+        check::read_png(file).map(|picture| check::hash_picture(&picture.pixels));
     let has_hash = |(_, locked): &(_, u64)| hash.as_ref() == Ok(locked);
-    let same = check::locked_sums().find(has_hash).map(|(name, _)| name);
+    let same = check::locked_hashes().find(has_hash).map(|(name, _)| name);
     let is_needed = |known: &str| {
         let is_expected = name.or(same).is_none_or(|name| name == known);
-        is_expected || same == Some(known) || Step::named(known).is_some()
+        is_expected || same == Some(known) || Step::from_name(known).is_some()
     };
     for known in
-        names().into_iter().filter(|known| hash.is_ok() && is_needed(known))
+        locked_names().into_iter().filter(|known| hash.is_ok() && is_needed(known))
     {
         let is_kept = LOCKED.with_borrow(|locked| {
             locked.iter().any(|picture| picture.name == known)
@@ -40,7 +41,7 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         }
     }
     LOCKED.with_borrow(|locked| {
-        page_answer(check::check(file, file_name, name, locked))
+        page_answer(check::check_png(file, file_name, name, locked))
     })
 }
 
@@ -53,11 +54,11 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
     insert(name, picture.expect("all pixels of a locked picture"));
-    Answer::of([])
+    Answer::from_fields([])
 }
 
 fn insert(name: &str, picture: RgbImage) {
-    let order = |name: &str| names().iter().position(|known| *known == name);
+    let order = |name: &str| locked_names().iter().position(|known| *known == name);
     LOCKED.with_borrow_mut(|locked| {
         let index = locked.partition_point(|kept| order(&kept.name) < order(name));
         locked.insert(index, Locked { name: name.to_owned(), picture });
@@ -72,7 +73,7 @@ fn page_answer(answer: check::Answer) -> Answer {
     if let Some(difference) = answer.difference {
         let (width, height) = difference.dimensions();
         fields.push(("size", json::list([width, height])));
-        pixels = live::rgba(&difference);
+        pixels = live::rgba_bytes(&difference);
     }
-    Answer { pixels, ..Answer::of(fields) }
+    Answer { pixels, ..Answer::from_fields(fields) }
 }

@@ -1,5 +1,7 @@
-use ::check::{Mistake as KnownMistake, known, locked_sums, sum};
-use expressions::{Mistake, Place, draw, parse, places};
+use ::check::{
+    Mistake as KnownMistake, find_mistakes, hash_picture, locked_hashes,
+};
+use expressions::{Mistake, Place, draw_edited, editable_places, parse_expression};
 use image::RgbImage;
 use live::{Answer, json};
 
@@ -7,7 +9,7 @@ use live::{Answer, json};
 pub fn variables(name: &str) -> Answer {
     let Some(place) = find_place(name) else { return Answer::default() };
     let names = place.variables.iter().map(|(name, _)| json::text(name));
-    Answer::of([("variables", json::list(names))])
+    Answer::from_fields([("variables", json::list(names))])
 }
 
 /// The picture of a step with an expression of the reader's in it, to the words
@@ -20,9 +22,9 @@ pub fn edit(words: &str) -> Answer {
     let (Some(place), Ok(columns @ 16..=640)) = (place, columns) else {
         return Answer::default();
     };
-    match parse(&place, text) {
+    match parse_expression(&place, text) {
         Ok(expression) => {
-            let picture = draw(&place, expression, columns);
+            let picture = draw_edited(&place, expression, columns);
             let size = json::list([picture.width(), picture.height()]);
             let known = if columns == 640 {
                 describe(&place, text, &picture)
@@ -30,13 +32,13 @@ pub fn edit(words: &str) -> Answer {
                 None
             };
             let known = json::text(&known.unwrap_or_default());
-            let answer = Answer::of([("size", size), ("known", known)]);
-            Answer { pixels: live::rgba(&picture), ..answer }
+            let answer = Answer::from_fields([("size", size), ("known", known)]);
+            Answer { pixels: live::rgba_bytes(&picture), ..answer }
         }
         Err(Mistake { range, sentence }) => {
             // A page counts letters as JavaScript does.
             let at = |at: usize| text[..at].encode_utf16().count().to_string();
-            Answer::of([
+            Answer::from_fields([
                 ("from", at(range.start)),
                 ("to", at(range.end)),
                 ("mistake", json::text(&sentence)),
@@ -47,11 +49,11 @@ pub fn edit(words: &str) -> Answer {
 
 /// A sentence about a picture that is the right one, or that of a mistake in the list.
 fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
-    let (step, sum) = (place.step(), sum(picture));
-    if locked_sums().any(|(name, right)| name == step && right == sum) {
+    let (step, sum) = (place.step_name(), hash_picture(picture));
+    if locked_hashes().any(|(name, right)| name == step && right == sum) {
         return Some("Not one pixel differs from the book's picture.".to_owned());
     }
-    let mut mistakes = known(sum);
+    let mut mistakes = find_mistakes(sum);
     mistakes.retain(|(_, name)| name == step);
     // What was written here comes before what gives the same pixels elsewhere.
     let file = format!("steps/{}", place.file);
@@ -64,5 +66,5 @@ fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
 }
 
 fn find_place(name: &str) -> Option<Place> {
-    places().into_iter().find(|place| place.name == name)
+    editable_places().into_iter().find(|place| place.name == name)
 }

@@ -20,19 +20,23 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.25, 0.5, 0.75, 1.0] {
-        drawing.line("grid", view.place_xy(0.0, share), view.place_xy(14.0, share));
+        drawing.line(
+            "grid",
+            view.xy_to_drawing(0.0, share),
+            view.xy_to_drawing(14.0, share),
+        );
         drawing.label_ending_at(
             "quiet",
-            view.place_xy(0.0, share) + dvec2(-8.0, 5.0),
+            view.xy_to_drawing(0.0, share) + dvec2(-8.0, 5.0),
             &format!("{share}"),
         );
     }
     for d in [2.0, 4.0, 6.0, 8.0, 10.0, 12.0] {
-        let place = view.place_xy(d, 0.0) + dvec2(0.0, 22.0);
+        let place = view.xy_to_drawing(d, 0.0) + dvec2(0.0, 22.0);
         drawing.label("quiet", place, &format!("{d}"));
     }
-    drawing.arrow("axis", view.origin, view.place_xy(14.4, 0.0));
-    drawing.arrow("axis", view.origin, view.place_xy(0.0, 1.14));
+    drawing.arrow("axis", view.origin, view.xy_to_drawing(14.4, 0.0));
+    drawing.arrow("axis", view.origin, view.xy_to_drawing(0.0, 1.14));
     let from_1 = |b, c| Attenuation { a: 1.0, b, c };
     let is_warm = *reader_attenuation == WARM.attenuation;
     // The name stands beside the curve, or where every curve begins.
@@ -52,13 +56,13 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
         let share = |d: f64| light_share(&attenuation, d);
         let points: Vec<DVec2> = (0..=100)
             .map(|k| f64::from(k) * 0.14)
-            .map(|d| view.place_xy(d, share(d)))
+            .map(|d| view.xy_to_drawing(d, share(d)))
             .collect();
         drawing.path(class, &points);
-        let place = view.place_xy(d, share(d)) + dvec2(0.0, shift);
+        let place = view.xy_to_drawing(d, share(d)) + dvec2(0.0, shift);
         drawing.label_starting_at(class, place, text);
     }
-    drawing.label("", view.place_xy(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
+    drawing.label("", view.xy_to_drawing(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
     drawing
 }
 

@@ -27,10 +27,14 @@ fn draw(degrees: f64) -> Drawing {
     for k in -3..=3 {
         draw_ball(&mut drawing, [picture, above], k, tan);
     }
-    drawing.line("plane", above.place_xy(-tan, 1.0), above.place_xy(tan, 1.0));
+    drawing.line(
+        "plane",
+        above.xy_to_drawing(-tan, 1.0),
+        above.xy_to_drawing(tan, 1.0),
+    );
     draw_cone(&mut drawing, [picture, above], outermost_ball(degrees));
     for side in [-tan, tan] {
-        drawing.line("ray faint", c, above.place_xy(side, 1.0));
+        drawing.line("ray faint", c, above.xy_to_drawing(side, 1.0));
     }
     let half = (degrees / 2.0).to_radians();
     drawing.arc("angle", c, 34.0, [FRAC_PI_2 - half, FRAC_PI_2 + half]);
@@ -42,7 +46,7 @@ fn draw(degrees: f64) -> Drawing {
 /// The ball `k` in the picture, cut off at its sides, and from above.
 fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f64) {
     let ball = ball(k);
-    let centre = above.place_xy(ball.centre.x, -ball.centre.z);
+    let centre = above.xy_to_drawing(ball.centre.x, -ball.centre.z);
     let outline = outline(k);
     let is_visible = outline.iter().any(|point| point.x.abs() < tan);
     let class = if is_visible { "object" } else { "guide" };
@@ -50,7 +54,7 @@ fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f6
     if is_visible {
         let cut = |point: &DVec2| dvec2(point.x.clamp(-tan, tan), point.y);
         let points: Vec<_> =
-            outline.iter().map(|point| picture.place(cut(point))).collect();
+            outline.iter().map(|point| picture.to_drawing(cut(point))).collect();
         drawing.area("object", &points);
     }
 }
@@ -60,10 +64,10 @@ fn draw_cone(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32) {
     let outline = outline(k);
     let (outer, inner) = (outline[0].x, outline[60].x);
     let middle = image_of_centre(&ball(k)).x;
-    let on_plane = |x: f64| above.place_xy(x, 1.0);
+    let on_plane = |x: f64| above.xy_to_drawing(x, 1.0);
     for (class, x) in [("ray", inner), ("guide", middle), ("ray", outer)] {
         drawing.line(class, above.origin, on_plane(x));
-        drawing.line("leader", on_plane(x), picture.place_xy(x, 0.0));
+        drawing.line("leader", on_plane(x), picture.xy_to_drawing(x, 0.0));
     }
     drawing.line("second", on_plane(inner), on_plane(middle));
     drawing.line("accent", on_plane(middle), on_plane(outer));

@@ -9,8 +9,8 @@ fn centre_handle(k: usize) -> Handle {
     Handle::new(
         format!("the centre of sphere {k}"),
         [2 * k, 2 * k + 1],
-        |handle, values| Some(VIEW.place(handle.coordinates(values))),
-        |_, _, place| VIEW.point(place),
+        |handle, values| Some(VIEW.to_drawing(handle.coordinates(values))),
+        |_, _, place| VIEW.to_world(place),
     )
 }
 
@@ -29,13 +29,13 @@ fn objects(values: &[f64]) -> Vec<Object<usize>> {
 fn draw(values: &[f64]) -> Drawing {
     let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
     let objects = objects(values);
-    let place = |t: f64| VIEW.place(ray.at(t).truncate());
+    let place = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
     let nearest_hit = nearest(&objects, &ray);
     let mut drawing = Drawing::new(480.0, 210.0);
     for Object { sphere, material: k, .. } in &objects {
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.material == *k);
         let class = if is_hit { "object seen" } else { "object" };
-        let centre = VIEW.place(sphere.centre.truncate());
+        let centre = VIEW.to_drawing(sphere.centre.truncate());
         let radius = VIEW.scale.x * sphere.radius;
         drawing.circle(class, centre, radius);
         let above = centre - dvec2(0.0, radius + 9.0);

@@ -1,6 +1,6 @@
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, degrees_left, format_rounded,
+    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -109,7 +109,7 @@ pub fn figure() -> Live {
             },
             // To the right of n, the angle is 0 above the ground, and the largest below.
             |_, _, place| {
-                DVec2::splat(match degrees_left(GROUND, place) {
+                DVec2::splat(match degrees_left_of_up(GROUND, place) {
                     ..-90.0 => LARGEST_ANGLE,
                     angle => angle.max(0.0),
                 })

@@ -1,5 +1,5 @@
 use crate::parameter::array;
-use crate::{Drawing, Handle, Live, Output, Parameter, View, degrees_left};
+use crate::{Drawing, Handle, Live, Output, Parameter, View, degrees_left_of_up};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
@@ -19,24 +19,28 @@ fn draw(reader_n: i32, r: DVec2) -> Drawing {
     for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
         let lobe: Vec<DVec2> = (0..=180)
             .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
-            .map(|v| VIEW.place(highlight(r, v, n) * v))
+            .map(|v| VIEW.to_drawing(highlight(r, v, n) * v))
             .collect();
         drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
     }
     let l = dvec2(-r.x, r.y);
     drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
-    drawing.arrow("light", VIEW.origin, VIEW.place(0.85 * l));
-    drawing.arrow("normal", VIEW.origin, VIEW.place(0.85 * DVec2::Y));
-    drawing.arrow("vector", VIEW.origin, VIEW.place(1.12 * r));
+    drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
+    drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
+    drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
     drawing.label_ending_at(
         "strong",
-        VIEW.place(0.9 * l) + dvec2(-4.0, 2.0),
+        VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0),
         "$l$",
     );
-    drawing.label("strong", VIEW.place(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
+    drawing.label(
+        "strong",
+        VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0),
+        "$n$",
+    );
     drawing.label_starting_at(
         "strong",
-        VIEW.place(1.12 * r) + dvec2(6.0, -2.0),
+        VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0),
         "$r$",
     );
     for (n, angle, y) in [
@@ -47,7 +51,7 @@ fn draw(reader_n: i32, r: DVec2) -> Drawing {
     ] {
         // The leader ends beside r, on the side of the labels, and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
-        let place = VIEW.place(highlight(r, v, n) * v);
+        let place = VIEW.to_drawing(highlight(r, v, n) * v);
         let label = dvec2(418.0, y);
         drawing.line("leader", place, label - dvec2(5.0, 5.0));
         drawing.label_starting_at("quiet", label, &n.to_string());
@@ -81,9 +85,9 @@ pub fn figure() -> Live {
             |_, values| {
                 let [_, light_angle] = array(values);
                 let r = reflection(light_angle);
-                Some(VIEW.place(0.85 * dvec2(-r.x, r.y)))
+                Some(VIEW.to_drawing(0.85 * dvec2(-r.x, r.y)))
             },
-            |_, _, place| DVec2::splat(degrees_left(VIEW.origin, place)),
+            |_, _, place| DVec2::splat(degrees_left_of_up(VIEW.origin, place)),
         )],
         ..Live::new("lobes", |values| {
             let [n, light_angle] = array(values);

@@ -1,7 +1,7 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, View, camera, degrees_left,
+    Drawing, Handle, Live, Output, Parameter, View, camera, degrees_left_of_up,
     format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
@@ -68,7 +68,7 @@ fn draw(vectors: &Vectors) -> Drawing {
         ("accent", v, "$v$", dvec2(2.0, -12.0)),
     ];
     for (class, vector, name, shift) in arrows {
-        let tip = VIEW.place(vector);
+        let tip = VIEW.to_drawing(vector);
         drawing.arrow(class, p, tip);
         drawing.label("strong", tip + shift, name);
     }
@@ -95,11 +95,13 @@ pub fn figure() -> Live {
             |_, values| {
                 let [turn] = array(values);
                 let vectors = Vectors::new(turn);
-                Some(VIEW.place(vectors.project(vectors.l)))
+                Some(VIEW.to_drawing(vectors.project(vectors.l)))
             },
             |_, _, place| {
                 let angle_without_turn = Vectors::new(0.0).angle();
-                DVec2::splat(degrees_left(VIEW.origin, place) - angle_without_turn)
+                DVec2::splat(
+                    degrees_left_of_up(VIEW.origin, place) - angle_without_turn,
+                )
             },
         )],
         numbers: |values| {

@@ -6,15 +6,15 @@ fn draw() -> Drawing {
     let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
     let [top, bottom] = [0.34, -0.2]
         .map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
-    let place = |ray: &Ray, t: f64| view.place(ray.at(t).truncate());
+    let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
     let (film, plane, object) = (-1.0, 1.0, 2.3);
-    let c = view.place_xy(0.0, 0.0);
+    let c = view.xy_to_drawing(0.0, 0.0);
     let mut drawing = Drawing::new(480.0, 236.0);
     for t in [film, plane] {
-        let x = view.place_xy(t, 0.0).x;
+        let x = view.xy_to_drawing(t, 0.0).x;
         drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
     }
-    let wall = |y: f64| view.place_xy(0.0, y);
+    let wall = |y: f64| view.xy_to_drawing(0.0, y);
     drawing.line("ground", wall(0.82), wall(0.07));
     drawing.line("ground", wall(-0.07), wall(-0.82));
     for ray in [&top, &bottom] {
@@ -24,7 +24,7 @@ fn draw() -> Drawing {
     for t in [film, plane, object] {
         drawing.arrow("second", place(&bottom, t), place(&top, t));
     }
-    let label = |t: f64, y: f64| dvec2(view.place_xy(t, 0.0).x, y);
+    let label = |t: f64, y: f64| dvec2(view.xy_to_drawing(t, 0.0).x, y);
     for (t, name) in
         [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")]
     {

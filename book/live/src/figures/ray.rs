@@ -29,7 +29,7 @@ impl RayFigure {
 
     /// The place of r(t) in the drawing.
     fn place(&self, t: f64) -> DVec2 {
-        VIEW.place(self.ray.at(t).truncate())
+        VIEW.to_drawing(self.ray.at(t).truncate())
     }
 
     /// The place of the tip of V.
@@ -109,7 +109,7 @@ pub fn figure() -> Live {
                 "the start S",
                 [0, 1],
                 |_, values| Some(RayFigure::new(values).place(0.0)),
-                |_, _, place| VIEW.point(place),
+                |_, _, place| VIEW.to_world(place),
             ),
             Handle::new(
                 "the tip of V",
@@ -117,7 +117,7 @@ pub fn figure() -> Live {
                 |_, values| Some(RayFigure::new(values).tip()),
                 |_, values, place| {
                     let start = RayFigure::new(values).ray.start.truncate();
-                    VIEW.point(place - V_SHIFT) - start
+                    VIEW.to_world(place - V_SHIFT) - start
                 },
             ),
             Handle::new(
@@ -129,7 +129,7 @@ pub fn figure() -> Live {
                 },
                 |_, values, place| {
                     let Ray { start, direction } = RayFigure::new(values).ray;
-                    let to_place = VIEW.point(place).extend(0.0) - start;
+                    let to_place = VIEW.to_world(place).extend(0.0) - start;
                     DVec2::splat(to_place.dot(direction.normalize()))
                 },
             ),

@@ -1,7 +1,7 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, Row, View, degrees_left,
+    Drawing, Handle, Live, Output, Parameter, Row, View, degrees_left_of_up,
     format_number,
 };
 use glam::{DVec2, dvec2};
@@ -42,50 +42,55 @@ fn draw(figure: &RowFigure) -> Drawing {
     let mut drawing = Drawing::new(480.0, 332.0);
     let tan = -directions[0].x;
     let side = (1.02 * tan).max(0.86);
-    drawing.line("plane", view.place_xy(-side, 1.0), view.place_xy(side, 1.0));
-    drawing.line("guide", c, view.place_xy(0.0, 1.0));
+    drawing.line(
+        "plane",
+        view.xy_to_drawing(-side, 1.0),
+        view.xy_to_drawing(side, 1.0),
+    );
+    drawing.line("guide", c, view.xy_to_drawing(0.0, 1.0));
     for &v in &directions[1..] {
-        drawing.line("ray faint", c, view.place(1.28 * v));
+        drawing.line("ray faint", c, view.to_drawing(1.28 * v));
     }
     let v_0 = directions[0];
-    drawing.line("ray faint", view.place(v_0), view.place(1.28 * v_0));
+    drawing.line("ray faint", view.to_drawing(v_0), view.to_drawing(1.28 * v_0));
     for &v in &directions {
-        drawing.dot("ray", view.place(v));
+        drawing.dot("ray", view.to_drawing(v));
     }
     drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
-    drawing.arrow("vector", c, view.place(v_0));
-    let step =
-        |i: usize| [view.place(directions[i]), view.place(directions[i + 1])];
+    drawing.arrow("vector", c, view.to_drawing(v_0));
+    let step = |i: usize| {
+        [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])]
+    };
     for i in 0..last.min(2) {
         let [start, tip] = step(i);
         drawing.arrow("accent", start, tip);
     }
     let [start, tip] = step(last.min(2) - 1);
     drawing.label("accent over", (start + tip) / 2.0 + dvec2(0.0, -10.0), "$D$");
-    let middle = view.place(0.55 * v_0);
+    let middle = view.to_drawing(0.55 * v_0);
     drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [start, tip] = step(0);
     let has_room = 36.0 < tip.x - start.x;
     let labelled =
         (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
     for i in labelled {
-        let end = view.place(1.28 * directions[i]);
+        let end = view.to_drawing(1.28 * directions[i]);
         let label = format!("$i$ = {i}");
         drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
     }
     if figure.degrees <= 75.0 {
-        let right = view.place_xy(side, 1.0) + dvec2(-14.0, 20.0);
+        let right = view.xy_to_drawing(side, 1.0) + dvec2(-14.0, 20.0);
         drawing.label_starting_at("quiet", right, "image plane");
     }
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    let corner = view.place_xy(tan, 0.0);
-    drawing.line("guide", view.place_xy(tan, 1.0), corner);
+    let corner = view.xy_to_drawing(tan, 0.0);
+    drawing.line("guide", view.xy_to_drawing(tan, 1.0), corner);
     drawing.line("guide", c, corner);
-    let label = view.place_xy(tan, 0.5) + dvec2(10.0, 5.0);
+    let label = view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_starting_at("quiet", label, "1");
-    let label = (view.place_xy(tan / 2.0, 0.0) + dvec2(6.0, 22.0))
+    let label = (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0))
         .max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", label, "tan $θ$/2");
     drawing
@@ -108,9 +113,9 @@ pub fn figure() -> Live {
             [1, 1],
             |_, values| {
                 let figure = RowFigure::new(values);
-                Some(figure.view().place(figure.row.direction(0.0)))
+                Some(figure.view().to_drawing(figure.row.direction(0.0)))
             },
-            |_, _, place| DVec2::splat(2.0 * degrees_left(ORIGIN, place)),
+            |_, _, place| DVec2::splat(2.0 * degrees_left_of_up(ORIGIN, place)),
         )],
         numbers: |values| {
             let RowFigure { row, rays, degrees } = RowFigure::new(values);

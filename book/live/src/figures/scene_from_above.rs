@@ -26,7 +26,7 @@ pub fn draw(values: &[f64]) -> Drawing {
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { sphere, .. } in &objects[1..] {
-        let centre = VIEW.place_xy(sphere.centre.x, -sphere.centre.z);
+        let centre = VIEW.xy_to_drawing(sphere.centre.x, -sphere.centre.z);
         drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
     }
     for Object { name, sphere, .. } in &objects {
@@ -37,7 +37,7 @@ pub fn draw(values: &[f64]) -> Drawing {
         let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
         drawing.label("quiet", place, short_name(name));
     }
-    let place = |t: f64| VIEW.place_xy(ray.at(t).x, t);
+    let place = |t: f64| VIEW.xy_to_drawing(ray.at(t).x, t);
     drawing.line("guide", place(T_RANGE[0]), place(0.0));
     drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
     drawing.dot("eye", place(0.0));
@@ -47,7 +47,7 @@ pub fn draw(values: &[f64]) -> Drawing {
     }
     if let Some(t) = nearest_hit.map(|hit| hit.t) {
         let label = format!("$t$ = {}", format_rounded(t, 2));
-        let right = VIEW.place_xy(SIDE, t);
+        let right = VIEW.xy_to_drawing(SIDE, t);
         drawing.line("guide", place(t), right);
         drawing.label_ending_at("hit small", right + dvec2(0.0, -5.0), &label);
         drawing.dot("hit", place(t));
@@ -58,7 +58,7 @@ pub fn draw(values: &[f64]) -> Drawing {
 /// A line across at every t that 5 divides.
 fn draw_depths(drawing: &mut Drawing) {
     for t in [0.0, 5.0, 10.0] {
-        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.place_xy(x, t));
+        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
         drawing.line("grid", left, right);
         let label = left + dvec2(0.0, -5.0);
         drawing.label_starting_at("quiet", label, &format!("$t$ = {t}"));
@@ -77,7 +77,7 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
         let DVec2 { x, y } = middle + radius * side;
-        VIEW.place_xy(x, y / ahead.length())
+        VIEW.xy_to_drawing(x, y / ahead.length())
     });
     Some(points.collect())
 }

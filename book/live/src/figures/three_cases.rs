@@ -11,9 +11,9 @@ fn start_handle((case, name): (usize, &str)) -> Handle {
         [2 * case, 2 * case + 1],
         |handle, values| {
             let case = handle.parameters[0] / 2;
-            Some(circle_view(case).place(handle.coordinates(values)))
+            Some(circle_view(case).to_drawing(handle.coordinates(values)))
         },
-        |handle, _, place| circle_view(handle.parameters[0] / 2).point(place),
+        |handle, _, place| circle_view(handle.parameters[0] / 2).to_world(place),
     )
 }
 
@@ -65,7 +65,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
     let origin = dvec2(x + 33.0 * ray.start.x, 246.0);
     let parabola_view = View { origin, scale: dvec2(33.0, 17.0) };
     let [first, last] = X_RANGE.map(|end| end - ray.start.x);
-    let on_ray = |t: f64| circle_view.place(ray.at(t).truncate());
+    let on_ray = |t: f64| circle_view.to_drawing(ray.at(t).truncate());
     let [discriminant, roots] = labels(ray);
     drawing.label("strong", dvec2(x, 20.0), &discriminant);
     drawing.label("quiet", dvec2(x, 40.0), &roots);
@@ -77,24 +77,24 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
     drawing.dot("eye", on_ray(0.0));
     drawing.arrow(
         "axis",
-        parabola_view.place_xy(first - 0.1, 0.0),
-        parabola_view.place_xy(last + 0.1, 0.0),
+        parabola_view.xy_to_drawing(first - 0.1, 0.0),
+        parabola_view.xy_to_drawing(last + 0.1, 0.0),
     );
     let (a, b, c) = SPHERE.coefficients(ray);
     let curve: Vec<DVec2> = (0..=60)
         .map(|k| first + (last - first) * f64::from(k) / 60.0)
-        .map(|t| parabola_view.place_xy(t, a * t * t + b * t + c))
+        .map(|t| parabola_view.xy_to_drawing(t, a * t * t + b * t + c))
         .collect();
     drawing.path("curve", &curve);
     for t in SPHERE.intersect(ray).iter() {
         let class = if t <= 0.0 { "behind" } else { "hit" };
-        drawing.line("guide", on_ray(t), parabola_view.place_xy(t, 0.0));
+        drawing.line("guide", on_ray(t), parabola_view.xy_to_drawing(t, 0.0));
         drawing.dot(class, on_ray(t));
-        drawing.dot(class, parabola_view.place_xy(t, 0.0));
+        drawing.dot(class, parabola_view.xy_to_drawing(t, 0.0));
     }
     drawing.label(
         "quiet",
-        parabola_view.place_xy(last + 0.1, 0.0) + dvec2(-2.0, 18.0),
+        parabola_view.xy_to_drawing(last + 0.1, 0.0) + dvec2(-2.0, 18.0),
         "$t$",
     );
 }
