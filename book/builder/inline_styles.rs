@@ -25,7 +25,7 @@ fn rebase_urls(css: &str, path: &str) -> String {
     let mut parts = css.split("url(\"");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |css, part| {
-        let (address, rest) = part.split_once('"').unwrap_or((part, ""));
-        css + "url(\"" + &resolve_path(path, address) + "\"" + rest
+        let (address, css_after) = part.split_once('"').unwrap_or((part, ""));
+        css + "url(\"" + &resolve_path(path, address) + "\"" + css_after
     })
 }

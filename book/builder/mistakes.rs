@@ -78,7 +78,7 @@ impl Entry<'_> {
              </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
             self.capitalised_title_html()?,
             diff_figure_html(mistake),
-            inline_html(&symbols_as_formulas(book_entry.why))?,
+            inline_html(&symbols_as_formulas(book_entry.reason))?,
             step_of_file.number(),
             book_entry.section,
         ))

@@ -32,10 +32,12 @@ impl Page {
     /// before it.
     pub fn address_for_fault(&self, element: ElementRef) -> String {
         let around = std::iter::once(*element).chain(element.ancestors());
-        let mut before = around
+        let mut ids_before = around
             .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
             .filter_map(|node| node.value().as_element()?.id());
-        before.next().map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
+        ids_before
+            .next()
+            .map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
 
     /// Puts a piece of HTML before a node.

@@ -225,16 +225,16 @@ pub(crate) fn factor_and_power_candidates<'a>(
 ) -> impl Iterator<Item = Explanation<'a>> {
     let table = ByteTable::read_if_consistent(evidence);
     let curves = table.map(|table| {
-        let (from, to) = table.changed_byte_near_128();
+        let (our_byte, their_byte) = table.changed_byte_near_128();
         let factor = table.fitted_factor().map(|factor| {
             let sentence = format!(
-                "Each byte of your picture is about {factor:.3} times ours: {from} is {to}."
+                "Each byte of your picture is about {factor:.3} times ours: {our_byte} is {their_byte}."
             );
             (sentence, Box::new(move |c: f64| factor * c) as Curve)
         });
         let power = table.fitted_power().map(|power| {
             let sentence = format!(
-                "Each byte of your picture is ours to the power {} (gamma): {from} is {to}.",
+                "Each byte of your picture is ours to the power {} (gamma): {our_byte} is {their_byte}.",
                 format_exponent(power)
             );
             (sentence, Box::new(move |c: f64| c.max(0.0).powf(power)) as Curve)
@@ -283,11 +283,11 @@ pub(crate) fn byte_table_candidate<'a>(
 ) -> Option<Explanation<'a>> {
     let table = ByteTable::read_if_consistent(evidence)
         .filter(|table| table.widest_range() < 4)?;
-    let (from, to) = table.changed_byte_near_128();
+    let (our_byte, their_byte) = table.changed_byte_near_128();
     let words = if table.is_common { "" } else { ", each channel in its own way" };
     let sentence = format!(
-        "The bytes of your picture follow from ours, whatever they show{words}: {from} is \
-         about {to}."
+        "The bytes of your picture follow from ours, whatever they show{words}: {our_byte} is \
+         about {their_byte}."
     );
     Some(Explanation::range(sentence, curve_files(evidence), move |pixel| {
         table.range_of_colour(pixel.ours)
@@ -312,8 +312,8 @@ fn widest_range_below_255(ranges: &[(u8, u8); 256]) -> u8 {
 }
 
 /// Whether a byte of ours is never itself in the picture.
-fn excludes_byte((from, (low, high)): &(u8, (u8, u8))) -> bool {
-    from < low || high < from
+fn excludes_byte((our_byte, (low, high)): &(u8, (u8, u8))) -> bool {
+    our_byte < low || high < our_byte
 }
 
 /// The range of bytes in the picture for each byte of ours, of each channel.
@@ -335,9 +335,10 @@ impl ByteTable {
             }
         }
         let mut common = ranges[0];
-        for own in &ranges[1..] {
-            for (range, own) in common.iter_mut().zip(own) {
-                *range = (range.0.min(own.0), range.1.max(own.1));
+        for channel_ranges in &ranges[1..] {
+            for (range, channel_ranges) in common.iter_mut().zip(channel_ranges) {
+                *range =
+                    (range.0.min(channel_ranges.0), range.1.max(channel_ranges.1));
             }
         }
         let is_common = widest_range_below_255(&common) < WIDEST;
@@ -370,9 +371,11 @@ impl ByteTable {
 
     /// The byte of ours in the middle, and what it is in the picture.
     fn changed_byte_near_128(&self) -> (u8, u8) {
-        let known = self.met_bytes_with_ranges().filter(excludes_byte);
-        let known = known.min_by_key(|(from, _)| from.abs_diff(128));
-        known.map_or((0, 0), |(from, (to, _))| (from, to))
+        let byte_ranges = self.met_bytes_with_ranges().filter(excludes_byte);
+        let byte_ranges =
+            byte_ranges.min_by_key(|(our_byte, _)| our_byte.abs_diff(128));
+        byte_ranges
+            .map_or((0, 0), |(our_byte, (their_byte, _))| (our_byte, their_byte))
     }
 
     /// The mean over every second byte, so that the others are asked.
@@ -381,11 +384,12 @@ impl ByteTable {
         number: impl Fn(f64, f64) -> f64,
     ) -> Option<f64> {
         let inner = |c: u8| 8 < c && c < 248;
-        let known = self
-            .met_bytes_with_ranges()
-            .filter(|(from, (to, _))| inner(*from) && inner(*to));
-        let numbers = known.step_by(2).map(|(from, (low, high))| {
-            number(f64::from(from), (f64::from(low) + f64::from(high)) / 2.0)
+        let byte_ranges =
+            self.met_bytes_with_ranges().filter(|(our_byte, (their_byte, _))| {
+                inner(*our_byte) && inner(*their_byte)
+            });
+        let numbers = byte_ranges.step_by(2).map(|(our_byte, (low, high))| {
+            number(f64::from(our_byte), (f64::from(low) + f64::from(high)) / 2.0)
         });
         let (count, sum) =
             numbers.fold((0.0, 0.0), |(count, sum), n| (count + 1.0, sum + n));
@@ -393,13 +397,15 @@ impl ByteTable {
     }
 
     fn fitted_factor(&self) -> Option<f64> {
-        self.mean_over_every_second_byte(|from, to| to / from)
-            .filter(|factor| (factor - 1.0).abs() > 0.01)
+        self.mean_over_every_second_byte(|our_byte, their_byte| {
+            their_byte / our_byte
+        })
+        .filter(|factor| (factor - 1.0).abs() > 0.01)
     }
 
     fn fitted_power(&self) -> Option<f64> {
-        let power = self.mean_over_every_second_byte(|from, to| {
-            (to / 255.0).ln() / (from / 255.0).ln()
+        let power = self.mean_over_every_second_byte(|our_byte, their_byte| {
+            (their_byte / 255.0).ln() / (our_byte / 255.0).ln()
         });
         power.filter(|power| (power - 1.0).abs() > 0.04)
     }

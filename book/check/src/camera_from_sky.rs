@@ -39,9 +39,10 @@ impl SkyCamera {
         if all.len() * 20 < yours.pixels.pixels().len() {
             return None;
         }
-        let place = |byte: u8| (f64::from(byte) / 255.0 - 0.7) / 0.3;
-        let point =
-            |(at, [r, g, _]): &(DVec3, [u8; 3])| (*at, [place(*r), place(*g)]);
+        let decode = |byte: u8| (f64::from(byte) / 255.0 - 0.7) / 0.3;
+        let point = |(place, [r, g, _]): &(DVec3, [u8; 3])| {
+            (*place, [decode(*r), decode(*g)])
+        };
         let [x, y] = fit_planes(&all.iter().map(point).collect::<Vec<_>>())?;
         Some(Self { x, y })
     }
@@ -81,15 +82,18 @@ impl SkyCamera {
     /// Whether a byte of a picture would be off by no more with the other camera.
     fn draws_same_bytes(
         &self,
-        other: &Self,
+        other_camera: &Self,
         (columns, rows): (u32, u32),
-        tolerance: f64,
+        byte_tolerance: f64,
     ) -> bool {
         let corners = [(0, 0), (columns, 0), (0, rows), (columns, rows)];
         corners.into_iter().all(|(i, j)| {
             let corner = DVec3::new(i.into(), j.into(), 1.0);
-            let apart = |a: DVec3, b: DVec3| (a - b).dot(corner).abs() * 76.5;
-            apart(self.x, other.x).max(apart(self.y, other.y)) < tolerance
+            let byte_difference =
+                |a: DVec3, b: DVec3| (a - b).dot(corner).abs() * 76.5;
+            byte_difference(self.x, other_camera.x)
+                .max(byte_difference(self.y, other_camera.y))
+                < byte_tolerance
         })
     }
 
@@ -103,8 +107,9 @@ impl SkyCamera {
         let parts = [("D_u", columns), ("D_v", rows), ("V_0", 1)];
         for (k, (name, count)) in parts.into_iter().enumerate() {
             let [yours, right] = [self, ours].map(|sky| (sky.x[k], sky.y[k]));
-            let apart = (yours.0 - right.0).abs().max((yours.1 - right.1).abs());
-            if ENOUGH < apart * f64::from(count) * 76.5 {
+            let difference =
+                (yours.0 - right.0).abs().max((yours.1 - right.1).abs());
+            if ENOUGH < difference * f64::from(count) * 76.5 {
                 let [yours, right] = [yours, right].map(|(x, y)| {
                     format!(
                         "({}, {})",
@@ -148,34 +153,39 @@ fn fit_planes<const N: usize>(points: &[(DVec3, [f64; N])]) -> Option<[DVec3; N]
         return None;
     }
     let is_on =
-        |planes: &[DVec3; N], limit: f64, (at, values): &(DVec3, [f64; N])| {
+        |planes: &[DVec3; N], limit: f64, (place, values): &(DVec3, [f64; N])| {
             let mut pairs = planes.iter().zip(values);
-            pairs.all(|(plane, value)| (plane.dot(*at) - value).abs() < limit)
+            pairs.all(|(plane, value)| (plane.dot(*place) - value).abs() < limit)
         };
     // The best of some planes through three points each, far from each other.
-    let some: Vec<_> = points.iter().step_by(points.len().div_ceil(400)).collect();
+    let samples: Vec<_> =
+        points.iter().step_by(points.len().div_ceil(400)).collect();
     let through = |k: usize| {
         let three =
-            [k, 7 * k + 131, 31 * k + 270].map(|n| some[n * 17 % some.len()]);
+            [k, 7 * k + 131, 31 * k + 270].map(|n| samples[n * 17 % samples.len()]);
         let [p, q, r] = three.map(|point| point.0);
         let inverse = DMat3::from_cols(p, q, r).transpose().inverse();
         let value = |n: usize| DVec3::from_array(three.map(|point| point.1[n]));
         inverse.is_finite().then(|| array::from_fn(|n| inverse * value(n)))
     };
     let count = |planes: &[DVec3; N]| {
-        some.iter().filter(|point| is_on(planes, 0.01, point)).count()
+        samples.iter().filter(|point| is_on(planes, 0.01, point)).count()
     };
     let mut planes = (0..400).filter_map(through).max_by_key(count)?;
     for limit in LIMITS {
         let (mut matrix, mut right, mut count) = (DMat3::ZERO, [DVec3::ZERO; N], 0);
         // Every second one, so that the fit can be asked of the others.
         let second = points.iter().step_by(2);
-        for (at, values) in second.filter(|point| is_on(&planes, limit, point)) {
-            matrix += DMat3::from_cols(*at * at.x, *at * at.y, *at * at.z);
+        for (place, values) in second.filter(|point| is_on(&planes, limit, point)) {
+            matrix += DMat3::from_cols(
+                *place * place.x,
+                *place * place.y,
+                *place * place.z,
+            );
             right
                 .iter_mut()
                 .zip(values)
-                .for_each(|(sum, value)| *sum += *at * *value);
+                .for_each(|(sum, value)| *sum += *place * *value);
             count += 1;
         }
         let inverse = matrix.inverse();
@@ -207,7 +217,7 @@ pub(crate) fn camera_candidate<'a>(
         sky.draws_same_bytes(&SkyCamera::from_camera(&zoomed), size, UNCERTAIN)
             && !sky.draws_same_bytes(&ours, size, UNCERTAIN)
             && 0.0 < tan;
-    let (camera, what) = match is_zoomed {
+    let (camera, clause) = match is_zoomed {
         true => {
             let angle = sky.fov_degrees(size.0);
             (zoomed, format!(" its field of view is {angle}°, not 60°."))
@@ -219,11 +229,11 @@ pub(crate) fn camera_candidate<'a>(
     };
     let sentence = match step {
         Step::Rays => format!(
-            "Your picture is what our step draws with another camera:{what} (That is, if red \
+            "Your picture is what our step draws with another camera:{clause} (That is, if red \
              is 0.7 + 0.3 V_x and green 0.7 + 0.3 V_y, as in picture.rs.)"
         ),
         _ => format!(
-            "Your picture is what our step draws with another camera:{what}"
+            "Your picture is what our step draws with another camera:{clause}"
         ),
     };
     // The same factor and the same sum in red and in green may be those of all bytes.
@@ -256,12 +266,12 @@ pub(crate) fn camera_candidate<'a>(
 }
 
 /// The range of some colours, and so much beyond it.
-pub(crate) fn range_with_margin(colours: &[[u8; 3]], beyond: u8) -> [[u8; 3]; 2] {
+pub(crate) fn range_with_margin(colours: &[[u8; 3]], margin: u8) -> [[u8; 3]; 2] {
     let mut range = [[255; 3], [0; 3]];
     for colour in colours {
         for k in 0..3 {
-            range[0][k] = range[0][k].min(colour[k].saturating_sub(beyond));
-            range[1][k] = range[1][k].max(colour[k].saturating_add(beyond));
+            range[0][k] = range[0][k].min(colour[k].saturating_sub(margin));
+            range[1][k] = range[1][k].max(colour[k].saturating_add(margin));
         }
     }
     range
@@ -305,8 +315,9 @@ pub(crate) fn sky_colour_candidates<'a>(
                 Some(_) => pixel.ours,
                 None => {
                     let v = direction(evidence.our_ray(pixel).direction);
-                    let at = DVec3::new(v.x, v.y, 1.0);
-                    [0, 1, 2].map(|k| (255.0 * fits[k].dot(at)).round() as u8)
+                    let sky_point = DVec3::new(v.x, v.y, 1.0);
+                    [0, 1, 2]
+                        .map(|k| (255.0 * fits[k].dot(sky_point)).round() as u8)
                 }
             }
         }))

@@ -46,16 +46,17 @@ const RAYS: u32 = 4_000_000;
 /// It takes nothing but what it is given: no file, no argument, no time.
 pub fn check_png(
     png: &[u8],
-    file: &str,
-    name: Option<&str>,
+    file_name: &str,
+    expected_name: Option<&str>,
     locked: &[Locked],
 ) -> Answer {
     match png_file::read_png(png) {
         Ok(picture) => {
             let names = locked.iter().map(|one| one.name.as_str());
-            let name =
-                name.or_else(|| which_picture::find_name_in_file_name(file, names));
-            let mut answer = check_read_picture(&picture, name, locked);
+            let expected_name = expected_name.or_else(|| {
+                which_picture::find_name_in_file_name(file_name, names)
+            });
+            let mut answer = check_read_picture(&picture, expected_name, locked);
             if answer.code < 2 && picture.is_invisible {
                 answer.text = format!(
                     "Not right: alpha is 0 in every pixel, so that a viewer shows nothing. \
@@ -70,9 +71,10 @@ pub fn check_png(
             }
             answer
         }
-        Err(what) => {
-            Answer::new(2, format!("error: {} {what}", escape_for_terminal(file)))
-        }
+        Err(what) => Answer::new(
+            2,
+            format!("error: {} {what}", escape_for_terminal(file_name)),
+        ),
     }
 }
 
@@ -80,34 +82,42 @@ pub fn check_png(
 /// is left out.
 pub fn check_picture(
     yours: &RgbImage,
-    name: Option<&str>,
+    expected_name: Option<&str>,
     locked: &[Locked],
 ) -> Answer {
-    check_read_picture(&Picture::from_all_rows(yours.clone()), name, locked)
+    check_read_picture(
+        &Picture::from_all_rows(yours.clone()),
+        expected_name,
+        locked,
+    )
 }
 
 fn check_read_picture(
     yours: &Picture,
-    name: Option<&str>,
+    expected_name: Option<&str>,
     locked: &[Locked],
 ) -> Answer {
-    let is_asked = |one: &&Locked| name.is_none_or(|name| name == one.name);
-    let asked: Vec<_> = locked.iter().filter(is_asked).collect();
-    if asked.is_empty() {
+    let is_asked = |one: &&Locked| {
+        expected_name.is_none_or(|expected_name| expected_name == one.name)
+    };
+    let candidates: Vec<_> = locked.iter().filter(is_asked).collect();
+    if candidates.is_empty() {
         let names: Vec<_> = locked.iter().map(|one| one.name.as_str()).collect();
-        let (name, names) =
-            (escape_for_terminal(name.unwrap_or_default()), names.join(", "));
+        let (expected_name, names) = (
+            escape_for_terminal(expected_name.unwrap_or_default()),
+            names.join(", "),
+        );
         let text = format!(
-            "error: there is no locked picture '{name}'; allowed are {names}"
+            "error: there is no locked picture '{expected_name}'; allowed are {names}"
         );
         return Answer::new(2, text);
     }
     let is_this =
         |one: &&&Locked| yours.has_all_rows() && one.picture == yours.pixels;
-    let right = asked.iter().find(is_this);
-    let ours = right
-        .copied()
-        .unwrap_or_else(|| which_picture::find_most_similar(&yours.pixels, &asked));
+    let right = candidates.iter().find(is_this);
+    let ours = right.copied().unwrap_or_else(|| {
+        which_picture::find_most_similar(&yours.pixels, &candidates)
+    });
     if !ours.has_compiled_hash() {
         let text = format!(
             "error: our picture of {} is of another version of the course than this program",
@@ -116,8 +126,10 @@ fn check_read_picture(
         return Answer::new(2, text);
     }
     if right.is_some() {
-        let name = &ours.name;
-        let text = format!("Right: this is the picture of {name}, in every pixel.");
+        let expected_name = &ours.name;
+        let text = format!(
+            "Right: this is the picture of {expected_name}, in every pixel."
+        );
         return Answer::new(0, text);
     }
     let budget = RayBudget::new(RAYS);
@@ -129,19 +141,22 @@ fn check_read_picture(
         return Answer::new(u8::from(!is_right), options.sentences(step, yours));
     }
     let is_size = yours.size == ours.picture.dimensions();
-    let drawn = match step.filter(|_| yours.has_all_rows()) {
+    let ours_at_size = match step.filter(|_| yours.has_all_rows()) {
         _ if is_size => Some(ours.picture.clone()),
         Some(step) => {
             Some(step.draw_picture(&default_camera(yours.size.0, yours.size.1), 1))
         }
         None => None,
     };
-    let same = locked.iter().find(|one| is_this(&one));
-    let text = match same {
+    let other_name_match = locked.iter().find(|one| is_this(&one));
+    let text = match other_name_match {
         Some(other) => explain_other_picture(&yours.pixels, ours, other),
-        None => explain_wrong_picture(yours, ours, drawn.as_ref(), step, &budget),
+        None => {
+            explain_wrong_picture(yours, ours, ours_at_size.as_ref(), step, &budget)
+        }
     };
-    let difference = drawn.map(|drawn| draw_panels(&yours.pixels, &drawn));
+    let difference =
+        ours_at_size.map(|ours_at_size| draw_panels(&yours.pixels, &ours_at_size));
     Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 
@@ -149,31 +164,36 @@ fn check_read_picture(
 fn explain_other_picture(
     yours: &RgbImage,
     ours: &Locked,
-    other: &Locked,
+    found: &Locked,
 ) -> String {
-    let (name, asked) = (&other.name, &ours.name);
-    let start =
-        format!("Not right: this is the picture of {name}, not of {asked}.");
-    let steps = [name, asked].map(|name| Step::from_name(name));
-    let [Some(from), Some(to)] = steps else {
-        return format!("{start}\n{}", hint_to_check_step_first(asked));
+    let (name, expected_name) = (&found.name, &ours.name);
+    let start = format!(
+        "Not right: this is the picture of {name}, not of {expected_name}."
+    );
+    let steps = [name, expected_name].map(|name| Step::from_name(name));
+    let [Some(found_step), Some(expected_step)] = steps else {
+        return format!("{start}\n{}", hint_to_check_step_first(expected_name));
     };
-    let missing = match (from, to) {
-        _ if to < from => return start,
+    let missing = match (found_step, expected_step) {
+        _ if expected_step < found_step => return start,
         (Step::Diffuse, _) => "The highlights are missing",
         (Step::Nearest, _) => "The light is missing: each object has one colour",
         (Step::Rays, _) => "The objects are missing: no ray meets one",
         _ => "The nine objects are missing",
     };
-    let later = Step::ALL.into_iter().filter(|step| from < *step && *step <= to);
+    let later = Step::ALL
+        .into_iter()
+        .filter(|step| found_step < *step && *step <= expected_step);
     let later: Vec<_> = later.collect();
-    let is_listed =
-        find_mistakes(hash_picture(yours)).iter().any(|(_, name)| name == asked);
-    let listed = explain_listed_mistake(yours, asked).filter(|_| is_listed);
-    let tests = listed.unwrap_or_else(|| test_command_sentence(&later));
+    let is_listed = find_mistakes(hash_picture(yours))
+        .iter()
+        .any(|(_, name)| name == expected_name);
+    let mistake_text =
+        explain_listed_mistake(yours, expected_name).filter(|_| is_listed);
+    let tests = mistake_text.unwrap_or_else(|| test_command_sentence(&later));
     format!(
         "{start}\n{missing}. (Or the file is that of step {}.)\n{tests}",
-        from.number()
+        found_step.number()
     )
 }
 
@@ -194,7 +214,7 @@ fn hint_to_check_step_first(name: &str) -> String {
 fn explain_wrong_picture(
     yours: &Picture,
     ours: &Locked,
-    drawn: Option<&RgbImage>,
+    ours_at_size: Option<&RgbImage>,
     step: Option<Step>,
     budget: &RayBudget,
 ) -> String {
@@ -202,69 +222,74 @@ fn explain_wrong_picture(
     if let Some(text) = explain_one_colour(yours) {
         let steps: Vec<_> =
             Step::ALL.into_iter().filter(|one| Some(*one) <= step).collect();
-        let listed = explain_listed_mistake(&yours.pixels, name);
+        let mistake_text = explain_listed_mistake(&yours.pixels, name);
         return text
-            + &listed.unwrap_or_else(|| match step {
+            + &mistake_text.unwrap_or_else(|| match step {
                 Some(_) => test_command_sentence(&steps),
                 None => hint_to_check_step_first(name),
             });
     }
-    if let Some(part) = crop_or_scale_clause(yours, &ours.picture, drawn) {
+    if let Some(part) = crop_or_scale_clause(yours, &ours.picture, ours_at_size) {
         return format!("Not right: your picture is that of {name}, {part}.\n");
     }
     let is_size = yours.size == ours.picture.dimensions();
     let thinned = yours.with_spread_rows(COMPARED);
     let (columns, rows) = yours.size;
     let camera = default_camera(columns.max(2), rows);
-    let own = match step {
+    let our_rows = match step {
         _ if is_size => ours.picture.clone(),
         Some(step) => draw_rows(step, &camera, &thinned.rows),
         // Nothing is known of an exercise at another size, but that it may be turned.
         None => RgbImage::new(columns, thinned.rows.len() as u32),
     };
-    let evidence = Evidence::new(name, step, &thinned, own, camera, ENCODE);
-    let listed =
+    let evidence = Evidence::new(name, step, &thinned, our_rows, camera, ENCODE);
+    let mistake_text =
         if is_size { explain_listed_mistake(&yours.pixels, name) } else { None };
     if evidence.wrong_pixels().is_empty() {
         return explain_difference_beyond_compared_rows(
             yours,
-            drawn,
+            ours_at_size,
             name,
             thinned.rows.len(),
         );
     }
-    let at_size = drawn
+    let at_size = ours_at_size
         .map(OurPicture::from_drawn)
         .or_else(|| step.map(|step| computed_picture(step, &evidence)));
-    let whole = at_size.into_iter().chain([OurPicture::from_drawn(&ours.picture)]);
-    let rearranged =
-        drawn.map_or(vec![], |drawn| rearranged_candidates(&evidence, drawn));
-    let mut text =
-        match find_explanation_of_whole(&evidence, whole, rearranged, budget) {
-            Some(found) => {
-                let places =
-                    found.files.iter().filter_map(|file| find_source_ref(file));
-                let back = listed.unwrap_or_else(|| {
-                    go_back_sentences(&places.collect::<Vec<_>>())
-                });
-                format!(
-                    "Not right: {}\n{back}",
-                    lowercase_first_letter(&found.sentence)
-                )
+    let our_pictures =
+        at_size.into_iter().chain([OurPicture::from_drawn(&ours.picture)]);
+    let rearranged = ours_at_size.map_or(vec![], |ours_at_size| {
+        rearranged_candidates(&evidence, ours_at_size)
+    });
+    let mut text = match find_explanation_of_whole(
+        &evidence,
+        our_pictures,
+        rearranged,
+        budget,
+    ) {
+        Some(found) => {
+            let places =
+                found.files.iter().filter_map(|file| find_source_ref(file));
+            let back = mistake_text
+                .unwrap_or_else(|| go_back_sentences(&places.collect::<Vec<_>>()));
+            format!(
+                "Not right: {}\n{back}",
+                lowercase_first_letter(&found.sentence)
+            )
+        }
+        None if is_size || step.is_some() => match mistake_text {
+            Some(mistake_text) => {
+                format!("Not right: {}", lowercase_first_letter(&mistake_text))
             }
-            None if is_size || step.is_some() => match listed {
-                Some(listed) => {
-                    format!("Not right: {}", lowercase_first_letter(&listed))
-                }
-                None => explain_or_count(&evidence, drawn, budget),
-            },
-            None => {
-                return format!(
-                    "Not right yet, compared with {name}.\n{}",
-                    hint_on_size(yours, ours)
-                );
-            }
-        };
+            None => explain_or_count(&evidence, ours_at_size, budget),
+        },
+        None => {
+            return format!(
+                "Not right yet, compared with {name}.\n{}",
+                hint_on_size(yours, ours)
+            );
+        }
+    };
     if !is_size {
         text += &hint_on_size(yours, ours);
     }
@@ -304,13 +329,13 @@ fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
 /// What there is to say where all rows are right in which explanations are asked.
 fn explain_difference_beyond_compared_rows(
     yours: &Picture,
-    drawn: Option<&RgbImage>,
+    ours_at_size: Option<&RgbImage>,
     name: &str,
     rows: usize,
 ) -> String {
     let start = format!("Not right yet, compared with {name}.\n");
-    let difference =
-        drawn.and_then(|drawn| Difference::between(drawn, &yours.pixels));
+    let difference = ours_at_size
+        .and_then(|ours_at_size| Difference::between(ours_at_size, &yours.pixels));
     let Some(Difference::Pixels { count, first: (i, j), colours, .. }) = difference
     else {
         return start;
@@ -331,8 +356,9 @@ fn find_explanation_of_whole<'a>(
     rearranged: Vec<Explanation<'a>>,
     budget: &RayBudget,
 ) -> Option<Explanation<'a>> {
-    let turned = ours.flat_map(|ours| turned_candidates(evidence, ours));
-    let strict = turned.chain(rearranged).chain(encode_candidates(evidence));
+    let turned_or_swapped = ours.flat_map(|ours| turned_candidates(evidence, ours));
+    let strict =
+        turned_or_swapped.chain(rearranged).chain(encode_candidates(evidence));
     // In step 1, where all is sky, a camera and another colour of it look like a curve.
     let is_sky_alone = evidence.step == Some(Step::Rays);
     let camera = camera_candidate(evidence).filter(|_| is_sky_alone);
@@ -351,10 +377,10 @@ fn find_explanation_of_whole<'a>(
 /// What explains a picture that is not in the list; or what there is to count.
 fn explain_or_count(
     evidence: &Evidence,
-    drawn: Option<&RgbImage>,
+    ours_at_size: Option<&RgbImage>,
     budget: &RayBudget,
 ) -> String {
-    let one = undrawn_pixels_candidate(evidence)
+    let candidates = undrawn_pixels_candidate(evidence)
         .into_iter()
         .chain(object_candidates(evidence))
         .chain(changed_number_candidates(evidence))
@@ -367,7 +393,7 @@ fn explain_or_count(
         .chain(random_ray_candidate(evidence))
         .chain(recoloured_candidate(evidence))
         .chain(lossy_candidate(evidence));
-    if let Some(found) = find_first_that_holds(evidence, one, budget) {
+    if let Some(found) = find_first_that_holds(evidence, candidates, budget) {
         let places = found.files.iter().filter_map(|file| find_source_ref(file));
         let back = go_back_sentences(&places.collect::<Vec<_>>());
         return format!(
@@ -379,14 +405,14 @@ fn explain_or_count(
     let Some(step) = evidence.step else {
         return start + &hint_to_check_step_first(evidence.name);
     };
-    if drawn.is_some() && has_our_colours_elsewhere(evidence) {
+    if ours_at_size.is_some() && has_our_colours_elsewhere(evidence) {
         let text = "The pixels of your picture are ours in other places.\n";
         return start + text + &test_command_sentence(&[Step::Rays]);
     }
     match find_other_encode_of_sky(evidence, budget) {
         Some((words, encode)) => {
             let intensity = intensity_function(step, &scene_of_step(step));
-            let own = RgbImage::from_fn(
+            let our_rows = RgbImage::from_fn(
                 evidence.ours.width(),
                 evidence.ours.height(),
                 |i, k| {
@@ -396,12 +422,14 @@ fn explain_or_count(
             );
             let Evidence { name, yours, camera, .. } = *evidence;
             let second =
-                Evidence::new(name, Some(step), yours, own, camera, encode);
-            let rest = explain_or_count(&second, None, budget);
+                Evidence::new(name, Some(step), yours, our_rows, camera, encode);
+            let further_text = explain_or_count(&second, None, budget);
             format!(
                 "{start}In every pixel of the sky each byte of your picture is {words}: see \
                  rgb8.rs of step 1.\nBeside that: {}",
-                rest.trim_start_matches(&start).trim_start_matches("Not right: ")
+                further_text
+                    .trim_start_matches(&start)
+                    .trim_start_matches("Not right: ")
             )
         }
         None => start + &describe_wrong_regions(evidence, step, budget),
@@ -422,12 +450,12 @@ fn sentences_of_wrong_pixel(evidence: &Evidence) -> String {
     else {
         return String::new();
     };
-    let mut far: Vec<_> = wrong
+    let mut most_different: Vec<_> = wrong
         .iter()
         .filter(|pixel| most.div_ceil(2) <= pixel.largest_channel_difference())
         .collect();
-    far.sort_by_key(|pixel| (pixel.j, pixel.i));
-    let pixel = far[far.len() / 2];
+    most_different.sort_by_key(|pixel| (pixel.j, pixel.i));
+    let pixel = most_different[most_different.len() / 2];
     let computed = evidence.step.map_or(String::new(), |step| {
         format!(": {}", computed_values_clause(step, &evidence.our_ray(pixel)))
     });

@@ -6,11 +6,11 @@ use image::imageops::{FilterType, resize};
 const MOST_PLACES: usize = 32;
 
 /// What was made of ours that has another size: half a sentence, if that explains the
-/// picture. `drawn` is our own at the picture's size.
+/// picture. `ours_at_size` is our own at the picture's size.
 pub(crate) fn crop_or_scale_clause(
     yours: &Picture,
     ours: &RgbImage,
-    drawn: Option<&RgbImage>,
+    ours_at_size: Option<&RgbImage>,
 ) -> Option<String> {
     if !yours.has_all_rows() || yours.size == ours.dimensions() {
         return None;
@@ -29,9 +29,9 @@ pub(crate) fn crop_or_scale_clause(
         ));
     }
     let is_likely = w * h <= 9 * ours.width() * ours.height();
-    (is_likely && is_scaled_copy(yours, ours, drawn)).then(|| {
-        let (from, to) = ours.dimensions();
-        format!("scaled, {from}×{to} pixels made into {w}×{h}")
+    (is_likely && is_scaled_copy(yours, ours, ours_at_size)).then(|| {
+        let (our_columns, our_rows) = ours.dimensions();
+        format!("scaled, {our_columns}×{our_rows} pixels made into {w}×{h}")
     })
 }
 
@@ -94,18 +94,22 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
 fn is_scaled_copy(
     yours: &RgbImage,
     ours: &RgbImage,
-    drawn: Option<&RgbImage>,
+    ours_at_size: Option<&RgbImage>,
 ) -> bool {
     let (w, h) = yours.dimensions();
-    let mean = |other: &RgbImage| {
-        let bytes = yours.as_raw().iter().zip(other.as_raw());
+    let mean_difference = |picture: &RgbImage| {
+        let bytes = yours.as_raw().iter().zip(picture.as_raw());
         let sum: u64 = bytes.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
         sum as f64 / yours.as_raw().len().max(1) as f64
     };
     let filters = [FilterType::Nearest, FilterType::Triangle, FilterType::Lanczos3];
-    let scaled = filters.map(|filter| mean(&resize(ours, w, h, filter)));
-    let least = scaled.into_iter().fold(f64::INFINITY, f64::min);
-    if 1.0 < least || drawn.is_some_and(|drawn| mean(drawn) < least) {
+    let scaled = filters.map(|filter| mean_difference(&resize(ours, w, h, filter)));
+    let least_difference = scaled.into_iter().fold(f64::INFINITY, f64::min);
+    if 1.0 < least_difference
+        || ours_at_size.is_some_and(|ours_at_size| {
+            mean_difference(ours_at_size) < least_difference
+        })
+    {
         return false;
     }
     let [x, y] = [(ours.width(), w), (ours.height(), h)]
@@ -130,9 +134,9 @@ fn is_scaled_copy(
         // A sharp filter goes beyond its neighbours.
         (0..3).all(|c| {
             let [low, high] = range[c];
-            let beyond = 3 + (high - low) / 4;
-            low.saturating_sub(beyond) <= pixel[c]
-                && pixel[c] <= high.saturating_add(beyond)
+            let overshoot = 3 + (high - low) / 4;
+            low.saturating_sub(overshoot) <= pixel[c]
+                && pixel[c] <= high.saturating_add(overshoot)
         })
     })
 }

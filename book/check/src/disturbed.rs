@@ -173,8 +173,8 @@ pub(crate) fn lossy_candidate<'a>(
     }
     let mut squares: HashMap<(u32, u32), ([i64; 3], u64, u64)> = HashMap::new();
     for pixel in &evidence.pixels {
-        let at = (pixel.i / SQUARE, pixel.j / SQUARE);
-        let (sums, distance, count) = squares.entry(at).or_default();
+        let square = (pixel.i / SQUARE, pixel.j / SQUARE);
+        let (sums, distance, count) = squares.entry(square).or_default();
         for (k, sum) in sums.iter_mut().enumerate() {
             let difference = i64::from(pixel.yours[k]) - i64::from(pixel.ours[k]);
             *sum += difference;
@@ -182,11 +182,11 @@ pub(crate) fn lossy_candidate<'a>(
         }
         *count += 1;
     }
-    let (few, many) = (
+    let (colours_in_yours, colours_in_ours) = (
         count_colours(evidence, |pixel| pixel.yours),
         count_colours(evidence, |pixel| pixel.ours),
     );
-    let has_few = few <= 256 && 4 * few < many;
+    let has_few = colours_in_yours <= 256 && 4 * colours_in_yours < colours_in_ours;
     let mean = if has_few { 2 * MEAN } else { MEAN };
     // The squares at the end of a row may be thin.
     let is_like_ours = squares.values().all(|(sums, _, count)| {
@@ -201,15 +201,15 @@ pub(crate) fn lossy_candidate<'a>(
     if !is_like_ours || 5 * bias > 3 * distance && !has_few {
         return None;
     }
-    let how = match has_few {
-        true => format!("it has only {few} colours, as a GIF has, and ours has {many}"),
+    let cause = match has_few {
+        true => format!("it has only {colours_in_yours} colours, as a GIF has, and ours has {colours_in_ours}"),
         false => "it was packed with loss (JPEG, WebP), scaled and scaled back or blurred, or \
                   something random was added"
             .to_owned(),
     };
     let sentence = format!(
         "Your picture is ours, a little off in {wrong} of {all} pixels, and in each small \
-         square about as bright: {how}. Give the file that the program wrote."
+         square about as bright: {cause}. Give the file that the program wrote."
     );
     Some(Explanation::range(sentence, &[], |_| [[0; 3], [255; 3]]))
 }
@@ -223,8 +223,8 @@ fn are_flat_parts_changed(evidence: &Evidence) -> bool {
             let place =
                 ((pixel.i + u).checked_sub(1), (pixel.j + v).checked_sub(1));
             let (Some(i), Some(j)) = place else { return false };
-            let other = ours.get_pixel_checked(i, j);
-            other.is_some_and(|other| other.0 == pixel.ours)
+            let neighbour = ours.get_pixel_checked(i, j);
+            neighbour.is_some_and(|neighbour| neighbour.0 == pixel.ours)
         })
     };
     let (wrong, all) = evidence.count_wrong_and_all(is_flat);

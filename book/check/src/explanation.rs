@@ -92,8 +92,10 @@ impl<'a> Explanation<'a> {
         is_in_region: impl Fn(&Pixel) -> bool,
         budget: &RayBudget,
     ) -> Option<usize> {
-        let most = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
-        let most = most.min(evidence.wrong_pixels().len() / 100);
+        let most_exceptions =
+            evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
+        let most_exceptions =
+            most_exceptions.min(evidence.wrong_pixels().len() / 100);
         let mut count = 0;
         let pixels = if self.only_wrong {
             evidence.wrong_pixels()
@@ -106,7 +108,7 @@ impl<'a> Explanation<'a> {
             }
             let [low, high] = (self.colours)(pixel);
             count += usize::from(!is_colour_between(low, pixel.yours, high));
-            if most < count {
+            if most_exceptions < count {
                 return None;
             }
         }
@@ -132,9 +134,9 @@ impl RayBudget {
 
     /// Takes some of it, if so much is left.
     pub fn spend(&self, rays: u32) -> bool {
-        let left = self.rays.get().checked_sub(rays);
-        self.rays.set(left.unwrap_or(0));
-        left.is_some()
+        let rays_left = self.rays.get().checked_sub(rays);
+        self.rays.set(rays_left.unwrap_or(0));
+        rays_left.is_some()
     }
 }
 

@@ -6,11 +6,11 @@ use std::path::Path;
 /// The bytes of a file, or why they can't be had. What is not a file, such as a folder, a
 /// device or a pipe, is not opened, and of a larger file than any picture nothing is read.
 pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
-    let shown = escape_for_terminal(&path.display().to_string());
-    let unread = |error| format!("can't read {shown}: {error}");
+    let printable_path = escape_for_terminal(&path.display().to_string());
+    let unread = |error| format!("can't read {printable_path}: {error}");
     let metadata = fs::metadata(path).map_err(unread)?;
     if !metadata.is_file() {
-        return Err(format!("{shown} is not a file"));
+        return Err(format!("{printable_path} is not a file"));
     }
     let mut bytes = vec![];
     let file = File::open(path).map_err(unread)?;
@@ -18,7 +18,7 @@ pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
         file.take(FILE_BYTES + 1).read_to_end(&mut bytes).map_err(unread)?;
     }
     if metadata.len().max(bytes.len() as u64) > FILE_BYTES {
-        return Err(format!("{shown} {}", too_large_clause()));
+        return Err(format!("{printable_path} {}", too_large_clause()));
     }
     Ok(bytes)
 }

@@ -69,18 +69,18 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
 
 /// The mistakes that give a picture, to the last pixel, each with the name of what was
 /// drawn; the likeliest first, which are those that the book shows and small ones.
-pub fn find_mistakes(sum: u64) -> Vec<(Mistake, String)> {
+pub fn find_mistakes(hash: u64) -> Vec<(Mistake, String)> {
     let all = mistakes().into_iter().zip(table_rows());
-    let mut known: Vec<_> = all
+    let mut mistakes_and_names: Vec<_> = all
         .filter_map(|(mistake, row)| {
-            let at = row.hashes.iter().position(|one| *one == Some(sum))?;
-            let name = mistake.affected_pictures().into_iter().nth(at)?;
+            let index = row.hashes.iter().position(|one| *one == Some(hash))?;
+            let name = mistake.affected_pictures().into_iter().nth(index)?;
             Some((mistake, name))
         })
         .collect();
-    known.sort_by_key(|(mistake, _)| {
+    mistakes_and_names.sort_by_key(|(mistake, _)| {
         let size = mistake.old.len().abs_diff(mistake.new.len());
         (mistake.book_entry.is_none(), mistake.new.lines().count(), size)
     });
-    known
+    mistakes_and_names
 }

@@ -25,32 +25,34 @@ enum Verdict {
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
 /// none is there.
-pub fn report_on_folder(folder: &Path, locked: &[Locked], is_json: bool) -> Answer {
-    let own = check_entries(folder, locked);
-    let inner =
-        match own.iter().all(|entry| matches!(entry.verdict, Verdict::Absent)) {
-            true => visible_folders_in(folder),
-            false => vec![],
-        };
+pub fn report_on_folder(folder: &Path, locked: &[Locked], as_json: bool) -> Answer {
+    let own_entries = check_entries(folder, locked);
+    let inner = match own_entries
+        .iter()
+        .all(|entry| matches!(entry.verdict, Verdict::Absent))
+    {
+        true => visible_folders_in(folder),
+        false => vec![],
+    };
     let is_class = !inner.is_empty();
     let all: Vec<_> = match is_class {
-        false => vec![(folder.to_owned(), own)],
+        false => vec![(folder.to_owned(), own_entries)],
         true => {
-            let own = |folder: PathBuf| {
+            let own_entries = |folder: PathBuf| {
                 let entries = check_entries(&folder, locked);
                 (folder, entries)
             };
-            inner.into_iter().map(own).collect()
+            inner.into_iter().map(own_entries).collect()
         }
     };
-    let lines: Vec<_> = match (is_json, is_class) {
+    let lines: Vec<_> = match (as_json, is_class) {
         (true, _) => vec![format_json(&all)],
         (false, false) => {
             all.iter().map(|(_, entries)| format_table(entries)).collect()
         }
         (false, true) => all
             .iter()
-            .map(|(folder, own)| format_student_line(folder, own))
+            .map(|(folder, own_entries)| format_student_line(folder, own_entries))
             .collect(),
     };
     let verdicts = all.iter().flat_map(|(_, entries)| entries);
@@ -124,7 +126,7 @@ fn format_table(entries: &[Entry]) -> String {
     let width =
         entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0) + 2;
     let line = |Entry { picture, verdict }: &Entry| {
-        let told = match verdict {
+        let verdict_text = match verdict {
             Verdict::Absent => "not there".to_owned(),
             Verdict::Unreadable(why) => format!("unreadable: {why}"),
             Verdict::Right(notes) if notes.is_empty() => "right".to_owned(),
@@ -133,7 +135,7 @@ fn format_table(entries: &[Entry]) -> String {
                 format!("not right: {}", first_line_without_prefix(text))
             }
         };
-        format!("{picture:width$}{told}\n")
+        format!("{picture:width$}{verdict_text}\n")
     };
     let lines: String = entries.iter().map(line).collect();
     let right = entries.iter().filter(is_right).count();
@@ -142,9 +144,9 @@ fn format_table(entries: &[Entry]) -> String {
 
 /// One line for a student's folder.
 fn format_student_line(folder: &Path, entries: &[Entry]) -> String {
-    let names = |is_one: fn(&Verdict) -> bool| {
-        let those = entries.iter().filter(|entry| is_one(&entry.verdict));
-        those.map(|entry| entry.picture).collect::<Vec<_>>().join(", ")
+    let names = |is_selected: fn(&Verdict) -> bool| {
+        let selected = entries.iter().filter(|entry| is_selected(&entry.verdict));
+        selected.map(|entry| entry.picture).collect::<Vec<_>>().join(", ")
     };
     let mut line = format!(
         "{}: {} of {} are right",

@@ -13,36 +13,37 @@ const TITLES: usize = 3;
 /// Tells which mistakes of the list give these very pixels.
 pub(crate) fn explain_listed_mistake(
     yours: &RgbImage,
-    asked: &str,
+    expected_name: &str,
 ) -> Option<String> {
     let mut all = find_mistakes(hash_picture(yours));
-    if all.iter().any(|(_, name)| name == asked) {
-        all.retain(|(_, name)| name == asked);
+    if all.iter().any(|(_, name)| name == expected_name) {
+        all.retain(|(_, name)| name == expected_name);
     }
     let (first, name) = all.first()?;
-    let start = match name == asked {
+    let start = match name == expected_name {
         true => String::new(),
         false => format!(
-            "These are the pixels of {name} with a mistake in it, not of {asked}.\n"
+            "These are the pixels of {name} with a mistake in it, not of {expected_name}.\n"
         ),
     };
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
-    all.iter().for_each(|(one, _)| *files.entry(&one.file).or_default() += 1);
+    all.iter()
+        .for_each(|(mistake, _)| *files.entry(&mistake.file).or_default() += 1);
     if 1 < files.len() {
         return Some(start + &explain_several_files(all.len(), first, files));
     }
-    let why = match &first.book_entry {
-        Some(shown) if all.len() == 1 => format!("{}\n", shown.why),
+    let explanation = match &first.book_entry {
+        Some(shown) if all.len() == 1 => format!("{}\n", shown.reason),
         _ => String::new(),
     };
     let titles: Vec<_> =
-        all.iter().take(TITLES).map(|(one, _)| one.title).collect();
+        all.iter().take(TITLES).map(|(mistake, _)| mistake.title).collect();
     let give = match all.len() {
         1 => "this mistake gives".to_owned(),
         count => format!("{count} mistakes in one file give, such as"),
     };
     Some(format!(
-        "{start}Your picture is, in every pixel, what {give}: {}.\n{}{why}{}",
+        "{start}Your picture is, in every pixel, what {give}: {}.\n{}{explanation}{}",
         titles.join("; "),
         format_short_diff(first),
         go_back_to_mistake(first),

@@ -57,8 +57,8 @@ fn check_folder(
     json: bool,
 ) -> Result<Answer, String> {
     if !folder.is_dir() {
-        let shown = escape_for_terminal(&folder.display().to_string());
-        return Err(format!("{shown} is not a folder"));
+        let printable_path = escape_for_terminal(&folder.display().to_string());
+        return Err(format!("{printable_path} is not a folder"));
     }
     Ok(report_on_folder(folder, locked, json))
 }
@@ -84,11 +84,11 @@ fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = program.ancestors().nth(2).unwrap_or(Path::new("target"));
     let path = folder.join("check").join(file.file_name().unwrap_or_default());
     let path = path.with_extension("difference.png");
-    let saved = fs::create_dir_all(folder.join("check"))
+    let result = fs::create_dir_all(folder.join("check"))
         .map_err(Into::into)
         .and_then(|()| difference.save(&path));
     let path = escape_for_terminal(&path.display().to_string());
-    match saved {
+    match result {
         Ok(()) => format!(
             "Yours, ours and the difference (orange where yours is brighter, else \
              blue), side by side: {path}"

@@ -57,8 +57,8 @@ pub(crate) fn object_candidates<'a>(
                 |n| n < first,
             )
         });
-        let behind = wrong_order_candidates(evidence, step);
-        one_missing.chain(only_first).chain(only_last).chain(behind)
+        let wrong_orders = wrong_order_candidates(evidence, step);
+        one_missing.chain(only_first).chain(only_last).chain(wrong_orders)
     })
 }
 
@@ -67,13 +67,13 @@ fn missing_objects_candidate<'a>(
     step: Step,
     sentence: String,
     files: &[&'static str],
-    is_gone: impl Fn(usize) -> bool,
+    is_missing: impl Fn(usize) -> bool,
 ) -> Explanation<'a> {
     let mut scene = scene_of_step(step);
     let mut k = 0;
     scene.objects.retain(|_| {
         k += 1;
-        !is_gone(k - 1)
+        !is_missing(k - 1)
     });
     let intensity = intensity_function(step, &scene);
     Explanation::exact(sentence, files, move |pixel| {
@@ -105,8 +105,9 @@ fn wrong_order_candidates<'a>(
         );
         Explanation::exact(sentence, &[NEAREST], move |pixel| {
             let ray = evidence.our_ray(pixel);
-            let chosen = choose(&sorted_hits(&scene, &ray));
-            evidence.encode(chosen.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
+            let front_object = choose(&sorted_hits(&scene, &ray));
+            evidence
+                .encode(front_object.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
         })
     };
     choices.map(explanation).into()
@@ -226,7 +227,7 @@ fn term_factors_candidate<'a>(
         factors.iter().enumerate().filter(|(_, factor)| **factor != 1.0)
     {
         let is_whole = [0.0, 2.0].contains(factor);
-        let own: &[_] = match k {
+        let files_of_term: &[_] = match k {
             0 if is_whole => &[AMBIENT],
             0 => &[AMBIENT, "step04_diffuse/scene.rs"],
             1 | 2 if is_whole => &[DIFFUSE],
@@ -239,7 +240,10 @@ fn term_factors_candidate<'a>(
             _ => &[SPECULAR, "step05_phong/scene.rs"],
         };
         files.extend(
-            own.iter().filter(|file| !files.contains(*file)).collect::<Vec<_>>(),
+            files_of_term
+                .iter()
+                .filter(|file| !files.contains(*file))
+                .collect::<Vec<_>>(),
         );
     }
     files.push(match step {
@@ -263,8 +267,8 @@ fn sum_scaled_terms(
     ray: &Ray,
     factors: &[f64],
 ) -> Option<DVec3> {
-    let own = |k: usize| -> Option<Phong> { terms(&scenes[k], ray) };
-    let (warm, cool) = (own(0)?, own(1)?);
+    let terms_of_light = |k: usize| -> Option<Phong> { terms(&scenes[k], ray) };
+    let (warm, cool) = (terms_of_light(0)?, terms_of_light(1)?);
     let mut sum = factors[0] * warm.ambient;
     sum += factors[1] * warm.diffuse + factors[2] * cool.diffuse;
     if let [_, _, _, a, b] = factors {
@@ -309,15 +313,15 @@ pub(crate) fn undrawn_pixels_candidate<'a>(
     let whole_lines = |name: &str, counts: BTreeMap<u32, (usize, usize)>| {
         let is_mixed =
             counts.values().any(|(right, wrong)| 0 < *right && 0 < *wrong);
-        let gone: Vec<_> = counts
+        let undrawn: Vec<_> = counts
             .iter()
             .filter(|(_, (_, wrong))| 0 < *wrong)
             .map(|(k, _)| *k)
             .collect();
-        let is_told = !is_mixed && gone.len() < counts.len();
-        is_told.then(|| format!("{name} {}", format_line_numbers(&gone)))
+        let is_told = !is_mixed && undrawn.len() < counts.len();
+        is_told.then(|| format!("{name} {}", format_line_numbers(&undrawn)))
     };
-    let what = whole_lines("rows", lines(|pixel| pixel.j))
+    let clause = whole_lines("rows", lines(|pixel| pixel.j))
         .or_else(|| whole_lines("columns", lines(|pixel| pixel.i)))
         .or_else(|| {
             let is_told = is_black && are_wrong_pixels_isolated(evidence);
@@ -326,7 +330,7 @@ pub(crate) fn undrawn_pixels_candidate<'a>(
     let compared = if evidence.has_all_rows() { "" } else { " of those compared" };
     let [r, g, b] = blank;
     let sentence = format!(
-        "Never drawn, it seems: {what}{compared}, all of them ({r}, {g}, {b}); all others are right."
+        "Never drawn, it seems: {clause}{compared}, all of them ({r}, {g}, {b}); all others are right."
     );
     Some(Explanation::exact(sentence, &[RENDER], move |pixel| {
         match pixel.is_wrong() {

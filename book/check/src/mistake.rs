@@ -28,7 +28,7 @@ pub struct BookEntry {
     /// that is drawn with the mistake in it: after `! name`, or else that of its file.
     pub pictures: Vec<(&'static str, Step)>,
     /// How it comes about or what is right, in one sentence.
-    pub why: &'static str,
+    pub reason: &'static str,
     /// The heading of its section, in the chapter of its step.
     pub section: &'static str,
     /// What its picture shows, in one sentence.
@@ -62,25 +62,26 @@ pub fn mistakes() -> Vec<Mistake> {
 
 /// The mistake that a block of a list tells.
 fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
-    let (title, rest) = block.split_once('\n')?;
+    let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
-        let lines = rest.lines().filter_map(move |line| line.strip_prefix(mark));
+        let lines =
+            marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
         lines.map(|line| line.strip_prefix(' ').unwrap_or(line))
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
-    let one = |mark| marked(mark).next().unwrap_or_default();
-    let own = Step::from_path(file);
+    let first_marked = |mark| marked(mark).next().unwrap_or_default();
+    let step_of_file = Step::from_path(file);
     let pictures =
         marked('!').filter_map(|picture| match picture.split_once(' ') {
             Some((name, step)) => Some((name, Step::from_path(step)?)),
-            None => Some((picture, own?)),
+            None => Some((picture, step_of_file?)),
         });
     let pictures: Vec<_> = pictures.collect();
     let book_entry = (!pictures.is_empty()).then(|| BookEntry {
         pictures,
-        why: one('?'),
-        section: one('/'),
-        effect: one('"'),
+        reason: first_marked('?'),
+        section: first_marked('/'),
+        effect: first_marked('"'),
     });
     let file = file.to_owned();
     Some(Mistake { title, file, old: text('-'), new: text('+'), book_entry })

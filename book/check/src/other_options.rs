@@ -39,28 +39,30 @@ pub(crate) fn find_other_options(
     budget: &RayBudget,
 ) -> Option<Options> {
     let (columns, rows) = yours.size;
-    let read = SkyCamera::fit(&yours.with_spread_rows(1 << 16))
+    let fov_of_sky = SkyCamera::fit(&yours.with_spread_rows(1 << 16))
         .map(|sky| sky.fov_degrees(columns));
-    let read = read
+    let fov_of_sky = fov_of_sky
         .filter(|angle| 1.0 <= *angle && *angle < 180.0 && *angle != FIELD_OF_VIEW);
-    [Some(FIELD_OF_VIEW), read].into_iter().flatten().find_map(|fov_degrees| {
-        let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let ours = draw_rows(step, &camera, &yours.rows);
-        if ours == yours.pixels {
-            let compared = yours.pixels.pixels().len();
-            return Some(Options { fov_degrees, samples: 1, compared });
-        }
-        let evidence = Evidence::new("", None, yours, ours, camera, ENCODE);
-        (2..=16).find_map(|samples| {
-            // Those that are wrong come first: no pixel that another one tells of is left out.
-            let pixels = (RAYS / (samples * samples)) as usize;
-            let compared = pixels.min(evidence.pixels.len());
-            let explanation = sample_grid_candidate(&evidence, step, samples);
-            let holds = evidence.wrong_pixels().len() <= compared
-                && explanation.holds_in_first(&evidence, compared, budget);
-            holds.then_some(Options { fov_degrees, samples, compared })
-        })
-    })
+    [Some(FIELD_OF_VIEW), fov_of_sky].into_iter().flatten().find_map(
+        |fov_degrees| {
+            let camera = Camera::new(columns, rows, fov_degrees.to_radians());
+            let ours = draw_rows(step, &camera, &yours.rows);
+            if ours == yours.pixels {
+                let compared = yours.pixels.pixels().len();
+                return Some(Options { fov_degrees, samples: 1, compared });
+            }
+            let evidence = Evidence::new("", None, yours, ours, camera, ENCODE);
+            (2..=16).find_map(|samples| {
+                // Those that are wrong come first: no pixel that another one tells of is left out.
+                let pixels = (RAYS / (samples * samples)) as usize;
+                let compared = pixels.min(evidence.pixels.len());
+                let explanation = sample_grid_candidate(&evidence, step, samples);
+                let holds = evidence.wrong_pixels().len() <= compared
+                    && explanation.holds_in_first(&evidence, compared, budget);
+                holds.then_some(Options { fov_degrees, samples, compared })
+            })
+        },
+    )
 }
 
 /// How many rays are drawn to find out whether a picture has so many samples.
@@ -117,10 +119,10 @@ impl Options {
                 "Right {extent}: this is the picture of {name}, {options}"
             );
         }
-        let told = format!("this is the picture of {name}, {extent}, {options}");
-        let listed = find_mistakes(hash_picture(&yours.pixels)).into_iter().next();
-        let listed = listed.filter(|_| yours.has_all_rows());
-        let hint = match listed {
+        let clause = format!("this is the picture of {name}, {extent}, {options}");
+        let mistake = find_mistakes(hash_picture(&yours.pixels)).into_iter().next();
+        let mistake = mistake.filter(|_| yours.has_all_rows());
+        let hint = match mistake {
             Some((mistake, _)) => format!(
                 "Did you give none? Then it may be this: {} ({}).",
                 mistake.title, mistake.file
@@ -130,7 +132,7 @@ impl Options {
                 .to_owned(),
         };
         format!(
-            "Right, but with other options: {told}\nThe locked picture is drawn without \
+            "Right, but with other options: {clause}\nThe locked picture is drawn without \
              options, which is --width 640 --aspect 16:9 --fov 60 --samples 1. {hint}"
         )
     }

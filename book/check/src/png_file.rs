@@ -66,10 +66,11 @@ impl Picture {
 }
 
 /// `count` of the numbers below `all`, spread over them.
-fn spread_indices(count: u32, all: u32) -> impl Iterator<Item = u32> {
-    let middle =
-        move |k| (2 * u64::from(k) + 1) * u64::from(all) / (2 * u64::from(count));
-    (0..count).map(move |k: u32| middle(k) as u32)
+fn spread_indices(index_count: u32, total: u32) -> impl Iterator<Item = u32> {
+    let middle = move |k| {
+        (2 * u64::from(k) + 1) * u64::from(total) / (2 * u64::from(index_count))
+    };
+    (0..index_count).map(move |k: u32| middle(k) as u32)
 }
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
@@ -80,8 +81,8 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
         return Err(too_large_clause());
     }
-    if let Some(other) = other_format_clause(file) {
-        return Err(format!("is {other}"));
+    if let Some(format_clause) = other_format_clause(file) {
+        return Err(format!("is {format_clause}"));
     }
     let mut decoder =
         Decoder::new_with_limits(Cursor::new(file), Limits { bytes: 1 << 24 });
@@ -190,7 +191,7 @@ impl Kept {
 
 /// Says what a decoder's error means for the file.
 fn damage_clause(error: DecodingError) -> String {
-    let what = match error {
+    let cause = match error {
         DecodingError::IoError(error)
             if error.kind() == ErrorKind::UnexpectedEof =>
         {
@@ -204,7 +205,7 @@ fn damage_clause(error: DecodingError) -> String {
         }
         _ => "what is in it can't be unpacked",
     };
-    format!("is a damaged PNG file: {what}")
+    format!("is a damaged PNG file: {cause}")
 }
 
 /// What a viewer may show otherwise, and what was left out.
@@ -258,13 +259,13 @@ fn viewer_notes(
 
 /// Whether there is a chunk of this name in a PNG file.
 fn has_chunk(file: &[u8], name: &[u8; 4]) -> bool {
-    let mut rest = file.get(8..).unwrap_or_default();
-    while let [a, b, c, d, found @ ..] = rest {
-        if found.starts_with(name) {
+    let mut chunks = file.get(8..).unwrap_or_default();
+    while let [a, b, c, d, chunk_name_on @ ..] = chunks {
+        if chunk_name_on.starts_with(name) {
             return true;
         }
         let end = u32::from_be_bytes([*a, *b, *c, *d]) as usize;
-        rest = rest.get(end.saturating_add(12)..).unwrap_or_default();
+        chunks = chunks.get(end.saturating_add(12)..).unwrap_or_default();
     }
     false
 }
@@ -272,8 +273,8 @@ fn has_chunk(file: &[u8], name: &[u8; 4]) -> bool {
 /// The orientation in EXIF data, from 1, which is upright, to 8.
 fn exif_orientation(exif: &[u8]) -> Option<u16> {
     let is_little = exif.starts_with(b"II");
-    let short = |at: usize| {
-        let bytes = *exif.get(at..)?.first_chunk()?;
+    let short = |offset: usize| {
+        let bytes = *exif.get(offset..)?.first_chunk()?;
         Some(if is_little {
             u16::from_le_bytes(bytes)
         } else {
@@ -283,6 +284,6 @@ fn exif_orientation(exif: &[u8]) -> Option<u16> {
     let [high, low] = if is_little { [6, 4] } else { [4, 6] };
     let start = usize::from(short(high)?) << 16 | usize::from(short(low)?);
     let entries = (0..usize::from(short(start)?)).map(|k| start + 2 + 12 * k);
-    let mut entries = entries.take_while(|at| *at < exif.len());
-    short(entries.find(|at| short(*at) == Some(0x0112))? + 8)
+    let mut entries = entries.take_while(|offset| *offset < exif.len());
+    short(entries.find(|offset| short(*offset) == Some(0x0112))? + 8)
 }

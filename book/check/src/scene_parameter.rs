@@ -166,7 +166,7 @@ pub(crate) fn changed_number_candidates<'a>(
 /// Whether all wrong pixels are where the parameter of owner `k` can change one.
 fn may_cause_wrong_pixels(
     parameter: &Parameter,
-    k: usize,
+    owner_index: usize,
     evidence: &Evidence,
 ) -> bool {
     let is_of_surface = parameter.owner == Owner::Object
@@ -174,7 +174,7 @@ fn may_cause_wrong_pixels(
         || parameter.name == COLOUR.name;
     let is_there = |pixel: &Pixel| match parameter.owner {
         Owner::Object if is_of_surface => {
-            pixel.region.object == u8::try_from(k).ok()
+            pixel.region.object == u8::try_from(owner_index).ok()
         }
         Owner::Object => true,
         _ => pixel.region.object.is_some(),
@@ -188,11 +188,11 @@ fn fitting_number_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
     parameter: &'static Parameter,
-    k: usize,
+    owner_index: usize,
     owner: String,
 ) -> Vec<Explanation<'a>> {
     let mut scene = scene_of_step(step);
-    let old = (parameter.get)(&scene, k);
+    let old = (parameter.get)(&scene, owner_index);
     let first: Vec<_> = {
         let wrong = evidence.wrong_pixels();
         let spread = wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1));
@@ -203,20 +203,20 @@ fn fitting_number_candidates<'a>(
         _ => parameter.file,
     };
     let fits = alternative_numbers(parameter, old).into_iter().filter(|new| {
-        (parameter.set)(&mut scene, k, *new);
+        (parameter.set)(&mut scene, owner_index, *new);
         let intensity = intensity_function(step, &scene);
         first.iter().all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
     });
     let fits: Vec<_> = fits.take(8).collect();
-    let at = if parameter.name.is_empty() { "at " } else { "" };
-    let is = if fits.len() == 1 { "is" } else { "may be" };
+    let preposition = if parameter.name.is_empty() { "at " } else { "" };
+    let verb = if fits.len() == 1 { "is" } else { "may be" };
     let explanation = |new: [f64; 3]| {
-        (parameter.set)(&mut scene, k, new);
+        (parameter.set)(&mut scene, owner_index, new);
         let intensity = intensity_function(step, &scene);
         let [new, old] =
             [new, old].map(|one| format_numbers(&one[..parameter.count]));
         let sentence = format!(
-            "In your picture {owner} {is} {at}{new}; it should be {at}{old}."
+            "In your picture {owner} {verb} {preposition}{new}; it should be {preposition}{old}."
         );
         Explanation::exact(sentence, &[file], move |pixel| {
             evidence.encode(intensity(&evidence.our_ray(pixel)))

@@ -44,14 +44,14 @@ impl SourceRef {
 }
 
 /// Tells where to go back to, and which tests by hand of the first step go through it.
-pub(crate) fn go_back_sentences(places: &[SourceRef]) -> String {
-    let Some(SourceRef { step, section, .. }) = places.first() else {
+pub(crate) fn go_back_sentences(refs: &[SourceRef]) -> String {
+    let Some(SourceRef { step, section, .. }) = refs.first() else {
         return String::new();
     };
-    let files: Vec<_> = places.iter().map(SourceRef::workspace_path).collect();
-    let own = places.iter().filter(|place| place.step == *step);
+    let files: Vec<_> = refs.iter().map(SourceRef::workspace_path).collect();
+    let refs_of_first_step = refs.iter().filter(|place| place.step == *step);
     let mut tests = vec![];
-    for test in own.flat_map(|place| place.tests.split(", ")) {
+    for test in refs_of_first_step.flat_map(|place| place.tests.split(", ")) {
         if !tests.contains(&test) {
             tests.push(test);
         }

@@ -216,9 +216,9 @@ fn find_byte_shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
     let starts = (0..64).map(|k| middle - 96 * k.min(middle / 96));
     let Some(start) = starts.max_by_key(distinct) else { return vec![] };
     let Some(piece) = piece_at(start) else { return vec![] };
-    let found = yours.windows(piece.len()).enumerate();
-    let found = found.filter(|(at, window)| *at != start && *window == piece);
-    found.take(4).map(|(at, _)| (at + ours.len() - start) % ours.len()).collect()
+    let offsets = yours.windows(piece.len()).enumerate();
+    let offsets = offsets.filter(|(at, window)| *at != start && *window == piece);
+    offsets.take(4).map(|(at, _)| (at + ours.len() - start) % ours.len()).collect()
 }
 
 /// The same pixels as in ours, at other places.

@@ -36,13 +36,13 @@ pub(crate) fn describe_wrong_regions(
             (some, all) => {
                 let is_large = 200 <= all;
                 wrong.push(format!("{some} of {all} pixels of {name}"));
-                let found = region_candidates(evidence, step, &name)
+                let explanation = region_candidates(evidence, step, &name)
                     .into_iter()
                     .find(|one| {
                         is_large && one.holds_in_region(evidence, &is_in, budget)
                     });
                 wrong_names.push(name);
-                explained.extend(found);
+                explained.extend(explanation);
             }
         }
     }
@@ -84,16 +84,18 @@ fn sentence_of_wrong_outlines(evidence: &Evidence, step: Step) -> String {
     if sky < 2 * wrong_sky {
         return String::new();
     }
-    let (gone, extra) = count_wrong_outlines(evidence);
-    let gone_names: Vec<_> =
-        gone.keys().map(|k| object_name_with_article(step, (*k).into())).collect();
-    let gone_names = match gone_names.len() {
-        5.. => format!("{} objects", gone_names.len()),
-        _ => gone_names.join(", "),
+    let (sky_in_objects, other_in_sky) = count_wrong_outlines(evidence);
+    let object_names: Vec<_> = sky_in_objects
+        .keys()
+        .map(|k| object_name_with_article(step, (*k).into()))
+        .collect();
+    let object_names = match object_names.len() {
+        5.. => format!("{} objects", object_names.len()),
+        _ => object_names.join(", "),
     };
-    let gone: usize = gone.values().sum();
+    let sky_in_objects: usize = sky_in_objects.values().sum();
     let names = names_of_wrong_objects(evidence, step);
-    match (gone, extra, &names[..]) {
+    match (sky_in_objects, other_in_sky, &names[..]) {
         (0, 0, [one]) if 1 < scene_of_step(step).objects.len() => {
             format!(
                 "The outlines are right, and of all objects only {one} is wrong.\n"
@@ -109,10 +111,12 @@ fn sentence_of_wrong_outlines(evidence: &Evidence, step: Step) -> String {
                 false => "The outlines are right.\n".to_owned(),
             }
         }
-        (_, 0, _) => format!("{gone} pixels of {gone_names} show the sky.\n"),
-        (0, ..) => format!("{extra} pixels of the sky do not show it.\n"),
+        (_, 0, _) => {
+            format!("{sky_in_objects} pixels of {object_names} show the sky.\n")
+        }
+        (0, ..) => format!("{other_in_sky} pixels of the sky do not show it.\n"),
         _ => format!(
-            "{gone} pixels of {gone_names} show the sky, and {extra} of the sky do not.\n"
+            "{sky_in_objects} pixels of {object_names} show the sky, and {other_in_sky} of the sky do not.\n"
         ),
     }
 }
@@ -120,33 +124,35 @@ fn sentence_of_wrong_outlines(evidence: &Evidence, step: Step) -> String {
 /// How many pixels of each object show the sky behind it, and how many of the sky do not.
 fn count_wrong_outlines(evidence: &Evidence) -> (BTreeMap<u8, usize>, usize) {
     let sky = intensity_function(Step::Rays, &scene_of_step(Step::Rays));
-    let (mut gone, mut extra) = (BTreeMap::new(), 0);
+    let (mut sky_in_objects, mut other_in_sky) = (BTreeMap::new(), 0);
     for pixel in evidence.wrong_pixels() {
         match pixel.region.object {
             None if pixel.largest_channel_difference() <= FAINT => {}
-            None => extra += 1,
+            None => other_in_sky += 1,
             Some(k)
                 if evidence.encode(sky(&evidence.our_ray(pixel)))
                     == pixel.yours =>
             {
-                *gone.entry(k).or_default() += 1;
+                *sky_in_objects.entry(k).or_default() += 1;
             }
             Some(_) => {}
         }
     }
-    (gone, extra)
+    (sky_in_objects, other_in_sky)
 }
 
 /// The steps whose stages may be wrong, where these regions are.
 fn steps_that_may_be_wrong(
     evidence: &Evidence,
     step: Step,
-    wrong: &[String],
+    wrong_region_names: &[String],
 ) -> Vec<Step> {
     let (wrong_sky, sky) =
         evidence.count_wrong_and_all(|pixel| pixel.region.object.is_none());
-    let (gone, extra) = count_wrong_outlines(evidence);
-    let only = |is_one: fn(&str) -> bool| wrong.iter().all(|name| is_one(name));
+    let (sky_in_objects, other_in_sky) = count_wrong_outlines(evidence);
+    let only = |is_one: fn(&str) -> bool| {
+        wrong_region_names.iter().all(|name| is_one(name))
+    };
     let is_faint = |pixel: &Pixel| {
         pixel.region.object.is_none()
             && pixel.is_wrong()
@@ -157,7 +163,7 @@ fn steps_that_may_be_wrong(
         names_of_wrong_objects(evidence, step).len() == 1 && Step::Sphere < step;
     let first = if sky < 4 * wrong_sky || wrong_sky < 2 * faint {
         Step::Rays
-    } else if 0 < gone.len() + extra {
+    } else if 0 < sky_in_objects.len() + other_in_sky {
         // Where the eye is elsewhere, the sky is right.
         if is_one_object { Step::Nearest } else { Step::Rays }
     } else if only(|name| name == "where highlights may be") {
@@ -174,25 +180,25 @@ fn steps_that_may_be_wrong(
 fn region_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
-    region: &str,
+    region_name: &str,
 ) -> Vec<Explanation<'a>> {
     let mut all = vec![];
     let first = evidence.wrong_pixels().first().map_or([0; 3], |pixel| pixel.yours);
     let [r, g, b] = first;
     let sentence =
-        format!("In every pixel of {region} your colour is ({r}, {g}, {b}).");
+        format!("In every pixel of {region_name} your colour is ({r}, {g}, {b}).");
     all.push(Explanation::exact(sentence, &[], move |_| first));
-    if step < Step::Nearest || region == "the sky" {
+    if step < Step::Nearest || region_name == "the sky" {
         return all;
     }
     let scene_of_step = scene_of_step(step);
-    let own = intensity_function(step, &scene_of_step);
+    let our_intensity = intensity_function(step, &scene_of_step);
     let flat =
         scene_of_step.objects.iter().map(|object| object.material.matte.diffuse);
     let flat: Vec<DVec3> = flat.collect();
     if Step::Diffuse <= step {
         let sentence = format!(
-            "In every pixel of {region} your colour is that of the object, \
+            "In every pixel of {region_name} your colour is that of the object, \
                                 without light."
         );
         all.push(Explanation::exact(sentence, &[], move |pixel| {
@@ -200,10 +206,10 @@ fn region_candidates<'a>(
             evidence.encode(flat[k])
         }));
     }
-    all.extend(region_factor_candidate(evidence, region, own));
+    all.extend(region_factor_candidate(evidence, region_name, our_intensity));
     if 1 < scene_of_step.objects.len() {
         let sentence = format!(
-            "Wherever {region} is wrong you see another object that the ray meets, \
+            "Wherever {region_name} is wrong you see another object that the ray meets, \
              not the nearest."
         );
         let alone = (0..scene_of_step.objects.len()).map(|k| {
@@ -231,12 +237,13 @@ fn region_candidates<'a>(
 /// Ours times a factor, of each channel, fitted to every second pixel of a region.
 fn region_factor_candidate<'a>(
     evidence: &'a Evidence,
-    region: &str,
-    own: Box<dyn Fn(&step01_rays::Ray) -> DVec3>,
+    region_name: &str,
+    our_intensity: Box<dyn Fn(&step01_rays::Ray) -> DVec3>,
 ) -> Option<Explanation<'a>> {
     let step = evidence.step?;
-    let (_, is_in) =
-        regions_with_names(step).into_iter().find(|(name, _)| name == region)?;
+    let (_, is_in) = regions_with_names(step)
+        .into_iter()
+        .find(|(name, _)| name == region_name)?;
     let (mut sum, mut count) = (DVec3::ZERO, DVec3::ZERO);
     for pixel in evidence.pixels.iter().filter(|pixel| is_in(pixel)).step_by(2) {
         for k in 0..3 {
@@ -254,10 +261,11 @@ fn region_factor_candidate<'a>(
     if words == "1.00" {
         return None;
     }
-    let sentence =
-        format!("In every pixel of {region} your colour is {words} times ours.");
+    let sentence = format!(
+        "In every pixel of {region_name} your colour is {words} times ours."
+    );
     Some(Explanation::fitted(sentence, &[], move |pixel| {
-        evidence.encode(factor * own(&evidence.our_ray(pixel)))
+        evidence.encode(factor * our_intensity(&evidence.our_ray(pixel)))
     }))
 }
 
@@ -282,8 +290,8 @@ pub(crate) fn regions_with_names(step: Step) -> Vec<(String, InRegion)> {
     }
     let lit = move |lit: [bool; 2]| -> InRegion {
         Box::new(move |pixel| {
-            let Region { object, lit: own, shines, .. } = pixel.region;
-            object.is_some() && own == lit && !shines
+            let Region { object, lit: lit_there, shines, .. } = pixel.region;
+            object.is_some() && lit_there == lit && !shines
         })
     };
     let without = if step == Step::Phong { ", without highlights" } else { "" };

@@ -92,8 +92,8 @@ fn what_was_made_of_the_whole_is_told() {
             (shot, "from column 30 and row 60 on"),
         ] {
             let text = text_of_wrong_picture(&picture, name);
-            let told = text.lines().next().unwrap_or_default();
-            assert!(told.contains(words), "{name}: {words}: {text}");
+            let first_line = text.lines().next().unwrap_or_default();
+            assert!(first_line.contains(words), "{name}: {words}: {text}");
         }
     }
     // What is grey in ours as well explains nothing.
@@ -154,7 +154,7 @@ fn where_to_look_is_told() {
     let diffuse: fn(&mut Light) -> &mut DVec3 =
         |light| &mut light.point_light.diffuse;
     let specular: fn(&mut Light) -> &mut DVec3 = |light| &mut light.specular;
-    let moved = DVec3::new(0.123, 0.0456, 0.0);
+    let displacement = DVec3::new(0.123, 0.0456, 0.0);
     let cases: [(RgbImage, &[&str]); 6] = [
         (
             higher,
@@ -168,7 +168,9 @@ fn where_to_look_is_told() {
             &["picture of step01_rays, not of"],
         ),
         (
-            draw_changed_step05(|scene| scene.objects[7].sphere.centre += moved),
+            draw_changed_step05(|scene| {
+                scene.objects[7].sphere.centre += displacement
+            }),
             &["pixels of the salmon sphere show the sky", "-p step03_nearest"],
         ),
         (

@@ -9,44 +9,45 @@ use std::io::Cursor;
 /// Changes a few bytes, or leaves some out, or doubles them.
 fn damage_bytes(file: &mut Vec<u8>, random: &mut Rng) {
     for _ in 0..=random.usize(..3) {
-        let (at, end) = (random.usize(..file.len()), random.usize(..=file.len()));
+        let (offset, end) =
+            (random.usize(..file.len()), random.usize(..=file.len()));
         match random.u8(..6) {
-            0 => file.truncate(at.max(1)),
-            1 if at < end => drop(file.drain(at..end.min(at + 9))),
+            0 => file.truncate(offset.max(1)),
+            1 if offset < end => drop(file.drain(offset..end.min(offset + 9))),
             2 => {
-                let again = file[at..(at + 9).min(file.len())].to_vec();
-                drop(file.splice(at..at, again));
+                let repeated = file[offset..(offset + 9).min(file.len())].to_vec();
+                drop(file.splice(offset..offset, repeated));
             }
-            _ => file[at] = random.u8(..),
+            _ => file[offset] = random.u8(..),
         }
     }
 }
 
 /// Writes the checksum of each chunk anew, so that a change is not noticed at once.
 fn correct_checksums(file: &mut [u8]) {
-    let mut at = 8;
-    while let Some(size) = file.get(at..).and_then(|rest| rest.first_chunk()) {
-        let end = (at + 8).saturating_add(u32::from_be_bytes(*size) as usize);
-        let Some(data) = file.get(at + 4..end) else { return };
+    let mut offset = 8;
+    while let Some(size) = file.get(offset..).and_then(|rest| rest.first_chunk()) {
+        let end = (offset + 8).saturating_add(u32::from_be_bytes(*size) as usize);
+        let Some(data) = file.get(offset + 4..end) else { return };
         let sum = crc32fast::hash(data).to_be_bytes();
-        let Some(place) = file.get_mut(end..end + 4) else { return };
-        place.copy_from_slice(&sum);
-        at = end + 4;
+        let Some(checksum_bytes) = file.get_mut(end..end + 4) else { return };
+        checksum_bytes.copy_from_slice(&sum);
+        offset = end + 4;
     }
 }
 
 #[test]
 fn two_thousand_damaged_files_give_answers() {
     let picture = Step::Rays.draw_picture(&default_camera(16, 9), 1);
-    let mut whole = vec![];
-    let encoder = PngEncoder::new(&mut whole);
+    let mut undamaged = vec![];
+    let encoder = PngEncoder::new(&mut undamaged);
     encoder
         .write_image(&picture, 16, 9, ExtendedColorType::Rgb8)
         .expect("a picture");
     let ours = [Locked::read("step01_rays").expect("a locked picture")];
     let (mut random, mut codes) = (Rng::with_seed(0x5EED), [0; 3]);
     for k in 0..2000 {
-        let mut file = whole.clone();
+        let mut file = undamaged.clone();
         damage_bytes(&mut file, &mut random);
         if k % 2 == 0 {
             correct_checksums(&mut file);
@@ -61,22 +62,22 @@ fn two_thousand_damaged_files_give_answers() {
 #[test]
 fn other_kinds_of_png_are_read() {
     let ours = crate::locked_picture("step02_sphere");
-    let said = |picture: DynamicImage| -> Answer {
+    let check_as_png = |picture: DynamicImage| -> Answer {
         let mut png = Cursor::new(vec![]);
         picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
         check_png(png.get_ref(), "my.png", Some("step02_sphere"), crate::locked())
     };
-    let whole = DynamicImage::from(ours);
-    let mut clear = whole.to_rgba8();
+    let undamaged = DynamicImage::from(ours);
+    let mut clear = undamaged.to_rgba8();
     let Rgba([r, g, b, _]) = *clear.get_pixel(9, 9);
     clear.put_pixel(9, 9, Rgba([r, g, b, 0]));
     for (picture, code, words) in [
-        (whole.to_luma8().into(), 1, "The file is grey"),
-        (whole.to_rgb16().into(), 0, "16 bits a channel"),
-        (whole.to_rgba8().into(), 0, "Right: "),
+        (undamaged.to_luma8().into(), 1, "The file is grey"),
+        (undamaged.to_rgb16().into(), 0, "16 bits a channel"),
+        (undamaged.to_rgba8().into(), 0, "Right: "),
         (clear.into(), 0, "transparent"),
     ] {
-        let answer = said(picture);
+        let answer = check_as_png(picture);
         assert!(
             answer.code == code && answer.text.contains(words),
             "{}",
@@ -141,7 +142,8 @@ fn what_a_viewer_may_show_otherwise_is_noted() {
     let png = encode(ours.clone().into());
     let mut clear = DynamicImage::from(ours).into_rgba8();
     clear.pixels_mut().for_each(|pixel| pixel[3] = 0);
-    let turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
+    let exif_turned =
+        b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     for (file, code, words) in [
         (insert_chunk(&png, b"gAMA", &100_000_u32.to_be_bytes()), 0, "gAMA"),
         (insert_chunk(&png, b"gAMA", &45_455_u32.to_be_bytes()), 0, ""),
@@ -151,7 +153,7 @@ fn what_a_viewer_may_show_otherwise_is_noted() {
             0,
             "colour profile",
         ),
-        (insert_chunk(&png, b"eXIf", turned), 0, "asks a viewer to turn it"),
+        (insert_chunk(&png, b"eXIf", exif_turned), 0, "asks a viewer to turn it"),
         (insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]), 0, "an animation"),
         (encode(clear.into()), 1, "Not right: alpha is 0 in every pixel"),
     ] {

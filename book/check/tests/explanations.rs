@@ -103,7 +103,7 @@ fn another_colour_of_the_sky_is_told() {
         let t = 0.5 + 0.5 * ray.direction.normalize().y;
         (1.0 - t) * DVec3::ONE + t * DVec3::new(0.5, 0.7, 1.0)
     };
-    let other = |ray: &Ray| 0.55 + 0.2 * ray.direction;
+    let weak_gradient = |ray: &Ray| 0.55 + 0.2 * ray.direction;
     for step in [Step::Nearest, Step::Phong] {
         let camera = default_camera(640, 360);
         let picture =
@@ -113,7 +113,8 @@ fn another_colour_of_the_sky_is_told() {
             step.name(),
             &["red = 0.75 − 0.25 y", "of V/|V|", "step01_rays/src/picture.rs"],
         );
-        let picture = draw_with_sky_and_bytes(step, &camera, other, our_bytes);
+        let picture =
+            draw_with_sky_and_bytes(step, &camera, weak_gradient, our_bytes);
         assert_answer_contains(
             &picture,
             step.name(),
@@ -254,14 +255,14 @@ fn what_was_packed_with_loss_is_told() {
             byte.saturating_add((k * 7919 % 5) as u8).saturating_sub(2)
         })
     };
-    let few = map_bytes_of_locked("step05_phong", |_, byte| {
+    let quantised = map_bytes_of_locked("step05_phong", |_, byte| {
         (byte / 48 * 48).saturating_add(24)
     });
     for (picture, name, words) in [
         (noisy("step05_phong"), "step05_phong", "something random"),
         (noisy("glass"), "glass", "something random"),
         (blur(&locked_picture("step05_phong"), 2.0), "step05_phong", "blurred"),
-        (few, "step05_phong", "follow from ours"),
+        (quantised, "step05_phong", "follow from ours"),
     ] {
         assert_answer_contains(&picture, name, &[words]);
     }
@@ -336,7 +337,7 @@ fn terms_and_objects_that_are_missing_are_told() {
 
 #[test]
 fn where_nothing_explains_a_picture_no_file_is_blamed() {
-    let moved = draw_changed_step05(|scene| {
+    let two_mistakes = draw_changed_step05(|scene| {
         scene.lights[0].point_light.position *= 1.07;
         scene.objects[4].sphere.radius *= 1.01;
     });
@@ -347,7 +348,7 @@ fn where_nothing_explains_a_picture_no_file_is_blamed() {
         Rgb([(i * j / 64) as u8, (i ^ j) as u8, 255])
     });
     for (picture, name) in [
-        (&moved, "step05_phong"),
+        (&two_mistakes, "step05_phong"),
         (&half, "step05_phong"),
         (&waves, "step02_sphere"),
         (&waves, "step01_rays"),
@@ -369,12 +370,12 @@ fn large_pictures_are_compared_in_rows() {
     let picture = Step::Nearest.draw_picture(&large, 1);
     let text = crate::text_with_exit_code(&picture, "step03_nearest", 0);
     assert!(text.starts_with("Right in the 64 rows of 1440"), "{text}");
-    let turned = crate::text_with_exit_code(
+    let text_of_turned = crate::text_with_exit_code(
         &rotate90(&rotate90(&picture)),
         "step03_nearest",
         1,
     );
-    assert!(turned.contains("turned half around"), "{turned}");
+    assert!(text_of_turned.contains("turned half around"), "{text_of_turned}");
 }
 
 #[test]

@@ -21,8 +21,8 @@ fn locked() -> &'static [Locked] {
 
 /// The locked picture `name`.
 fn locked_picture(name: &str) -> RgbImage {
-    let one = locked().iter().find(|one| one.name == name);
-    one.expect("a locked picture").picture.clone()
+    let locked_one = locked().iter().find(|locked_one| locked_one.name == name);
+    locked_one.expect("a locked picture").picture.clone()
 }
 
 /// The answer about a picture that is not right; it has a dozen lines at most.

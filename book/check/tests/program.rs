@@ -152,11 +152,11 @@ fn what_is_no_picture_file_is_not_waited_for() {
 fn a_folder_of_folders_is_a_class() {
     let folder = create_empty_folder("class");
     for (student, name) in [("ada", "sun"), ("bob", "glass"), ("cleo", "")] {
-        let own = folder.join(student);
-        fs::create_dir(&own).expect("a folder");
+        let student_folder = folder.join(student);
+        fs::create_dir(&student_folder).expect("a folder");
         if !name.is_empty() {
             locked_picture("glass")
-                .save(own.join(format!("{name}.png")))
+                .save(student_folder.join(format!("{name}.png")))
                 .expect("a file");
         }
     }

@@ -50,12 +50,16 @@ pub fn draw_mistakes<'a>(
         }
         // What is left is compiled again, without those.
         if faulty.is_empty() {
-            let drawn = run_and_read_pictures(&mistakes[..count], &mut finish)?;
-            mistakes.drain(..drawn);
+            let finished_count =
+                run_and_read_pictures(&mistakes[..count], &mut finish)?;
+            mistakes.drain(..finished_count);
         }
-        let done = all - mistakes.len();
-        let left = start.elapsed() * mistakes.len() as u32 / done as u32;
-        println!("{done} of {all} done, about {} s left", left.as_secs());
+        let done_count = all - mistakes.len();
+        let time_left = start.elapsed() * mistakes.len() as u32 / done_count as u32;
+        println!(
+            "{done_count} of {all} done, about {} s left",
+            time_left.as_secs()
+        );
     }
     Ok(())
 }
@@ -141,14 +145,15 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
 fn manifest_text() -> io::Result<String> {
     let section = |path: &str, name: &str| {
         let text = read_in_workspace(path)?;
-        let found = text.split("\n[").find(|section| section.starts_with(name));
-        Ok::<_, io::Error>(found.unwrap_or_default().to_owned())
+        let section_text =
+            text.split("\n[").find(|section| section.starts_with(name));
+        Ok::<_, io::Error>(section_text.unwrap_or_default().to_owned())
     };
     let versions = section("Cargo.toml", "workspace.dependencies]")?;
     let versions = versions
         .replace("path = \"", &format!("path = \"{}/", quotable_workspace_path()));
-    let used = section("book/exercises/Cargo.toml", "dependencies]")?;
-    Ok(format!("{MANIFEST}\n[{versions}\n[{used}\nclap.workspace = true\n"))
+    let dependencies = section("book/exercises/Cargo.toml", "dependencies]")?;
+    Ok(format!("{MANIFEST}\n[{versions}\n[{dependencies}\nclap.workspace = true\n"))
 }
 
 /// Writes the library of a step, with the mistake, as a part of module `k`. The program

@@ -28,23 +28,25 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let Err(error) = update(&Options::parse()) else { return ExitCode::SUCCESS };
+    let Err(error) = update_checked_in_files(&Options::parse()) else {
+        return ExitCode::SUCCESS;
+    };
     eprintln!("error: {error}");
     ExitCode::FAILURE
 }
 
-fn update(options: &Options) -> Result<(), Box<dyn Error>> {
+fn update_checked_in_files(options: &Options) -> Result<(), Box<dyn Error>> {
     if let Some(count) = options.sample {
         let seed = options.seed.unwrap_or_else(|| fastrand::u64(..));
         return mistakes::compare_sample(count.into(), seed);
     }
     // Minutes would be lost if this were told after the mistakes.
-    modules::require_target()?;
+    modules::fail_without_wasm_target()?;
     mistakes::update_mistakes(|mistake| {
         let is_in = |word: &String| {
             mistake.title.contains(word) || mistake.file.contains(word)
         };
         options.all || options.words.iter().any(is_in)
     })?;
-    modules::compile()
+    modules::compile_all()
 }

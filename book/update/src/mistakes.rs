@@ -16,23 +16,24 @@ use std::{fs, io};
 pub fn update_mistakes(
     is_chosen: impl Fn(&Mistake) -> bool,
 ) -> Result<(), Box<dyn Error>> {
-    let (locked, all) = (locked()?, mistakes());
-    let drawn = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+    let (locked, all) = (read_all_locked()?, mistakes());
+    let rows_with_hash =
+        table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
     let mut table: HashMap<u32, TableRow> =
-        drawn.map(|row| (row.key, row)).collect();
+        rows_with_hash.map(|row| (row.key, row)).collect();
     // Where what is right is another picture, so is what a mistake makes of it.
     let right: HashMap<_, _> = locked_hashes().collect();
     let is_new =
         |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
     let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
     let is_current = |mistake: &Mistake| {
-        table.contains_key(&key(mistake))
+        table.contains_key(&compute_table_key(mistake))
             && !mistake.affected_pictures().iter().any(|name| new.contains(&name))
-            && small_pictures(mistake).all(|(path, _)| path.exists())
+            && small_picture_paths(mistake).all(|(path, _)| path.exists())
     };
-    let chosen = all.iter().filter(|one| is_chosen(one) || !is_current(one));
-    batch::draw_mistakes(chosen.collect(), |mistake, pictures| {
-        let row = row(mistake, &pictures, &locked);
+    let selected = all.iter().filter(|one| is_chosen(one) || !is_current(one));
+    batch::draw_mistakes(selected.collect(), |mistake, pictures| {
+        let row = table_row(mistake, &pictures, &locked);
         if row.hashes.iter().all(Option::is_none) {
             println!("shows nowhere: {}", title_and_file(mistake));
         }
@@ -46,12 +47,12 @@ pub fn update_mistakes(
 /// Draws `count` random mistakes; fails where the table has something else of one.
 pub fn compare_sample(count: usize, seed: u64) -> Result<(), Box<dyn Error>> {
     println!("seed {seed}");
-    let (locked, all) = (locked()?, mistakes());
+    let (locked, all) = (read_all_locked()?, mistakes());
     let rows: HashMap<_, _> = table_rows().map(|row| (row.key, row)).collect();
     let mut wrong = vec![];
-    let chosen = fastrand::Rng::with_seed(seed).choose_multiple(&all, count);
-    batch::draw_mistakes(chosen, |mistake, pictures| {
-        let row = row(mistake, &pictures, &locked);
+    let sample = fastrand::Rng::with_seed(seed).choose_multiple(&all, count);
+    batch::draw_mistakes(sample, |mistake, pictures| {
+        let row = table_row(mistake, &pictures, &locked);
         if rows.get(&row.key) != Some(&row) {
             wrong.push(title_and_file(mistake));
         }
@@ -63,18 +64,18 @@ pub fn compare_sample(count: usize, seed: u64) -> Result<(), Box<dyn Error>> {
     Err(format!("the table is wrong about {}", wrong.join(", ")).into())
 }
 
-fn folder() -> PathBuf {
+fn mistakes_folder() -> PathBuf {
     workspace().join("book/check/mistakes")
 }
 
 /// The key of a mistake in the table, with its file as it is now.
-fn key(mistake: &Mistake) -> u32 {
+fn compute_table_key(mistake: &Mistake) -> u32 {
     let text = fs::read_to_string(workspace().join(&mistake.file));
     TableRow::compute_key(mistake, &text.unwrap_or_default())
 }
 
 /// All locked pictures that somebody may draw.
-fn locked() -> Result<Vec<Locked>, String> {
+fn read_all_locked() -> Result<Vec<Locked>, String> {
     let exercises = exercises::PICTURES.iter().map(|(name, _)| *name);
     Step::ALL
         .map(Step::name)
@@ -85,29 +86,34 @@ fn locked() -> Result<Vec<Locked>, String> {
 }
 
 /// The paths of a mistake's small pictures, each with the name of what is drawn.
-fn small_pictures(
+fn small_picture_paths(
     mistake: &Mistake,
 ) -> impl Iterator<Item = (PathBuf, &'static str)> {
     let pictures = mistake.book_entry.iter().flat_map(|shown| &shown.pictures);
-    let path = |name: &str| folder().join(format!("pictures/{name}.png"));
+    let path = |name: &str| mistakes_folder().join(format!("pictures/{name}.png"));
     pictures.map(move |(name, step)| (path(name), step.name()))
 }
 
 /// A mistake's row of the table.
-fn row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> TableRow {
+fn table_row(
+    mistake: &Mistake,
+    pictures: &Pictures,
+    locked: &[Locked],
+) -> TableRow {
     let sums = mistake.affected_pictures().into_iter().zip(0..).map(|(name, k)| {
         let picture = pictures.get(k)?.as_ref()?;
         let is_right = |one: &Locked| one.name == name && one.picture == *picture;
         (!locked.iter().any(is_right)).then(|| hash_picture(picture))
     });
-    TableRow { key: key(mistake), hashes: sums.collect() }
+    TableRow { key: compute_table_key(mistake), hashes: sums.collect() }
 }
 
 fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
-    for (path, step) in small_pictures(mistake) {
+    for (path, step) in small_picture_paths(mistake) {
         let names = mistake.affected_pictures().into_iter();
-        let mut drawn = names.zip(pictures).filter(|(name, _)| *name == step);
-        let Some((_, Some(picture))) = drawn.next() else {
+        let mut pictures_of_step =
+            names.zip(pictures).filter(|(name, _)| *name == step);
+        let Some((_, Some(picture))) = pictures_of_step.next() else {
             println!("not drawn: {}", path.display());
             continue;
         };
@@ -132,9 +138,9 @@ fn write_table(
         text += &format!("= {name} {:016x}\n", hash_picture(picture));
     }
     for mistake in all {
-        let key = key(mistake);
+        let key = compute_table_key(mistake);
         let unknown = || TableRow { key, hashes: vec![None] };
         text += &table.get(&key).cloned().unwrap_or_else(unknown).to_line();
     }
-    fs::write(folder().join("table.txt"), text)
+    fs::write(mistakes_folder().join("table.txt"), text)
 }

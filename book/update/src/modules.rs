@@ -14,7 +14,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// Fails where this machine can't compile for the browser.
-pub fn require_target() -> Result<(), Box<dyn Error>> {
+pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
     let arguments = ["--print", "target-libdir", "--target", TARGET];
     let output = Command::new(rustc).args(arguments).output()?;
@@ -29,9 +29,9 @@ pub fn require_target() -> Result<(), Box<dyn Error>> {
 }
 
 /// Compiles all modules; Cargo knows what has changed.
-pub fn compile() -> Result<(), Box<dyn Error>> {
+pub fn compile_all() -> Result<(), Box<dyn Error>> {
     // No path of this machine stands in what is checked in.
-    let paths = registry_sources().into_iter().chain([target_folder()]);
+    let paths = registry_source_folders().into_iter().chain([target_folder()]);
     let paths: Vec<_> = paths
         .map(|path| format!("--remap-path-prefix={}=", path.display()))
         .collect();
@@ -72,7 +72,7 @@ pub fn compile() -> Result<(), Box<dyn Error>> {
 }
 
 /// The folders of the packages' sources, one for each registry.
-fn registry_sources() -> Vec<PathBuf> {
+fn registry_source_folders() -> Vec<PathBuf> {
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let default = || env::home_dir().unwrap_or_default().join(".cargo");
     let folders = fs::read_dir(home.unwrap_or_else(default).join("registry/src"));

@@ -10,6 +10,6 @@ mod table;
 use std::env;
 
 /// Whether all cases of long lists are tried, as before a change lands: THOROUGH is set.
-fn is_thorough() -> bool {
+fn tries_all_cases() -> bool {
     env::var_os("THOROUGH").is_some()
 }

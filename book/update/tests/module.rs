@@ -7,7 +7,7 @@ use wasmi::{
 };
 
 /// The bytes of the module `name`, as it is checked in.
-pub fn bytes(name: &str) -> Vec<u8> {
+pub fn read_module(name: &str) -> Vec<u8> {
     let path = workspace().join(format!("book/wasm/{name}.wasm"));
     fs::read(path).expect("the module can be read")
 }
@@ -21,12 +21,13 @@ pub struct Module {
 
 impl Module {
     /// Starts the module `name`, which asks nothing of its page.
-    pub fn checked_in(name: &str) -> Self {
+    pub fn start_checked_in(name: &str) -> Self {
         let mut config = Config::default();
         // Most functions are called by few tests.
         config.compilation_mode(CompilationMode::Lazy);
         let engine = Engine::new(&config);
-        let module = wasmi::Module::new(&engine, bytes(name)).expect("a module");
+        let module =
+            wasmi::Module::new(&engine, read_module(name)).expect("a module");
         let mut store = Store::new(&engine, ());
         let instance =
             Linker::new(&engine).instantiate_and_start(&mut store, &module);
@@ -41,20 +42,29 @@ impl Module {
         for (room, bytes) in
             [("live_request", request.as_bytes()), ("live_file", file)]
         {
-            let at: u32 = self.call(room, bytes.len() as u32)?;
-            self.memory.write(&mut self.store, at as usize, bytes).ok()?;
+            let address: u32 = self.call(room, bytes.len() as u32)?;
+            self.memory.write(&mut self.store, address as usize, bytes).ok()?;
         }
         self.call::<_, ()>("live_answer", ())?;
-        let text = self.read("live_text", "live_text_length")?;
-        let pixels = self.read("live_pixels", "live_pixels_length")?;
+        let text = self.read_memory("live_text", "live_text_length")?;
+        let pixels = self.read_memory("live_pixels", "live_pixels_length")?;
         Some(Answer { text: String::from_utf8(text).ok()?, pixels })
     }
 
-    fn read(&mut self, at: &str, length: &str) -> Option<Vec<u8>> {
-        let at: u32 = self.call(at, ())?;
-        let length: u32 = self.call(length, ())?;
+    fn read_memory(
+        &mut self,
+        address_export: &str,
+        length_export: &str,
+    ) -> Option<Vec<u8>> {
+        let address_export: u32 = self.call(address_export, ())?;
+        let length_export: u32 = self.call(length_export, ())?;
         let memory = self.memory.data(&self.store);
-        Some(memory.get(at as usize..)?.get(..length as usize)?.to_vec())
+        Some(
+            memory
+                .get(address_export as usize..)?
+                .get(..length_export as usize)?
+                .to_vec(),
+        )
     }
 
     fn call<P: WasmParams, R: WasmResults>(

@@ -42,8 +42,8 @@ fn the_table_knows_what_is_right() {
         );
     }
     let steps = exercises::STEPS.iter().chain(exercises::PICTURES);
-    let drawn: Vec<_> = steps.map(|(name, _)| *name).collect();
-    assert_eq!(drawn, names, "the table is old, {AGAIN}");
+    let drawn_names: Vec<_> = steps.map(|(name, _)| *name).collect();
+    assert_eq!(drawn_names, names, "the table is old, {AGAIN}");
 }
 
 #[test]
