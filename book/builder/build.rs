@@ -9,7 +9,7 @@ use std::{fs, process};
 
 /// Builds the book of a workspace into `folder`; returns what is in it.
 ///
-/// It is written beside the folder and put in place when it is whole, so that a fault
+/// Writes it beside the folder and puts it in place when it is complete, so that a fault
 /// leaves the book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let draft = own_sibling_folder(folder, "draft");

@@ -3,7 +3,7 @@ use std::path::Path;
 /// The form into which a reader drops a picture to ask whether it is right, for
 /// `{{#check name}}`; without a name, the file's own tells which picture it should be.
 ///
-/// It is hidden where no script can answer; see book/theme/live.js.
+/// Hidden where no script can answer; see book/theme/live.js.
 pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
     let locked = workspace.join(format!("tests/snapshots/{name}.snap.png"));
     let (name, words) = match name {

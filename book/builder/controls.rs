@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 /// The controls below a figure or picture: ranges and switches for the parameters that no
 /// visible handle sets.
 ///
-/// They are hidden where no script can answer, and are there from the first where one
+/// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
     let handled = parameter_indices_of_visible_handles(live);

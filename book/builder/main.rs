@@ -24,7 +24,7 @@ struct Options {
 enum Command {
     /// Expand the chapters that mdBook writes to standard input: see book/book.toml
     Preprocess {
-        /// What mdBook asks first: `supports`, and a renderer
+        /// Words with which mdBook asks first: `supports`, and a renderer
         #[arg(hide = true)]
         question: Vec<String>,
     },

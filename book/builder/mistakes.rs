@@ -91,7 +91,7 @@ impl Entry<'_> {
         )
     }
 
-    /// With a capital letter, unless it begins with a symbol.
+    /// HTML of the title, with a capital letter, unless it begins with a symbol.
     fn capitalised_title_html(&self) -> Result<String, String> {
         let title = self.mistake.title;
         let word = title.split(' ').next().unwrap_or_default();
@@ -121,7 +121,7 @@ fn diff_figure_html(mistake: &Mistake) -> String {
     )
 }
 
-/// With symbols such as D_u as formulas.
+/// The text, with symbols such as D_u as formulas.
 fn symbols_as_formulas(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let is_symbol =

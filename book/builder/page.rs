@@ -5,9 +5,9 @@ use scraper::{ElementRef, Html, Selector};
 /// A page of the book, as a browser reads it.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// Its file, such as `step01_rays.html`.
+    /// File name, such as `step01_rays.html`.
     pub name: String,
-    /// Its tree.
+    /// Parsed tree of elements.
     pub html: Html,
 }
 
@@ -28,7 +28,7 @@ impl Page {
         first.with_context(|| format!("{} has no {selector}", self.name))
     }
 
-    /// Where an element is, for the sentence about a fault: its page, and the last id
+    /// Address of an element, for the sentence about a fault: its page, and the last id
     /// before it.
     pub fn address_for_fault(&self, element: ElementRef) -> String {
         let around = std::iter::once(*element).chain(element.ancestors());

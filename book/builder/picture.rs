@@ -6,7 +6,7 @@ use image::image_dimensions;
 use live::{Live, escape};
 use std::path::Path;
 
-/// What makes a picture load when it comes into view.
+/// Attribute that makes a picture load when it comes into view.
 pub const LAZY: &str = r#" loading="lazy""#;
 
 /// About how wide a picture is in the page: a little less on a phone, so that the half is
@@ -39,7 +39,7 @@ impl Picture {
         Self { alt, source, caption: String::new() }
     }
 
-    /// What answers where this picture is: what is called `name`, or has the name of
+    /// Finds the live figure that answers in this picture: by `name`, or by the name of
     /// its file.
     fn find_live(&self, name: &str) -> Result<&'static Live, String> {
         let file =

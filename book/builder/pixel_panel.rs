@@ -13,7 +13,7 @@ const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 /// The box below a picture whose pixels can be asked: everything on the way from a
 /// pixel to its three bytes, of the one that the reader of the page asks.
 ///
-/// It is hidden until the first is asked; see book/theme/live.js.
+/// Hidden until the first is asked; see book/theme/live.js.
 pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
     let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };

@@ -23,7 +23,7 @@ use live::{format_fixed, format_number, format_vector};
 pub enum Value {
     /// At most four digits after the point.
     Number(f64),
-    /// So many digits after the point.
+    /// A fixed count of digits after the point.
     Fixed(usize, f64),
     /// A comma between thousands.
     Count(usize),

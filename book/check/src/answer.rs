@@ -1,6 +1,6 @@
 use image::RgbImage;
 
-/// What `check` says, and its exit code.
+/// Text and exit code of an answer of `check`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// 0 if the picture is right, 1 if it is not, 2 if there is nothing to compare.

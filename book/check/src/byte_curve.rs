@@ -5,7 +5,7 @@ use crate::step_scene::{ENCODE, Encode, intensity_function, scene_of_step};
 use glam::DVec3;
 use std::rc::Rc;
 
-/// Where intensities become bytes.
+/// File in which intensities become bytes.
 const RGB8: &str = "step01_rays/rgb8.rs";
 const RENDER: &str = "step01_rays/render.rs";
 const SKY: &str = "step01_rays/picture.rs";
@@ -18,7 +18,7 @@ fn encode_rounded(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
     intensity.to_array().map(|c| (255.0 * curve(c.clamp(0.0, 1.0)) + 0.5) as u8)
 }
 
-/// As many small tracers write bytes: a curve, cut at 0.999, times 256.
+/// Encodes as many small tracers do: a curve, cut at 0.999, times 256.
 fn encode_by_256(intensity: DVec3, curve: fn(f64) -> f64) -> [u8; 3] {
     intensity
         .to_array()
@@ -33,7 +33,7 @@ fn decode_srgb(c: f64) -> f64 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
-/// What else may be done to an intensity I in the place of `rgb8`, and in what words.
+/// Other encodings of an intensity I than `rgb8`, each with its words in a sentence.
 pub(crate) const ENCODES: [(&str, Encode); 45] = [
     ("255·I cut off, not rounded", |i| map_channels_to_u8(i, |c| 255.0 * c)),
     ("255.99·I cut off", |i| map_channels_to_u8(i, |c| 255.99 * c)),
@@ -133,14 +133,14 @@ pub(crate) const ENCODES: [(&str, Encode); 45] = [
     }),
 ];
 
-/// What is grey, by what weights of red, green and blue.
+/// Ways to make a colour grey: words, and the weights of red, green and blue.
 const GREYS: [(&str, [f64; 3]); 3] = [
     ("the mean of red, green and blue", [1.0 / 3.0; 3]),
     ("0.299 red + 0.587 green + 0.114 blue", [0.299, 0.587, 0.114]),
     ("0.2126 red + 0.7152 green + 0.0722 blue", [0.2126, 0.7152, 0.0722]),
 ];
 
-/// What else may stand in the place of `rgb8`, as an explanation of a step's picture.
+/// Explanations, not yet tried, by another encoding than `rgb8`.
 pub(crate) fn encode_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -166,7 +166,7 @@ fn encode_candidate<'a>(
     })
 }
 
-/// The way in which the sky alone was turned into bytes, if that is another than ours and
+/// Words and function by which the sky alone was turned into bytes, if not by ours, and
 /// the same in every pixel of the sky.
 pub(crate) fn find_other_encode_of_sky(
     evidence: &Evidence,
@@ -219,7 +219,7 @@ fn grey_candidates<'a>(
     greys.into_iter()
 }
 
-/// Bytes that follow from ours by a factor or by a power.
+/// Explanations, not yet tried: bytes that follow from ours by a factor or by a power.
 pub(crate) fn factor_and_power_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -268,7 +268,7 @@ pub(crate) fn factor_and_power_candidates<'a>(
 /// A function of an intensity.
 type Curve = Box<dyn Fn(f64) -> f64>;
 
-/// Where a curve may be: in step 1, where all is sky, its colour may be another as well.
+/// Files in which a curve may be: in step 1, where all is sky, that of its colour as well.
 fn curve_files(evidence: &Evidence) -> &'static [&'static str] {
     match evidence.step {
         Some(Step::Rays) => &[RGB8, RENDER, SKY],
@@ -294,11 +294,11 @@ pub(crate) fn byte_table_candidate<'a>(
     }))
 }
 
-fn format_exponent(power: f64) -> String {
-    if power < 1.0 {
-        format!("1/{:.1}", 1.0 / power)
+fn format_exponent(exponent: f64) -> String {
+    if exponent < 1.0 {
+        format!("1/{:.1}", 1.0 / exponent)
     } else {
-        format!("{power:.1}")
+        format!("{exponent:.1}")
     }
 }
 
@@ -323,7 +323,7 @@ struct ByteTable {
 }
 
 impl ByteTable {
-    /// Reads it, if a byte of ours is about the same wherever it is.
+    /// Reads it; None where a byte of ours is not about the same wherever it is.
     fn read_if_consistent(evidence: &Evidence) -> Option<Self> {
         let mut ranges = [[(255, 0); 256]; 3];
         for pixel in &evidence.pixels {
@@ -353,7 +353,7 @@ impl ByteTable {
         (is_read && is_everywhere && table.is_third_changed()).then_some(table)
     }
 
-    /// Each byte of ours that was met, and the range of the picture.
+    /// Each byte that ours has, with the range of the picture there.
     fn met_bytes_with_ranges(&self) -> impl Iterator<Item = (u8, (u8, u8))> {
         let ranges = self.ranges.iter().flat_map(|ranges| (0..=255).zip(*ranges));
         ranges.filter(|(_, (low, high))| low <= high)
@@ -369,7 +369,7 @@ impl ByteTable {
         self.met_bytes_with_ranges().count() < 3 * changed + 3
     }
 
-    /// The byte of ours in the middle, and what it is in the picture.
+    /// The changed byte of ours nearest to 128, and its lowest value in the picture.
     fn changed_byte_near_128(&self) -> (u8, u8) {
         let byte_ranges = self.met_bytes_with_ranges().filter(excludes_byte);
         let byte_ranges =
@@ -381,7 +381,7 @@ impl ByteTable {
     /// The mean over every second byte, so that the others are asked.
     fn mean_over_every_second_byte(
         &self,
-        number: impl Fn(f64, f64) -> f64,
+        ratio: impl Fn(f64, f64) -> f64,
     ) -> Option<f64> {
         let inner = |c: u8| 8 < c && c < 248;
         let byte_ranges =
@@ -389,7 +389,7 @@ impl ByteTable {
                 inner(*our_byte) && inner(*their_byte)
             });
         let numbers = byte_ranges.step_by(2).map(|(our_byte, (low, high))| {
-            number(f64::from(our_byte), (f64::from(low) + f64::from(high)) / 2.0)
+            ratio(f64::from(our_byte), (f64::from(low) + f64::from(high)) / 2.0)
         });
         let (count, sum) =
             numbers.fold((0.0, 0.0), |(count, sum), n| (count + 1.0, sum + n));

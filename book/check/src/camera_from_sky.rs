@@ -1,6 +1,8 @@
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{intensity_function, scene_of_step, sorted_hits};
+use crate::step_scene::{
+    first_hits_nearest_first, intensity_function, scene_of_step,
+};
 use crate::{Picture, Step};
 use glam::{DMat3, DVec3};
 use std::array;
@@ -11,7 +13,7 @@ const CAMERA: &str = "step01_rays/camera.rs";
 const SKY: &str = "step01_rays/picture.rs";
 const RGB8: &str = "step01_rays/rgb8.rs";
 
-/// What the sky of a picture tells of the camera that drew it: the x and y of D_u, D_v and
+/// Camera as the sky of a picture tells it: the x and y of D_u, D_v and
 /// V_0. Their z leaves no trace in it.
 pub(crate) struct SkyCamera {
     /// x of D_u, D_v and V_0.
@@ -97,7 +99,7 @@ impl SkyCamera {
         })
     }
 
-    /// Says which of D_u, D_v and V_0 are others than in `ours`.
+    /// Half a sentence: which of D_u, D_v and V_0 are others than in `ours`.
     fn clauses_of_differences(
         &self,
         ours: &Self,
@@ -200,7 +202,7 @@ fn fit_planes<const N: usize>(points: &[(DVec3, [f64; N])]) -> Option<[DVec3; N]
 /// How far from the middle of a pixel a fitted camera may be.
 const SLACK: f64 = 0.3;
 
-/// Our own step with the camera that the sky tells.
+/// Explanation, not yet tried: our step with the camera that the sky tells.
 pub(crate) fn camera_candidate<'a>(
     evidence: &'a Evidence,
 ) -> Option<Explanation<'a>> {
@@ -378,9 +380,12 @@ pub(crate) fn clauses_and_count_of_sky(
     let scene = scene_of_step(step);
     let is_sky = |pixel: &Pixel| {
         let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
-        [(0.0, 0.0), (2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)]
-            .iter()
-            .all(|(u, v)| sorted_hits(&scene, &camera.ray(i + u, j + v)).is_empty())
+        [(0.0, 0.0), (2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].iter().all(
+            |(u, v)| {
+                first_hits_nearest_first(&scene, &camera.ray(i + u, j + v))
+                    .is_empty()
+            },
+        )
     };
     let count = evidence.pixels.iter().filter(|pixel| is_sky(pixel)).count();
     let is_much = evidence.pixels.len() / 10 < count;

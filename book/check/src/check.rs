@@ -43,7 +43,7 @@ const RAYS: u32 = 4_000_000;
 /// Compares the picture in a PNG file with the locked picture `name`; where that is
 /// left out, with the one that the file's own name tells, or else with the nearest.
 ///
-/// It takes nothing but what it is given: no file, no argument, no time.
+/// Reads nothing but what it is given: no file, no argument, no time.
 pub fn check_png(
     png: &[u8],
     file_name: &str,
@@ -160,7 +160,7 @@ fn check_read_picture(
     Answer { code: 1, text: text.trim_end().to_owned(), difference }
 }
 
-/// What there is to say of a picture that is right elsewhere.
+/// Lines about a picture that is the right one of another name.
 fn explain_other_picture(
     yours: &RgbImage,
     ours: &Locked,
@@ -197,7 +197,7 @@ fn explain_other_picture(
     )
 }
 
-/// The step whose picture is to be asked first, where that of an exercise is wrong.
+/// Tells which step's picture to check first, where that of an exercise is wrong.
 fn hint_to_check_step_first(name: &str) -> String {
     let Some(step) = which_picture::step_of_exercise(name) else {
         return String::new();
@@ -210,7 +210,7 @@ fn hint_to_check_step_first(name: &str) -> String {
     )
 }
 
-/// What went wrong. `drawn` is ours at the size of yours.
+/// Lines about what went wrong. `ours_at_size` is ours at the size of yours.
 fn explain_wrong_picture(
     yours: &Picture,
     ours: &Locked,
@@ -326,7 +326,7 @@ fn computed_picture<'a>(step: Step, evidence: &'a Evidence) -> OurPicture<'a> {
     OurPicture { size: evidence.yours.size, colour: Rc::new(colour) }
 }
 
-/// What there is to say where all rows are right in which explanations are asked.
+/// Lines about a picture that is right in all rows in which explanations are asked.
 fn explain_difference_beyond_compared_rows(
     yours: &Picture,
     ours_at_size: Option<&RgbImage>,
@@ -349,7 +349,7 @@ fn explain_difference_beyond_compared_rows(
     )
 }
 
-/// What was made of ours as a whole: the strongest explanations.
+/// Finds the first explanation of the whole picture, among the strongest ones.
 fn find_explanation_of_whole<'a>(
     evidence: &'a Evidence,
     ours: impl Iterator<Item = OurPicture<'a>>,
@@ -374,7 +374,7 @@ fn find_explanation_of_whole<'a>(
     )
 }
 
-/// What explains a picture that is not in the list; or what there is to count.
+/// Lines by the first of the other explanations that holds; or else by counting.
 fn explain_or_count(
     evidence: &Evidence,
     ours_at_size: Option<&RgbImage>,

@@ -5,7 +5,7 @@ use image::imageops::{FilterType, resize};
 /// How many places are compared pixel by pixel for a part that seems to be there.
 const MOST_PLACES: usize = 32;
 
-/// What was made of ours that has another size: half a sentence, if that explains the
+/// Half a sentence: which part or scaled copy of ours it is, if that explains the
 /// picture. `ours_at_size` is our own at the picture's size.
 pub(crate) fn crop_or_scale_clause(
     yours: &Picture,

@@ -236,7 +236,7 @@ fn count_colours(evidence: &Evidence, colour: fn(&Pixel) -> [u8; 3]) -> usize {
     colours.len()
 }
 
-/// Ours in other colours: what has one colour in ours has one in the picture, in the sky and
+/// Explanation: what has one colour in ours has one in the picture, in the sky and
 /// in the objects.
 pub(crate) fn recoloured_candidate<'a>(
     evidence: &'a Evidence,

@@ -17,7 +17,7 @@ pub(crate) struct Evidence<'a> {
     pub ours: RgbImage,
     /// The camera that draws ours.
     pub camera: Camera,
-    /// What turns intensities into bytes: `rgb8`, or what is in its place in the picture.
+    /// Function that turns intensities into bytes: `rgb8`, or the one in its place.
     pub encode: Encode,
     /// All pixels that are compared, in an order in which a wrong explanation soon fails:
     /// those that are wrong first, scattered.
@@ -33,7 +33,7 @@ pub(crate) struct Pixel {
     pub j: u32,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
-    /// What our own program sees there.
+    /// Region of our own scene there.
     pub region: Region,
 }
 

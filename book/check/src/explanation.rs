@@ -7,9 +7,9 @@ pub(crate) type Range = [[u8; 3]; 2];
 /// Something that may have happened to a picture: a sentence, where in the code, and a
 /// function from pixels to colours.
 pub(crate) struct Explanation<'a> {
-    /// What is told if it holds: whole sentences.
+    /// Sentences for the reader, if it holds.
     pub sentence: String,
-    /// Where to go back to, such as `step01_rays/rgb8.rs`.
+    /// Files to go back to, such as `step01_rays/rgb8.rs`.
     pub files: Vec<&'static str>,
     /// The lowest and the highest bytes that it gives a pixel.
     pub colours: Box<dyn Fn(&Pixel) -> Range + 'a>,
@@ -85,7 +85,7 @@ impl<'a> Explanation<'a> {
         })
     }
 
-    /// In how many pixels it does not, if these are not too many.
+    /// Number of pixels of a region in which it does not; None where these are too many.
     pub fn count_exceptions(
         &self,
         evidence: &Evidence,
@@ -120,7 +120,7 @@ fn is_colour_between(low: [u8; 3], colour: [u8; 3], high: [u8; 3]) -> bool {
     (0..3).all(|k| low[k] <= colour[k] && colour[k] <= high[k])
 }
 
-/// What may still be computed for an answer, in rays: the bound of its time, and the same on
+/// Rays that may still be computed for an answer: the bound of its time, the same on
 /// every machine.
 pub(crate) struct RayBudget {
     rays: Cell<u32>,
@@ -132,7 +132,7 @@ impl RayBudget {
         Self { rays: Cell::new(rays) }
     }
 
-    /// Takes some of it, if so much is left.
+    /// Takes so many from it; false where fewer are left.
     pub fn spend(&self, rays: u32) -> bool {
         let rays_left = self.rays.get().checked_sub(rays);
         self.rays.set(rays_left.unwrap_or(0));

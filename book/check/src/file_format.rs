@@ -53,7 +53,8 @@ const STARTS: [(&[u8], &str); 24] = [
     ),
 ];
 
-/// What a file is, by its first bytes, if it is not a PNG file that can be read.
+/// Half a sentence, such as `a JPEG; save it as PNG`: the format of a file by its first
+/// bytes; None for a PNG file that can be read.
 pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         let is_apples = file.get(12..16) == Some(b"CgBI");
@@ -88,7 +89,7 @@ pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What a file is whose first bytes tell no format.
+/// Half a sentence on a file whose first bytes tell no format: text of a kind, or unknown.
 fn text_or_unknown_clause(file: &[u8]) -> &'static str {
     let start = &file[..file.len().min(512)];
     let start = String::from_utf8_lossy(start).to_ascii_lowercase();

@@ -17,10 +17,10 @@ fn hash_fnv1a(bytes: impl Iterator<Item = u8>) -> u64 {
     })
 }
 
-/// What was drawn of one mistake: a line of the table.
+/// Hashes of the pictures of one mistake: a line of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// What stands for the mistake and for the code of its file when it was drawn.
+    /// Hash of the mistake and of the code of its file when it was drawn.
     pub key: u32,
     /// The sum of the picture of its step and of each later one, or of its exercise; None
     /// where that is right all the same, or can't be drawn.
@@ -29,8 +29,8 @@ pub struct TableRow {
 
 impl TableRow {
     /// The key of a mistake, where `text` is that of its file: comments draw nothing.
-    pub fn compute_key(mistake: &Mistake, text: &str) -> u32 {
-        let lines = text.lines().map(str::trim);
+    pub fn compute_key(mistake: &Mistake, file_text: &str) -> u32 {
+        let lines = file_text.lines().map(str::trim);
         let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
         let Mistake { file, old, new, .. } = mistake;
         let all =

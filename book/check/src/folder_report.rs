@@ -2,7 +2,7 @@ use crate::{Answer, Locked, check_png, escape_for_terminal, read_bounded_file};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What was found out about one picture in a folder.
+/// Verdict on one picture in a folder.
 struct Entry<'a> {
     picture: &'a str,
     verdict: Verdict,
@@ -20,7 +20,7 @@ enum Verdict {
 /// Looks for every picture of the course in `folder`, and says of each whether it is right,
 /// not right, unreadable or absent; for machines as JSON.
 ///
-/// Where no picture is there, but other folders are, each of these is a student's, who gets
+/// A folder without a picture, but with folders, is a class: each of these is a student's, who gets
 /// one line.
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
@@ -105,14 +105,14 @@ fn check_entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
     locked.iter().map(entry).collect()
 }
 
-/// What follows the first line of an answer, in one line.
-fn join_lines_after_first(text: &str) -> String {
-    text.lines().skip(1).collect::<Vec<_>>().join(" ")
+/// Joins the lines after the first of an answer into one.
+fn join_lines_after_first(answer_text: &str) -> String {
+    answer_text.lines().skip(1).collect::<Vec<_>>().join(" ")
 }
 
 /// The first line of an answer, without what a table says itself.
-fn first_line_without_prefix(text: &str) -> &str {
-    let line = text.lines().next().unwrap_or_default();
+fn first_line_without_prefix(answer_text: &str) -> &str {
+    let line = answer_text.lines().next().unwrap_or_default();
     let starts = ["Not right: ", "Not right yet, ", "error: "];
     starts.iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line)
 }

@@ -50,7 +50,7 @@ pub(crate) fn explain_listed_mistake(
     ))
 }
 
-/// Its diff, cut where it is long.
+/// Formats its diff, indented, cut where it is long.
 fn format_short_diff(mistake: &Mistake) -> String {
     let diff = mistake.diff();
     let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();

@@ -6,9 +6,9 @@ use std::fs;
 /// A picture to compare with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Locked {
-    /// Its name: that of a step or of an example of a step.
+    /// Name of a step or of an example of a step.
     pub name: String,
-    /// What the picture has to be.
+    /// Pixels that the picture has to have.
     pub picture: RgbImage,
 }
 

@@ -2,8 +2,8 @@ use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{
-    LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
-    sorted_hits,
+    LIGHTS, Scene, first_hits_nearest_first, intensity_function,
+    object_name_with_article, scene_of_step,
 };
 use glam::DVec3;
 use std::collections::{BTreeMap, HashSet};
@@ -17,7 +17,7 @@ const DIFFUSE: &str = "step04_diffuse/diffuse.rs";
 const SPECULAR: &str = "step05_phong/specular.rs";
 const RENDER: &str = "step01_rays/render.rs";
 
-/// Our scene without one of its objects, without those after the first ones, and without the
+/// Explanations, not yet tried: our scene without one object, without the last ones, without the
 /// rule that the nearest is in front.
 pub(crate) fn object_candidates<'a>(
     evidence: &'a Evidence,
@@ -67,13 +67,13 @@ fn missing_objects_candidate<'a>(
     step: Step,
     sentence: String,
     files: &[&'static str],
-    is_missing: impl Fn(usize) -> bool,
+    is_missing_index: impl Fn(usize) -> bool,
 ) -> Explanation<'a> {
     let mut scene = scene_of_step(step);
     let mut k = 0;
     scene.objects.retain(|_| {
         k += 1;
-        !is_missing(k - 1)
+        !is_missing_index(k - 1)
     });
     let intensity = intensity_function(step, &scene);
     Explanation::exact(sentence, files, move |pixel| {
@@ -81,7 +81,7 @@ fn missing_objects_candidate<'a>(
     })
 }
 
-/// Another one of the objects that a ray meets is in front.
+/// Explanations, not yet tried: another of the objects that a ray meets is in front.
 fn wrong_order_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
@@ -105,7 +105,7 @@ fn wrong_order_candidates<'a>(
         );
         Explanation::exact(sentence, &[NEAREST], move |pixel| {
             let ray = evidence.our_ray(pixel);
-            let front_object = choose(&sorted_hits(&scene, &ray));
+            let front_object = choose(&first_hits_nearest_first(&scene, &ray));
             evidence
                 .encode(front_object.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
         })
@@ -113,7 +113,7 @@ fn wrong_order_candidates<'a>(
     choices.map(explanation).into()
 }
 
-/// The terms of the light, some of them left out or counted twice.
+/// Explanations, not yet tried: terms of the light left out or counted twice.
 pub(crate) fn missing_or_doubled_term_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -138,7 +138,7 @@ pub(crate) fn missing_or_doubled_term_candidates<'a>(
 /// How many pixels are asked of a factor before all are.
 const FIRST: usize = 8;
 
-/// One term, or that of one light, times a factor.
+/// Explanations, tried in a few pixels: one term, or that of one light, times a factor.
 pub(crate) fn scaled_term_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -179,10 +179,10 @@ fn term_names(step: Step) -> Vec<String> {
     names
 }
 
-/// The scene with one of its lights.
-fn scene_with_one_light(step: Step, light: usize) -> Scene {
+/// The scene of a step, with one of its lights alone.
+fn scene_with_one_light(step: Step, light_index: usize) -> Scene {
     let mut scene = scene_of_step(step);
-    scene.lights = vec![scene.lights[light]];
+    scene.lights = vec![scene.lights[light_index]];
     scene
 }
 
@@ -277,7 +277,7 @@ fn sum_scaled_terms(
     Some(sum)
 }
 
-/// A factor with two places, or as what it is a part of.
+/// Formats a factor with at most two decimals.
 fn format_2_decimals_trimmed(factor: f64) -> String {
     format!("{factor:.2}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -290,7 +290,7 @@ fn join_with_and(names: &[&str]) -> String {
     }
 }
 
-/// Ours, of which some pixels were never drawn: all of these have one colour.
+/// Explanation: some pixels were never drawn, all of these have one colour.
 pub(crate) fn undrawn_pixels_candidate<'a>(
     evidence: &'a Evidence,
 ) -> Option<Explanation<'a>> {

@@ -6,22 +6,22 @@
 
 use crate::Step;
 
-/// What a reader may get wrong: a place of a file, and what is written there instead.
+/// Mistake that a reader may make: a place of a file, and the text written there instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
-    /// What is wrong, in words.
+    /// Short description.
     pub title: &'static str,
     /// The file, seen from the root of the workspace.
     pub file: String,
-    /// What stands there; blanks at the beginning of a line do not count.
+    /// Right text; blanks at the beginning of a line do not count.
     pub old: String,
-    /// What is written instead.
+    /// Text that is written instead.
     pub new: String,
-    /// What the book says, where it shows the mistake.
+    /// Words and pictures of the book, where it shows the mistake.
     pub book_entry: Option<BookEntry>,
 }
 
-/// What the book says of a mistake that it shows.
+/// Words and pictures with which the book shows a mistake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BookEntry {
     /// The name of each picture, lower-case words with `-` between them, and the step
@@ -31,7 +31,7 @@ pub struct BookEntry {
     pub reason: &'static str,
     /// The heading of its section, in the chapter of its step.
     pub section: &'static str,
-    /// What its picture shows, in one sentence.
+    /// Sentence about what its picture shows.
     pub effect: &'static str,
 }
 
@@ -104,7 +104,7 @@ impl Mistake {
         later.map(|step| step.name().to_owned()).collect()
     }
 
-    /// What stands there, each line after a `-`, and what is written instead, after `+`.
+    /// Lines of the right text, each after a `-`, and those written instead, after `+`.
     pub fn diff(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
@@ -112,13 +112,14 @@ impl Mistake {
     }
 
     /// The text of its file with the mistake in it, if its place is there once.
-    pub fn apply_to(&self, text: &str) -> Option<String> {
-        let bare = |text: &str| {
-            let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
+    pub fn apply_to(&self, file_text: &str) -> Option<String> {
+        let bare = |file_text: &str| {
+            let lines: Vec<_> =
+                file_text.split('\n').map(str::trim_start).collect();
             lines.join("\n")
         };
-        let (text, old) = (bare(text), bare(&self.old));
-        let is_once = text.matches(&old).count() == 1;
-        is_once.then(|| text.replace(&old, &self.new))
+        let (file_text, old) = (bare(file_text), bare(&self.old));
+        let is_once = file_text.matches(&old).count() == 1;
+        is_once.then(|| file_text.replace(&old, &self.new))
     }
 }

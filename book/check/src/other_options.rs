@@ -97,7 +97,7 @@ impl Options {
         self.fov_degrees == FIELD_OF_VIEW && self.samples == 1
     }
 
-    /// What is told of a picture that is right with them.
+    /// Sentences about a picture that is right with them.
     pub fn sentences(&self, step: Step, yours: &Picture) -> String {
         let ((columns, rows), name) = (yours.size, step.name());
         let Self { fov_degrees, samples, compared } = *self;

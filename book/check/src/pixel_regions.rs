@@ -1,11 +1,12 @@
 use crate::Step;
 use crate::step_scene::{
-    LIGHTS, Scene, object_name_with_article, scene_of_step, sorted_hits,
+    LIGHTS, Scene, first_hits_nearest_first, object_name_with_article,
+    scene_of_step,
 };
 use glam::DVec3;
 use step05_phong::{Ray, normal, reflect, terms};
 
-/// What our own program sees in a pixel.
+/// Region of our own scene in which a pixel is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Region {
     /// The number of the object, None where it is the sky.
@@ -19,7 +20,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// What tells the region of a ray of a step; of an exercise nothing is known.
+    /// Function from a ray to its region in the scene of a step; in an exercise to the default.
     pub fn function_of_ray(step: Option<Step>) -> impl Fn(&Ray) -> Self {
         let scene = step.map(|step| (step, scene_of_step(step)));
         move |ray| match &scene {
@@ -29,7 +30,7 @@ impl Region {
     }
 
     fn of_ray(step: Step, scene: &Scene, ray: &Ray) -> Self {
-        let hits = sorted_hits(scene, ray);
+        let hits = first_hits_nearest_first(scene, ray);
         let mut region = Self { is_crowded: 1 < hits.len(), ..Self::default() };
         let Some((t, k)) = hits.first().copied() else { return region };
         region.object = u8::try_from(k).ok();
@@ -48,10 +49,11 @@ impl Region {
     }
 }
 
-/// What our program computes for one pixel, in letters of the book.
+/// Half a sentence: the values that our program computes for one pixel, in the book's letters.
 pub(crate) fn computed_values_clause(step: Step, ray: &Ray) -> String {
     let scene = scene_of_step(step);
-    let Some((t, k)) = sorted_hits(&scene, ray).first().copied() else {
+    let Some((t, k)) = first_hits_nearest_first(&scene, ray).first().copied()
+    else {
         return format!("the sky, V = {}", format_vector_4_decimals(ray.direction));
     };
     let mut text = format!("{} at t = {t:.4}", object_name_with_article(step, k));

@@ -28,7 +28,7 @@ pub struct Picture {
     pub rows: Vec<u32>,
     /// The rows that are kept, one below the other.
     pub pixels: RgbImage,
-    /// What is to be said of the file, a sentence each.
+    /// Sentences about the file.
     pub notes: Vec<String>,
     /// Whether alpha is 0 in every pixel.
     pub is_invisible: bool,
@@ -109,7 +109,7 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     let rows: Vec<_> = if u64::from(width) * u64::from(height) <= WHOLE {
         let mut bytes = vec![0; line * height as usize];
         reader.next_frame(&mut bytes).map_err(damage_clause)?;
-        bytes.chunks_exact(line).for_each(|row| kept.push_rgb_of_row(row));
+        bytes.chunks_exact(line).for_each(|row| kept.push_row_as_rgb8(row));
         (0..height).collect()
     } else if reader.info().interlaced {
         return Err(format!("{too_large} interlaced; save it without"));
@@ -118,7 +118,7 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
         for j in 0..height {
             let row = reader.next_row().map_err(damage_clause)?;
             if let Some(row) = row.filter(|_| rows.binary_search(&j).is_ok()) {
-                kept.push_rgb_of_row(row.data());
+                kept.push_row_as_rgb8(row.data());
             }
         }
         rows
@@ -155,7 +155,7 @@ struct Kept {
 
 impl Kept {
     /// Keeps red, green and blue of a row.
-    fn push_rgb_of_row(&mut self, row: &[u8]) {
+    fn push_row_as_rgb8(&mut self, row: &[u8]) {
         let (colour, depth) = self.format;
         let narrow: Vec<u8>;
         let row = match depth {
@@ -208,7 +208,7 @@ fn damage_clause(error: DecodingError) -> String {
     format!("is a damaged PNG file: {cause}")
 }
 
-/// What a viewer may show otherwise, and what was left out.
+/// Sentences about what a viewer may show otherwise, and what was left out.
 fn viewer_notes(
     file: &[u8],
     info: &Info,

@@ -9,7 +9,7 @@ use step05_phong::Matte;
 /// One or three numbers of each object or of each light, which stand in one place of a
 /// file.
 struct Parameter {
-    /// Its name before that of its owner; nothing where it is the owner's place.
+    /// Name before that of its owner; empty where it is the owner's place.
     name: &'static str,
     /// The kind of thing that has it.
     owner: Owner,
@@ -141,7 +141,7 @@ const DIFFUSE: Parameter = Parameter {
 /// How many pixels are asked of a number before all are.
 const FIRST: usize = 32;
 
-/// Our scene with one other number, where that gives the first pixels that are wrong.
+/// Explanations, tried in a few pixels: our scene with one other number.
 pub(crate) fn changed_number_candidates<'a>(
     evidence: &'a Evidence,
 ) -> impl Iterator<Item = Explanation<'a>> {
@@ -183,7 +183,7 @@ fn may_cause_wrong_pixels(
         && evidence.wrong_pixels().iter().all(is_there)
 }
 
-/// The numbers in the place of one parameter that give the first wrong pixels.
+/// Explanations by other numbers of one parameter that give the first wrong pixels.
 fn fitting_number_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,

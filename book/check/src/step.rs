@@ -26,7 +26,7 @@ impl Step {
     pub const ALL: [Self; 5] =
         [Self::Rays, Self::Sphere, Self::Nearest, Self::Diffuse, Self::Phong];
 
-    /// Its number, from 1.
+    /// Number from 1 to 5.
     pub fn number(self) -> usize {
         self as usize + 1
     }
@@ -52,7 +52,7 @@ impl Step {
         Self::ALL.into_iter().find(|step| path.contains(step.name()))
     }
 
-    /// Its right picture.
+    /// Draws its right picture by a camera.
     pub fn draw_picture(self, camera: &Camera, samples: u32) -> RgbImage {
         let picture: fn(&Camera, u32) -> RgbImage = match self {
             Self::Rays => step01_rays::picture,

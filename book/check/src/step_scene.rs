@@ -6,7 +6,7 @@ use step05_phong::{Light, Material, OBJECTS, Ray};
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
 
-/// What turns an intensity into bytes.
+/// Function that turns an intensity into bytes.
 pub(crate) type Encode = fn(DVec3) -> [u8; 3];
 
 /// The encoding of the course.
@@ -15,12 +15,13 @@ pub(crate) const ENCODE: Encode = |intensity| rgb8(intensity).0;
 /// How many objects there are.
 pub(crate) const OBJECT_COUNT: usize = OBJECTS.len();
 
-/// What the lights are called, in their order.
+/// Names of the lights, in their order.
 pub(crate) const LIGHTS: [&str; 2] = ["the warm light", "the cool light"];
 
 /// The name of object `k` of a step, with its article.
-pub(crate) fn object_name_with_article(step: Step, k: usize) -> String {
-    let name = if step == Step::Sphere { "sphere" } else { OBJECTS[k].name };
+pub(crate) fn object_name_with_article(step: Step, object_index: usize) -> String {
+    let name =
+        if step == Step::Sphere { "sphere" } else { OBJECTS[object_index].name };
     format!("the {name}")
 }
 
@@ -79,7 +80,10 @@ pub(crate) fn intensity_function(
 }
 
 /// The t and the number of each object that a ray meets, the nearest first.
-pub(crate) fn sorted_hits(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
+pub(crate) fn first_hits_nearest_first(
+    scene: &Scene,
+    ray: &Ray,
+) -> Vec<(f64, usize)> {
     let hit =
         |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
     let mut hits: Vec<_> = (0..scene.objects.len()).filter_map(hit).collect();

@@ -41,14 +41,14 @@ pub(crate) struct OurPicture<'a> {
 }
 
 impl<'a> OurPicture<'a> {
-    /// One that is drawn.
+    /// One that has been drawn.
     pub fn from_drawn(picture: &'a RgbImage) -> Self {
         let colour = Rc::new(|i, j| picture.get_pixel(i, j).0);
         Self { size: picture.dimensions(), colour }
     }
 }
 
-/// Ours turned, mirrored, with its channels in another order.
+/// Explanations, not yet tried: ours turned, mirrored, with its channels in another order.
 pub(crate) fn turned_candidates<'a>(
     evidence: &Evidence,
     ours: OurPicture<'a>,
@@ -82,7 +82,8 @@ pub(crate) fn turned_candidates<'a>(
     })
 }
 
-/// Ours with its bytes in other places, as where a buffer is laid out in another way.
+/// Explanations, not yet tried: the bytes of ours in other places, as in a buffer of
+/// another layout.
 pub(crate) fn rearranged_candidates<'a>(
     evidence: &'a Evidence,
     ours: &'a RgbImage,
@@ -204,7 +205,7 @@ pub(crate) fn rearranged_candidates<'a>(
     all
 }
 
-/// By how many bytes all may have moved: where a piece of ours is found again.
+/// Numbers of bytes by which all may have moved: where a piece of ours is found again.
 fn find_byte_shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
     let (ours, yours) = (ours.as_raw(), evidence.yours.pixels.as_raw());
     let piece_at = |start: usize| ours.get(start..start + 96);
@@ -221,10 +222,10 @@ fn find_byte_shifts(evidence: &Evidence, ours: &RgbImage) -> Vec<usize> {
     offsets.take(4).map(|(at, _)| (at + ours.len() - start) % ours.len()).collect()
 }
 
-/// The same pixels as in ours, at other places.
+/// Whether many pixels are wrong, and these have the colours of ours at other places.
 pub(crate) fn has_our_colours_elsewhere(evidence: &Evidence) -> bool {
-    let sorted = |which: fn(&crate::evidence::Pixel) -> [u8; 3]| {
-        let mut all: Vec<_> = evidence.wrong_pixels().iter().map(which).collect();
+    let sorted = |colour: fn(&crate::evidence::Pixel) -> [u8; 3]| {
+        let mut all: Vec<_> = evidence.wrong_pixels().iter().map(colour).collect();
         all.sort_unstable();
         all
     };

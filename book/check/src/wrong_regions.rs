@@ -7,8 +7,8 @@ use crate::source_ref::{
     find_source_ref, go_back_sentences, test_command_sentence,
 };
 use crate::step_scene::{
-    LIGHTS, OBJECT_COUNT, intensity_function, object_name_with_article,
-    scene_of_step, sorted_hits,
+    LIGHTS, OBJECT_COUNT, first_hits_nearest_first, intensity_function,
+    object_name_with_article, scene_of_step,
 };
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ const MOST_REGIONS: usize = 3;
 /// How far off a pixel of the sky may be that still shows it, in another shade.
 const FAINT: u8 = 12;
 
-/// What there is to say of a picture that nothing explains as a whole: which regions are
+/// Lines about a picture that nothing explains as a whole: which regions are
 /// right, how many pixels of the others are wrong, what explains one of these alone, and the
 /// tests by hand of the stages that may be wrong.
 pub(crate) fn describe_wrong_regions(
@@ -176,7 +176,7 @@ fn steps_that_may_be_wrong(
     Step::ALL.into_iter().filter(|one| first <= *one && *one <= step).collect()
 }
 
-/// What may explain one region alone.
+/// Explanations, not yet tried, of one region alone.
 fn region_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
@@ -222,7 +222,7 @@ fn region_candidates<'a>(
         let scene = scene_of_step;
         all.push(Explanation::exact(sentence, &[], move |pixel| {
             let ray = evidence.our_ray(pixel);
-            let hits = sorted_hits(&scene, &ray);
+            let hits = first_hits_nearest_first(&scene, &ray);
             let colours = hits
                 .iter()
                 .skip(1)
@@ -234,7 +234,7 @@ fn region_candidates<'a>(
     all
 }
 
-/// Ours times a factor, of each channel, fitted to every second pixel of a region.
+/// Explanation, not yet tried: ours times a factor for each channel, fitted in a region.
 fn region_factor_candidate<'a>(
     evidence: &'a Evidence,
     region_name: &str,

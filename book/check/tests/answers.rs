@@ -26,7 +26,7 @@ fn draw_changed_step05(change: impl Fn(&mut PhongScene)) -> RgbImage {
 }
 
 #[test]
-fn what_is_right_is_told() {
+fn right_picture_gets_code_0_or_its_true_name() {
     for one in locked() {
         let answer = check_picture(&one.picture, Some(&one.name), locked());
         assert_eq!(answer.code, 0, "{}", answer.text);
@@ -39,7 +39,7 @@ fn what_is_right_is_told() {
 }
 
 #[test]
-fn other_options_are_told() {
+fn picture_with_other_options_names_them() {
     for (size, fov, samples) in
         [((320, 180), 60.0_f64, 1), ((100, 75), 75.5, 2), ((640, 360), 110.0, 1)]
     {
@@ -62,7 +62,7 @@ fn other_options_are_told() {
 }
 
 #[test]
-fn what_was_made_of_the_whole_is_told() {
+fn turned_scaled_or_recoloured_picture_is_named() {
     let mapped = |picture: &RgbImage, change: &dyn Fn([u8; 3]) -> [u8; 3]| {
         let mut picture = picture.clone();
         picture.pixels_mut().for_each(|pixel| pixel.0 = change(pixel.0));
@@ -103,7 +103,7 @@ fn what_was_made_of_the_whole_is_told() {
 }
 
 #[test]
-fn a_screenshot_of_a_flat_picture_is_told() {
+fn screenshot_of_a_flat_picture_is_found() {
     let mut shot = RgbImage::from_pixel(656, 404, Rgb([90; 3]));
     overlay(&mut shot, &locked_picture("step03_nearest"), 8, 36);
     assert_answer_contains(
@@ -114,7 +114,7 @@ fn a_screenshot_of_a_flat_picture_is_told() {
 }
 
 #[test]
-fn one_number_is_told_with_its_owner() {
+fn one_wrong_number_is_named_with_its_owner() {
     let golden = "the golden sphere is at (0.45, −1.27, −5.8); it should be at (0.45, \
                   −1.12, −5.8)";
     let cases: [(Change, &str); 4] = [
@@ -142,7 +142,7 @@ fn one_number_is_told_with_its_owner() {
 }
 
 #[test]
-fn where_to_look_is_told() {
+fn answer_names_the_file_or_the_tests() {
     let mut higher = default_camera(640, 360);
     higher.matrix.y_axis.y *= 1.07;
     let scene = step05_phong::scene();
@@ -192,7 +192,7 @@ fn where_to_look_is_told() {
 }
 
 #[test]
-fn a_listed_one_is_told_with_its_diff() {
+fn listed_mistake_is_shown_with_its_diff() {
     let picture = render(&default_camera(640, 360), 1, |ray| {
         let v = ray.direction;
         DVec3::new(v.x, v.y, -v.z)

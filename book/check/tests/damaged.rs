@@ -37,7 +37,7 @@ fn correct_checksums(file: &mut [u8]) {
 }
 
 #[test]
-fn two_thousand_damaged_files_give_answers() {
+fn damaged_files_give_answers_without_panic() {
     let picture = Step::Rays.draw_picture(&default_camera(16, 9), 1);
     let mut undamaged = vec![];
     let encoder = PngEncoder::new(&mut undamaged);
@@ -60,7 +60,7 @@ fn two_thousand_damaged_files_give_answers() {
 }
 
 #[test]
-fn other_kinds_of_png_are_read() {
+fn grey_16_bit_and_transparent_png_are_read() {
     let ours = crate::locked_picture("step02_sphere");
     let check_as_png = |picture: DynamicImage| -> Answer {
         let mut png = Cursor::new(vec![]);
@@ -87,7 +87,7 @@ fn other_kinds_of_png_are_read() {
 }
 
 #[test]
-fn other_formats_are_told_by_their_first_bytes() {
+fn other_formats_are_named_by_their_first_bytes() {
     let mut png = Cursor::new(vec![]);
     let picture = DynamicImage::from(crate::locked_picture("step02_sphere"));
     picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
@@ -132,7 +132,7 @@ fn insert_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn what_a_viewer_may_show_otherwise_is_noted() {
+fn chunks_that_change_colours_in_a_viewer_are_noted() {
     let ours = crate::locked_picture("step02_sphere");
     let encode = |picture: DynamicImage| {
         let mut png = Cursor::new(vec![]);
@@ -169,7 +169,7 @@ fn what_a_viewer_may_show_otherwise_is_noted() {
 }
 
 #[test]
-fn a_small_file_of_a_large_picture_is_soon_answered() {
+fn small_file_of_a_large_picture_gets_an_answer() {
     let mut png = vec![];
     let mut encoder = png::Encoder::new(&mut png, 8192, 8192);
     encoder.set_color(png::ColorType::Rgb);

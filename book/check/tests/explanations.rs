@@ -98,7 +98,7 @@ fn another_camera_is_read_from_the_sky() {
 }
 
 #[test]
-fn another_colour_of_the_sky_is_told() {
+fn other_sky_colour_is_named() {
     let white_to_blue = |ray: &Ray| {
         let t = 0.5 + 0.5 * ray.direction.normalize().y;
         (1.0 - t) * DVec3::ONE + t * DVec3::new(0.5, 0.7, 1.0)
@@ -135,7 +135,7 @@ fn another_colour_of_the_sky_is_told() {
 }
 
 #[test]
-fn another_curve_of_the_bytes_is_told() {
+fn other_byte_curve_is_named() {
     type Bytes = fn(DVec3) -> [u8; 3];
     let camera = default_camera(640, 360);
     let curves: [(Bytes, &str); 6] = [
@@ -159,7 +159,7 @@ fn another_curve_of_the_bytes_is_told() {
 }
 
 #[test]
-fn of_two_mistakes_both_are_told_where_one_is_in_rgb8() {
+fn two_mistakes_are_named_if_one_is_in_rgb8() {
     let mut scene = step04_diffuse::scene();
     scene.ambient_light *= 0.37;
     let camera = default_camera(640, 360);
@@ -173,7 +173,7 @@ fn of_two_mistakes_both_are_told_where_one_is_in_rgb8() {
 }
 
 #[test]
-fn other_places_in_the_pixel_are_told() {
+fn shifted_and_random_rays_are_named() {
     let random = |i: u32, j: u32, k: u32| {
         let hash = (i * 640 + j * 1009 + k * 77).wrapping_mul(2_654_435_761);
         f64::from(hash >> 8) / f64::from(1 << 24) - 0.5
@@ -208,7 +208,7 @@ fn other_places_in_the_pixel_are_told() {
 }
 
 #[test]
-fn pixels_that_were_never_drawn_are_told() {
+fn undrawn_rows_columns_and_pixels_are_named() {
     for (is_gone, words) in [
         ((|_, j| j >= 200) as fn(u32, u32) -> bool, "rows 200 to 359"),
         (|i, _| i % 2 == 1, "columns 1, 3, 5 and so on, 320 of them"),
@@ -235,7 +235,7 @@ fn pixels_that_were_never_drawn_are_told() {
 }
 
 #[test]
-fn differences_in_the_last_digits_are_told_as_such() {
+fn rounding_differences_are_named() {
     for step in ["step03_nearest", "step05_phong"] {
         let picture = map_bytes_of_locked(step, |k, byte| match k % 19946 {
             0 => byte.saturating_sub(1),
@@ -249,7 +249,7 @@ fn differences_in_the_last_digits_are_told_as_such() {
 }
 
 #[test]
-fn what_was_packed_with_loss_is_told() {
+fn noisy_blurred_and_quantised_pictures_are_named() {
     let noisy = |name| {
         map_bytes_of_locked(name, |k, byte| {
             byte.saturating_add((k * 7919 % 5) as u8).saturating_sub(2)
@@ -269,7 +269,7 @@ fn what_was_packed_with_loss_is_told() {
 }
 
 #[test]
-fn bytes_in_other_places_are_told() {
+fn wrong_byte_layout_is_named() {
     for name in ["step03_nearest", "step05_phong", "sun"] {
         let ours = locked_picture(name);
         let pixels: Vec<_> = ours.pixels().copied().collect();
@@ -297,7 +297,7 @@ fn bytes_in_other_places_are_told() {
 }
 
 #[test]
-fn terms_and_objects_that_are_missing_are_told() {
+fn missing_terms_and_objects_are_named() {
     type Change = fn(&mut PhongScene);
     let changes: [(Change, &str); 6] = [
         (|scene| scene.lights.truncate(1), "the cool light"),

@@ -12,7 +12,7 @@ fn read_in_workspace(path: &str) -> String {
 }
 
 #[test]
-fn each_mistake_can_be_made() {
+fn each_listed_mistake_applies_once_and_is_unique() {
     let (mut wrong, mut seen) = (vec![], HashSet::new());
     for mistake in mistakes() {
         let applied = mistake.apply_to(&read_in_workspace(&mistake.file));
@@ -37,7 +37,7 @@ fn each_mistake_can_be_made() {
 }
 
 #[test]
-fn all_that_an_answer_leads_to_is_there() {
+fn files_tests_and_sections_of_answers_exist() {
     for place in source_refs() {
         let step = place.step.name();
         assert!(

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::{env, fs};
 
-/// What it says with these arguments in this folder, and its exit code.
+/// Runs it with these arguments in this folder; gives its exit code and its text.
 fn run_check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
     let output = command.current_dir(folder).args(arguments).output();
@@ -17,7 +17,7 @@ fn run_check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
 }
 
 #[test]
-fn the_program_ends_with_0_1_or_2() {
+fn exit_code_is_0_right_1_wrong() {
     let folder = create_empty_folder("codes");
     let ours = locked_picture("step02_sphere");
     ours.save(folder.join("step2.png")).expect("a file");
@@ -46,7 +46,7 @@ fn the_program_ends_with_0_1_or_2() {
 }
 
 #[test]
-fn what_can_not_be_looked_at_is_told_in_one_sentence() {
+fn unusable_input_gives_one_line_and_exit_code_2() {
     let folder = create_empty_folder("refused");
     let mut right = vec![];
     let picture = crate::locked_picture("step01_rays");
@@ -90,7 +90,7 @@ fn what_can_not_be_looked_at_is_told_in_one_sentence() {
 }
 
 #[test]
-fn without_a_file_it_ticks_off_every_picture_of_the_course() {
+fn without_a_file_each_picture_of_the_course_is_reported() {
     let folder = create_empty_folder("table");
     let count = crate::locked().len();
     let (code, text) = run_check(&folder, &["--in", "."]);
@@ -123,7 +123,7 @@ fn the_name_of_the_file_tells_whose_picture_it_is() {
 }
 
 #[test]
-fn what_is_no_picture_file_is_not_waited_for() {
+fn pipes_folders_and_huge_files_are_unreadable() {
     let folder = create_empty_folder("devices");
     let pipe = folder.join("sun.png");
     let is_made = Command::new("mkfifo").arg(&pipe).status();
@@ -149,7 +149,7 @@ fn what_is_no_picture_file_is_not_waited_for() {
 }
 
 #[test]
-fn a_folder_of_folders_is_a_class() {
+fn folder_of_folders_gets_one_line_each() {
     let folder = create_empty_folder("class");
     for (student, name) in [("ada", "sun"), ("bob", "glass"), ("cleo", "")] {
         let student_folder = folder.join(student);
@@ -180,7 +180,7 @@ fn a_folder_of_folders_is_a_class() {
 }
 
 #[test]
-fn a_picture_of_another_version_is_no_measure() {
+fn locked_picture_of_another_version_gives_exit_code_2() {
     let mut ours = crate::locked().to_vec();
     ours[0].picture.put_pixel(9, 9, Rgb([0; 3]));
     let answer = check::check_picture(&ours[0].picture, Some("step01_rays"), &ours);

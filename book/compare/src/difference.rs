@@ -14,7 +14,7 @@ pub enum Difference {
         largest: u8,
         /// Column and row of the first one, row by row.
         first: (u32, u32),
-        /// Its colours, locked and new.
+        /// Colours of the first one, locked and new.
         colours: ([u8; 3], [u8; 3]),
     },
 }

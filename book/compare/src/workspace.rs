@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 /// The folder of the course, even if it was moved since this program was built.
 ///
-/// It is looked for upwards from the package that Cargo runs, then from the current
+/// Searched upwards from the package that Cargo runs, then from the current
 /// folder and from the program.
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);

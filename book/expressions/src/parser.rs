@@ -3,24 +3,24 @@ use crate::{Kind, Place, refusal};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What a reader's text means: a function of the variables of its place.
+/// Meaning of a reader's text: a function of the variables of its place.
 pub struct Expression(Code);
 
 type Code = Box<dyn Fn(&[DVec3]) -> DVec3 + Send + Sync>;
 
 impl Expression {
-    /// Its value where the variables have these.
+    /// Computes its value for these values of the variables.
     pub fn evaluate(&self, variables: &[DVec3]) -> DVec3 {
         self.0(variables)
     }
 }
 
-/// What is wrong with a text.
+/// Fault in a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
-    /// Where, in bytes.
+    /// Bytes of the text that are wrong.
     pub range: Range<usize>,
-    /// What, in one or two sentences.
+    /// One or two sentences for the reader.
     pub sentence: String,
 }
 
@@ -30,7 +30,7 @@ const LENGTH: usize = 400;
 /// The most parts inside each other.
 const DEPTH: usize = 40;
 
-/// What stands between two values, the loosest first.
+/// Operators between two values, by level, the loosest first.
 const OPERATORS: [&[&str]; 5] = [
     &["||"],
     &["&&"],
@@ -112,7 +112,7 @@ impl<'a> Parser<'a> {
         self.refuse(self.at..self.at + word.len(), sentence)
     }
 
-    /// What is still to be read, from the next sign on.
+    /// Skips blanks; gives the text that is still to be read.
     fn remaining_after_blanks(&mut self) -> &'a str {
         let remaining = self.text[self.at..].trim_start();
         self.at = self.text.len() - remaining.len();

@@ -39,15 +39,15 @@ impl Kind {
 /// An expression in the steps that a reader may edit: a block of places.txt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// Its name, in the address of an edit.
+    /// Name in the address of an edit.
     pub name: &'static str,
-    /// Its file, seen from the folder of the steps.
+    /// Path of the file, seen from the folder of the steps.
     pub file: &'static str,
-    /// What stands there, in one row.
+    /// Code of the book there, in one row.
     pub code: &'static str,
     /// The kind of its value.
     pub kind: Kind,
-    /// What an expression may name there.
+    /// Names that an expression may use there.
     pub variables: Vec<(&'static str, Kind)>,
 }
 
@@ -82,7 +82,7 @@ impl Place {
         self.file.split('/').next().unwrap_or_default()
     }
 
-    /// Where it stands in a text, however its rows are broken.
+    /// Finds its code in a text, however its rows are broken.
     pub fn find_ranges(&self, text: &str) -> Vec<Range<usize>> {
         let first = self.code.split(' ').next().unwrap_or_default();
         let starts = text.match_indices(first).map(|(start, _)| start);

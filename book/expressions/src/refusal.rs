@@ -4,7 +4,7 @@ use crate::functions::{function_names_with_prefix, signatures_of};
 use crate::parser::is_word_char;
 use crate::{Kind, Place};
 
-/// What people write in place of Rust's signs.
+/// Signs that people write, each with what Rust has for it.
 const SIGNS: [(&str, &str); 11] = [
     ("×", "*"),
     ("·", "* between numbers, and a.dot(b) between vectors"),
@@ -29,7 +29,7 @@ const ONE_EXPRESSION: &str = "One expression fits here, without let, if, blocks 
     functions of your own. In place of an if, multiply by f64::from(a < b): it is 1 where \
     that's true, else 0.";
 
-/// What is wrong with a word or a sign, wherever it is.
+/// Sentence about a word or a sign that no expression may have here; None for others.
 pub fn explain_misplaced_word(word: &str) -> Option<String> {
     if STATEMENTS.contains(&word) {
         return Some(ONE_EXPRESSION.to_owned());

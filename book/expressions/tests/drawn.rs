@@ -2,7 +2,7 @@ use check::Locked;
 use expressions::{draw_edited, editable_places, parse_expression, place_faults};
 
 #[test]
-fn each_place_stands_in_the_steps() {
+fn no_place_has_a_fault() {
     let faults = place_faults();
     assert!(
         faults.is_empty(),
@@ -13,7 +13,7 @@ fn each_place_stands_in_the_steps() {
 }
 
 #[test]
-fn the_lines_of_the_book_draw_the_locked_pictures() {
+fn unedited_places_draw_the_locked_pictures() {
     for place in editable_places() {
         let expression =
             parse_expression(&place, place.code).expect("it stands in the book");

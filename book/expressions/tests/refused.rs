@@ -77,7 +77,7 @@ const REFUSED: [(&str, &str, &str, &str); 50] = [
 ];
 
 #[test]
-fn what_rust_refuses_is_refused_in_place() {
+fn refused_text_has_its_range_and_sentence() {
     for (name, text, part, words) in REFUSED {
         let Err(mistake) = parse_expression(&find_place(name), text) else {
             panic!("{name}: {text} is not refused");
@@ -92,7 +92,7 @@ fn what_rust_refuses_is_refused_in_place() {
     }
 }
 
-/// What the book says to write comes first.
+/// Texts that are read; those that the book says to write come first.
 const READ: [(&str, &str); 25] = [
     ("sky", "0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z).normalize()"),
     ("sky", "DVec3::splat((40.0 * v.x).sin())"),
@@ -122,7 +122,7 @@ const READ: [(&str, &str); 25] = [
 ];
 
 #[test]
-fn what_the_book_and_readers_try_is_read() {
+fn texts_of_the_book_and_readers_are_parsed() {
     for (name, text) in READ {
         let read = parse_expression(&find_place(name), text);
         assert!(read.is_ok(), "{text}: {:?}", read.err());
@@ -130,7 +130,7 @@ fn what_the_book_and_readers_try_is_read() {
 }
 
 #[test]
-fn what_is_too_long_or_too_deep_is_refused() {
+fn too_long_or_too_deep_text_is_refused() {
     for (text, words) in [
         ("(".repeat(300), "inside each other"),
         ("-".repeat(300), "inside each other"),

@@ -11,8 +11,8 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
-/// The pictures that a mistake may spoil, in the order of [`Mistake::affected_pictures`]; None where it
-/// panics.
+/// The pictures that a mistake may spoil, in the order of
+/// [`Mistake::affected_pictures`]; None where it panics.
 pub type Pictures = Vec<Option<RgbImage>>;
 
 /// The manifest of the program, up to its dependencies.

@@ -36,7 +36,7 @@ impl Module {
         Self { store, instance, memory }
     }
 
-    /// Its answer to a request about a file, as book/theme/live.js gets it; none where
+    /// Asks it as book/theme/live.js does, by a request about a file; none where
     /// it fails.
     pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Answer> {
         for (room, bytes) in

@@ -6,7 +6,7 @@ use live::json;
 use std::cell::RefCell;
 
 thread_local! {
-    /// The locked pictures that were drawn so far, in the order of `names`.
+    /// The locked pictures that were drawn so far, in the order of `locked_names`.
     static LOCKED: RefCell<Vec<Locked>> = const { RefCell::new(vec![]) };
 }
 
