@@ -7,11 +7,11 @@
 //! strongest come first:
 //!
 //! 1. It is **right**, or the locked picture of another name (`check`).
-//! 2. It is right **with other options** (`find_other_options`), **cut out or scaled**
+//! 2. It is right **with other options** (`other_options`), **cut out or scaled**
 //!    (`crop_or_scale`), or one colour.
 //! 3. It is ours **as a whole**, but turned or with its bytes in other places (`transformed`),
 //!    or with another curve of the bytes (`byte_curve`).
-//! 4. It is **in the list** (`explain_listed_mistake`): these very pixels are what a mistake that we
+//! 4. It is **in the list** (`listed_mistake`): these very pixels are what a mistake that we
 //!    know gives. The lists are the text files in `mistakes/`; the package `update` draws
 //!    them, and the hashes of what they give are in a table (`fingerprints`).
 //! 5. Something **is missing**, pixels, objects or terms of the light, or counted otherwise
@@ -22,13 +22,13 @@
 //!
 //! Where nothing explains the whole, the wrong pixels are counted by regions of our own scene
 //! (`pixel_regions`), what explains one region alone is told of that region, and no file is
-//! blamed: the tests by hand of the stages that may be wrong are named (`describe_wrong_regions`). In
+//! blamed: the tests by hand of the stages that may be wrong are named (`wrong_regions`). In
 //! the end there is one pixel, yours and ours.
 //!
 //! What is compared is the `evidence`: both pictures pixel by pixel. It is bounded: a file is
 //! read row by row (`png_file`), of what is larger than 1920×1080 only 64 rows are kept, and
 //! explanations are asked in as many pixels as a locked picture has. Each ray that is drawn
-//! is counted as `RayBudget`, so that every answer comes soon, and is the same on every machine.
+//! is taken from a `RayBudget`, so that every answer comes soon, and is the same on every machine.
 
 mod answer;
 mod byte_curve;
