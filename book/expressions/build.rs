@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut faults, mut edits) = (vec![], vec![]);
     for (index, place) in all_places().into_iter().enumerate() {
         let text = files.get(place.file).map_or("", String::as_str);
-        match (place.fault(text, &sources), &place.find_ranges(text)[..]) {
+        match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
             (None, [range]) => edits.push((range.clone(), index, place)),
             (fault, _) => faults.push((place.name, fault.unwrap_or_default())),
         }

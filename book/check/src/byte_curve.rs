@@ -196,7 +196,7 @@ fn grey_candidates<'a>(
     if is_new {
         greys.extend(GREYS.map(|(words, weights)| {
             let sentence = format!("Your picture is grey in every pixel: {words}.");
-            Explanation::fitted(sentence, curve_files(evidence), move |pixel| {
+            Explanation::within_one(sentence, curve_files(evidence), move |pixel| {
                 let grey: f64 =
                     (0..3).map(|k| weights[k] * f64::from(pixel.ours[k])).sum();
                 [grey.round() as u8; 3]
@@ -226,13 +226,13 @@ pub(crate) fn factor_and_power_candidates<'a>(
     let table = ByteTable::read_if_consistent(evidence);
     let curves = table.map(|table| {
         let (our_byte, their_byte) = table.changed_byte_near_128();
-        let factor = table.fitted_factor().map(|factor| {
+        let factor = table.fitted_factor_unless_1().map(|factor| {
             let sentence = format!(
                 "Each byte of your picture is about {factor:.3} times ours: {our_byte} is {their_byte}."
             );
             (sentence, Box::new(move |c: f64| factor * c) as Curve)
         });
-        let power = table.fitted_power().map(|power| {
+        let power = table.fitted_power_unless_1().map(|power| {
             let sentence = format!(
                 "Each byte of your picture is ours to the power {} (gamma): {our_byte} is {their_byte}.",
                 format_exponent(power)
@@ -247,7 +247,7 @@ pub(crate) fn factor_and_power_candidates<'a>(
     curves.into_iter().flatten().flatten().flat_map(move |(sentence, curve)| {
         let curve = Rc::new(curve);
         let of_bytes = curve.clone();
-        let bytes = Explanation::fitted(
+        let bytes = Explanation::within_one(
             sentence.clone(),
             curve_files(evidence),
             move |pixel| {
@@ -257,7 +257,7 @@ pub(crate) fn factor_and_power_candidates<'a>(
             },
         );
         let exact = intensity.clone().map(|intensity| {
-            Explanation::fitted(sentence, curve_files(evidence), move |pixel| {
+            Explanation::within_one(sentence, curve_files(evidence), move |pixel| {
                 ENCODE(intensity(&evidence.our_ray(pixel)).map(curve.as_ref()))
             })
         });
@@ -282,14 +282,14 @@ pub(crate) fn byte_table_candidate<'a>(
     evidence: &'a Evidence,
 ) -> Option<Explanation<'a>> {
     let table = ByteTable::read_if_consistent(evidence)
-        .filter(|table| table.widest_range() < 4)?;
+        .filter(|table| table.largest_width() < 4)?;
     let (our_byte, their_byte) = table.changed_byte_near_128();
     let words = if table.is_common { "" } else { ", each channel in its own way" };
     let sentence = format!(
         "The bytes of your picture follow from ours, whatever they show{words}: {our_byte} is \
          about {their_byte}."
     );
-    Some(Explanation::range(sentence, curve_files(evidence), move |pixel| {
+    Some(Explanation::within_range(sentence, curve_files(evidence), move |pixel| {
         table.range_of_colour(pixel.ours)
     }))
 }
@@ -306,7 +306,7 @@ fn format_exponent(exponent: f64) -> String {
 const WIDEST: u8 = 12;
 
 /// The width of the widest range. What was clamped may be anything.
-fn widest_range_below_255(ranges: &[(u8, u8); 256]) -> u8 {
+fn largest_width_below_255(ranges: &[(u8, u8); 256]) -> u8 {
     let widths = ranges[..255].iter().map(|(low, high)| high.saturating_sub(*low));
     widths.max().unwrap_or(0)
 }
@@ -341,16 +341,16 @@ impl ByteTable {
                     (range.0.min(channel_ranges.0), range.1.max(channel_ranges.1));
             }
         }
-        let is_common = widest_range_below_255(&common) < WIDEST;
+        let is_common = largest_width_below_255(&common) < WIDEST;
         let ranges = if is_common { [common; 3] } else { ranges };
         let table = Self { ranges, is_common };
-        let is_read = table.widest_range() < WIDEST
+        let is_read = table.largest_width() < WIDEST
             && 48 <= table.met_bytes_with_ranges().count();
         // Where only the sky is wrong, it is the sky's colour and not that of all bytes.
         let (wrong_objects, objects) =
             evidence.count_wrong_and_all(|pixel| pixel.region.object.is_some());
         let is_everywhere = objects == 0 || 0 < wrong_objects;
-        (is_read && is_everywhere && table.is_third_changed()).then_some(table)
+        (is_read && is_everywhere && table.is_a_third_changed()).then_some(table)
     }
 
     /// Each byte that ours has, with the range of the picture there.
@@ -360,11 +360,11 @@ impl ByteTable {
     }
 
     /// The width of the widest range.
-    fn widest_range(&self) -> u8 {
-        self.ranges.iter().map(widest_range_below_255).max().unwrap_or(0)
+    fn largest_width(&self) -> u8 {
+        self.ranges.iter().map(largest_width_below_255).max().unwrap_or(0)
     }
 
-    fn is_third_changed(&self) -> bool {
+    fn is_a_third_changed(&self) -> bool {
         let changed = self.met_bytes_with_ranges().filter(excludes_byte).count();
         self.met_bytes_with_ranges().count() < 3 * changed + 3
     }
@@ -396,14 +396,14 @@ impl ByteTable {
         (1.0 < count).then(|| sum / count)
     }
 
-    fn fitted_factor(&self) -> Option<f64> {
+    fn fitted_factor_unless_1(&self) -> Option<f64> {
         self.mean_over_every_second_byte(|our_byte, their_byte| {
             their_byte / our_byte
         })
         .filter(|factor| (factor - 1.0).abs() > 0.01)
     }
 
-    fn fitted_power(&self) -> Option<f64> {
+    fn fitted_power_unless_1(&self) -> Option<f64> {
         let power = self.mean_over_every_second_byte(|our_byte, their_byte| {
             (their_byte / 255.0).ln() / (our_byte / 255.0).ln()
         });

@@ -1,8 +1,6 @@
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
-use crate::step_scene::{
-    first_hits_nearest_first, intensity_function, scene_of_step,
-};
+use crate::step_scene::{hits_nearest_first, intensity_function, scene_of_step};
 use crate::{Picture, Step};
 use glam::{DMat3, DVec3};
 use std::array;
@@ -68,7 +66,7 @@ impl SkyCamera {
     }
 
     /// The field of view that it tells, to a tenth of a degree.
-    pub fn fov_degrees(&self, columns: u32) -> f64 {
+    pub fn rounded_fov_degrees(&self, columns: u32) -> f64 {
         let tan = self.x.x.abs() * f64::from(columns - 1) / 2.0;
         (20.0 * tan.atan().to_degrees()).round() / 10.0
     }
@@ -82,7 +80,7 @@ impl SkyCamera {
     }
 
     /// Whether a byte of a picture would be off by no more with the other camera.
-    fn draws_same_bytes(
+    fn is_within_byte_tolerance(
         &self,
         other_camera: &Self,
         (columns, rows): (u32, u32),
@@ -209,19 +207,22 @@ pub(crate) fn camera_candidate<'a>(
     let (step, size) = (evidence.step?, evidence.yours.size);
     let (sky, ours) =
         (SkyCamera::fit(evidence.yours)?, SkyCamera::from_camera(&evidence.camera));
-    if sky.draws_same_bytes(&ours, size, ENOUGH) || sky.has_parallel_axes() {
+    if sky.is_within_byte_tolerance(&ours, size, ENOUGH) || sky.has_parallel_axes()
+    {
         return None;
     }
     // Where the angle alone is another, one number is fitted, and not six.
     let tan = (sky.x.x * f64::from(size.0 - 1) / 2.0 - sky.x.z) / 2.0;
     let zoomed = Camera::new(size.0, size.1, 2.0 * tan.abs().atan());
-    let is_zoomed =
-        sky.draws_same_bytes(&SkyCamera::from_camera(&zoomed), size, UNCERTAIN)
-            && !sky.draws_same_bytes(&ours, size, UNCERTAIN)
-            && 0.0 < tan;
+    let is_zoomed = sky.is_within_byte_tolerance(
+        &SkyCamera::from_camera(&zoomed),
+        size,
+        UNCERTAIN,
+    ) && !sky.is_within_byte_tolerance(&ours, size, UNCERTAIN)
+        && 0.0 < tan;
     let (camera, clause) = match is_zoomed {
         true => {
-            let angle = sky.fov_degrees(size.0);
+            let angle = sky.rounded_fov_degrees(size.0);
             (zoomed, format!(" its field of view is {angle}°, not 60°."))
         }
         false => (
@@ -252,15 +253,22 @@ pub(crate) fn camera_candidate<'a>(
         _ => &[CAMERA],
     };
     let intensity = intensity_function(step, &scene_of_step(step));
-    let mut explanation = Explanation::range(sentence, files, move |pixel| {
-        let offsets =
-            [(0.0, 0.0), (SLACK, 0.0), (-SLACK, 0.0), (0.0, SLACK), (0.0, -SLACK)];
-        let colours = offsets.map(|(u, v)| {
-            let ray = camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
-            evidence.encode(intensity(&ray))
+    let mut explanation =
+        Explanation::within_range(sentence, files, move |pixel| {
+            let offsets = [
+                (0.0, 0.0),
+                (SLACK, 0.0),
+                (-SLACK, 0.0),
+                (0.0, SLACK),
+                (0.0, -SLACK),
+            ];
+            let colours = offsets.map(|(u, v)| {
+                let ray =
+                    camera.ray(f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+                evidence.encode(intensity(&ray))
+            });
+            range_with_margin(&colours, 1)
         });
-        range_with_margin(&colours, 1)
-    });
     explanation.rays = 5;
     // An edge may lie between two of these places.
     explanation.exceptions = 2000;
@@ -312,7 +320,7 @@ pub(crate) fn sky_colour_candidates<'a>(
             (true, _) => &[SKY, RGB8],
             _ => &[SKY],
         };
-        Some(Explanation::fitted(sentence, files, move |pixel| {
+        Some(Explanation::within_one(sentence, files, move |pixel| {
             match pixel.region.object {
                 Some(_) => pixel.ours,
                 None => {
@@ -382,8 +390,7 @@ pub(crate) fn clauses_and_count_of_sky(
         let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
         [(0.0, 0.0), (2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].iter().all(
             |(u, v)| {
-                first_hits_nearest_first(&scene, &camera.ray(i + u, j + v))
-                    .is_empty()
+                hits_nearest_first(&scene, &camera.ray(i + u, j + v)).is_empty()
             },
         )
     };

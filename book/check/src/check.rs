@@ -28,7 +28,7 @@ use crate::transformed::{
 use crate::wrong_regions::describe_wrong_regions;
 use crate::{
     Answer, Locked, Picture, Step, default_camera, escape_for_terminal,
-    find_mistakes, hash_picture, png_file, which_picture,
+    find_mistakes_with_hash, hash_picture, png_file, which_picture,
 };
 use compare::{Difference, draw_panels};
 use image::{Rgb, RgbImage};
@@ -164,9 +164,9 @@ fn check_read_picture(
 fn explain_other_picture(
     yours: &RgbImage,
     ours: &Locked,
-    found: &Locked,
+    other: &Locked,
 ) -> String {
-    let (name, expected_name) = (&found.name, &ours.name);
+    let (name, expected_name) = (&other.name, &ours.name);
     let start = format!(
         "Not right: this is the picture of {name}, not of {expected_name}."
     );
@@ -185,7 +185,7 @@ fn explain_other_picture(
         .into_iter()
         .filter(|step| found_step < *step && *step <= expected_step);
     let later: Vec<_> = later.collect();
-    let is_listed = find_mistakes(hash_picture(yours))
+    let is_listed = find_mistakes_with_hash(hash_picture(yours))
         .iter()
         .any(|(_, name)| name == expected_name);
     let mistake_text =
@@ -198,8 +198,8 @@ fn explain_other_picture(
 }
 
 /// Tells which step's picture to check first, where that of an exercise is wrong.
-fn hint_to_check_step_first(name: &str) -> String {
-    let Some(step) = which_picture::step_of_exercise(name) else {
+fn hint_to_check_step_first(exercise_name: &str) -> String {
+    let Some(step) = which_picture::step_of_exercise(exercise_name) else {
         return String::new();
     };
     let step_name = step.name();

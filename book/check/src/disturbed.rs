@@ -44,7 +44,7 @@ pub(crate) fn rounding_candidate<'a>(
         evidence.pixels.len()
     );
     let intensity = intensity_function(step, &scene_of_step(step));
-    Some(Explanation::range(sentence, &[], move |pixel| {
+    Some(Explanation::within_range(sentence, &[], move |pixel| {
         let offsets =
             [(0.0, 0.0), (0.02, 0.0), (-0.02, 0.0), (0.0, 0.02), (0.0, -0.02)];
         let colours = offsets.map(|(u, v)| {
@@ -135,15 +135,16 @@ pub(crate) fn random_ray_candidate<'a>(
     let sentence = "Each pixel shows what rays within one pixel of its middle see: your rays go \
                     through other places of the pixels, as random or shifted ones do, or the \
                     picture was blurred.";
-    let mut explanation = Explanation::range(sentence, &[RENDER], move |pixel| {
-        let offsets = [-1.0, -0.5, 0.0, 0.5, 1.0];
-        let places = offsets.into_iter().flat_map(|u| offsets.map(|v| (u, v)));
-        let colours = places.map(|(u, v)| {
-            let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
-            evidence.encode(intensity(&evidence.camera.ray(i, j)))
+    let mut explanation =
+        Explanation::within_range(sentence, &[RENDER], move |pixel| {
+            let offsets = [-1.0, -0.5, 0.0, 0.5, 1.0];
+            let places = offsets.into_iter().flat_map(|u| offsets.map(|v| (u, v)));
+            let colours = places.map(|(u, v)| {
+                let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
+                evidence.encode(intensity(&evidence.camera.ray(i, j)))
+            });
+            range_with_margin(&colours.collect::<Vec<_>>(), 2)
         });
-        range_with_margin(&colours.collect::<Vec<_>>(), 2)
-    });
     explanation.rays = 25;
     // An edge may lie between two of these places.
     explanation.exceptions = 1000;
@@ -211,7 +212,7 @@ pub(crate) fn lossy_candidate<'a>(
         "Your picture is ours, a little off in {wrong} of {all} pixels, and in each small \
          square about as bright: {cause}. Give the file that the program wrote."
     );
-    Some(Explanation::range(sentence, &[], |_| [[0; 3], [255; 3]]))
+    Some(Explanation::within_range(sentence, &[], |_| [[0; 3], [255; 3]]))
 }
 
 /// Whether much is changed where ours is flat: a ray through another place changes only what
@@ -264,7 +265,9 @@ pub(crate) fn recoloured_candidate<'a>(
     }
     let sentence = "What has one colour in ours has one in your picture, but another: all of \
                     it was recoloured, as by a colour profile, or rgb8 mixes the channels.";
-    Some(Explanation::range(sentence, &["step01_rays/rgb8.rs"], move |pixel| {
-        colours[&pixel.ours]
-    }))
+    Some(Explanation::within_range(
+        sentence,
+        &["step01_rays/rgb8.rs"],
+        move |pixel| colours[&pixel.ours],
+    ))
 }

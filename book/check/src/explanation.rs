@@ -28,16 +28,16 @@ impl<'a> Explanation<'a> {
         files: &[&'static str],
         colour: impl Fn(&Pixel) -> [u8; 3] + 'a,
     ) -> Self {
-        Self::range(sentence, files, move |pixel| [colour(pixel); 2])
+        Self::within_range(sentence, files, move |pixel| [colour(pixel); 2])
     }
 
     /// One with fitted numbers: a byte may be off by one.
-    pub fn fitted(
+    pub fn within_one(
         sentence: impl Into<String>,
         files: &[&'static str],
         colour: impl Fn(&Pixel) -> [u8; 3] + 'a,
     ) -> Self {
-        Self::range(sentence, files, move |pixel| {
+        Self::within_range(sentence, files, move |pixel| {
             let colour = colour(pixel);
             [
                 colour.map(|c| c.saturating_sub(1)),
@@ -47,7 +47,7 @@ impl<'a> Explanation<'a> {
     }
 
     /// One that gives each pixel a range of colours.
-    pub fn range(
+    pub fn within_range(
         sentence: impl Into<String>,
         files: &[&'static str],
         colours: impl Fn(&Pixel) -> Range + 'a,
@@ -73,7 +73,7 @@ impl<'a> Explanation<'a> {
     }
 
     /// Whether it gives the reader's colour in the first pixels of those that are compared.
-    pub fn holds_in_first(
+    pub fn holds_in_first_pixels(
         &self,
         evidence: &Evidence,
         count: usize,

@@ -61,7 +61,7 @@ pub use answer::Answer;
 pub use check::{check_picture, check_png};
 pub use file::{escape_for_terminal, read_bounded_file};
 pub use fingerprints::{
-    TableRow, find_mistakes, hash_picture, locked_hashes, table_rows,
+    TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, table_rows,
 };
 pub use folder_report::report_on_folder;
 pub use locked::{Locked, locked_names};

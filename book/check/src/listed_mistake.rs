@@ -1,4 +1,4 @@
-use crate::fingerprints::{find_mistakes, hash_picture};
+use crate::fingerprints::{find_mistakes_with_hash, hash_picture};
 use crate::source_ref::{SourceRef, go_back_sentences, test_command_sentence};
 use crate::{Mistake, Step};
 use image::RgbImage;
@@ -15,7 +15,7 @@ pub(crate) fn explain_listed_mistake(
     yours: &RgbImage,
     expected_name: &str,
 ) -> Option<String> {
-    let mut all = find_mistakes(hash_picture(yours));
+    let mut all = find_mistakes_with_hash(hash_picture(yours));
     if all.iter().any(|(_, name)| name == expected_name) {
         all.retain(|(_, name)| name == expected_name);
     }
@@ -46,7 +46,7 @@ pub(crate) fn explain_listed_mistake(
         "{start}Your picture is, in every pixel, what {give}: {}.\n{}{explanation}{}",
         titles.join("; "),
         format_short_diff(first),
-        go_back_to_mistake(first),
+        go_back_to_mistake_sentences(first),
     ))
 }
 
@@ -60,7 +60,7 @@ fn format_short_diff(mistake: &Mistake) -> String {
     }
 }
 
-fn go_back_to_mistake(mistake: &Mistake) -> String {
+fn go_back_to_mistake_sentences(mistake: &Mistake) -> String {
     let Some(mut place) = SourceRef::from_path(&mistake.file) else {
         return format!("Compare with {}.\n", mistake.file);
     };

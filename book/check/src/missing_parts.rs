@@ -2,7 +2,7 @@ use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{
-    LIGHTS, Scene, first_hits_nearest_first, intensity_function,
+    LIGHTS, Scene, hits_nearest_first, intensity_function,
     object_name_with_article, scene_of_step,
 };
 use glam::DVec3;
@@ -105,7 +105,7 @@ fn wrong_order_candidates<'a>(
         );
         Explanation::exact(sentence, &[NEAREST], move |pixel| {
             let ray = evidence.our_ray(pixel);
-            let front_object = choose(&first_hits_nearest_first(&scene, &ray));
+            let front_object = choose(&hits_nearest_first(&scene, &ray));
             evidence
                 .encode(front_object.map_or_else(|| sky(&ray), |k| alone[k](&ray)))
         })

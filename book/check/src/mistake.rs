@@ -94,7 +94,7 @@ impl Mistake {
     }
 
     /// The names of the pictures that it may spoil, in their order.
-    pub fn affected_pictures(&self) -> Vec<String> {
+    pub fn affected_picture_names(&self) -> Vec<String> {
         let exercise = self.file.split("/examples/").nth(1);
         if let Some(name) = exercise.and_then(|file| file.strip_suffix(".rs")) {
             return vec![name.to_owned()];
@@ -111,8 +111,9 @@ impl Mistake {
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// The text of its file with the mistake in it, if its place is there once.
-    pub fn apply_to(&self, file_text: &str) -> Option<String> {
+    /// The text of its file with the mistake in it and no line indented, if its place is there
+    /// once.
+    pub fn apply_and_unindent(&self, file_text: &str) -> Option<String> {
         let bare = |file_text: &str| {
             let lines: Vec<_> =
                 file_text.split('\n').map(str::trim_start).collect();

@@ -2,7 +2,7 @@ use crate::camera_from_sky::SkyCamera;
 use crate::evidence::Evidence;
 use crate::explanation::{Explanation, RayBudget};
 use crate::step_scene::{ENCODE, intensity_function, scene_of_step};
-use crate::{Picture, Step, find_mistakes, hash_picture};
+use crate::{Picture, Step, find_mistakes_with_hash, hash_picture};
 use glam::DVec3;
 use image::{Rgb, RgbImage};
 use step01_rays::Camera;
@@ -40,7 +40,7 @@ pub(crate) fn find_other_options(
 ) -> Option<Options> {
     let (columns, rows) = yours.size;
     let fov_of_sky = SkyCamera::fit(&yours.with_spread_rows(1 << 16))
-        .map(|sky| sky.fov_degrees(columns));
+        .map(|sky| sky.rounded_fov_degrees(columns));
     let fov_of_sky = fov_of_sky
         .filter(|angle| 1.0 <= *angle && *angle < 180.0 && *angle != FIELD_OF_VIEW);
     [Some(FIELD_OF_VIEW), fov_of_sky].into_iter().flatten().find_map(
@@ -58,7 +58,8 @@ pub(crate) fn find_other_options(
                 let compared = pixels.min(evidence.pixels.len());
                 let explanation = sample_grid_candidate(&evidence, step, samples);
                 let holds = evidence.wrong_pixels().len() <= compared
-                    && explanation.holds_in_first(&evidence, compared, budget);
+                    && explanation
+                        .holds_in_first_pixels(&evidence, compared, budget);
                 holds.then_some(Options { fov_degrees, samples, compared })
             })
         },
@@ -120,7 +121,8 @@ impl Options {
             );
         }
         let clause = format!("this is the picture of {name}, {extent}, {options}");
-        let mistake = find_mistakes(hash_picture(&yours.pixels)).into_iter().next();
+        let mistake =
+            find_mistakes_with_hash(hash_picture(&yours.pixels)).into_iter().next();
         let mistake = mistake.filter(|_| yours.has_all_rows());
         let hint = match mistake {
             Some((mistake, _)) => format!(

@@ -1,7 +1,6 @@
 use crate::Step;
 use crate::step_scene::{
-    LIGHTS, Scene, first_hits_nearest_first, object_name_with_article,
-    scene_of_step,
+    LIGHTS, Scene, hits_nearest_first, object_name_with_article, scene_of_step,
 };
 use glam::DVec3;
 use step05_phong::{Ray, normal, reflect, terms};
@@ -30,7 +29,7 @@ impl Region {
     }
 
     fn of_ray(step: Step, scene: &Scene, ray: &Ray) -> Self {
-        let hits = first_hits_nearest_first(scene, ray);
+        let hits = hits_nearest_first(scene, ray);
         let mut region = Self { is_crowded: 1 < hits.len(), ..Self::default() };
         let Some((t, k)) = hits.first().copied() else { return region };
         region.object = u8::try_from(k).ok();
@@ -52,8 +51,7 @@ impl Region {
 /// Half a sentence: the values that our program computes for one pixel, in the book's letters.
 pub(crate) fn computed_values_clause(step: Step, ray: &Ray) -> String {
     let scene = scene_of_step(step);
-    let Some((t, k)) = first_hits_nearest_first(&scene, ray).first().copied()
-    else {
+    let Some((t, k)) = hits_nearest_first(&scene, ray).first().copied() else {
         return format!("the sky, V = {}", format_vector_4_decimals(ray.direction));
     };
     let mut text = format!("{} at t = {t:.4}", object_name_with_article(step, k));

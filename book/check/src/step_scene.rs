@@ -80,10 +80,7 @@ pub(crate) fn intensity_function(
 }
 
 /// The t and the number of each object that a ray meets, the nearest first.
-pub(crate) fn first_hits_nearest_first(
-    scene: &Scene,
-    ray: &Ray,
-) -> Vec<(f64, usize)> {
+pub(crate) fn hits_nearest_first(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
     let hit =
         |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
     let mut hits: Vec<_> = (0..scene.objects.len()).filter_map(hit).collect();

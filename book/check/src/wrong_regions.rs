@@ -7,7 +7,7 @@ use crate::source_ref::{
     find_source_ref, go_back_sentences, test_command_sentence,
 };
 use crate::step_scene::{
-    LIGHTS, OBJECT_COUNT, first_hits_nearest_first, intensity_function,
+    LIGHTS, OBJECT_COUNT, hits_nearest_first, intensity_function,
     object_name_with_article, scene_of_step,
 };
 use glam::DVec3;
@@ -222,7 +222,7 @@ fn region_candidates<'a>(
         let scene = scene_of_step;
         all.push(Explanation::exact(sentence, &[], move |pixel| {
             let ray = evidence.our_ray(pixel);
-            let hits = first_hits_nearest_first(&scene, &ray);
+            let hits = hits_nearest_first(&scene, &ray);
             let colours = hits
                 .iter()
                 .skip(1)
@@ -264,7 +264,7 @@ fn region_factor_candidate<'a>(
     let sentence = format!(
         "In every pixel of {region_name} your colour is {words} times ours."
     );
-    Some(Explanation::fitted(sentence, &[], move |pixel| {
+    Some(Explanation::within_one(sentence, &[], move |pixel| {
         evidence.encode(factor * our_intensity(&evidence.our_ray(pixel)))
     }))
 }

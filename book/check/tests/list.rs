@@ -15,7 +15,7 @@ fn read_in_workspace(path: &str) -> String {
 fn each_listed_mistake_applies_once_and_is_unique() {
     let (mut wrong, mut seen) = (vec![], HashSet::new());
     for mistake in mistakes() {
-        let applied = mistake.apply_to(&read_in_workspace(&mistake.file));
+        let applied = mistake.apply_and_unindent(&read_in_workspace(&mistake.file));
         let is_change = mistake.old != mistake.new;
         if applied.is_none()
             || !is_change

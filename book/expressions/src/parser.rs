@@ -50,7 +50,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Mistake
             .refuse(0..text.len(), "That's longer than a line should be.");
     }
     let part = parser.parse_operations_of_level(0)?;
-    if !parser.remaining_after_blanks().is_empty() {
+    if !parser.skip_blanks_and_peek().is_empty() {
         return parser
             .refuse_next_word("Something is missing before this, such as * or +.");
     }
@@ -91,12 +91,12 @@ impl<'a> Parser<'a> {
         range: Range<usize>,
         sentence: impl Into<String>,
     ) -> Parsed<T> {
-        Err(Mistake { range: range, sentence: sentence.into() })
+        Err(Mistake { range, sentence: sentence.into() })
     }
 
     /// Refuses the word or the sign that comes next, or the end of the text.
     fn refuse_next_word<T>(&mut self, otherwise: &str) -> Parsed<T> {
-        let remaining = self.remaining_after_blanks();
+        let remaining = self.skip_blanks_and_peek();
         let Some(sign) = remaining.chars().next() else {
             let text = self.text.trim_end();
             let last = text.chars().next_back().map_or(0, char::len_utf8);
@@ -113,7 +113,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Skips blanks; gives the text that is still to be read.
-    fn remaining_after_blanks(&mut self) -> &'a str {
+    fn skip_blanks_and_peek(&mut self) -> &'a str {
         let remaining = self.text[self.at..].trim_start();
         self.at = self.text.len() - remaining.len();
         remaining
@@ -121,7 +121,7 @@ impl<'a> Parser<'a> {
 
     /// Whether `word` comes next; a word has to end there.
     fn has_next(&mut self, word: &str) -> bool {
-        let remaining = self.remaining_after_blanks().strip_prefix(word);
+        let remaining = self.skip_blanks_and_peek().strip_prefix(word);
         remaining.is_some_and(|remaining| {
             !(word.ends_with(is_word_char) && remaining.starts_with(is_word_char))
         })
@@ -150,7 +150,7 @@ impl<'a> Parser<'a> {
         };
         let mut left_value = self.parse_operations_of_level(level + 1)?;
         for count in 0.. {
-            self.remaining_after_blanks();
+            self.skip_blanks_and_peek();
             let start = self.at;
             let Some(name) = operators.iter().find(|name| self.skip_if_next(name))
             else {
@@ -185,7 +185,7 @@ impl<'a> Parser<'a> {
 
     /// A value with signs before it, and fields and methods behind it.
     fn parse_value_with_signs_and_methods(&mut self) -> Parsed<Part> {
-        self.remaining_after_blanks();
+        self.skip_blanks_and_peek();
         let start = self.at;
         if DEPTH < self.depth {
             return self
@@ -207,7 +207,7 @@ impl<'a> Parser<'a> {
 
     fn parse_value_with_methods(&mut self) -> Parsed<Part> {
         let mut part = self.parse_atom()?;
-        while self.remaining_after_blanks().starts_with('.') {
+        while self.skip_blanks_and_peek().starts_with('.') {
             let start = self.at;
             self.at += 1;
             self.take_while(is_word_char);
@@ -243,7 +243,7 @@ impl<'a> Parser<'a> {
     fn expect_closing(&mut self, open: usize) -> Parsed<()> {
         match self.skip_if_next(")") {
             true => Ok(()),
-            false if self.remaining_after_blanks().is_empty() => {
+            false if self.skip_blanks_and_peek().is_empty() => {
                 self.refuse(open..open + 1, "The ) for this is missing.")
             }
             false => self.refuse_next_word("Something is missing before this."),
@@ -252,7 +252,7 @@ impl<'a> Parser<'a> {
 
     /// A number, a variable, a call, or what stands in parentheses.
     fn parse_atom(&mut self) -> Parsed<Part> {
-        let remaining = self.remaining_after_blanks();
+        let remaining = self.skip_blanks_and_peek();
         let start = self.at;
         if remaining.starts_with(|c: char| c.is_ascii_digit()) {
             return self.parse_number();

@@ -98,7 +98,7 @@ impl Place {
 
     /// A sentence where it can't be edited, as its file, of this text, has changed; `sources`
     /// is the text of all files of the steps.
-    pub fn fault(&self, text: &str, sources: &str) -> Option<String> {
+    pub fn find_fault(&self, text: &str, sources: &str) -> Option<String> {
         let Self { name, file, code, .. } = self;
         let count = self.find_ranges(text).len();
         if count != 1 {

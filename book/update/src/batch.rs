@@ -12,7 +12,7 @@ use std::time::Instant;
 use std::{env, fs};
 
 /// The pictures that a mistake may spoil, in the order of
-/// [`Mistake::affected_pictures`]; None where it panics.
+/// [`Mistake::affected_picture_names`]; None where it panics.
 pub type Pictures = Vec<Option<RgbImage>>;
 
 /// The manifest of the program, up to its dependencies.
@@ -75,7 +75,7 @@ fn run_and_read_pictures<'a>(
     let mut count = 0;
     for mistake in mistakes {
         count += 1;
-        let names = mistake.affected_pictures().into_iter();
+        let names = mistake.affected_picture_names().into_iter();
         let pictures = names.map(|_| read_picture(&mut output)).collect();
         let Some(pictures) = pictures else {
             println!("never ends, or crashes: {}", title_and_file(mistake));
@@ -100,7 +100,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
     for (mistake, k) in mistakes.iter().zip(0..) {
         let source = folder.join(format!("src/m{k}"));
         let own_step = mistake.step().map_or("", Step::name);
-        let names = mistake.affected_pictures();
+        let names = mistake.affected_picture_names();
         let text: String =
             names.iter().map(|name| format!("pub mod {name};\n")).collect();
         write_with_folders(&source.join("mod.rs"), &text)?;
@@ -116,8 +116,8 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
                     "#[path = \"{}/steps/{own_step}/examples/",
                     quotable_workspace_path()
                 );
-                let text =
-                    text_with_mistake(mistake)?.replace("#[path = \"", &folder);
+                let text = unindented_text_with_mistake(mistake)?
+                    .replace("#[path = \"", &folder);
                 write_with_folders(&source.join(format!("{name}.rs")), &text)?;
             }
             let camera = if is_step { &path } else { own_step };
@@ -173,12 +173,12 @@ fn write_step(
             continue;
         }
         let mut text = if path == mistake.file {
-            text_with_mistake(mistake)?
+            unindented_text_with_mistake(mistake)?
         } else {
             read_in_workspace(&path)?
         };
         text = text.replace("crate::", &format!("crate::m{k}::{step}::"));
-        for name in mistake.affected_pictures() {
+        for name in mistake.affected_picture_names() {
             text = text.replace(
                 &format!("use {name}"),
                 &format!("use crate::m{k}::{name}"),
@@ -254,11 +254,15 @@ fn quotable_workspace_path() -> String {
 }
 
 /// The text of a mistake's file, with the mistake in it.
-fn text_with_mistake(mistake: &Mistake) -> io::Result<String> {
-    mistake.apply_to(&read_in_workspace(&mistake.file)?).ok_or_else(|| {
-        let mistake = title_and_file(mistake);
-        io::Error::other(format!("the text is not there, or not once: {mistake}"))
-    })
+fn unindented_text_with_mistake(mistake: &Mistake) -> io::Result<String> {
+    mistake.apply_and_unindent(&read_in_workspace(&mistake.file)?).ok_or_else(
+        || {
+            let mistake = title_and_file(mistake);
+            io::Error::other(format!(
+                "the text is not there, or not once: {mistake}"
+            ))
+        },
+    )
 }
 
 fn read_in_workspace(path: &str) -> io::Result<String> {

@@ -42,11 +42,11 @@ fn update_checked_in_files(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     // Minutes would be lost if this were told after the mistakes.
     modules::fail_without_wasm_target()?;
-    mistakes::update_mistakes(|mistake| {
+    mistakes::draw_outdated_and_chosen(|mistake| {
         let is_in = |word: &String| {
             mistake.title.contains(word) || mistake.file.contains(word)
         };
         options.all || options.words.iter().any(is_in)
     })?;
-    modules::compile_all()
+    modules::compile_modules()
 }

@@ -13,7 +13,7 @@ use std::{fs, io};
 
 /// Draws the mistakes about which the table is old, and those that `is_chosen` selects;
 /// writes the table and the small pictures.
-pub fn update_mistakes(
+pub fn draw_outdated_and_chosen(
     is_chosen: impl Fn(&Mistake) -> bool,
 ) -> Result<(), Box<dyn Error>> {
     let (locked, all) = (read_all_locked()?, mistakes());
@@ -28,7 +28,10 @@ pub fn update_mistakes(
     let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
     let is_current = |mistake: &Mistake| {
         table.contains_key(&compute_table_key(mistake))
-            && !mistake.affected_pictures().iter().any(|name| new.contains(&name))
+            && !mistake
+                .affected_picture_names()
+                .iter()
+                .any(|name| new.contains(&name))
             && small_picture_paths(mistake).all(|(path, _)| path.exists())
     };
     let selected = all.iter().filter(|one| is_chosen(one) || !is_current(one));
@@ -100,17 +103,19 @@ fn table_row(
     pictures: &Pictures,
     locked: &[Locked],
 ) -> TableRow {
-    let sums = mistake.affected_pictures().into_iter().zip(0..).map(|(name, k)| {
-        let picture = pictures.get(k)?.as_ref()?;
-        let is_right = |one: &Locked| one.name == name && one.picture == *picture;
-        (!locked.iter().any(is_right)).then(|| hash_picture(picture))
-    });
+    let sums =
+        mistake.affected_picture_names().into_iter().zip(0..).map(|(name, k)| {
+            let picture = pictures.get(k)?.as_ref()?;
+            let is_right =
+                |one: &Locked| one.name == name && one.picture == *picture;
+            (!locked.iter().any(is_right)).then(|| hash_picture(picture))
+        });
     TableRow { key: compute_table_key(mistake), hashes: sums.collect() }
 }
 
 fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
     for (path, step) in small_picture_paths(mistake) {
-        let names = mistake.affected_pictures().into_iter();
+        let names = mistake.affected_picture_names().into_iter();
         let mut pictures_of_step =
             names.zip(pictures).filter(|(name, _)| *name == step);
         let Some((_, Some(picture))) = pictures_of_step.next() else {

@@ -29,7 +29,7 @@ pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
 }
 
 /// Compiles all modules; Cargo knows what has changed.
-pub fn compile_all() -> Result<(), Box<dyn Error>> {
+pub fn compile_modules() -> Result<(), Box<dyn Error>> {
     // No path of this machine stands in what is checked in.
     let paths = registry_source_folders().into_iter().chain([target_folder()]);
     let paths: Vec<_> = paths

@@ -71,7 +71,8 @@ fn edits_of_known_mistakes(place: &Place) -> Vec<(Place, String, u64)> {
     let right = locked_hashes().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
     let edit = |(mistake, row): (Mistake, TableRow)| {
-        let edited = mistake.apply_to(&bare).filter(|_| mistake.file == path)?;
+        let edited =
+            mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         let is_known = row.key == TableRow::compute_key(&mistake, &text);
         is_known.then(|| {

@@ -1,5 +1,5 @@
 use ::check::{
-    Mistake as KnownMistake, find_mistakes, hash_picture, locked_hashes,
+    Mistake as KnownMistake, find_mistakes_with_hash, hash_picture, locked_hashes,
 };
 use expressions::{Mistake, Place, draw_edited, editable_places, parse_expression};
 use image::RgbImage;
@@ -53,7 +53,7 @@ fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
     if locked_hashes().any(|(name, right)| name == step && right == sum) {
         return Some("Not one pixel differs from the book's picture.".to_owned());
     }
-    let mut mistakes = find_mistakes(sum);
+    let mut mistakes = find_mistakes_with_hash(sum);
     mistakes.retain(|(_, name)| name == step);
     // What was written here comes before what gives the same pixels elsewhere.
     let file = format!("steps/{}", place.file);
