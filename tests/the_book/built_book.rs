@@ -6,13 +6,14 @@ use std::{fs, process};
 
 /// The book, built by the first test that needs it; one test reads it at a time.
 pub fn built_book() -> MutexGuard<'static, Site> {
-    static BOOK: LazyLock<Mutex<Site>> = LazyLock::new(|| {
+    static BOOK: LazyLock<Result<Mutex<Site>, String>> = LazyLock::new(|| {
         let folder = target_folder().join(format!("tests/book-{}", process::id()));
         let site = book::build(&workspace(), &folder);
         let _ = fs::remove_dir_all(folder);
-        Mutex::new(site.unwrap_or_else(|error| panic!("{error:#}")))
+        site.map(Mutex::new).map_err(|error| format!("{error:#}"))
     });
-    BOOK.lock().unwrap_or_else(PoisonError::into_inner)
+    let book = BOOK.as_ref().unwrap_or_else(|fault| panic!("{fault}"));
+    book.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Reads the files in a folder of the workspace.

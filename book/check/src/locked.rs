@@ -28,8 +28,23 @@ impl Locked {
         Ok(Self { name: name.to_owned(), picture: picture.pixels })
     }
 
+    /// All that there are in the folder of the course, if they are those with which this
+    /// program was compiled; else a sentence.
+    pub fn read_verified() -> Result<Vec<Self>, String> {
+        let locked = Self::read_all()?;
+        match locked.iter().find(|one| !one.has_compiled_hash()) {
+            None => Ok(locked),
+            Some(other) => Err(format!(
+                "the picture of {} in this folder of the course is of another version than \
+                 this program; after a change of the course, `cargo run -p update` brings \
+                 them together",
+                other.name
+            )),
+        }
+    }
+
     /// Whether it is the picture with which this program was compiled.
-    pub(crate) fn has_compiled_hash(&self) -> bool {
+    pub fn has_compiled_hash(&self) -> bool {
         let hash = hash_picture(&self.picture);
         locked_hashes().any(|(name, right)| name == self.name && right == hash)
     }

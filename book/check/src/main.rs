@@ -36,7 +36,7 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let Arguments { file, name, folder, json } = Arguments::parse();
-    let Answer { code, text, .. } = Locked::read_all()
+    let Answer { code, text, .. } = Locked::read_verified()
         .and_then(|locked| match file {
             None => check_folder(&folder, &locked, json),
             Some(file) => check_file(&file, name.as_deref(), &locked),

@@ -38,7 +38,7 @@ pub fn draw_mistakes<'a>(
     mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
 ) -> io::Result<()> {
     let (start, all) = (Instant::now(), mistakes.len());
-    println!("{all} mistakes to draw");
+    println!("Mistakes to draw: {all}");
     while !mistakes.is_empty() {
         let count = COUNT.min(mistakes.len());
         write_package(&mistakes[..count])?;

@@ -22,8 +22,8 @@ pub use scene_from_above::draw as draw_scene_from_above;
 use crate::Live;
 
 /// Every figure, in the order of the book.
-pub fn all() -> [Live; 14] {
-    [
+pub fn all() -> Vec<Live> {
+    vec![
         ray::figure(),
         pinhole::figure(),
         row::figure(),
