@@ -166,7 +166,7 @@ impl Chapter<'_> {
                 Some(_) => Ok("</details>\n".to_owned()),
                 None => Err("{{#end}} without a box to end".to_owned()),
             },
-            (kind, words) => match folded_box::html(kind, words) {
+            (kind, words) => match folded_box::opening_html(kind, words) {
                 Some(_) if self.open_box.is_some() => {
                     Err("a box can't hold another box".to_owned())
                 }

@@ -15,7 +15,7 @@ pub fn html(live: &Live) -> String {
             (is_grouped || !handled.contains(k)) && is_included(parameter)
         });
         included
-            .map(|(k, parameter)| parameter_label_html(live, k, parameter))
+            .map(|(k, parameter)| parameter_control_html(live, k, parameter))
             .collect()
     };
     let hint = if live.has_probe() { HINT } else { "" };
@@ -61,7 +61,7 @@ fn group_select_html(live: &Live) -> Option<String> {
 }
 
 /// The control of the parameter number `k`, at its default.
-fn parameter_label_html(live: &Live, k: usize, parameter: &Parameter) -> String {
+fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> String {
     let (class, input) = match parameter.kind {
         Kind::Switch => ("switch", checkbox_html(parameter)),
         Kind::Number(_) | Kind::Choice(_) => ("range", range_input_html(parameter)),

@@ -6,9 +6,9 @@ const KINDS: [(&str, &str); 3] =
     [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside")];
 
 /// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
-pub fn html(kind: &str, words: &str) -> Option<Result<String, String>> {
+pub fn opening_html(kind: &str, summary: &str) -> Option<Result<String, String>> {
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
-    Some(inline_html(words).map(|words| {
+    Some(inline_html(summary).map(|words| {
         format!(
             "<details class=\"{kind}\"><summary><span class=\"kind\">{label}</span> \
              <span>{words}</span></summary>\n"

@@ -38,7 +38,7 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
                     element.value().name() == "a" && is_outside_book(&address);
                 let fault = fault.filter(|_| !is_link);
                 let place = || {
-                    find_source_line(chapters, &page.name, &address)
+                    source_position_of_link(chapters, &page.name, &address)
                         .unwrap_or_else(|| page.address_for_fault(element))
                 };
                 faults.extend(fault.map(|fault| format!("{} {fault}", place())));
@@ -49,7 +49,11 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
 }
 
 /// The file and the line of the chapter of a page in which an address stands.
-fn find_source_line(chapters: &Files, page: &str, address: &str) -> Option<String> {
+fn source_position_of_link(
+    chapters: &Files,
+    page: &str,
+    address: &str,
+) -> Option<String> {
     let file = page.replace(".html", ".md");
     let written = [address.replace(".html", ".md"), address.to_owned()];
     let is_there = |line: &str| {

@@ -37,7 +37,7 @@ pub fn fill_in_text(text: &str, minus: &str) -> Result<String, String> {
 /// The same for a formula: `convert` gets it with a mark where a number moves.
 pub fn fill_in_formula(
     latex: &str,
-    convert: impl FnOnce(&str) -> Result<String, String>,
+    to_mathml: impl FnOnce(&str) -> Result<String, String>,
 ) -> Result<String, String> {
     let marked = replace_between(latex, "{{#", "}}", |directive| match directive
         .split_once(' ')
@@ -46,9 +46,12 @@ pub fn fill_in_formula(
         Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
         _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
     })?;
-    replace_between(&convert(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
-        moving_number_html("mn", number_name)
-    })
+    replace_between(
+        &to_mathml(&marked)?,
+        "<mtext>⟦",
+        "⟧</mtext>",
+        |number_name| moving_number_html("mn", number_name),
+    )
 }
 
 fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {

@@ -4,7 +4,7 @@
 #[allow(dead_code, reason = "used in the library")]
 mod place;
 
-use place::all_places;
+use place::all_listed_places;
 use std::cmp::Reverse;
 use std::error::Error;
 use std::fs::{create_dir_all, read_dir, read_to_string, write};
@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let sources: String = files.values().map(String::as_str).collect();
     let (mut faults, mut edits) = (vec![], vec![]);
-    for (index, place) in all_places().into_iter().enumerate() {
+    for (index, place) in all_listed_places().into_iter().enumerate() {
         let text = files.get(place.file).map_or("", String::as_str);
         match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
             (None, [range]) => edits.push((range.clone(), index, place)),

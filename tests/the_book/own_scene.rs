@@ -53,7 +53,7 @@ fn random_values(seed: usize) -> Vec<f64> {
             min + fraction * (max - min)
         }
     });
-    own_scene().nearest_allowed(&values.collect::<Vec<_>>()).expect("a scene")
+    own_scene().snap_if_allowed(&values.collect::<Vec<_>>()).expect("a scene")
 }
 
 /// Saves and runs the program of a scene; how it fails, or how its picture differs from

@@ -68,7 +68,7 @@ fn live_number_text(live: &str, number: &str) -> Option<String> {
         values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
         name = traced;
     }
-    let is_allowed = live.nearest_allowed(&values)? == values;
+    let is_allowed = live.snap_if_allowed(&values)? == values;
     is_allowed.then(|| (live.numbers)(&values).remove(name))?
 }
 

@@ -46,17 +46,19 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
             Number(gaps.into_iter().fold(0.0, f64::max))
         }
         ("ground-row", &[column]) => Count(first_ground_row(column)),
-        ("step03-phi", []) => Fixed(1, WHITE.phi().to_degrees()),
-        ("step03-alpha", []) => Fixed(1, WHITE.alpha().to_degrees()),
-        ("step03-inner", []) => {
-            Fixed(2, length_in_pixels(WHITE.phi().tan() - WHITE.near_end()))
-        }
-        ("step03-outer", []) => {
-            Fixed(2, length_in_pixels(WHITE.far_end() - WHITE.phi().tan()))
-        }
+        ("step03-phi", []) => Fixed(1, WHITE.angle_off_axis().to_degrees()),
+        ("step03-alpha", []) => Fixed(1, WHITE.half_angle_of_cone().to_degrees()),
+        ("step03-inner", []) => Fixed(
+            2,
+            length_in_pixels(WHITE.angle_off_axis().tan() - WHITE.near_end()),
+        ),
+        ("step03-outer", []) => Fixed(
+            2,
+            length_in_pixels(WHITE.far_end() - WHITE.angle_off_axis().tan()),
+        ),
         ("step03-off", []) => {
             let middle = (WHITE.near_end() + WHITE.far_end()) / 2.0;
-            Fixed(1, length_in_pixels(middle - WHITE.phi().tan()))
+            Fixed(1, length_in_pixels(middle - WHITE.angle_off_axis().tan()))
         }
         ("step03-long", []) => Fixed(2, length_in_pixels(WHITE.length())),
         ("step03-wide", []) => Fixed(2, length_in_pixels(WHITE.width())),
@@ -104,23 +106,23 @@ const WHITE: Oval = Oval(OBJECTS[6].sphere);
 
 impl Oval {
     /// The angle from −z to the axis of the cone.
-    fn phi(&self) -> f64 {
+    fn angle_off_axis(&self) -> f64 {
         DVec3::NEG_Z.angle_between(self.0.centre)
     }
 
     /// The angle from the axis of the cone to its side.
-    fn alpha(&self) -> f64 {
+    fn half_angle_of_cone(&self) -> f64 {
         (self.0.radius / self.0.centre.length()).asin()
     }
 
     /// The distance from the middle of the picture to the near end.
     fn near_end(&self) -> f64 {
-        (self.phi() - self.alpha()).tan()
+        (self.angle_off_axis() - self.half_angle_of_cone()).tan()
     }
 
     /// The distance from the middle of the picture to the far end.
     fn far_end(&self) -> f64 {
-        (self.phi() + self.alpha()).tan()
+        (self.angle_off_axis() + self.half_angle_of_cone()).tan()
     }
 
     fn length(&self) -> f64 {
@@ -128,7 +130,8 @@ impl Oval {
     }
 
     fn width(&self) -> f64 {
-        let (phi, sin) = (self.phi(), self.alpha().sin());
-        2.0 * sin / (phi.cos().powi(2) - sin.powi(2)).sqrt()
+        let (angle_off_axis, sin) =
+            (self.angle_off_axis(), self.half_angle_of_cone().sin());
+        2.0 * sin / (angle_off_axis.cos().powi(2) - sin.powi(2)).sqrt()
     }
 }

@@ -25,7 +25,11 @@ enum Verdict {
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
 /// none is there.
-pub fn report_on_folder(folder: &Path, locked: &[Locked], as_json: bool) -> Answer {
+pub fn report_on_folder_or_class(
+    folder: &Path,
+    locked: &[Locked],
+    as_json: bool,
+) -> Answer {
     let own_entries = check_entries(folder, locked);
     let inner = match own_entries
         .iter()

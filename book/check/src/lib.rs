@@ -63,7 +63,7 @@ pub use file::{escape_for_terminal, read_bounded_file};
 pub use fingerprints::{
     TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, table_rows,
 };
-pub use folder_report::report_on_folder;
+pub use folder_report::report_on_folder_or_class;
 pub use locked::{Locked, locked_names};
 pub use mistake::{BookEntry, Mistake, mistakes};
 pub use png_file::{Picture, read_png};

@@ -52,7 +52,7 @@ pub(crate) fn explain_listed_mistake(
 
 /// Formats its diff, indented, cut where it is long.
 fn format_short_diff(mistake: &Mistake) -> String {
-    let diff = mistake.diff();
+    let diff = mistake.old_and_new_lines();
     let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     match lines.len() {
         0..=LINES => lines.concat(),

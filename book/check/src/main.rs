@@ -2,7 +2,7 @@
 
 use check::{
     Answer, Locked, check_png, escape_for_terminal, locked_names,
-    read_bounded_file, report_on_folder,
+    read_bounded_file, report_on_folder_or_class,
 };
 use clap::Parser;
 use image::RgbImage;
@@ -60,7 +60,7 @@ fn check_folder(
         let printable_path = escape_for_terminal(&folder.display().to_string());
         return Err(format!("{printable_path} is not a folder"));
     }
-    Ok(report_on_folder(folder, locked, json))
+    Ok(report_on_folder_or_class(folder, locked, json))
 }
 
 /// Looks at one picture, and saves the difference.

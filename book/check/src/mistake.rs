@@ -105,7 +105,7 @@ impl Mistake {
     }
 
     /// Lines of the right text, each after a `-`, and those written instead, after `+`.
-    pub fn diff(&self) -> String {
+    pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")

@@ -202,11 +202,14 @@ fn fitting_number_candidates<'a>(
         Step::Sphere => "step02_sphere/picture.rs",
         _ => parameter.file,
     };
-    let fits = alternative_numbers(parameter, old).into_iter().filter(|new| {
-        (parameter.set)(&mut scene, owner_index, *new);
-        let intensity = intensity_function(step, &scene);
-        first.iter().all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
-    });
+    let fits =
+        all_with_one_number_changed(parameter, old).into_iter().filter(|new| {
+            (parameter.set)(&mut scene, owner_index, *new);
+            let intensity = intensity_function(step, &scene);
+            first
+                .iter()
+                .all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
+        });
     let fits: Vec<_> = fits.take(8).collect();
     let preposition = if parameter.name.is_empty() { "at " } else { "" };
     let verb = if fits.len() == 1 { "is" } else { "may be" };
@@ -239,7 +242,10 @@ fn parameter_name_of_each_owner(parameter: &Parameter, step: Step) -> Vec<String
 }
 
 /// A parameter with one of its numbers changed, the nearest first.
-fn alternative_numbers(parameter: &Parameter, old: [f64; 3]) -> Vec<[f64; 3]> {
+fn all_with_one_number_changed(
+    parameter: &Parameter,
+    old: [f64; 3],
+) -> Vec<[f64; 3]> {
     let (start, end, parts) = parameter.range;
     let values = start * parts..=end * parts;
     let mut all = vec![];

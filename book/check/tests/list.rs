@@ -25,7 +25,7 @@ fn each_listed_mistake_applies_once_and_is_unique() {
                 "{}: {}\n{}",
                 mistake.file,
                 mistake.title,
-                mistake.diff()
+                mistake.old_and_new_lines()
             ));
         }
     }

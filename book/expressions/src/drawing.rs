@@ -3,7 +3,7 @@ use crate::steps::{
     step05_phong,
 };
 use crate::value::Value;
-use crate::{Expression, Place, all_places};
+use crate::{Expression, Place, all_listed_places};
 use glam::DVec3;
 use image::RgbImage;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -20,7 +20,7 @@ static DRAWING: Mutex<()> = Mutex::new(());
 
 /// The places that can be edited.
 pub fn editable_places() -> Vec<Place> {
-    let mut places = all_places();
+    let mut places = all_listed_places();
     places.retain(|place| FAULTS.iter().all(|(name, _)| *name != place.name));
     places
 }
@@ -52,7 +52,7 @@ pub fn draw_edited(
     columns: u32,
 ) -> RgbImage {
     let _alone = DRAWING.lock();
-    let index = all_places().iter().position(|one| one == place);
+    let index = all_listed_places().iter().position(|one| one == place);
     set_expression(Some(expression));
     PLACE.store(index.unwrap_or(usize::MAX), Relaxed);
     let picture = match place.step_name() {

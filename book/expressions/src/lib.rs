@@ -30,7 +30,7 @@ mod steps {
 }
 
 mod place;
-pub use place::{Kind, Place, all_places};
+pub use place::{Kind, Place, all_listed_places};
 
 mod functions;
 mod parser;

@@ -95,7 +95,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Refuses the word or the sign that comes next, or the end of the text.
-    fn refuse_next_word<T>(&mut self, otherwise: &str) -> Parsed<T> {
+    fn refuse_next_word<T>(&mut self, default_sentence: &str) -> Parsed<T> {
         let remaining = self.skip_blanks_and_peek();
         let Some(sign) = remaining.chars().next() else {
             let text = self.text.trim_end();
@@ -107,8 +107,8 @@ impl<'a> Parser<'a> {
             [..remaining.find(|c| !is_word_char(c)).unwrap_or(remaining.len())];
         let word =
             if word.is_empty() { &remaining[..sign.len_utf8()] } else { word };
-        let sentence =
-            refusal::explain_misplaced_word(word).unwrap_or(otherwise.to_owned());
+        let sentence = refusal::explain_misplaced_word(word)
+            .unwrap_or(default_sentence.to_owned());
         self.refuse(self.at..self.at + word.len(), sentence)
     }
 

@@ -52,7 +52,7 @@ pub struct Place {
 }
 
 /// All blocks of places.txt, in its order.
-pub fn all_places() -> Vec<Place> {
+pub fn all_listed_places() -> Vec<Place> {
     let (mut file, mut places) = ("", Vec::<Place>::new());
     for line in include_str!("../places.txt").lines() {
         if let Some(path) = line.strip_prefix("@ ") {

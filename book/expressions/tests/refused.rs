@@ -1,4 +1,4 @@
-use expressions::{Place, all_places, parse_expression};
+use expressions::{Place, all_listed_places, parse_expression};
 
 /// A place, a text, the part of it that is underlined, and words of what is said.
 const REFUSED: [(&str, &str, &str, &str); 50] = [
@@ -144,6 +144,7 @@ fn too_long_or_too_deep_text_is_refused() {
 }
 
 fn find_place(name: &str) -> Place {
-    let found_place = all_places().into_iter().find(|place| place.name == name);
+    let found_place =
+        all_listed_places().into_iter().find(|place| place.name == name);
     found_place.unwrap_or_else(|| panic!("no place {name}"))
 }

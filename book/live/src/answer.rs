@@ -14,7 +14,7 @@ pub struct Answer {
 
 impl Answer {
     /// An answer of these fields, which are JSON already.
-    pub fn from_fields(
+    pub fn from_json_fields(
         fields: impl IntoIterator<Item = (&'static str, String)>,
     ) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
@@ -39,7 +39,7 @@ pub fn answer(request: &str) -> Answer {
 
 /// The answer that says, in a sentence, what was wrong with the request.
 fn error_answer(sentence: &str) -> Answer {
-    Answer::from_fields([("error", json::text(sentence))])
+    Answer::from_json_fields([("error", json::text(sentence))])
 }
 
 fn try_answer(request: &str) -> Option<Answer> {
@@ -54,11 +54,11 @@ fn try_answer(request: &str) -> Option<Answer> {
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     match (verb, &numbers?[..]) {
         ("about", _) => Some(handles_and_defaults_answer(live)),
-        ("show", values) => Some(full_answer(live, &live.nearest_allowed(values)?)),
-        ("tell", values) => Some(text_answer(live, &live.nearest_allowed(values)?)),
+        ("show", values) => Some(full_answer(live, &live.snap_if_allowed(values)?)),
+        ("tell", values) => Some(text_answer(live, &live.snap_if_allowed(values)?)),
         (_, [handle, x, y, values @ ..]) => {
             let handle = live.handles.get(*handle as usize)?;
-            let (values, vector) = (live.nearest_allowed(values)?, dvec2(*x, *y));
+            let (values, vector) = (live.snap_if_allowed(values)?, dvec2(*x, *y));
             let new = match verb {
                 "drag" => live.drag_handle(&values, handle, vector),
                 "step" => live.step_handle(&values, handle, vector),
@@ -87,7 +87,7 @@ fn handles_and_defaults_answer(live: &Live) -> Answer {
             ("group", json::text(live.parameters[first].group)),
         ])
     });
-    Answer::from_fields([
+    Answer::from_json_fields([
         ("handles", json::list(handles)),
         ("values", json::list(live.default_values())),
     ])
@@ -106,12 +106,12 @@ fn full_answer(live: &Live, values: &[f64]) -> Answer {
             pixels = rgba_bytes(&picture);
         }
     }
-    Answer { pixels, ..Answer::from_fields(fields) }
+    Answer { pixels, ..Answer::from_json_fields(fields) }
 }
 
 /// The same without the drawing or the pixels.
 fn text_answer(live: &Live, values: &[f64]) -> Answer {
-    Answer::from_fields(text_fields(live, values))
+    Answer::from_json_fields(text_fields(live, values))
 }
 
 fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {

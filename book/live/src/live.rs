@@ -105,7 +105,7 @@ impl Live {
         for (index, value) in handle.parameters.into_iter().zip(coordinates) {
             new[index] = value;
         }
-        self.nearest_allowed(&new)
+        self.snap_if_allowed(&new)
     }
 
     /// The values after a handle was moved by some steps of its parameters, to the right
@@ -126,7 +126,7 @@ impl Live {
     }
 
     /// The allowed values that are nearest to these; None if there is nothing to draw.
-    pub fn nearest_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
+    pub fn snap_if_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
         let is_complete = values.len() == self.parameters.len()
             && values.iter().all(|value| value.is_finite());
         let pairs = self.parameters.iter().zip(values);

@@ -54,7 +54,7 @@ pub fn keep(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
     insert(name, picture.expect("all pixels of a locked picture"));
-    Answer::from_fields([])
+    Answer::from_json_fields([])
 }
 
 fn insert(name: &str, picture: RgbImage) {
@@ -75,5 +75,5 @@ fn page_answer(answer: check::Answer) -> Answer {
         fields.push(("size", json::list([width, height])));
         pixels = live::rgba_bytes(&difference);
     }
-    Answer { pixels, ..Answer::from_fields(fields) }
+    Answer { pixels, ..Answer::from_json_fields(fields) }
 }

@@ -9,7 +9,7 @@ use live::{Answer, json};
 pub fn variables(name: &str) -> Answer {
     let Some(place) = find_place(name) else { return Answer::default() };
     let names = place.variables.iter().map(|(name, _)| json::text(name));
-    Answer::from_fields([("variables", json::list(names))])
+    Answer::from_json_fields([("variables", json::list(names))])
 }
 
 /// The picture of a step with an expression of the reader's in it, to the words
@@ -32,13 +32,14 @@ pub fn edit(words: &str) -> Answer {
                 None
             };
             let known = json::text(&known.unwrap_or_default());
-            let answer = Answer::from_fields([("size", size), ("known", known)]);
+            let answer =
+                Answer::from_json_fields([("size", size), ("known", known)]);
             Answer { pixels: live::rgba_bytes(&picture), ..answer }
         }
         Err(Mistake { range, sentence }) => {
             // A page counts letters as JavaScript does.
             let at = |at: usize| text[..at].encode_utf16().count().to_string();
-            Answer::from_fields([
+            Answer::from_json_fields([
                 ("from", at(range.start)),
                 ("to", at(range.end)),
                 ("mistake", json::text(&sentence)),

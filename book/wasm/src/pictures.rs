@@ -14,7 +14,7 @@ pub fn draw(words: &str) -> live::Answer {
     let size = live::json::list([picture.width(), picture.height()]);
     live::Answer {
         pixels: picture.into_raw(),
-        ..live::Answer::from_fields([("size", size)])
+        ..live::Answer::from_json_fields([("size", size)])
     }
 }
 

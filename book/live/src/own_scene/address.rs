@@ -38,7 +38,7 @@ pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
             }
         };
     }
-    live.nearest_allowed(&values)
+    live.snap_if_allowed(&values)
         .ok_or("There is nothing to show at this address.".into())
 }
 
