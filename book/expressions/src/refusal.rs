@@ -191,6 +191,8 @@ fn explain_unknown_name(
         );
     }
     let method = bare.rsplit("::").next().unwrap_or_default().to_lowercase();
+    // Only whole numbers have `pow`.
+    let method = if method == "pow" { "powi".to_owned() } else { method };
     if name.ends_with("()") && is_known(&format!(".{method}()")) {
         let first = arguments.first().map_or("a", |(_, text)| *text);
         let further_arguments = if arguments.len() < 2 { "" } else { "…" };

@@ -1,7 +1,7 @@
 use expressions::{Place, all_listed_places, parse_expression};
 
 /// A place, a text, the part of it that is underlined, and words of what is said.
-const REFUSED: [(&str, &str, &str, &str); 50] = [
+const REFUSED: [(&str, &str, &str, &str); 51] = [
     // Whole numbers and others.
     ("reflected", "2 * n.dot(l) * n - l", "2", "Write 2.0"),
     ("b", "2 * s.dot(v)", "2", "Write 2.0"),
@@ -59,6 +59,7 @@ const REFUSED: [(&str, &str, &str, &str); 50] = [
     ("gate", "n = l", "=", "=="),
     ("attenuation", "self.c * d**2", "*", "Powers are .powi(2)"),
     ("attenuation", "d.pow(2)", ".pow", ".powi"),
+    ("attenuation", "pow(d, 2)", "pow", "d.powi(…)"),
     ("sum", "self.specular * (self.specular.x < 0.5)", "*", "f64::from(a < b)"),
     ("sky", "DVec3::RED", "DVec3::RED", "DVec3::new"),
     ("a", "v * v", "v * v", "a.dot(b)"),
