@@ -37,6 +37,10 @@ pub fn draw_mistakes<'a>(
     mut mistakes: Vec<&'a Mistake>,
     mut finish: impl FnMut(&'a Mistake, Pictures) -> io::Result<()>,
 ) -> io::Result<()> {
+    // What takes a person's hand is told before minutes are spent.
+    for mistake in &mistakes {
+        unindented_text_with_mistake(mistake)?;
+    }
     let (start, all) = (Instant::now(), mistakes.len());
     println!("Mistakes to draw: {all}");
     while !mistakes.is_empty() {
