@@ -27,7 +27,7 @@ pub fn html(live: &Live) -> String {
             labels(|parameter| parameter.kind != Kind::Switch)
         ),
     };
-    format!("<div class=\"knobs\" hidden inert>{hint}{content}</div>")
+    format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
@@ -86,7 +86,7 @@ fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> Strin
         ),
     };
     format!(
-        "<label class=\"{class}\" data-knob=\"{k}\"{group}{hidden}>\
+        "<label class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>\
          <span>{symbol}{}</span>{input}</label>",
         escape(&parameter.words)
     )

@@ -130,9 +130,9 @@ function liven(figure, module) {
     // Ranges, switches and lists are printed; they are those of what no handle turns there.
     const printed = ask(module, request("tell"));
     const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
-    const controls = figure.querySelector(".knobs");
-    const knobs = about.values.map((_, k) => {
-        const label = controls.querySelector(`[data-knob="${k}"]`);
+    const controls = figure.querySelector(".controls");
+    const parameterControls = about.values.map((_, k) => {
+        const label = controls.querySelector(`[data-parameter="${k}"]`);
         if (!label) return null;
         const [input, output] = [label.querySelector("input"), label.querySelector("b")];
         const isSwitch = input.type === "checkbox";
@@ -142,12 +142,12 @@ function liven(figure, module) {
         });
         return { label, input, output, isSwitch, group: label.dataset.group };
     });
-    // Where knobs are of several things, those of one are to be seen: of what was touched last.
+    // Where controls are of several things, those of one are to be seen: of what was touched last.
     const choice = controls.querySelector(".choice select");
     const choose = thing => {
         if (!thing) return;
         choice.value = thing;
-        knobs.forEach(knob => { if (knob) knob.label.hidden = knob.group !== thing; });
+        parameterControls.forEach(control => { if (control) control.label.hidden = control.group !== thing; });
         handles.forEach(grip => grip.classList.toggle("chosen", grip.thing === thing));
     };
     choice?.addEventListener("change", () => choose(choice.value));
@@ -234,24 +234,24 @@ function liven(figure, module) {
             still.querySelector("g").innerHTML = answer.drawing;
         }
         if (beside) beside.innerHTML = answer.beside;
-        knobs.forEach((knob, k) => {
-            if (!knob) return;
-            knob.label.hidden = !answer.shown[k] || knob.group !== choice?.value;
-            if (knob.isSwitch) { knob.input.checked = values[k] === 1; return; }
-            knob.input.value = values[k];
-            knob.input.setAttribute("aria-valuetext", answer.texts[k]);
-            write(knob.output, answer.texts[k]);
+        parameterControls.forEach((control, k) => {
+            if (!control) return;
+            control.label.hidden = !answer.shown[k] || control.group !== choice?.value;
+            if (control.isSwitch) { control.input.checked = values[k] === 1; return; }
+            control.input.value = values[k];
+            control.input.setAttribute("aria-valuetext", answer.texts[k]);
+            write(control.output, answer.texts[k]);
         });
         handles.forEach((grip, k) => {
             const turns = [...new Set(about.handles[k].parameters)];
             grip.at = answer.places[k];
             const isLost = !isInside(grip.at) && grip === document.activeElement;
             grip.hidden = !isInside(grip.at);
-            if (isLost) knobs[turns[0]]?.input.focus();
+            if (isLost) parameterControls[turns[0]]?.input.focus();
             grip.style.left = `${grip.at[0] / size[0] * 100}%`;
             grip.style.top = `${grip.at[1] / size[1] * 100}%`;
             grip.setAttribute("aria-valuenow", values[turns[0]]);
-            grip.setAttribute("aria-valuetext", turns.map(knob => answer.texts[knob]).join(", "));
+            grip.setAttribute("aria-valuetext", turns.map(control => answer.texts[control]).join(", "));
         });
         // A number that there is not here is left empty, and what speaks of it is hidden.
         const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";

@@ -37,7 +37,7 @@ for (const [name, figure, before] of figures) {
       await page.mouse.up();
       await expectChange(`dragging ${await handle.getAttribute('aria-label')}`);
     }
-    const controls = await root.locator('.knobs [data-knob] :is(input, select):visible').all();
+    const controls = await root.locator('.controls [data-parameter] :is(input, select):visible').all();
     for (const control of isThorough || moved === 0 ? controls : []) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
