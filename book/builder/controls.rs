@@ -1,30 +1,26 @@
-use live::{Kind, Live, Parameter, escape, italic_letter};
-use std::collections::BTreeSet;
+use glam::DVec2;
+use live::{Handle, Kind, Live, Parameter, escape, italic_letter};
 
-/// The controls below a figure or picture: ranges and switches for the parameters that no
-/// visible handle sets.
+/// The controls below a figure or picture: one for each parameter that has a name, and a
+/// number field for each that a handle sets.
 ///
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
-    let handled = parameter_indices_of_visible_handles(live);
-    let labels = |is_included: fn(&Parameter) -> bool| -> String {
+    let controls = |is_included: fn(&Parameter) -> bool| -> String {
         let parameters = live.parameters.iter().enumerate();
-        let included = parameters.filter(|(k, parameter)| {
-            let is_grouped = !parameter.group.is_empty();
-            (is_grouped || !handled.contains(k)) && is_included(parameter)
-        });
+        let included = parameters.filter(|(_, parameter)| is_included(parameter));
         included
             .map(|(k, parameter)| parameter_control_html(live, k, parameter))
             .collect()
     };
     let hint = if live.has_probe() { HINT } else { "" };
     let content = match group_select_html(live) {
-        None => format!("{}{RESET}", labels(|_| true)),
+        None => format!("{}{RESET}", controls(|_| true)),
         Some(choice) => format!(
             "<div class=\"choice\">{choice}{}{RESET}</div>{}",
-            labels(|parameter| parameter.kind == Kind::Switch),
-            labels(|parameter| parameter.kind != Kind::Switch)
+            controls(|parameter| parameter.kind == Kind::Switch),
+            controls(|parameter| parameter.kind != Kind::Switch)
         ),
     };
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
@@ -36,16 +32,17 @@ const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross
 const RESET: &str =
     "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The parameters that are set by the handles which are inside the printed output.
-fn parameter_indices_of_visible_handles(live: &Live) -> BTreeSet<usize> {
+/// The handle that sets the parameter number `k`, if it is inside the printed output.
+fn visible_handle(live: &Live, k: usize) -> Option<&Handle> {
     let values = live.default_values();
-    let [width, height] = live.default_output().width_and_height();
-    let handles = live.handles.iter().filter(|handle| {
-        handle.place(&values).is_some_and(|place| {
-            (0.0..=width).contains(&place.x) && (0.0..=height).contains(&place.y)
-        })
-    });
-    handles.flat_map(|handle| handle.parameters).collect()
+    let size = DVec2::from(live.default_output().width_and_height());
+    live.handles.iter().filter(|handle| handle.parameters.contains(&k)).find(
+        |handle| {
+            handle
+                .place(&values)
+                .is_some_and(|place| place == place.clamp(DVec2::ZERO, size))
+        },
+    )
 }
 
 /// The choice of the group whose controls are visible; None without groups.
@@ -62,9 +59,40 @@ fn group_select_html(live: &Live) -> Option<String> {
 
 /// The control of the parameter number `k`, at its default.
 fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> String {
-    let (class, input) = match parameter.kind {
-        Kind::Switch => ("switch", checkbox_html(parameter)),
-        Kind::Number(_) | Kind::Choice(_) => ("range", range_input_html(parameter)),
+    let handle = visible_handle(live, k).filter(|_| parameter.group.is_empty());
+    let (symbol, words) = symbol_and_words(k, parameter, handle);
+    let label = label_html(symbol, &words);
+    let default = escape(&parameter.format(parameter.default));
+    let (class, content) = match parameter.kind {
+        Kind::Columns => return String::new(),
+        Kind::Switch => (
+            "switch",
+            format!("<label>{label}{}</label>", checkbox_html(parameter)),
+        ),
+        Kind::Choice(names) if names.len() < 4 => (
+            "field",
+            format!("<label>{label} {}</label>", select_html(parameter, names)),
+        ),
+        Kind::Choice(_) => (
+            "range",
+            format!(
+                "<label>{label}{}</label><b aria-hidden=\"true\">{default}</b>",
+                range_input_html(parameter)
+            ),
+        ),
+        Kind::Number(unit) if handle.is_some() => {
+            let field = number_input_html(parameter, "");
+            ("field", format!("<label>{label} {field}{unit}</label>"))
+        }
+        Kind::Number(unit) => {
+            let name = format!(" aria-label=\"{} {words}\"", escape(symbol));
+            let (range, field) =
+                (range_input_html(parameter), number_input_html(parameter, &name));
+            (
+                "range",
+                format!("<label>{label}{range}</label><span>{field}{unit}</span>"),
+            )
+        }
     };
     let first_group = live.handles.first().map_or("", |handle| {
         let [first, _] = handle.parameters;
@@ -77,7 +105,34 @@ fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> Strin
         "" => String::new(),
         group => format!(" data-group=\"{group}\""),
     };
-    let symbol: String = parameter.symbol.chars().map(italic_letter).collect();
+    format!(
+        "<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>"
+    )
+}
+
+/// The symbol and the words of a parameter; a coordinate of a handle is called by it.
+fn symbol_and_words(
+    k: usize,
+    parameter: &Parameter,
+    handle: Option<&Handle>,
+) -> (&'static str, String) {
+    match handle {
+        Some(handle) if parameter.words.is_empty() => {
+            let symbol = match handle.parameters {
+                [first, second] if first == second => "",
+                [first, _] if first == k => "x",
+                _ => "y",
+            };
+            let of = if symbol.is_empty() { "" } else { "of " };
+            (symbol, format!("{of}{}", handle.words))
+        }
+        _ => (parameter.symbol, parameter.words.clone()),
+    }
+}
+
+/// A symbol in italics, and words.
+fn label_html(symbol: &str, words: &str) -> String {
+    let symbol: String = symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {
         "" => symbol,
         _ => format!(
@@ -85,25 +140,38 @@ fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> Strin
             escape(&symbol)
         ),
     };
-    format!(
-        "<label class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>\
-         <span>{symbol}{}</span>{input}</label>",
-        escape(&parameter.words)
-    )
+    format!("<span>{symbol}{}</span>", escape(words))
 }
 
-/// A range, and its value as text; a screen reader has that from the script.
-fn range_input_html(parameter: &Parameter) -> String {
+/// The attributes of a range or number field.
+fn range_attributes(parameter: &Parameter) -> String {
     let Parameter { range: [min, max], steps_per_unit, default, .. } = parameter;
     let step = 1.0 / steps_per_unit;
-    format!(
-        "<input type=\"range\" min=\"{min}\" max=\"{max}\" step=\"{step}\" \
-         value=\"{default}\"><b aria-hidden=\"true\">{}</b>",
-        escape(&parameter.format(*default))
-    )
+    format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"")
+}
+
+fn range_input_html(parameter: &Parameter) -> String {
+    format!("<input type=\"range\" {}>", range_attributes(parameter))
+}
+
+fn number_input_html(parameter: &Parameter, name: &str) -> String {
+    format!("<input type=\"number\"{name} {}>", range_attributes(parameter))
 }
 
 fn checkbox_html(parameter: &Parameter) -> String {
     let checked = if parameter.default == 1.0 { " checked" } else { "" };
     format!("<input type=\"checkbox\"{checked}>")
+}
+
+fn select_html(parameter: &Parameter, names: &[&str]) -> String {
+    let options: String = names
+        .iter()
+        .enumerate()
+        .map(|(k, name)| {
+            let is_default = k as f64 == parameter.default;
+            let selected = if is_default { " selected" } else { "" };
+            format!("<option value=\"{k}\"{selected}>{}</option>", escape(name))
+        })
+        .collect();
+    format!("<select>{options}</select>")
 }

@@ -13,7 +13,7 @@ pub fn html(name: &str) -> Result<String, String> {
         live.companion.is_some_and(|companion| companion.name == name)
     };
     let (live, controls) = match LIVE.iter().find(has_companion) {
-        Some(live) => (format!(" data-beside=\"{}\"", live.name), String::new()),
+        Some(live) => (format!(" data-companion=\"{}\"", live.name), String::new()),
         None if figure.parameters.is_empty() => Default::default(),
         None => (format!(" data-live=\"{name}\""), controls::html(figure)),
     };

@@ -49,7 +49,7 @@ pub fn write_generated_files(workspace: &Path) -> Result<()> {
         let module = fs::read(workspace.join(format!("book/wasm/{name}.wasm")))
             .with_context(|| format!("the module {name}.wasm can't be read"))?;
         let module = BASE64_STANDARD.encode(module);
-        let script = format!("liveModule.come(\"{name}\", \"{module}\");\n");
+        let script = format!("wasmModules.provide(\"{name}\", \"{module}\");\n");
         files.insert(format!("{name}-module.js"), script.into_bytes());
     }
     for (name, bytes) in &files {

@@ -116,8 +116,24 @@ fn find_address_fault(
     if !site.files.0.contains_key(&path) {
         return Some(format!("leads to {path}, which is not in the book"));
     }
-    let is_there = id.is_empty() || ids.contains(&(&path, Some(id)));
+    let is_there = id.is_empty()
+        || ids.contains(&(&path, Some(id)))
+        || names_pixel(site, &path, id);
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
+}
+
+/// Whether an address ends in a pixel, such as `pixel=470,120`, of a picture on the page whose
+/// pixels can be asked.
+fn names_pixel(site: &Site, path: &str, id: &str) -> bool {
+    let camera = live::camera();
+    let is_inside = |(i, j): (&str, &str)| {
+        let is_below =
+            |text: &str, count| text.parse().is_ok_and(|k: u32| k < count);
+        is_below(i, camera.h_res) && is_below(j, camera.v_res)
+    };
+    let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
+    let pixel = id.strip_prefix("pixel=").and_then(|pixel| pixel.split_once(','));
+    pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
 }
 
 /// The address of everything that a style fetches: what is in `url(…)`.

@@ -68,10 +68,14 @@ pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
     insertions.extend(end.map(|end| (end, answers_html(&answers))));
     insertions.iter().for_each(|(node, html)| page.insert_html_before(*node, html));
     removals.into_iter().for_each(|node| page.remove_node(node));
-    // A picture that waits to be seen would not be on paper.
+    // A picture that waits to be seen would not be on paper, and no pixel can be asked there.
     for node in page.html.tree.values_mut() {
         if let Node::Element(element) = node {
-            element.attrs.retain(|(name, _)| &*name.local != "loading");
+            element.attrs.retain(|(name, value)| match &*name.local {
+                "loading" => false,
+                "href" => !value.contains("#pixel="),
+                _ => true,
+            });
         }
     }
     Ok(())

@@ -30,7 +30,7 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
         return Err(format!("this pixel of {name}: {what}"));
     }
     Ok(format!(
-        "<details data-chain=\"{name}\" class=\"aside\" open hidden>\
+        "<details data-panel=\"{name}\" class=\"aside\" open hidden>\
          <summary><span class=\"kind\">This pixel</span></summary>\n\n{markdown}\n</details>\n"
     ))
 }

@@ -141,7 +141,7 @@
     async function draw(columns) {
         let module;
         try {
-            module = await liveModule.get("expressions");
+            module = await wasmModules.get("expressions");
         } catch {
             status.textContent = "This page can't draw: a part of it did not load. Press Enter to try again.";
             return;

@@ -1,19 +1,19 @@
 "use strict";
 
-// What answers in this page. Gestures become requests to the module, which is the code of the
+// Figures and pictures that answer. Gestures become requests to the module, which is the code of the
 // five crates; its answers are put in place. Nothing about rays is computed here.
 
-// The modules, each once the script that holds it has come: "live" is what answers here, and "check"
-// looks at the reader's picture.
-const liveModule = (() => {
-    const come = {}, modules = {}, instances = {};
+// The modules, each compiled once its script is loaded: "live" draws the figures, "check" looks at
+// the reader's picture, and "expressions" draws with a line that the reader edits.
+const wasmModules = (() => {
+    const resolvers = {}, modules = {}, instances = {};
     const load = name => modules[name] ??= new Promise((resolve, reject) => {
-        come[name] = resolve;
+        resolvers[name] = resolve;
         const script = make("script", { src: `${path_to_root}generated/${name}-module.js` });
         script.onerror = reject;
         document.head.append(script);
     }).catch(error => {
-        // Who asks next tries again.
+        // The next request tries again.
         delete modules[name];
         throw error;
     }).then(base64 => {
@@ -23,30 +23,30 @@ const liveModule = (() => {
         return WebAssembly.compile(bytes);
     });
     return {
-        come: (name, base64) => come[name](base64),
+        provide: (name, base64) => resolvers[name](base64),
         load,
         get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports)
             .catch(error => { delete instances[name]; throw error; }),
     };
 })();
 
-// Asks the module, about a file if there is one; its answer, with pixels where there is a picture.
+// The answer of a module to a request, about a file if there is one; with pixels if it has a picture.
 function ask(module, request, file) {
-    const put = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
+    const copyIn = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
     const words = new TextEncoder().encode(request);
-    put(words, module.live_request(words.length));
-    if (file) put(file, module.live_file(file.length));
+    copyIn(words, module.live_request(words.length));
+    if (file) copyIn(file, module.live_file(file.length));
     module.live_answer();
-    const bytes = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
-    const text = new TextDecoder().decode(bytes(module.live_text(), module.live_text_length()));
+    const copyOut = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
+    const text = new TextDecoder().decode(copyOut(module.live_text(), module.live_text_length()));
     const answer = JSON.parse(text);
-    if (answer.size) answer.pixels = bytes(module.live_pixels(), module.live_pixels_length());
+    if (answer.size) answer.pixels = copyOut(module.live_pixels(), module.live_pixels_length());
     return answer;
 }
 
-// Asks what looks at a file, beside the page, in a worker: the page can be read and moved meanwhile,
-// and what is no longer wanted is stopped.
-const work = `${ask}
+// Asks the module "check" in a worker: the page can be read and moved meanwhile, and a check that is no
+// longer wanted is stopped.
+const workerSource = `${ask}
     let check;
     onmessage = async ({ data: [module, request, file, port] }) => {
         check ??= WebAssembly.instantiate(module);
@@ -55,10 +55,10 @@ const work = `${ask}
     };
     onunhandledrejection = ({ reason }) => { throw reason; };`;
 let worker, isWorking = false;
-async function askBeside(request, file) {
-    const module = await liveModule.load("check");
-    stopWorking();
-    worker ??= new Worker(URL.createObjectURL(new Blob([work], { type: "text/javascript" })));
+async function askWorker(request, file) {
+    const module = await wasmModules.load("check");
+    stopWorker();
+    worker ??= new Worker(URL.createObjectURL(new Blob([workerSource], { type: "text/javascript" })));
     const { port1, port2 } = new MessageChannel();
     isWorking = true;
     try {
@@ -68,16 +68,16 @@ async function askBeside(request, file) {
             worker.postMessage([module, request, file, port2], [port2]);
         });
     } catch (error) {
-        // Nothing is left of what went wrong.
-        stopWorking();
+        // The next file begins with a new worker.
+        stopWorker();
         throw error;
     } finally {
         isWorking = false;
     }
 }
 
-// Ends the worker if it is busy; what it has drawn is kept for the next file where it is not.
-function stopWorking() {
+// Ends the worker if it is busy; else it stays, with what it has drawn, for the next file.
+function stopWorker() {
     if (!isWorking) return;
     worker.terminate();
     worker = null;
@@ -91,235 +91,283 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
-// A text that is as it was stays, and nothing is laid out anew for it.
+// Writes a text, unless it is there already: then nothing is laid out anew for it.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
-// Makes one figure answer.
-function liven(figure, module) {
+// Milliseconds that a picture may take while something moves: a slower one is drawn coarser then, and
+// whole after a rest.
+const FRAME = 60, REST = 150;
+
+// Makes a figure follow its handles and controls.
+function activateFigure(figure, module) {
     const name = figure.dataset.live;
-    const about = ask(module, `about ${name}`);
-    let values = about.values;
+    const description = ask(module, `about ${name}`);
+    let values = description.values;
 
-    // The stage: the drawing or the picture, and above it the handles. What is printed stays to be
-    // seen until something is moved.
-    const still = figure.querySelector("svg, img");
+    // The stage: the drawing or the picture, and above it the handles. What is printed stays until
+    // something moves.
+    const printed = figure.querySelector("svg, img");
+    const isPicture = printed.tagName === "IMG";
     const stage = make("div", { class: "stage" });
-    still.replaceWith(stage);
-    const size = still.tagName === "IMG"
-        ? [Number(still.getAttribute("width")), Number(still.getAttribute("height"))]
-        : [still.viewBox.baseVal.width, still.viewBox.baseVal.height];
-    let sight = still;
-    if (still.tagName === "IMG") stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
-    still.draggable = false;
-    stage.append(still);
+    printed.replaceWith(stage);
+    const size = isPicture
+        ? ["width", "height"].map(side => Number(printed.getAttribute(side)))
+        : [printed.viewBox.baseVal.width, printed.viewBox.baseVal.height];
+    let output = printed;
+    if (isPicture) stage.style.aspectRatio = `${size[0]} / ${size[1]}`;
+    printed.draggable = false;
+    stage.append(printed);
 
-    // What waits to be asked: of each thing that is moved, only the last gesture before a frame counts.
-    const waiting = new Map();
-    const later = (what, request) => {
-        const isAsked = 0 < waiting.size;
-        waiting.set(what, request);
-        if (isAsked) return;
+    // A picture is drawn with all its columns, or, while something moves, with a half or a quarter.
+    const { columns } = description;
+    let divisor = 1, wholeTime = 0, restTimer = 0;
+    const request = (verb, ...words) => {
+        const sent = columns === null ? values : values.with(columns, values[columns] / divisor);
+        return [verb, name, ...words, ...sent].join(" ");
+    };
+    const drawWhole = () => { divisor = 1; show(ask(module, request("show"))); };
+    const drawMoving = makeRequest => {
+        divisor = [1, 2].find(k => wholeTime / k ** 2 <= FRAME) ?? 4;
+        const start = performance.now();
+        const answer = ask(module, makeRequest());
+        if (answer.size) wholeTime = (performance.now() - start) * divisor ** 2;
+        show(answer);
+        clearTimeout(restTimer);
+        if (answer.size && 1 < divisor) restTimer = setTimeout(drawWhole, REST);
+    };
+
+    // The requests of the next frame: of each thing that moves, only the last gesture counts.
+    const requests = new Map();
+    const drawNextFrame = (source, makeRequest) => {
+        const isPlanned = 0 < requests.size;
+        requests.set(source, makeRequest);
+        if (isPlanned) return;
         requestAnimationFrame(() => {
-            const requests = [...waiting.values()];
-            waiting.clear();
-            requests.forEach(last => show(ask(module, last())));
+            const planned = [...requests.values()];
+            requests.clear();
+            planned.forEach(drawMoving);
         });
     };
-    const request = (verb, ...words) => [verb, name, ...words, ...values].join(" ");
 
-    // Ranges, switches and lists are printed; they are those of what no handle turns there.
-    const printed = ask(module, request("tell"));
-    const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
+    // The controls are printed: for a parameter a range, a switch or a list, and a field for a number.
     const controls = figure.querySelector(".controls");
-    const parameterControls = about.values.map((_, k) => {
-        const label = controls.querySelector(`[data-parameter="${k}"]`);
-        if (!label) return null;
-        const [input, output] = [label.querySelector("input"), label.querySelector("b")];
-        const isSwitch = input.type === "checkbox";
-        input.addEventListener("input", () => {
-            values = values.with(k, Number(isSwitch ? input.checked : input.value));
-            later("show", () => request("show"));
-        });
-        return { label, input, output, isSwitch, group: label.dataset.group };
+    const parameterControls = description.values.map((_, k) => {
+        const element = controls.querySelector(`[data-parameter="${k}"]`);
+        if (!element) return null;
+        const inputs = [...element.querySelectorAll("input, select")];
+        for (const input of inputs) {
+            input.addEventListener("input", () => {
+                if (input.value === "") return;
+                if (probe !== null) showPanel();
+                values = values.with(k, Number(input.type === "checkbox" ? input.checked : input.value));
+                drawNextFrame("control", () => request("show"));
+            });
+            // What was typed gives way to the allowed number that is nearest.
+            input.addEventListener("blur", () => { if (input.type === "number") input.value = values[k]; });
+        }
+        return { element, inputs, output: element.querySelector("b"), group: element.dataset.group };
     });
-    // Where controls are of several things, those of one are to be seen: of what was touched last.
-    const choice = controls.querySelector(".choice select");
-    const choose = thing => {
-        if (!thing) return;
-        choice.value = thing;
-        parameterControls.forEach(control => { if (control) control.label.hidden = control.group !== thing; });
-        handles.forEach(grip => grip.classList.toggle("chosen", grip.thing === thing));
+    // Where parameters have groups, the controls of one are visible: of what was touched last.
+    const groupSelect = controls.querySelector(".choice select");
+    const selectGroup = group => {
+        if (!group) return;
+        groupSelect.value = group;
+        showControls();
+        handles.forEach(handle => handle.classList.toggle("chosen", handle.group === group));
     };
-    choice?.addEventListener("change", () => choose(choice.value));
+    groupSelect?.addEventListener("change", () => selectGroup(groupSelect.value));
+    let lastAnswer = ask(module, request("tell"));
+    const showControls = () => {
+        parameterControls.forEach((control, k) => {
+            if (!control) return;
+            const { element, inputs, output, group } = control;
+            element.hidden = !lastAnswer.visible[k] || group !== groupSelect?.value;
+            for (const input of inputs) {
+                if (input.type === "checkbox") input.checked = values[k] === 1;
+                // What is being typed stays as it is.
+                else if (input.type !== "number" || input !== document.activeElement) input.value = values[k];
+                if (input.type === "range") input.setAttribute("aria-valuetext", lastAnswer.texts[k]);
+            }
+            if (output) write(output, lastAnswer.texts[k]);
+        });
+    };
 
     // Handles: pointer, finger and arrow keys.
-    const place = event => {
-        const box = sight.getBoundingClientRect();
+    const placeOfPointer = event => {
+        const box = output.getBoundingClientRect();
         return [(event.clientX - box.left) / box.width * size[0], (event.clientY - box.top) / box.height * size[1]];
     };
-    const handles = about.handles.map((handle, k) => {
-        const grip = make("span", {
-            class: `handle handle-${handle.mark}`, role: "slider", tabindex: 0, "aria-label": handle.words,
-            "aria-valuemin": handle.min, "aria-valuemax": handle.max,
+    const handles = description.handles.map((about, k) => {
+        const handle = make("span", {
+            class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words,
+            "aria-valuemin": about.min, "aria-valuemax": about.max,
         });
-        grip.thing = handle.group;
-        grip.addEventListener("focus", () => choose(grip.thing));
+        handle.group = about.group;
+        handle.addEventListener("focus", () => selectGroup(handle.group));
         let offset = null;
-        grip.addEventListener("pointerdown", event => {
+        handle.addEventListener("pointerdown", event => {
             if (event.button !== 0 || event.ctrlKey) return;
-            grip.setPointerCapture(event.pointerId);
-            if (handle.mark === "probe") reveal();
-            choose(grip.thing);
-            const [x, y] = place(event);
-            offset = [grip.at[0] - x, grip.at[1] - y];
-            grip.classList.add("held");
+            handle.setPointerCapture(event.pointerId);
+            if (about.mark === "probe") showPanel();
+            selectGroup(handle.group);
+            const [x, y] = placeOfPointer(event);
+            offset = [handle.place[0] - x, handle.place[1] - y];
+            handle.classList.add("held");
         });
-        grip.addEventListener("pointermove", event => {
+        handle.addEventListener("pointermove", event => {
             if (!offset) return;
-            const [x, y] = place(event);
+            const [x, y] = placeOfPointer(event);
             const [dx, dy] = offset;
-            later(k, () => request("drag", k, x + dx, y + dy));
+            drawNextFrame(k, () => request("drag", k, x + dx, y + dy));
         });
         for (const end of ["pointerup", "pointercancel"]) {
-            grip.addEventListener(end, () => { offset = null; grip.classList.remove("held"); });
+            handle.addEventListener(end, () => { offset = null; handle.classList.remove("held"); });
         }
         for (const unwanted of ["touchstart", "dragstart"]) {
-            grip.addEventListener(unwanted, event => event.preventDefault());
+            handle.addEventListener(unwanted, event => event.preventDefault());
         }
-        grip.addEventListener("keydown", event => {
+        handle.addEventListener("keydown", event => {
             const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
             if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
-            if (handle.mark === "probe") reveal();
-            const far = event.shiftKey ? 10 : 1;
+            if (about.mark === "probe") showPanel();
+            const count = event.shiftKey ? 10 : 1;
             // Keys follow each other faster than frames: none is lost.
-            show(ask(module, request("step", k, far * step[0], far * step[1])));
+            drawMoving(() => request("step", k, count * step[0], count * step[1]));
         });
-        stage.append(grip);
-        return grip;
+        stage.append(handle);
+        return handle;
     });
-    // A press on no handle of a picture brings the one there that asks.
-    const asking = about.handles.findIndex(handle => handle.mark === "probe");
-    if (asking >= 0) {
-        stage.classList.add("asked-by-press");
+
+    // The probe, if there is one, goes where the picture is pressed, and to the pixel that a link names,
+    // such as #pixel=470,120. What is told of a pixel is hidden until then.
+    const probeIndex = description.handles.findIndex(handle => handle.mark === "probe");
+    const probe = probeIndex < 0 ? null : description.handles[probeIndex];
+    const panels = [...document.querySelectorAll(`[data-panel="${name}"]`)];
+    const showPanel = () => panels.forEach(panel => { panel.hidden = false; });
+    if (probe) {
+        stage.classList.add("has-probe");
         stage.addEventListener("click", event => {
-            if (event.target !== sight) return;
-            reveal();
-            later(asking, () => request("drag", asking, ...place(event)));
-            handles[asking].focus({ preventScroll: true });
+            if (event.target !== output) return;
+            showPanel();
+            drawNextFrame(probeIndex, () => request("drag", probeIndex, ...placeOfPointer(event)));
+            handles[probeIndex].focus({ preventScroll: true });
         });
     }
+    const openPixel = () => {
+        const [, i, j] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
+        if (!probe || j === undefined) return;
+        const [column, row] = probe.parameters;
+        values = values.with(column, Number(i)).with(row, Number(j));
+        showPanel();
+        drawMoving(() => request("show"));
+        figure.scrollIntoView({ block: "center" });
+        handles[probeIndex].focus({ preventScroll: true });
+    };
 
     const reset = controls.querySelector(".reset");
-    reset.addEventListener("click", () => { values = about.values; show(ask(module, request("show"))); });
+    reset.addEventListener("click", () => { values = description.values; drawWhole(); });
 
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
-    const spoken = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+    const conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
     const code = document.querySelector(`[data-code="${name}:rust"] code`);
-    const beside = document.querySelector(`[data-beside="${name}"] g`);
-    const follow = [...document.querySelectorAll(`[data-chain="${name}"]`)];
+    const companion = document.querySelector(`[data-companion="${name}"] g`);
 
     function show(answer) {
         if (answer.error) return;
-        values = answer.values;
+        lastAnswer = answer;
+        // The columns of a coarse picture are not the reader's.
+        values = columns === null ? answer.values : answer.values.with(columns, values[columns]);
         if (answer.size) {
             const [width, height] = answer.size;
-            if (sight === still) {
-                sight = make("canvas", { role: "img", "aria-label": still.alt });
-                still.replaceWith(sight);
+            if (output === printed) {
+                output = make("canvas", { role: "img", "aria-label": printed.alt });
+                printed.replaceWith(output);
             }
-            if (sight.width !== width || sight.height !== height) Object.assign(sight, { width, height });
-            sight.getContext("2d").putImageData(new ImageData(answer.pixels, width, height), 0, 0);
+            if (output.width !== width || output.height !== height) Object.assign(output, { width, height });
+            output.getContext("2d").putImageData(new ImageData(answer.pixels, width, height), 0, 0);
         } else if (answer.drawing !== undefined) {
-            still.querySelector("g").innerHTML = answer.drawing;
+            printed.querySelector("g").innerHTML = answer.drawing;
         }
-        if (beside) beside.innerHTML = answer.beside;
-        parameterControls.forEach((control, k) => {
-            if (!control) return;
-            control.label.hidden = !answer.shown[k] || control.group !== choice?.value;
-            if (control.isSwitch) { control.input.checked = values[k] === 1; return; }
-            control.input.value = values[k];
-            control.input.setAttribute("aria-valuetext", answer.texts[k]);
-            write(control.output, answer.texts[k]);
-        });
-        handles.forEach((grip, k) => {
-            const turns = [...new Set(about.handles[k].parameters)];
-            grip.at = answer.places[k];
-            const isLost = !isInside(grip.at) && grip === document.activeElement;
-            grip.hidden = !isInside(grip.at);
-            if (isLost) parameterControls[turns[0]]?.input.focus();
-            grip.style.left = `${grip.at[0] / size[0] * 100}%`;
-            grip.style.top = `${grip.at[1] / size[1] * 100}%`;
-            grip.setAttribute("aria-valuenow", values[turns[0]]);
-            grip.setAttribute("aria-valuetext", turns.map(control => answer.texts[control]).join(", "));
+        if (companion) companion.innerHTML = answer.companion;
+        showControls();
+        handles.forEach((handle, k) => {
+            const parameters = [...new Set(description.handles[k].parameters)];
+            handle.place = answer.places[k];
+            const isLost = !isInside(handle.place) && handle === document.activeElement;
+            handle.hidden = !isInside(handle.place);
+            if (isLost) parameterControls[parameters[0]]?.inputs[0].focus();
+            handle.style.left = `${handle.place[0] / size[0] * 100}%`;
+            handle.style.top = `${handle.place[1] / size[1] * 100}%`;
+            handle.setAttribute("aria-valuenow", values[parameters[0]]);
+            handle.setAttribute("aria-valuetext", parameters.map(parameter => answer.texts[parameter]).join(", "));
         });
         // A number that there is not here is left empty, and what speaks of it is hidden.
-        const told = which => answer.numbers[which.slice(name.length + 1)] ?? "";
-        for (const number of numbers) write(number, told(number.dataset.number));
+        const numberOf = key => answer.numbers[key.slice(name.length + 1)] ?? "";
+        for (const number of numbers) write(number, numberOf(number.dataset.number));
+        for (const part of conditionalParts) part.hidden = numberOf(part.dataset.when) === "";
         if (code && code.textContent !== answer.numbers.rust) {
             code.textContent = answer.numbers.rust;
             window.hljs?.highlightBlock(code);
         }
-        keep(answer.numbers.address);
-        for (const part of spoken) part.hidden = told(part.dataset.when) === "";
-        reset.disabled = values.every((value, k) => value === about.values[k]);
+        keepAddress(answer.numbers.address);
+        reset.disabled = values.every((value, k) => value === description.values[k]);
     }
-    // What is said of a pixel comes when the first is asked.
-    function reveal() {
-        follow.forEach(part => { part.hidden = false; });
+    const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
+
+    // A scene of the reader's own is in the address of the page, once a gesture has come to rest.
+    let sceneAddress = lastAnswer.numbers.address;
+    let addressTimer = 0;
+    const fault = make("output", { class: "refused" });
+    function keepAddress(address) {
+        fault.textContent = "";
+        if (address === sceneAddress) return;
+        sceneAddress = address;
+        clearTimeout(addressTimer);
+        addressTimer = setTimeout(() => history.replaceState(null, "", address ? `#scene=${address}` : location.pathname + location.search), 200);
     }
-    // What is made here may be kept: it is in the address, once a gesture has come to rest.
-    let kept = printed.numbers.address;
-    let rest;
-    const refused = make("output", { class: "refused" });
-    function keep(address) {
-        refused.textContent = "";
-        if (address === kept) return;
-        kept = address;
-        clearTimeout(rest);
-        rest = setTimeout(() => history.replaceState(null, "", kept ? `#scene=${kept}` : location.pathname + location.search), 200);
-    }
-    const open = () => {
+    const openScene = () => {
         if (!location.hash.startsWith("#scene=")) {
             // A heading was pressed: the page has gone there, and the address is the scene's again.
-            if (kept) history.replaceState(null, "", `#scene=${kept}`);
+            if (sceneAddress) history.replaceState(null, "", `#scene=${sceneAddress}`);
             return;
         }
         // Some mail programs write a colon as %3A.
         const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
         const answer = ask(module, `open ${name} ${address}`);
-        if (!answer.error) kept = answer.numbers.address;
+        if (!answer.error) sceneAddress = answer.numbers.address;
         show(answer);
-        refused.textContent = answer.error ? `${answer.error} Nothing has changed.` : "";
+        fault.textContent = answer.error ? `${answer.error} Nothing has changed.` : "";
     };
 
-    choose(handles[0]?.thing);
-    show(printed);
-    if (kept === undefined) {
+    show(lastAnswer);
+    selectGroup(handles[0]?.group);
+    if (sceneAddress === undefined) {
         // On paper, everything is as printed.
         addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
     } else {
-        controls.append(refused);
-        addEventListener("hashchange", open);
-        open();
+        controls.append(fault);
+        addEventListener("hashchange", openScene);
+        openScene();
     }
     Object.assign(controls, { hidden: false, inert: false });
     figure.dataset.ready = "";
+    addEventListener("hashchange", openPixel);
+    openPixel();
 }
 
-// Says whether a picture is right: what `check` says of the file, which goes nowhere else.
-function looking(form) {
+// Makes a form say whether a picture is right: what `check` says of the file, which goes nowhere else.
+function activateCheckForm(form) {
     const [input, reset, output] = ["input", "button", "output"].map(tag => form.querySelector(tag));
-    let last = 0; // Only the last file that was given counts.
-    const told = ({ text, size, pixels }) => {
-        const said = make("span", { class: "said" });
-        for (const line of text.split("\n")) {
+    let lastRun = 0; // Only the last file that was given counts.
+    const answerElements = ({ text, size, pixels }) => {
+        const lines = text.split("\n").map(line => {
             // What goes on in the next row begins where the line's own words do.
             const start = line.match(/^ +(\S.*?  +)?/)?.[0].length ?? 0;
-            const row = make("span", { style: `--start: ${start}ch` }, line);
-            said.append(row);
-        }
-        if (!size) return [said];
+            return make("span", { style: `--start: ${start}ch` }, line);
+        });
+        const report = make("span", { class: "report" }, ...lines);
+        if (!size) return [report];
         const [width, height] = [size[0] / 3, size[1]];
         const labels = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
         const panels = labels.map((label, k) => {
@@ -327,45 +375,54 @@ function looking(form) {
             canvas.getContext("2d").putImageData(new ImageData(pixels, ...size), -k * width, 0);
             return make("span", {}, canvas, label);
         });
-        return [said, make("span", { class: "panels" }, ...panels)];
+        return [report, make("span", { class: "panels" }, ...panels)];
     };
-    const show = (code, ...children) => {
-        form.dataset.told = code;
+    const showAnswer = (exitCode, ...children) => {
+        form.dataset.exitCode = exitCode;
         output.replaceChildren(...children);
         reset.disabled = children.length === 0;
     };
-    const look = async file => {
+    const checkFile = async file => {
         if (!file) return;
-        const mine = last += 1;
-        show("", "Looking …");
+        const run = lastRun += 1;
+        showAnswer("", "Looking …");
         try {
             // A larger one is too large, whatever follows.
             const bytes = new Uint8Array(await file.slice(0, 2 ** 27 + 1).arrayBuffer());
-            const answer = await askBeside(`check ${form.dataset.name} ${file.name}`, bytes);
-            if (mine === last) show(answer.code, ...told(answer));
+            const answer = await askWorker(`check ${form.dataset.name} ${file.name}`, bytes);
+            if (run === lastRun) showAnswer(answer.code, ...answerElements(answer));
         } catch {
-            if (mine === last) show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+            if (run === lastRun) showAnswer(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
         }
     };
-    input.addEventListener("change", () => look(input.files[0]));
-    form.addEventListener("reset", () => { last += 1; stopWorking(); show(""); });
+    input.addEventListener("change", () => checkFile(input.files[0]));
+    form.addEventListener("reset", () => { lastRun += 1; stopWorker(); showAnswer(""); });
     form.addEventListener("dragover", event => { event.preventDefault(); form.classList.add("held"); });
     for (const end of ["dragleave", "drop"]) form.addEventListener(end, () => form.classList.remove("held"));
     form.addEventListener("drop", event => {
         event.preventDefault();
         if (event.dataTransfer.files.length === 0) return;
         input.files = event.dataTransfer.files;
-        look(input.files[0]);
+        checkFile(input.files[0]);
     });
     form.hidden = false;
 }
-document.querySelectorAll("form[data-live=check]").forEach(looking);
+document.querySelectorAll("form[data-live=check]").forEach(activateCheckForm);
 
 // A figure answers from when it comes near the view: only then is the module loaded. Where that
 // fails, it is tried again while the figure is near.
-const wake = async figure => {
-    const module = await liveModule.get("live").catch(() => null);
-    if (module) liven(figure, module);
-    else setTimeout(whenNear, 5000, [figure], wake);
+const activateWhenLoaded = async figure => {
+    const module = await wasmModules.get("live").catch(() => null);
+    if (module) activateFigure(figure, module);
+    else setTimeout(whenNear, 5000, [figure], activateWhenLoaded);
 };
-whenNear(document.querySelectorAll("figure[data-live]"), wake);
+const figures = [...document.querySelectorAll("figure[data-live]")];
+whenNear(figures, activateWhenLoaded);
+
+// A link that names a pixel brings the picture near whose pixels can be asked.
+const scrollToProbe = () => {
+    const panel = location.hash.startsWith("#pixel=") && document.querySelector("[data-panel]");
+    if (panel) document.querySelector(`figure[data-live="${panel.dataset.panel}"]`)?.scrollIntoView({ block: "center" });
+};
+addEventListener("hashchange", scrollToProbe);
+scrollToProbe();

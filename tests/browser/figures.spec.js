@@ -42,6 +42,7 @@ for (const [name, figure, before] of figures) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
         checkbox: 'Space', range: value === min ? 'ArrowRight' : 'ArrowLeft',
+        number: value === min ? 'ArrowUp' : 'ArrowDown',
       })[type] ?? 'ArrowDown'));
       await expectChange(`a key on ${await control.locator('..').textContent()}`);
     }

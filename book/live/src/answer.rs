@@ -1,5 +1,5 @@
 use crate::own_scene::parse_address;
-use crate::{Live, Mark, Output, find, json};
+use crate::{Kind, Live, Mark, Output, find, json};
 use glam::{DVec2, dvec2};
 use image::RgbImage;
 
@@ -73,8 +73,10 @@ fn try_answer(request: &str) -> Option<Answer> {
     }
 }
 
-/// The handles and the default values; the controls are printed in the page.
+/// The handles, the default values, and which of them is the columns of a picture; the
+/// controls are printed in the page.
 fn handles_and_defaults_answer(live: &Live) -> Answer {
+    let columns = live.parameters.iter().position(|p| p.kind == Kind::Columns);
     let handles = live.handles.iter().map(|handle| {
         let [first, _] = handle.parameters;
         let [min, max] = live.parameters[first].range;
@@ -90,6 +92,7 @@ fn handles_and_defaults_answer(live: &Live) -> Answer {
     Answer::from_json_fields([
         ("handles", json::list(handles)),
         ("values", json::list(live.default_values())),
+        ("columns", columns.map_or("null".into(), |index| index.to_string())),
     ])
 }
 
@@ -128,13 +131,13 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     let mut fields = vec![
         ("values", json::list(values)),
         ("texts", json::list(texts)),
-        ("shown", json::list(visible)),
+        ("visible", json::list(visible)),
         ("places", json::list(places)),
         ("numbers", json::object(numbers)),
     ];
     if let Some(companion) = live.companion {
         let drawing = (companion.draw)(values);
-        fields.push(("beside", json::text(drawing.svg_elements())));
+        fields.push(("companion", json::text(drawing.svg_elements())));
     }
     fields
 }

@@ -31,6 +31,9 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// 1 for on, 0 for off.
     Switch,
+    /// The columns of a picture. It has no control: a page draws all, or fewer while
+    /// something moves; a test draws fewer.
+    Columns,
 }
 
 impl Parameter {
@@ -88,6 +91,7 @@ impl Parameter {
     pub fn format(&self, value: f64) -> String {
         match self.kind {
             Kind::Number(unit) => format_number(value) + unit,
+            Kind::Columns => format_number(value),
             Kind::Choice(names) => names[value as usize].to_string(),
             Kind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
         }

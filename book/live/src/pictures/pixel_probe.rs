@@ -2,7 +2,7 @@
 
 use super::step01::{self, WIDESCREEN};
 use crate::parameter::array;
-use crate::{Handle, Mark, Parameter};
+use crate::{Handle, Kind, Mark, Parameter};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};
 
@@ -58,11 +58,11 @@ impl Probe {
     }
 }
 
-/// The columns of a picture. It has no control: a page draws all, a test fewer.
+/// The columns of a picture, without a control.
 pub fn columns_parameter() -> Parameter {
     let range = [2.0, SIZE.x];
     let parameter = Parameter::new(["hRes", "columns", ""], SIZE.x, range, 1.0);
-    Parameter { has_control: |_, _| false, ..parameter }
+    Parameter { kind: Kind::Columns, has_control: |_, _| false, ..parameter }
 }
 
 /// The place of a point of the world in the picture of a camera; None behind the eye.

@@ -1,0 +1,29 @@
+// A pixel is asked by its numbers, and by a link that names it.
+import { expect, open, test } from './test.js';
+
+const page3 = 'step03_nearest.html';
+const picture = 'figure[data-live="step03_nearest"]';
+const field = (page, symbol) => page.locator(`${picture} input[type=number]`).nth(symbol === 'i' ? 0 : 1);
+
+test('a link that names a pixel asks it', async ({ page, home }) => {
+  await open(page, home + page3);
+  await page.locator('a[href$="#pixel=195,237"]').first().click();
+  await expect(field(page, 'i')).toHaveValue('195');
+  await expect(field(page, 'j')).toHaveValue('237');
+  await expect(page.locator(picture)).toBeInViewport();
+  await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
+});
+
+test('an address that names a pixel opens with it', async ({ page, home }) => {
+  await open(page, `${home}${page3}#pixel=320,180`);
+  await expect(page.locator('[data-panel] [data-number="step03_nearest:object"]')).toHaveText('red');
+});
+
+test('a number that is typed counts, and the nearest allowed one follows', async ({ page, home }) => {
+  await open(page, home + page3);
+  await page.locator(`${picture}[data-ready]`).waitFor({ timeout: 20_000 });
+  await field(page, 'i').fill('1000');
+  await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('639');
+  await field(page, 'j').focus();
+  await expect(field(page, 'i')).toHaveValue('639');
+});
