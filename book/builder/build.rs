@@ -4,6 +4,7 @@ use crate::{Files, Page, Site, inline_styles, links, paper_page, search};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use scraper::Html;
 use std::path::{Path, PathBuf};
 use std::{fs, process};
 
@@ -75,10 +76,20 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
 fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
     // mdBook puts the title of a part into an item of its own, and HTML has no such item.
     page.replace_each("li:empty", |_| String::new());
+    page.replace_each("a:has(> math)", name_formula_link);
     match page.name.as_str() {
         "toc.html" => return Ok(()),
         "print.html" => paper_page::arrange_for_paper(page)?,
         _ => {}
     }
     inline_styles::inline_styles(page, files)
+}
+
+/// A link with a name for screen readers where it is a formula alone.
+fn name_formula_link(html: &str) -> String {
+    let is_formula = html.contains("\"><math") && html.ends_with("</math></a>");
+    let link = Html::parse_fragment(html);
+    let letters: String = link.root_element().text().collect();
+    let name = format!("<a aria-label=\"{}\" ", letters.trim());
+    if is_formula { html.replacen("<a ", &name, 1) } else { html.to_owned() }
 }

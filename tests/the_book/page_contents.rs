@@ -22,6 +22,21 @@ fn directives_and_formulas_are_expanded() {
 }
 
 #[test]
+fn pages_tell_their_version() {
+    let version = format!("Version {},", env!("CARGO_PKG_VERSION"));
+    let is_chapter = |page: &&book::Page| page.name != "toc.html";
+    let mut faults = vec![];
+    for page in built_book().pages.values().filter(is_chapter) {
+        let footer: String =
+            page.select_all("footer").into_iter().map(inner_text).collect();
+        if !footer.contains(&version) {
+            faults.push(format!("{} does not say {version}", page.name));
+        }
+    }
+    assert_no_faults(&faults);
+}
+
+#[test]
 fn pictures_and_drawings_have_a_text() {
     let (book, mut faults) = (built_book(), vec![]);
     for page in book.pages.values() {

@@ -1,7 +1,7 @@
 use crate::Ray;
 use glam::{DMat3, DVec3};
 
-/// A pinhole camera and its matrix (slide "A Basic 3D Camera Matrix", with its slips mended).
+/// A pinhole camera: the slide "A Basic 3D Camera Matrix", with its slips mended.
 /// ```
 /// let camera = step01_rays::Camera::new(3, 3, 90_f64.to_radians());
 /// assert_eq!(camera.ray(1.0, 1.0).direction, glam::DVec3::NEG_Z);
