@@ -80,6 +80,10 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
         parabola_view.xy_to_drawing(first - 0.1, 0.0),
         parabola_view.xy_to_drawing(last + 0.1, 0.0),
     );
+    let zero = parabola_view.xy_to_drawing(0.0, 0.0);
+    let tick = dvec2(0.0, 4.0);
+    drawing.line("axis", zero - tick, zero + tick);
+    drawing.label("quiet", zero + dvec2(0.0, 18.0), "0");
     let (a, b, c) = SPHERE.coefficients(ray);
     let curve: Vec<DVec2> = (0..=60)
         .map(|k| first + (last - first) * f64::from(k) / 60.0)
