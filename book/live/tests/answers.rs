@@ -32,6 +32,8 @@ fn wrong_address_is_answered_by_a_sentence() {
         ("camera-field-of-view:NaN", "allowed are 1 to 179"),
         ("red-sphere-radius:2,ground-radius:", "“” for ground-radius; allowed"),
         ("moon-radius:1", "speaks of “moon-radius”"),
+        // The camera is at its own target.
+        ("camera-position-backwards:-1", "nothing to show at this address"),
     ] {
         let answer = open(address);
         assert!(answer.contains(sentence), "{address}: {answer}");
@@ -41,8 +43,21 @@ fn wrong_address_is_answered_by_a_sentence() {
 #[test]
 fn address_is_parsed_and_formatted_without_change() {
     let address = "camera-field-of-view:20,red-sphere-radius:2,cool-light-on:0";
-    for address in [address, "", "ambient-light-blue:0.07"] {
+    let camera = "camera-position-sideways:3,camera-position-upwards:2,\
+                  camera-position-backwards:-4,camera-target-sideways:1,\
+                  camera-target-upwards:-1,camera-target-backwards:-7,camera-roll:-20";
+    let mirrors = "the-way-back-shadows-and-mirrors:1,red-sphere-mirror-image:0.5";
+    for address in [address, "", "ambient-light-blue:0.07", camera, mirrors] {
         let field = format!("\"address\":\"{address}\"");
         assert!(open(address).contains(&field), "{}", open(address));
+    }
+}
+
+#[test]
+fn address_of_an_earlier_edition_opens_its_scene() {
+    let address = "red-sphere-radius:2,camera-field-of-view:45,third-light-on:1,\
+                   ground-mirrored:0.5,cool-light-quadratic-fading:0.03";
+    for part in address.split(',') {
+        assert!(open(address).contains(part), "{part}: {}", open(address));
     }
 }

@@ -1,7 +1,7 @@
 //! Handles lead to values, and values to the numbers of the chapters.
 
 use glam::{DVec2, DVec3, dvec2};
-use live::{LIVE, Live, Mark, find};
+use live::{Handle, LIVE, Live, Mark, Parameter, find};
 
 fn find_live(name: &str) -> &'static Live {
     find(name).expect("a figure or picture")
@@ -62,6 +62,78 @@ fn light_behind_the_eye_has_no_place() {
         assert_eq!(warm.place(&values).is_some(), has_place, "z = {z}");
         let new = live.step_handle(&values, warm, dvec2(1.0, 0.0));
         assert_eq!(new.is_some(), has_place, "z = {z}");
+    }
+}
+
+/// The values of the own scene at an address, and its handle of the red sphere.
+fn own_scene_and_handle(
+    address: &str,
+) -> (&'static Live, Vec<f64>, &'static Handle) {
+    let live = find_live("own_scene");
+    let mut values = live.default_values();
+    for part in address.split(',') {
+        let (name, value) = part.split_once(':').expect("a value");
+        let is_named = |parameter: &Parameter| {
+            format!("{} {}", parameter.group, parameter.words) == name
+        };
+        let index = live.parameters.iter().position(is_named).expect(name);
+        values[index] = value.parse().expect("a number");
+    }
+    (live, values, &live.handles[0])
+}
+
+#[test]
+fn dragged_sphere_of_the_own_scene_is_at_the_pointer_of_any_camera() {
+    for camera in [
+        "camera roll:90",
+        "camera position sideways:6,camera position upwards:8,camera roll:-30,\
+         camera target backwards:-8",
+        // It looks back at the scene.
+        "camera position backwards:-20,camera target upwards:1",
+    ] {
+        let (live, values, handle) = own_scene_and_handle(camera);
+        let pointer = handle.place(&values).expect("a place") + dvec2(20.0, -30.0);
+        let new = live.drag_handle(&values, handle, pointer).expect("values");
+        let place = handle.place(&new).expect("a place");
+        assert!(place.distance(pointer) < 1.0, "{camera}: {place}");
+        let z = handle.parameters[1] + 1;
+        assert_eq!(values[z], new[z], "{camera}");
+    }
+}
+
+#[test]
+fn dragged_sphere_stays_where_its_plane_is_edge_on_or_behind() {
+    for (camera, pointer) in [
+        // The eye is in the plane z = −7.4.
+        (
+            "camera position sideways:6,camera position backwards:-7.4,\
+             camera target backwards:-7.4",
+            dvec2(300.0, 100.0),
+        ),
+        // The upper part of the picture looks back.
+        (
+            "camera field of view:120,camera target upwards:1,\
+             camera target backwards:-0.3,red sphere upwards:5",
+            dvec2(320.0, 10.0),
+        ),
+    ] {
+        let (live, values, handle) = own_scene_and_handle(camera);
+        assert!(handle.place(&values).is_some(), "{camera}");
+        let new = live.drag_handle(&values, handle, pointer);
+        assert_eq!(new, Some(values), "{camera}");
+    }
+}
+
+#[test]
+fn k_of_a_sphere_has_a_control_where_there_are_mirrors() {
+    for (switch, count) in [(0, 0), (1, 12)] {
+        let address = format!("the way back shadows and mirrors:{switch}");
+        let (live, values, _) = own_scene_and_handle(&address);
+        let parameters = live.parameters.iter();
+        let controls = parameters.filter(|parameter| {
+            parameter.symbol == "k" && (parameter.has_control)(parameter, &values)
+        });
+        assert_eq!(controls.count(), count);
     }
 }
 

@@ -5,31 +5,36 @@ mod address;
 mod parameters;
 mod rust;
 mod scene;
+mod settings;
 
 pub use address::parse_address;
 pub use scene::own_scene;
 
 use crate::live::collect_numbers;
-use crate::parameter::array;
 use crate::pictures::pixel_probe::{SIZE, place_of_point, point_at_place};
 use crate::pictures::render_scene;
-use crate::pictures::step01::{self, WIDESCREEN};
-use crate::{Handle, Live, Mark};
+use crate::{Handle, Live, Mark, Output};
+use exercises::mirror;
 use glam::{DVec2, DVec3};
-use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES, split_parameters};
-use step05_phong::Camera;
-
-/// The columns of the picture, and its field of view in degrees.
-fn columns_and_degrees(values: &[f64]) -> (f64, f64) {
-    let (settings, _, _) = split_parameters(values);
-    let [columns, degrees, _red, _green, _blue] = array(settings);
-    (columns, degrees)
-}
+use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES};
+use scene::own_mirrors;
+use settings::Settings;
+use step05_phong::{Camera, render};
 
 /// The camera of the whole picture.
 fn camera(values: &[f64]) -> Camera {
-    let (_, degrees) = columns_and_degrees(values);
-    step01::camera(degrees, WIDESCREEN, SIZE.x)
+    Settings::from_values(values).camera(SIZE.x)
+}
+
+/// The picture of these values.
+fn draw(values: &[f64]) -> Output {
+    let settings = Settings::from_values(values);
+    let camera = settings.camera(settings.columns);
+    if !settings.has_mirrors {
+        return render_scene(&camera, &own_scene(values));
+    }
+    let scene = own_mirrors(values);
+    Output::Picture(render(&camera, 1, |ray| mirror::colour(&scene, ray, 10)))
 }
 
 /// The handle of a sphere or light whose first parameter, its switch, is number `first`;
@@ -49,6 +54,7 @@ fn object_handle(first: usize) -> Handle {
             let z = values[handle.parameters[1] + 1];
             let inside = place.clamp(DVec2::ZERO, SIZE);
             point_at_place(&camera(values), inside, z)
+                .unwrap_or_else(|| handle.coordinates(values))
         },
     )
 }
@@ -63,17 +69,17 @@ pub fn picture() -> Live {
     Live {
         parameters: PARAMETERS.clone(),
         handles: spheres.chain(lights).collect(),
+        is_allowed: |values| {
+            let Settings { position, target, .. } = Settings::from_values(values);
+            position != target
+        },
         numbers: |values| {
-            let (_, degrees) = columns_and_degrees(values);
+            let settings = Settings::from_values(values);
             collect_numbers([
-                ("rust", rust::program(&own_scene(values), degrees)),
+                ("rust", rust::program(&settings, &own_mirrors(values))),
                 ("address", address::format_address(&PARAMETERS, values)),
             ])
         },
-        ..Live::new("own_scene", |values| {
-            let (columns, degrees) = columns_and_degrees(values);
-            let camera = step01::camera(degrees, WIDESCREEN, columns);
-            render_scene(&camera, &own_scene(values))
-        })
+        ..Live::new("own_scene", draw)
     }
 }

@@ -1,26 +1,27 @@
 //! The parameters of the reader's own scene, one after the other: the camera, the ambient
-//! light, the spheres, the lights. Three spheres and a light are left out at first.
+//! light, the way back, the spheres, the lights. Three spheres and a light are left out at
+//! first, and so are shadows and mirrors.
 
+use super::settings::Settings;
 use crate::Parameter;
 use crate::pictures::pixel_probe::columns_parameter;
+use exercises::mirror::{Mirror, mirrors};
 use glam::DVec3;
 use std::slice::ChunksExact;
 use std::sync::LazyLock;
 use step05_phong::{
-    Attenuation, Light, OBJECTS, Object, PointLight, Sphere, scene,
+    Attenuation, Light, OBJECTS, Object, PointLight, Scene, Sphere,
 };
 
-/// The number of parameters of the camera and the ambient light, of a sphere, and of a
-/// light.
-pub const SETTINGS: usize = 5;
-pub const SPHERE: usize = 10;
+/// The number of parameters of the settings, of a sphere, and of a light.
+pub const SETTINGS: usize = 13;
+pub const SPHERE: usize = 11;
 pub const LIGHT: usize = 13;
 
 /// The number of spheres.
 pub const SPHERES: usize = OBJECTS.len() + 3;
 
-/// The parameters, or their values, of the camera and the ambient light, of each sphere,
-/// and of each light.
+/// The parameters, or their values, of the settings, of each sphere, and of each light.
 pub fn split_parameters<T>(
     parameters: &[T],
 ) -> (&[T], ChunksExact<'_, T>, ChunksExact<'_, T>) {
@@ -31,34 +32,34 @@ pub fn split_parameters<T>(
 
 /// All parameters.
 pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
-    let scene = scene();
+    let Scene { objects, ambient_light, lights } = mirrors();
     let mut parameters = vec![columns_parameter()];
     let mut add_group = |group, members: Vec<Parameter>| {
         let members = members.into_iter();
         parameters.extend(members.map(|member| Parameter { group, ..member }));
     };
-    let angle =
-        Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0);
-    add_group("camera", vec![angle]);
-    add_group("ambient light", colour(RGB, scene.ambient_light.into(), 1.0).into());
-    for Object { name, sphere, material } in scene.objects {
+    add_group("camera", camera_parameters());
+    add_group("ambient light", colour(RGB, ambient_light.into(), 1.0).into());
+    let switch = Parameter::switch("shadows and mirrors", false);
+    add_group("the way back", vec![switch]);
+    for Object { name, sphere, material: Mirror { material, k } } in objects {
         let colour = material.matte.diffuse.into();
-        let (r_s, n) = (material.specular.x, material.shininess.into());
-        add_group(name, sphere_parameters(true, sphere, colour, r_s, n));
+        let shine = [material.specular.x, material.shininess.into()];
+        add_group(name, sphere_parameters(true, sphere, colour, shine, k));
     }
     let sphere_at =
         |x, y, z, radius| Sphere { centre: DVec3::new(x, y, z), radius };
     let sphere = sphere_at(1.25, -1.1, -5.0, 0.35);
-    let more = sphere_parameters(false, sphere, [0.45, 0.2, 0.6], 0.8, 80.0);
+    let more = sphere_parameters(false, sphere, [0.45, 0.2, 0.6], [0.8, 80.0], 0.5);
     add_group("tenth sphere", more);
     let sphere = sphere_at(-1.2, 1.6, -7.0, 0.4);
-    let more = sphere_parameters(false, sphere, [0.1, 0.3, 0.75], 0.6, 60.0);
+    let more = sphere_parameters(false, sphere, [0.1, 0.3, 0.75], [0.6, 60.0], 0.3);
     add_group("eleventh sphere", more);
     let sphere = sphere_at(1.6, 1.7, -8.0, 0.45);
-    let more = sphere_parameters(false, sphere, [0.85, 0.15, 0.35], 0.3, 20.0);
+    let more =
+        sphere_parameters(false, sphere, [0.85, 0.15, 0.35], [0.3, 20.0], 0.1);
     add_group("twelfth sphere", more);
-    for (name, light) in ["warm light", "cool light"].into_iter().zip(scene.lights)
-    {
+    for (name, light) in ["warm light", "cool light"].into_iter().zip(lights) {
         add_group(name, light_parameters(&light, true));
     }
     add_group("third light", light_parameters(&ROSE, false));
@@ -75,13 +76,30 @@ const ROSE: Light = Light {
     specular: DVec3::new(1.0, 0.6, 0.8),
 };
 
+/// The parameters of the camera.
+fn camera_parameters() -> Vec<Parameter> {
+    let number = |symbol, words, default, range| {
+        Parameter::new([symbol, words, ""], default, range, 100.0)
+    };
+    vec![
+        Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
+        number("x", "position sideways", 0.0, [-12.0, 12.0]),
+        number("y", "position upwards", 0.0, [-6.0, 12.0]),
+        number("z", "position backwards", 0.0, [-20.0, 12.0]),
+        number("x", "target sideways", 0.0, [-12.0, 12.0]),
+        number("y", "target upwards", 0.0, [-6.0, 12.0]),
+        number("z", "target backwards", -1.0, [-20.0, 12.0]),
+        Parameter::new(["", "roll", "°"], 0.0, [-180.0, 180.0], 1.0),
+    ]
+}
+
 /// The parameters of a sphere; those of the ground have larger ranges.
 fn sphere_parameters(
     is_there: bool,
     sphere: Sphere,
     rgb: [f64; 3],
-    r_s: f64,
-    n: f64,
+    [r_s, n]: [f64; 2],
+    k: f64,
 ) -> Vec<Parameter> {
     let Sphere { centre, radius } = sphere;
     let (ranges, radii) = if radius < 10.0 {
@@ -97,6 +115,10 @@ fn sphere_parameters(
         Parameter::new(["n", "shininess", ""], n, [1.0, 300.0], 1.0),
     ]);
     parameters.extend(colour(RGB, rgb, 1.0));
+    parameters.push(Parameter {
+        has_control: |_, values| Settings::from_values(values).has_mirrors,
+        ..Parameter::new(["k", "mirror image", ""], k, [0.0, 1.0], 100.0)
+    });
     parameters
 }
 

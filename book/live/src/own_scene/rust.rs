@@ -1,19 +1,93 @@
 //! A scene as a Rust program, which the reader saves as an example of step 5.
 
+use super::settings::Settings;
+use exercises::mirror::Mirror;
 use glam::DVec3;
-use step05_phong::{Attenuation, Light, Material, Object, Scene};
+use step05_phong::{Attenuation, Light, Object, Scene};
 
-/// The program that draws the scene, with a camera of this field of view.
-pub fn program(scene: &Scene<Material, Light>, degrees: f64) -> String {
-    let options = match degrees {
+/// The text of the exercise `look_at`.
+const LOOK_AT: &str =
+    include_str!("../../../../steps/step01_rays/examples/look_at.rs");
+
+/// The program that draws the scene with these settings.
+pub fn program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
+    let mut program = plain_program(settings, scene);
+    if settings.has_mirrors {
+        program = edit(program, &MIRROR_EDITS);
+    }
+    if settings.has_moved_camera() {
+        program = edit(program, &camera_edits(settings));
+    }
+    program
+}
+
+/// A text in which each old part is replaced by a new one, where it is first.
+fn edit(text: String, old_and_new: &[(&str, impl AsRef<str>)]) -> String {
+    old_and_new
+        .iter()
+        .fold(text, |text, (old, new)| text.replacen(old, new.as_ref(), 1))
+}
+
+/// The edits that shadows and mirrors ask for: `mirror.rs` draws, and a ball has its k.
+const MIRROR_EDITS: [(&str, &str); 10] = [
+    (
+        "use glam::",
+        r#"#[path = "mirror.rs"]
+#[allow(dead_code, reason = "it is a program of its own, too")]
+mod mirror;
+
+use glam::"#,
+    ),
+    ("use step05_phong::", "use mirror::{Mirror, colour};\nuse step05_phong::"),
+    ("    colour, render,", "    render,"),
+    (
+        "is its shininess.",
+        "is its shininess, and\n/// `k` the part of its colour that it mirrors.",
+    ),
+    ("    n: i32,\n", "    n: i32,\n    k: f64,\n"),
+    ("Object<Material>", "Object<Mirror>"),
+    ("    Object {", "    let material = Mirror { material, k };\n    Object {"),
+    ("Scene<Material, Light>", "Scene<Mirror, Light>"),
+    ("in the whole Phong sum", "with shadows and mirrors"),
+    ("colour(&scene, ray)", "colour(&scene, ray, 10)"),
+];
+
+/// The edits that another camera asks for: `look_at` moves it.
+fn camera_edits(settings: &Settings) -> [(&'static str, String); 4] {
+    let mut items = LOOK_AT.split("\n\n");
+    let function = items.find(|item| item.contains("pub fn look_at("));
+    let function = function.expect("the exercise has it");
+    let [position, target] = [settings.position, settings.target].map(vector_call);
+    let call = format!(
+        "    let position = {position};
+    let target = {target};
+    let roll = f64::to_radians({:?});
+    let camera = look_at(camera, position, target, roll);
+    let scene =",
+        settings.roll_degrees
+    );
+    [
+        ("use glam::DVec3;", "use glam::{DMat3, DVec3};".into()),
+        ("/// The picture", format!("{function}\n\n/// The picture")),
+        ("    let scene =", call),
+        ("render(camera", "render(&camera".into()),
+    ]
+}
+
+/// The program with the camera of the five steps, and without shadows and mirrors; the
+/// calls of `ball` have a k where there are mirrors.
+fn plain_program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
+    let options = match settings.fov_degrees {
         60.0 => String::new(),
         degrees => format!(" -- --fov {degrees}"),
     };
     let ball_attribute = dead_code_attribute(scene.objects.is_empty());
     let lamp_attribute = dead_code_attribute(scene.lights.is_empty());
-    let objects = lines(scene.objects.iter().map(ball_call));
+    let objects = scene.objects.iter();
+    let objects =
+        lines(objects.map(|object| ball_call(object, settings.has_mirrors)));
     let lights = lines(scene.lights.iter().map(lamp_call));
-    let DVec3 { x: red, y: green, z: blue } = scene.ambient_light;
+    let ambient_light = vector_call(scene.ambient_light);
     format!(
         r#"//! A scene of your own. This draws it:
 //! `cargo run -p step05_phong --example my_scene{options}`
@@ -56,7 +130,7 @@ use step05_phong::{{
 pub fn my_scene() -> Scene<Material, Light> {{
     Scene {{
         objects: vec![{objects}],
-        ambient_light: DVec3::new({red:?}, {green:?}, {blue:?}),
+        ambient_light: {ambient_light},
         lights: vec![{lights}],
     }}
 }}
@@ -85,12 +159,14 @@ fn lines(items: impl Iterator<Item = String>) -> String {
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
 
-/// A call of `ball`.
-fn ball_call(Object { name, sphere, material }: &Object<Material>) -> String {
+/// A call of `ball`, with its k where there are mirrors.
+fn ball_call(object: &Object<Mirror>, has_mirrors: bool) -> String {
+    let Object { name, sphere, material: Mirror { material, k } } = object;
     let (centre, colour) =
         (array_literal(sphere.centre), array_literal(material.matte.diffuse));
-    let (r_s, n) = (material.specular.x, material.shininess);
-    format!("ball({name:?}, {centre}, {:?}, {colour}, {r_s:?}, {n})", sphere.radius)
+    let (radius, r_s, n) = (sphere.radius, material.specular.x, material.shininess);
+    let k = if has_mirrors { format!(", {k:?}") } else { String::new() };
+    format!("ball({name:?}, {centre}, {radius:?}, {colour}, {r_s:?}, {n}{k})")
 }
 
 /// A call of `lamp`, with a line for each of its arguments.
@@ -105,4 +181,9 @@ fn lamp_call(Light { point_light, specular }: &Light) -> String {
 
 fn array_literal(vector: DVec3) -> String {
     format!("{:?}", vector.to_array())
+}
+
+/// A call of `DVec3::new`.
+fn vector_call(DVec3 { x, y, z }: DVec3) -> String {
+    format!("DVec3::new({x:?}, {y:?}, {z:?})")
 }

@@ -1,33 +1,44 @@
 use super::parameters::{PARAMETERS, split_parameters};
+use super::settings::Settings;
 use crate::parameter::array;
+use exercises::mirror::Mirror;
 use glam::DVec3;
 use std::iter::zip;
 use step05_phong::{
     Attenuation, Light, Material, Matte, Object, PointLight, Scene, Sphere,
 };
 
-/// The reader's own scene of these values.
+/// The reader's own scene of these values, as step 5 has it.
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
-    let (settings, spheres, lights) = split_parameters(values);
-    let [_columns, _degrees, red, green, blue] = array(settings);
+    let Scene { objects, ambient_light, lights } = own_mirrors(values);
+    let objects = objects.into_iter().map(|object| {
+        let Object { name, sphere, material: Mirror { material, .. } } = object;
+        Object { name, sphere, material }
+    });
+    Scene { objects: objects.collect(), ambient_light, lights }
+}
+
+/// The same scene, each object with its k.
+pub fn own_mirrors(values: &[f64]) -> Scene<Mirror, Light> {
+    let (_, spheres, lights) = split_parameters(values);
     let (_, sphere_parameters, _) = split_parameters(&PARAMETERS);
     let names = sphere_parameters.map(|parameters| parameters[0].group);
     Scene {
         objects: zip(names, spheres)
             .filter_map(|(name, values)| object(name, values))
             .collect(),
-        ambient_light: DVec3::new(red, green, blue),
+        ambient_light: Settings::from_values(values).ambient_light,
         lights: lights.filter_map(light).collect(),
     }
 }
 
 /// A sphere with its material; None if it is switched off.
-fn object(name: &'static str, values: &[f64]) -> Option<Object<Material>> {
-    let [is_there, x, y, z, radius, r_s, n, red, green, blue] = array(values);
+fn object(name: &'static str, values: &[f64]) -> Option<Object<Mirror>> {
+    let [is_there, x, y, z, radius, r_s, n, red, green, blue, k] = array(values);
     let sphere = Sphere { centre: DVec3::new(x, y, z), radius };
     let matte = Matte::of(DVec3::new(red, green, blue));
     let (specular, shininess) = (DVec3::splat(r_s), n as i32);
-    let material = Material { matte, specular, shininess };
+    let material = Mirror { material: Material { matte, specular, shininess }, k };
     (is_there == 1.0).then_some(Object { name, sphere, material })
 }
 

@@ -73,8 +73,11 @@ pub fn place_of_point(camera: &Camera, p: DVec3) -> Option<DVec2> {
     (0.0 < pixel.z).then(|| pixel.truncate() / pixel.z + 0.5)
 }
 
-/// The x and y of the point of the world at a place in the picture and at this z.
-pub fn point_at_place(camera: &Camera, place: DVec2, z: f64) -> DVec2 {
+/// The x and y of the point of the world at a place in the picture and at this z; None
+/// where the ray of that place leads to no such point.
+pub fn point_at_place(camera: &Camera, place: DVec2, z: f64) -> Option<DVec2> {
     let pixel = place - 0.5;
-    camera.ray(pixel.x, pixel.y).at(-z).truncate()
+    let ray = camera.ray(pixel.x, pixel.y);
+    let t = (z - ray.start.z) / ray.direction.z;
+    (0.0 < t && t.is_finite()).then(|| ray.at(t).truncate())
 }

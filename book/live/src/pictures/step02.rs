@@ -29,7 +29,10 @@ pub fn picture() -> Live {
             let (_, sphere) = probe_and_sphere(values);
             place_of_point(&crate::camera(), sphere.centre)
         },
-        |_, _, place| point_at_place(&crate::camera(), place, SPHERE.centre.z),
+        |handle, values, place| {
+            point_at_place(&crate::camera(), place, SPHERE.centre.z)
+                .unwrap_or_else(|| handle.coordinates(values))
+        },
     );
     Live {
         parameters,

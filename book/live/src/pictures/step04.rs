@@ -29,6 +29,7 @@ fn light_handle(words: &str, x: usize) -> Handle {
             let inside = place.clamp(DVec2::splat(24.0), pixel_probe::SIZE - 24.0);
             let z = values[handle.parameters[1] + 1];
             pixel_probe::point_at_place(&crate::camera(), inside, z)
+                .unwrap_or_else(|| handle.coordinates(values))
         },
     );
     Handle { mark: Mark::Light, ..handle }
