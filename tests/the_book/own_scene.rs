@@ -42,6 +42,19 @@ fn zeroed_values(is_zero: fn(&Parameter) -> bool) -> Vec<f64> {
     own_scene().parameters.iter().map(value).collect()
 }
 
+/// The default values, but these for parameters of these groups and words.
+fn changed_values(changes: &[([&str; 2], f64)]) -> Vec<f64> {
+    let mut values = own_scene().default_values();
+    for ([group, words], value) in changes {
+        let is_changed = |parameter: &Parameter| {
+            parameter.group == *group && parameter.words == *words
+        };
+        let index = own_scene().parameters.iter().position(is_changed);
+        values[index.expect(words)] = *value;
+    }
+    values
+}
+
 /// Values anywhere in their ranges, the same for the same seed, of a small picture.
 fn random_values(seed: usize) -> Vec<f64> {
     let values = own_scene().parameters.iter().zip(seed..).map(|(parameter, k)| {
@@ -88,8 +101,29 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
             && ["x", "y", "z"].contains(&parameter.symbol)
     });
     let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_values);
-    let scenes =
-        [default, without_objects, eye_in_a_sphere, random_1, random_2, random_3];
+    let mirrors = [
+        (["the way back", "shadows and mirrors"], 1.0),
+        (["ground", "mirror image"], 0.5),
+    ];
+    let camera = [
+        (["camera", "field of view"], 50.0),
+        (["camera", "position sideways"], 6.0),
+        (["camera", "position upwards"], 3.5),
+        (["camera", "target sideways"], -0.5),
+        (["camera", "target backwards"], -8.0),
+        (["camera", "roll"], -20.0),
+    ];
+    let scenes = [
+        default,
+        without_objects,
+        eye_in_a_sphere,
+        changed_values(&mirrors),
+        changed_values(&camera),
+        changed_values(&[&mirrors[..], &camera].concat()),
+        random_1,
+        random_2,
+        random_3,
+    ];
     let reader = typed_workspace();
     let faults = scenes.iter().filter_map(|scene| program_fault(&reader, scene));
     assert_no_faults(&faults.collect::<Vec<_>>());

@@ -20,6 +20,19 @@ fn default_own_scene_is_that_of_step_5() {
     assert_eq!(own_scene(&values), step05_phong::scene());
 }
 
+#[test]
+fn own_scene_with_shadows_and_mirrors_is_that_of_the_example() {
+    let live = find("own_scene").expect("a picture");
+    let mut values = live.default_values();
+    let mut parameters = live.parameters.iter();
+    let switch = parameters.position(|p| p.words == "shadows and mirrors");
+    values[switch.expect("a switch")] = 1.0;
+    let Output::Picture(picture) = (live.draw)(&values) else {
+        panic!("the scene is drawn")
+    };
+    assert!(picture == exercises::mirror::picture(&live::camera(), 1));
+}
+
 /// The answer to an address of the own scene.
 fn open(address: &str) -> String {
     live::answer(&format!("open own_scene {address}")).text
