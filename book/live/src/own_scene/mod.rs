@@ -17,7 +17,7 @@ use crate::{Handle, Live, Mark, Output};
 use exercises::mirror;
 use glam::{DVec2, DVec3};
 use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES};
-use scene::own_mirrors;
+use scene::mirror_scene;
 use settings::Settings;
 use step05_phong::{Camera, render};
 
@@ -26,19 +26,20 @@ fn camera(values: &[f64]) -> Camera {
     Settings::from_values(values).camera(SIZE.x)
 }
 
-/// The picture of these values.
+/// The picture of these values: by step 5, or by the example `mirror`, in which a ray may
+/// meet ten mirrors.
 fn draw(values: &[f64]) -> Output {
     let settings = Settings::from_values(values);
     let camera = settings.camera(settings.columns);
     if !settings.has_mirrors {
         return render_scene(&camera, &own_scene(values));
     }
-    let scene = own_mirrors(values);
+    let scene = mirror_scene(values);
     Output::Picture(render(&camera, 1, |ray| mirror::colour(&scene, ray, 10)))
 }
 
 /// The handle of a sphere or light whose first parameter, its switch, is number `first`;
-/// x, y and z follow. It sets x and y.
+/// x, y and z follow. It sets x and y, and leaves them where no point at this z is ahead.
 fn object_handle(first: usize) -> Handle {
     Handle::new(
         PARAMETERS[first].group,
@@ -76,7 +77,7 @@ pub fn picture() -> Live {
         numbers: |values| {
             let settings = Settings::from_values(values);
             collect_numbers([
-                ("rust", rust::program(&settings, &own_mirrors(values))),
+                ("rust", rust::program(&settings, &mirror_scene(values))),
                 ("address", address::format_address(&PARAMETERS, values)),
             ])
         },

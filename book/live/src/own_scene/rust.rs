@@ -13,19 +13,17 @@ const LOOK_AT: &str =
 pub fn program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
     let mut program = plain_program(settings, scene);
     if settings.has_mirrors {
-        program = edit(program, &MIRROR_EDITS);
+        program = apply_edits(program, &MIRROR_EDITS);
     }
     if settings.has_moved_camera() {
-        program = edit(program, &camera_edits(settings));
+        program = apply_edits(program, &camera_edits(settings));
     }
     program
 }
 
-/// A text in which each old part is replaced by a new one, where it is first.
-fn edit(text: String, old_and_new: &[(&str, impl AsRef<str>)]) -> String {
-    old_and_new
-        .iter()
-        .fold(text, |text, (old, new)| text.replacen(old, new.as_ref(), 1))
+/// The text after these edits, each of an old part, where it is first, and a new one.
+fn apply_edits(text: String, edits: &[(&str, impl AsRef<str>)]) -> String {
+    edits.iter().fold(text, |text, (old, new)| text.replacen(old, new.as_ref(), 1))
 }
 
 /// The edits that shadows and mirrors ask for: `mirror.rs` draws, and a ball has its k.
@@ -52,7 +50,7 @@ use glam::"#,
     ("colour(&scene, ray)", "colour(&scene, ray, 10)"),
 ];
 
-/// The edits that another camera asks for: `look_at` moves it.
+/// The edits that a moved camera asks for: `look_at` moves it.
 fn camera_edits(settings: &Settings) -> [(&'static str, String); 4] {
     let mut items = LOOK_AT.split("\n\n");
     let function = items.find(|item| item.contains("pub fn look_at("));

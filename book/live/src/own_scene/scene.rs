@@ -10,7 +10,7 @@ use step05_phong::{
 
 /// The reader's own scene of these values, as step 5 has it.
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
-    let Scene { objects, ambient_light, lights } = own_mirrors(values);
+    let Scene { objects, ambient_light, lights } = mirror_scene(values);
     let objects = objects.into_iter().map(|object| {
         let Object { name, sphere, material: Mirror { material, .. } } = object;
         Object { name, sphere, material }
@@ -19,7 +19,7 @@ pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
 }
 
 /// The same scene, each object with its k.
-pub fn own_mirrors(values: &[f64]) -> Scene<Mirror, Light> {
+pub fn mirror_scene(values: &[f64]) -> Scene<Mirror, Light> {
     let (_, spheres, lights) = split_parameters(values);
     let (_, sphere_parameters, _) = split_parameters(&PARAMETERS);
     let names = sphere_parameters.map(|parameters| parameters[0].group);
