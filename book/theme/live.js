@@ -122,7 +122,7 @@ function activateFigure(figure, module) {
     const { columns } = description;
     let divisor = 1, wholeTime = 0, restTimer = 0;
     const request = (verb, ...words) => {
-        const sent = columns === null ? values : values.with(columns, values[columns] / divisor);
+        const sent = columns === null ? values : values.with(columns, description.values[columns] / divisor);
         return [verb, name, ...words, ...sent].join(" ");
     };
     const drawWhole = () => { divisor = 1; show(ask(module, request("show"))); };
@@ -274,10 +274,15 @@ function activateFigure(figure, module) {
     const companion = document.querySelector(`[data-companion="${name}"] g`);
 
     function show(answer) {
-        if (answer.error) return;
-        lastAnswer = answer;
+        if (answer.error) {
+            // There is nothing to show at these values: the last ones stay.
+            values = lastAnswer.values;
+            showControls();
+            return;
+        }
         // The columns of a coarse picture are not the reader's.
-        values = columns === null ? answer.values : answer.values.with(columns, values[columns]);
+        values = columns === null ? answer.values : answer.values.with(columns, description.values[columns]);
+        lastAnswer = { ...answer, values };
         if (answer.size) {
             const [width, height] = answer.size;
             if (output === printed) {
