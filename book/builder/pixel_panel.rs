@@ -7,8 +7,18 @@ use step03_nearest::OBJECTS;
 /// begins with `2-4` is for the pictures of these steps.
 pub const TEXT: &str = include_str!("pixel_panel.md");
 
+/// The same for the picture with mirrors.
+const MIRROR_TEXT: &str = include_str!("mirror_panel.md");
+
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
+
+/// Those of what a mirrored ray meets.
+const MIRROR_COLUMNS: [&str; 9] =
+    ["object", "t", "k", "I", "hidden", "matte", "specular", "p", "n"];
+
+/// The rows of what a ray meets: the example `mirror` allows ten mirrors.
+const MIRROR_ROWS: usize = 11;
 
 /// The box below a picture whose pixels can be asked: everything on the way from a
 /// pixel to its three bytes, of the one that the reader of the page asks.
@@ -16,13 +26,19 @@ const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 /// Hidden until the first is asked; see book/theme/live.js.
 pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     let name = live.name;
-    let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
-    let names = OBJECTS.iter().map(|object| live::short_name(object.name));
-    let rows: Vec<_> =
-        names.take(count).enumerate().map(object_row_markdown).collect();
-    let lines: Vec<_> =
-        TEXT.lines().filter_map(|line| line_for_step(name, line)).collect();
-    let text = lines.join("\n").replace("{{#spheres}}", &rows.join("\n"));
+    let (text, rows): (_, Vec<_>) = if name == "mirror" {
+        let rows = (0..MIRROR_ROWS).map(|k| row_markdown(&MIRROR_COLUMNS, k));
+        (MIRROR_TEXT.to_owned(), rows.collect())
+    } else {
+        let lines = TEXT.lines().filter_map(|line| line_for_step(name, line));
+        let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
+        let spheres = OBJECTS.iter().take(count).enumerate().map(|(k, object)| {
+            let name = live::short_name(object.name);
+            format!("| {name} {}", row_markdown(&COLUMNS, k))
+        });
+        (lines.collect::<Vec<_>>().join("\n"), spheres.collect())
+    };
+    let text = text.replace("{{#rows}}", &rows.join("\n"));
     let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
     let text = text.replace("NAME:", &format!("{name}:"));
     let (markdown, faults) = expand_directives(&text, workspace);
@@ -46,11 +62,11 @@ fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
     steps.contains(&step).then_some(rest)
 }
 
-/// The row of one object.
-fn object_row_markdown((k, name): (usize, &str)) -> String {
-    let cells: Vec<_> = COLUMNS
+/// A row of these numbers, number `k` of the table.
+fn row_markdown(columns: &[&str], k: usize) -> String {
+    let cells: Vec<_> = columns
         .iter()
         .map(|column| format!("{{{{#number {column}{k}}}}}"))
         .collect();
-    format!("| {name} | {} |", cells.join(" | "))
+    format!("| {} |", cells.join(" | "))
 }

@@ -3,8 +3,10 @@
 use live::{Output, find, own_scene};
 
 #[test]
-fn default_picture_is_that_of_the_step() {
-    for (name, picture) in exercises::STEPS {
+fn default_picture_is_that_of_the_program() {
+    let mirror: exercises::Picture = exercises::mirror::picture;
+    for (name, picture) in exercises::STEPS.into_iter().chain([("mirror", mirror)])
+    {
         let output = find(name).expect("a picture").default_output();
         let Output::Picture(default) = output else { panic!("{name} is drawn") };
         assert!(

@@ -1,5 +1,6 @@
-//! The live pictures, each drawn by its step.
+//! The live pictures, each drawn by its step or example.
 
+mod mirror;
 pub mod pixel_probe;
 mod pixel_trace;
 pub mod step01;
@@ -13,14 +14,15 @@ use step05_phong::{Camera, Light, Material, Scene};
 #[cfg(not(target_arch = "wasm32"))]
 use step05_phong::{colour, render};
 
-/// The picture of each step.
-pub fn all() -> [Live; 5] {
+/// The picture of each step, and the mirrors.
+pub fn all() -> [Live; 6] {
     [
         step01::picture(),
         step02::picture(),
         step03::picture(),
         step04::picture(),
         step05::picture(),
+        mirror::picture(),
     ]
 }
 

@@ -27,26 +27,22 @@ fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Material, Light>) {
     (probe, scene)
 }
 
-/// A parameter of each object's material; the page has a control for that of the object
-/// at the probe.
-fn material_parameters(
+/// A parameter of each object, with these defaults; the page has a control for that of the
+/// object at the probe.
+pub fn object_parameters(
     symbol: &'static str,
-    default: fn(&Material) -> f64,
+    defaults: impl Iterator<Item = f64>,
     range: [f64; 2],
     steps_per_unit: f64,
 ) -> impl Iterator<Item = Parameter> {
-    let objects = step05_phong::scene().objects.into_iter();
-    objects.map(move |object| {
-        let default = default(&object.material);
-        Parameter {
-            words: format!("of the {}", object.name),
-            has_control: |parameter, values| {
-                let (probe, _) = Probe::split_values(values);
-                let hit = nearest(&OBJECTS, &probe.ray());
-                hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
-            },
-            ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
-        }
+    OBJECTS.iter().zip(defaults).map(move |(object, default)| Parameter {
+        words: format!("of the {}", object.name),
+        has_control: |parameter, values| {
+            let (probe, _) = Probe::split_values(values);
+            let hit = nearest(&OBJECTS, &probe.ray());
+            hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
+        },
+        ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
     })
 }
 
@@ -56,10 +52,12 @@ pub fn picture() -> Live {
     let mut parameters = Probe::parameters(470.0, 120.0);
     let terms = ["ambient", "diffuse", "specular"];
     parameters.extend(terms.map(|term| Parameter::switch(term, true)));
-    let shininess = |material: &Material| f64::from(material.shininess);
-    let reflectance = |material: &Material| material.specular.x;
-    parameters.extend(material_parameters("n", shininess, [1.0, 300.0], 1.0));
-    parameters.extend(material_parameters("Rₛ", reflectance, [0.0, 1.0], 20.0));
+    let objects = step05_phong::scene().objects;
+    let materials = || objects.iter().map(|object| object.material);
+    let shininesses = materials().map(|material| f64::from(material.shininess));
+    let reflectances = materials().map(|material| material.specular.x);
+    parameters.extend(object_parameters("n", shininesses, [1.0, 300.0], 1.0));
+    parameters.extend(object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0));
     Live {
         parameters,
         handles: vec![Probe::handle()],

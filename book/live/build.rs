@@ -1,0 +1,34 @@
+//! Writes the example `mirror` anew, with an offset that can be set while it runs.
+
+use std::error::Error;
+use std::fs::{read_to_string, write};
+use std::{env, path::Path};
+
+const SHADOWS: &str = "../../steps/step04_diffuse/examples/shadows.rs";
+const MIRROR: &str = "../../steps/step05_phong/examples/mirror.rs";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = env::var("OUT_DIR")?;
+    let path = |name| Path::new(&folder).join(name);
+    let (listed, moving) =
+        ("const OFFSET: f64 = 1e-9;", "use super::super::OFFSET;");
+    let shadows = read_listing(SHADOWS, listed)?.replace(listed, moving);
+    write(path("shadows.rs"), shadows)?;
+    let (listed, moving) =
+        ("\"../../step04_diffuse/examples/shadows.rs\"", path("shadows.rs"));
+    let mirror = read_listing(MIRROR, listed)?;
+    let mirror = mirror.replace(listed, &format!("{moving:?}"));
+    // What is included has no comment on all of it.
+    Ok(write(path("mirror.rs"), mirror.replace("//!", "//"))?)
+}
+
+/// Reads a listing with this part.
+fn read_listing(path: &str, part: &str) -> Result<String, Box<dyn Error>> {
+    println!("cargo::rerun-if-changed={path}");
+    let text = read_to_string(path)?;
+    if text.contains(part) {
+        Ok(text)
+    } else {
+        Err(format!("{path} has no {part}").into())
+    }
+}
