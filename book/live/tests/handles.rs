@@ -215,3 +215,78 @@ fn ratio_of_an_oval_is_as_the_chapter_derives() {
         assert!((ratio - length / width).abs() <= 0.051, "{ratio}");
     }
 }
+
+/// The flat world after a handle was dragged by (x, y) of the drawing, and the words about
+/// the path of its ray.
+fn drag_in_flat_world(handle: usize, by: DVec2) -> Option<(Vec<f64>, String)> {
+    let live = find_live("flat-world");
+    let values = live.default_values();
+    let handle = &live.handles[handle];
+    let place = handle.place(&values).expect("a place") + by;
+    let values = live.drag_handle(&values, handle, place)?;
+    let path = (live.numbers)(&values).remove("path").expect("a path");
+    Some((values, path))
+}
+
+#[test]
+fn path_in_the_flat_world_follows_what_is_dragged() {
+    let [eye, end, light, ball_2, ball_3] = [0, 1, 2, 4, 5];
+    for (handle, by, expected) in [
+        (
+            ball_2,
+            dvec2(-90.0, 0.0),
+            "ball 1 at t = 2.84, in the light; then ball 3",
+        ),
+        (light, dvec2(100.0, 0.0), "ball 1 at t = 2.84, in the light; then ball 3"),
+        (ball_3, dvec2(-96.0, 0.0), "ball 1 at t = 2.84, in shadow; then nothing"),
+        // V is twice as long.
+        (end, dvec2(57.6, -2.4), "ball 1 at t = 1.42, in shadow; then ball 3"),
+        (end, dvec2(0.0, 120.0), "nothing"),
+    ] {
+        let (_, path) = drag_in_flat_world(handle, by).expect("allowed values");
+        assert!(path.starts_with(expected), "{handle}: {path}");
+    }
+    // An eye in a ball, and a V of no length.
+    for (handle, by) in [(eye, dvec2(190.0, 40.0)), (end, dvec2(-57.6, 2.4))] {
+        assert_eq!(drag_in_flat_world(handle, by), None);
+    }
+}
+
+#[test]
+fn flat_world_draws_what_its_caption_says() {
+    let live = find_live("flat-world");
+    for (handle, by) in [(0, DVec2::ZERO), (4, dvec2(-90.0, 0.0)), (1, DVec2::X)] {
+        let (values, path) =
+            drag_in_flat_world(handle, by).expect("allowed values");
+        let live::Output::Drawing(drawing) = (live.draw)(&values) else {
+            panic!("a picture")
+        };
+        let count = |class: &str| drawing.svg_elements().matches(class).count();
+        assert_eq!(count("\"light\""), path.matches("in the light").count());
+        assert_eq!(count("\"guide\""), path.matches("in shadow").count());
+        assert_eq!(count("\"behind dot\""), path.matches("in shadow").count());
+        assert_eq!(count("\"hit dot\""), path.matches("ball").count());
+        assert_eq!(count("\"object seen\""), path.matches("ball").count());
+        // The first hit is at S + tV.
+        let t: f64 = path
+            .split(['=', ','])
+            .nth(1)
+            .and_then(|t| t.trim().parse().ok())
+            .expect("t");
+        let [s, end] =
+            [0, 1].map(|k| live.handles[k].place(&values).expect("a place"));
+        let p = s + t * (end - s);
+        let dots = drawing.svg_elements().split("\"hit dot\" cx=\"").nth(1);
+        let coordinates: Vec<f64> = dots
+            .expect("a dot")
+            .split('"')
+            .step_by(2)
+            .take(2)
+            .filter_map(|number| number.parse().ok())
+            .collect();
+        assert!(
+            DVec2::from_slice(&coordinates).distance(p) < 0.5,
+            "{coordinates:?}, {p}"
+        );
+    }
+}

@@ -4,6 +4,7 @@ mod aspect_ratios;
 mod attenuation;
 mod ball_outlines;
 mod eggs;
+mod flat_world;
 mod frustum;
 mod hits;
 mod lambert;
@@ -38,5 +39,6 @@ pub fn all() -> Vec<Live> {
         attenuation::figure(),
         phong_vectors::figure(),
         lobes::figure(),
+        flat_world::figure(),
     ]
 }
