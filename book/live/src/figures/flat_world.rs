@@ -40,18 +40,19 @@ struct Hit<'a> {
     t: f64,
     point: SurfacePoint<'a, usize>,
     is_hidden: bool,
+    to_light: Ray,
 }
 
 impl World {
     fn new(values: &[f64]) -> Self {
-        let points =
-            values.chunks_exact(2).map(|xy| DVec2::from_slice(xy).extend(0.0));
-        let points: Vec<_> = points.collect();
-        let balls = points[3..].iter().zip(RADII).zip(1..);
-        let balls = balls.map(|((&centre, radius), number)| Object {
+        let points = values.chunks_exact(2).map(DVec2::from_slice);
+        let points: Vec<_> = points.map(|point| point.extend(0.0)).collect();
+        let spheres = points[3..].iter().zip(RADII);
+        let spheres = spheres.map(|(&centre, radius)| Sphere { centre, radius });
+        let balls = spheres.zip(1..).map(|(sphere, material)| Object {
             name: "ball",
-            sphere: Sphere { centre, radius },
-            material: number,
+            sphere,
+            material,
         });
         let ray = Ray { start: points[0], direction: points[1] - points[0] };
         Self { ray, q: points[2], balls: balls.collect() }
@@ -67,37 +68,35 @@ impl World {
         0.3 < direction.length() && self.balls.iter().all(is_outside)
     }
 
-    /// The ray from the eye and the mirrored ones, each with its hit.
-    fn path(&self) -> Vec<(Ray, Option<Hit<'_>>)> {
-        let mut path = vec![];
-        let mut ray = self.ray;
+    /// The hits of the ray from the eye and the mirrored ones, and the ray that meets
+    /// nothing, unless the depth was used up.
+    fn trace(&self) -> (Vec<Hit<'_>>, Option<Ray>) {
+        let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..=DEPTH {
-            let hit =
-                nearest(&self.balls, &ray).zip(visible_point(&self.balls, &ray));
-            let Some((hit, point)) = hit else {
-                path.push((ray, None));
-                break;
+            let hit = nearest(&self.balls, &ray);
+            let point = visible_point(&self.balls, &ray);
+            let Some((hit, point)) = hit.zip(point) else {
+                return (hits, Some(ray));
             };
+            let start = point.p + OFFSET * point.n;
             let is_hidden = hidden(&self.balls, &point, self.q);
-            path.push((ray, Some(Hit { t: hit.t, point, is_hidden })));
-            let direction = reflect(point.n, -ray.direction);
-            ray = Ray { start: point.p + OFFSET * point.n, direction };
+            let to_light = Ray { start, direction: self.q - start };
+            hits.push(Hit { t: hit.t, point, is_hidden, to_light });
+            ray = Ray { start, direction: reflect(point.n, -ray.direction) };
         }
-        path
+        (hits, None)
     }
 
     /// What the ray meets, in words.
     fn path_words(&self) -> String {
-        let path = self.path();
-        let words = path.iter().map(|(_, hit)| match hit {
-            None => "nothing".to_string(),
-            Some(Hit { t, point, is_hidden }) => format!(
-                "ball {} at t = {}, {}",
-                point.material,
-                format_fixed(*t, 2),
-                if *is_hidden { "in shadow" } else { "in the light" }
-            ),
+        let (hits, leaving) = self.trace();
+        let words = hits.iter().map(|hit| {
+            let ball = hit.point.material;
+            let t = format_fixed(hit.t, 2);
+            let place = if hit.is_hidden { "in shadow" } else { "in the light" };
+            format!("ball {ball} at t = {t}, {place}")
         });
+        let words = words.chain(leaving.map(|_| "nothing".into()));
         words.collect::<Vec<_>>().join("; then ")
     }
 }
@@ -106,52 +105,43 @@ impl World {
 fn draw(world: &World) -> Drawing {
     let mut drawing = Drawing::new(480.0, 300.0);
     let place = |point: DVec3| VIEW.to_drawing(point.truncate());
-    let path = world.path();
+    let (hits, leaving) = world.trace();
     for Object { sphere, material, .. } in &world.balls {
-        let hits = path.iter().filter_map(|(_, hit)| hit.as_ref());
-        let is_seen =
-            hits.map(|hit| hit.point.material).any(|ball| ball == material);
+        let is_seen = hits.iter().any(|hit| hit.point.material == material);
         let class = if is_seen { "object seen" } else { "object" };
         let centre = place(sphere.centre);
         drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
         drawing.label("over", centre + dvec2(0.0, 5.0), &material.to_string());
     }
-    for hit in path.iter().filter_map(|(_, hit)| hit.as_ref()) {
-        let SurfacePoint { p, n, .. } = hit.point;
-        let start = p + OFFSET * n;
-        let to_light = Ray { start, direction: world.q - start };
-        let class = if hit.is_hidden { "guide" } else { "light" };
-        drawing.line(class, place(p), place(world.q));
-        let blocking = nearest(&world.balls, &to_light).filter(|_| hit.is_hidden);
+    // A ray that meets nothing leaves the drawing.
+    let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
+    let corners = hits.iter().map(|hit| hit.point.p).chain(end);
+    let corners = [world.ray.start].into_iter().chain(corners).map(place);
+    drawing.path("ray", &corners.collect::<Vec<_>>());
+    for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
+        let class = if *is_hidden { "guide" } else { "light" };
+        drawing.line(class, place(*p), place(world.q));
+        let blocking = nearest(&world.balls, to_light).filter(|_| *is_hidden);
         if let Some(blocking) = blocking {
             drawing.dot("behind", place(to_light.at(blocking.t)));
         }
+        drawing.arrow("normal", place(*p), place(p + 0.7 * n));
+        drawing.dot("hit", place(*p));
     }
-    for (ray, hit) in &path {
-        // A ray that meets nothing leaves the drawing.
-        let far = 20.0 / ray.direction.length();
-        let t = hit.as_ref().map_or(far, |hit| hit.t);
-        drawing.line("ray", place(ray.start), place(ray.at(t)));
-        if let Some(SurfacePoint { p, n, .. }) = hit.as_ref().map(|hit| hit.point) {
-            drawing.arrow("normal", place(p), place(p + 0.7 * n));
-            drawing.dot("hit", place(p));
-        }
-    }
-    let [s, q] = [world.ray.start, world.q].map(place);
-    drawing.arrow("ray", s, place(world.ray.at(1.0)));
+    let [s, v, q] = [world.ray.start, world.ray.at(1.0), world.q].map(place);
+    drawing.arrow("ray", s, v);
     drawing.dot("eye", s);
     drawing.circle("light head", q, 7.0);
-    drawing.label("strong over", s + dvec2(0.0, -14.0), "$S$");
-    drawing.label(
-        "strong over",
-        place(world.ray.at(1.0)) + dvec2(0.0, -14.0),
-        "$V$",
-    );
-    drawing.label("strong over", q + dvec2(0.0, -13.0), "$q$");
-    if let Some((_, Some(hit))) = path.first() {
-        let SurfacePoint { p, n, .. } = hit.point;
-        drawing.label("strong over", place(p - 0.4 * n) + dvec2(0.0, 5.0), "$p$");
-        drawing.label("strong over", place(p + 0.95 * n) + dvec2(0.0, 5.0), "$n$");
+    let above = dvec2(0.0, -14.0);
+    let mut labels =
+        vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
+    if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
+        let [inside, outside] = [-0.4, 0.95].map(|length| place(p + length * n));
+        let down = dvec2(0.0, 5.0);
+        labels.extend([(inside + down, "$p$"), (outside + down, "$n$")]);
+    }
+    for (place, text) in labels {
+        drawing.label("strong over", place, text);
     }
     drawing
 }

@@ -18,19 +18,14 @@ mod example {
     include!(concat!(env!("OUT_DIR"), "/mirror.rs"));
 }
 
-/// How far above the surface a ray starts, a number that can be set.
+/// How far above the surface a ray starts: multiplies as the number that `VALUE` has.
 pub struct Offset;
 
-/// Has the place of the number in the listings.
+/// The offset in the place of the listed one.
 pub const OFFSET: Offset = Offset;
 
-impl Offset {
-    fn set(offset: f64) {
-        VALUE.set(offset);
-    }
-}
-
 thread_local! {
+    /// The number; each thread that draws has its own.
     static VALUE: Cell<f64> = const { Cell::new(0.0) };
 }
 
@@ -42,26 +37,10 @@ impl Mul<DVec3> for Offset {
     }
 }
 
-/// The offsets, of which the listed one is the default.
+/// The offsets, written as in the listing.
 const OFFSETS: &[&str] = &[
-    "0",
-    "10⁻¹⁶",
-    "10⁻¹⁵",
-    "10⁻¹⁴",
-    "10⁻¹³",
-    "10⁻¹²",
-    "10⁻¹¹",
-    "10⁻¹⁰",
-    "10⁻⁹",
-    "10⁻⁸",
-    "10⁻⁷",
-    "10⁻⁶",
-    "10⁻⁵",
-    "10⁻⁴",
-    "10⁻³",
-    "10⁻²",
-    "10⁻¹",
-    "1",
+    "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9",
+    "1e-8", "1e-7", "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
 ];
 
 /// The largest depth, that of the example.
@@ -87,9 +66,7 @@ impl Mirrors {
         let (probe, others) = Probe::split_values(values);
         let (first, ks) = others.split_at(2);
         let [depth, choice] = array(first);
-        // A whole power of ten is exact, so the quotient is the number that a literal is.
-        let power = OFFSETS.len() as i32 - 1 - choice as i32;
-        let offset = if choice == 0.0 { 0.0 } else { 1.0 / 10_f64.powi(power) };
+        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
         let mut scene = mirrors();
         for (object, k) in scene.objects.iter_mut().zip(ks) {
             object.material.k = *k;
@@ -99,8 +76,7 @@ impl Mirrors {
 
     /// The colour that `ray` sees by way of at most `depth` mirrors.
     fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
-        // Each thread that draws has an offset of its own.
-        Offset::set(self.offset);
+        VALUE.set(self.offset);
         colour(&self.scene, ray, depth)
     }
 
@@ -118,8 +94,8 @@ impl Mirrors {
         let named_lights = lights.iter().zip(["warm", "cool"]);
         let hidden_lights = named_lights.filter(|(light, _)| is_hidden(light));
         let hidden_lights: Vec<_> = hidden_lights.map(|(_, name)| name).collect();
-        let opaque = SurfacePoint { p, n, material };
-        let terms = shadowed_phong(&opaque, ray, *ambient_light, lights, is_hidden);
+        let shaded = SurfacePoint { p, n, material };
+        let terms = shadowed_phong(&shaded, ray, *ambient_light, lights, is_hidden);
         let direction = reflect(n, -ray.direction);
         let mirrored = Ray { start: p + OFFSET * n, direction };
         let is_mirror = 0.0 < *k && 0 < depth;
