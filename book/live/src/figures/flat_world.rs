@@ -1,5 +1,5 @@
 use crate::live::collect_numbers;
-use crate::{Drawing, Handle, Live, Output, Parameter, View, format_fixed};
+use crate::{Drawing, Handle, Live, Mark, Output, Parameter, View, format_fixed};
 use exercises::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{
@@ -9,7 +9,7 @@ use step05_phong::{
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
 /// The largest x and y of what is dragged; the smallest is 0.4 each.
-const LARGEST: DVec2 = dvec2(9.6, 5.9);
+const LARGEST: DVec2 = dvec2(9.6, 5.6);
 
 /// The number of mirrors that a ray may meet.
 const DEPTH: usize = 2;
@@ -20,13 +20,13 @@ const DEFAULTS: [(&str, [f64; 2]); 7] = [
     ("the end of V", [1.8, 2.65]),
     ("the light q", [1.5, 5.3]),
     ("ball 1", [4.6, 1.7]),
-    ("ball 2", [2.8, 3.9]),
+    ("ball 2", [2.65, 4.0]),
     ("ball 3", [4.95, 5.1]),
     ("ball 4", [7.2, 2.3]),
 ];
 
 /// The radii of the balls.
-const RADII: [f64; 4] = [1.2, 0.45, 0.8, 0.9];
+const RADII: [f64; 4] = [1.2, 0.55, 0.8, 0.9];
 
 /// A world in the plane z = 0; the material of a ball is its number.
 struct World {
@@ -111,7 +111,8 @@ fn draw(world: &World) -> Drawing {
         let class = if is_seen { "object seen" } else { "object" };
         let centre = place(sphere.centre);
         drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
-        drawing.label("over", centre + dvec2(0.0, 5.0), &material.to_string());
+        // Beside the handle.
+        drawing.label("over", centre + dvec2(21.0, 5.0), &material.to_string());
     }
     // A ray that meets nothing leaves the drawing.
     let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
@@ -132,7 +133,7 @@ fn draw(world: &World) -> Drawing {
     drawing.arrow("ray", s, v);
     drawing.dot("eye", s);
     drawing.circle("light head", q, 7.0);
-    let above = dvec2(0.0, -14.0);
+    let above = dvec2(0.0, -19.0);
     let mut labels =
         vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
     if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
@@ -154,12 +155,14 @@ pub fn figure() -> Live {
         pairs.map(|(x, range)| Parameter::coordinate(*x, range, 20.0))
     });
     let handles = DEFAULTS.iter().enumerate().map(|(k, (words, _))| {
-        Handle::new(
+        let handle = Handle::new(
             *words,
             [2 * k, 2 * k + 1],
             |handle, values| Some(VIEW.to_drawing(handle.coordinates(values))),
             |_, _, place| VIEW.to_world(place),
-        )
+        );
+        let mark = if words.contains("light") { Mark::Light } else { Mark::Point };
+        Handle { mark, ..handle }
     });
     Live {
         title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
