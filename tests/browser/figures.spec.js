@@ -41,7 +41,7 @@ for (const [name, figure, before] of figures) {
     for (const control of isThorough || moved === 0 ? controls : []) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
-        checkbox: 'Space', range: value === min ? 'ArrowRight' : 'ArrowLeft',
+        checkbox: 'Space', range: value === min ? 'End' : 'Home',
         number: value === min ? 'ArrowUp' : 'ArrowDown',
       })[type] ?? 'ArrowDown'));
       await expectChange(`a key on ${await control.locator('..').textContent()}`);
