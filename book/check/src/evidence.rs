@@ -1,26 +1,16 @@
 use crate::pixel_regions::Region;
-use crate::step_scene::Encode;
-use crate::{Picture, Step};
-use glam::DVec3;
+use crate::{Step, default_camera};
 use image::RgbImage;
 use step01_rays::{Camera, Ray};
 
-/// A reader's picture beside ours, in the rows that are compared.
-pub(crate) struct Evidence<'a> {
-    /// The name of our picture.
-    pub name: &'a str,
-    /// The step that draws it; None where an exercise does.
+/// A reader's picture beside ours of the same size.
+pub(crate) struct Evidence {
+    /// The step that draws ours; None where an exercise does.
     pub step: Option<Step>,
-    /// The reader's.
-    pub yours: &'a Picture,
-    /// The same rows of ours.
-    pub ours: RgbImage,
     /// The camera that draws ours.
     pub camera: Camera,
-    /// Function that turns intensities into bytes: `rgb8`, or the one in its place.
-    pub encode: Encode,
-    /// All pixels that are compared, in an order in which a wrong explanation soon fails:
-    /// those that are wrong first, scattered.
+    /// All pixels, in an order in which a wrong explanation soon fails: those that are
+    /// wrong first, scattered.
     pub pixels: Vec<Pixel>,
 }
 
@@ -42,40 +32,31 @@ impl Pixel {
         self.yours != self.ours
     }
 
+    pub fn is_sky(&self) -> bool {
+        self.region.object.is_none()
+    }
+
     /// How far the channel is apart that differs most.
     pub fn largest_channel_difference(&self) -> u8 {
         (0..3).map(|k| self.yours[k].abs_diff(self.ours[k])).max().unwrap_or(0)
     }
 }
 
-impl<'a> Evidence<'a> {
-    /// Compares two pictures of the same rows.
-    pub fn new(
-        name: &'a str,
-        step: Option<Step>,
-        yours: &'a Picture,
-        ours: RgbImage,
-        camera: Camera,
-        encode: Encode,
-    ) -> Self {
-        let columns = u64::from(yours.size.0);
-        let count = columns * yours.rows.len() as u64;
-        // 7919 is a prime, so that it visits every place where it divides no count.
-        let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
+impl Evidence {
+    /// Compares two pictures of the same size.
+    pub fn new(step: Option<Step>, yours: &RgbImage, ours: &RgbImage) -> Self {
+        let (columns, rows) = ours.dimensions();
+        let camera = default_camera(columns, rows);
         let region = Region::function_of_ray(step);
-        let pixel = |n: u64| {
-            let place = n * stride % count;
-            let (i, k) = ((place % columns) as u32, (place / columns) as u32);
-            let j = yours.rows[k as usize];
+        let pixel = |(i, j): (u32, u32)| {
             let region = region(&camera.ray(i.into(), j.into()));
-            let [yours, ours] =
-                [&yours.pixels, &ours].map(|one| one.get_pixel(i, k).0);
+            let [yours, ours] = [yours, ours].map(|one| one.get_pixel(i, j).0);
             Pixel { i, j, yours, ours, region }
         };
         let (mut pixels, right): (Vec<_>, Vec<_>) =
-            (0..count).map(pixel).partition(Pixel::is_wrong);
+            scattered_places(columns, rows).map(pixel).partition(Pixel::is_wrong);
         pixels.extend(right);
-        Self { name, step, yours, ours, camera, encode, pixels }
+        Self { step, camera, pixels }
     }
 
     /// The pixels that are wrong.
@@ -84,19 +65,15 @@ impl<'a> Evidence<'a> {
         &self.pixels[..count]
     }
 
-    /// Whether it has the size and the rows of a locked picture.
-    pub fn has_all_rows(&self) -> bool {
-        self.yours.has_all_rows()
+    /// About so many of the wrong pixels, spread over all of them.
+    pub fn some_wrong_pixels(&self, count: usize) -> Vec<&Pixel> {
+        let wrong = self.wrong_pixels();
+        wrong.iter().step_by(wrong.len().div_ceil(count).max(1)).collect()
     }
 
     /// The ray of our camera through a pixel.
     pub fn our_ray(&self, pixel: &Pixel) -> Ray {
         self.camera.ray(pixel.i.into(), pixel.j.into())
-    }
-
-    /// The pixel that an intensity gives.
-    pub fn encode(&self, intensity: DVec3) -> [u8; 3] {
-        (self.encode)(intensity)
     }
 
     /// How many of the pixels in a region are wrong, and how many there are.
@@ -109,4 +86,18 @@ impl<'a> Evidence<'a> {
             (wrong + usize::from(pixel.is_wrong()), all + 1)
         })
     }
+}
+
+/// Column and row of every pixel, in an order that soon comes to each part of the picture.
+pub(crate) fn scattered_places(
+    columns: u32,
+    rows: u32,
+) -> impl Iterator<Item = (u32, u32)> {
+    let (columns, count) =
+        (u64::from(columns), u64::from(columns) * u64::from(rows));
+    // 7919 is a prime, so that it visits every place where it divides no count.
+    let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
+    let place = move |n: u64| n * stride % count;
+    (0..count)
+        .map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
 }

@@ -15,8 +15,6 @@ pub(crate) struct Explanation<'a> {
     pub colours: Box<dyn Fn(&Pixel) -> Range + 'a>,
     /// How many rays its colours take.
     pub rays: u32,
-    /// Whether it says nothing of pixels that are right: there it is ours.
-    pub only_wrong: bool,
     /// One pixel of so many may be another, which is counted and told; 0 where none may.
     pub exceptions: usize,
 }
@@ -31,21 +29,6 @@ impl<'a> Explanation<'a> {
         Self::within_range(sentence, files, move |pixel| [colour(pixel); 2])
     }
 
-    /// One with fitted numbers: a byte may be off by one.
-    pub fn within_one(
-        sentence: impl Into<String>,
-        files: &[&'static str],
-        colour: impl Fn(&Pixel) -> [u8; 3] + 'a,
-    ) -> Self {
-        Self::within_range(sentence, files, move |pixel| {
-            let colour = colour(pixel);
-            [
-                colour.map(|c| c.saturating_sub(1)),
-                colour.map(|c| c.saturating_add(1)),
-            ]
-        })
-    }
-
     /// One that gives each pixel a range of colours.
     pub fn within_range(
         sentence: impl Into<String>,
@@ -57,39 +40,15 @@ impl<'a> Explanation<'a> {
             files: files.to_vec(),
             colours: Box::new(colours),
             rays: 1,
-            only_wrong: false,
             exceptions: 0,
         }
     }
 
-    /// Whether it gives the reader's colour in every pixel of a region.
-    pub fn holds_in_region(
+    /// Number of pixels that have another colour than it gives them; None where these are
+    /// too many.
+    fn count_exceptions(
         &self,
         evidence: &Evidence,
-        is_in_region: impl Fn(&Pixel) -> bool,
-        budget: &RayBudget,
-    ) -> bool {
-        self.count_exceptions(evidence, is_in_region, budget) == Some(0)
-    }
-
-    /// Whether it gives the reader's colour in the first pixels of those that are compared.
-    pub fn holds_in_first_pixels(
-        &self,
-        evidence: &Evidence,
-        count: usize,
-        budget: &RayBudget,
-    ) -> bool {
-        evidence.pixels[..count].iter().all(|pixel| {
-            let [low, high] = (self.colours)(pixel);
-            budget.spend(self.rays) && is_colour_between(low, pixel.yours, high)
-        })
-    }
-
-    /// Number of pixels of a region in which it does not; None where these are too many.
-    pub fn count_exceptions(
-        &self,
-        evidence: &Evidence,
-        is_in_region: impl Fn(&Pixel) -> bool,
         budget: &RayBudget,
     ) -> Option<usize> {
         let most_exceptions =
@@ -97,17 +56,14 @@ impl<'a> Explanation<'a> {
         let most_exceptions =
             most_exceptions.min(evidence.wrong_pixels().len() / 100);
         let mut count = 0;
-        let pixels = if self.only_wrong {
-            evidence.wrong_pixels()
-        } else {
-            &evidence.pixels
-        };
-        for pixel in pixels.iter().filter(|pixel| is_in_region(pixel)) {
+        for pixel in &evidence.pixels {
             if !budget.spend(self.rays) {
                 return None;
             }
             let [low, high] = (self.colours)(pixel);
-            count += usize::from(!is_colour_between(low, pixel.yours, high));
+            let is_between =
+                (0..3).all(|k| (low[k]..=high[k]).contains(&pixel.yours[k]));
+            count += usize::from(!is_between);
             if most_exceptions < count {
                 return None;
             }
@@ -116,8 +72,16 @@ impl<'a> Explanation<'a> {
     }
 }
 
-fn is_colour_between(low: [u8; 3], colour: [u8; 3], high: [u8; 3]) -> bool {
-    (0..3).all(|k| low[k] <= colour[k] && colour[k] <= high[k])
+/// The range of some colours, and so much beyond it.
+pub(crate) fn range_with_margin(colours: &[[u8; 3]], margin: u8) -> Range {
+    let mut range = [[255; 3], [0; 3]];
+    for colour in colours {
+        for k in 0..3 {
+            range[0][k] = range[0][k].min(colour[k].saturating_sub(margin));
+            range[1][k] = range[1][k].max(colour[k].saturating_add(margin));
+        }
+    }
+    range
 }
 
 /// Rays that may still be computed for an answer: the bound of its time, the same on
@@ -144,12 +108,11 @@ impl RayBudget {
 /// says in how many pixels it does not, where it may.
 pub(crate) fn find_first_that_holds<'a>(
     evidence: &Evidence,
-    explanations: impl Iterator<Item = Explanation<'a>>,
+    mut explanations: impl Iterator<Item = Explanation<'a>>,
     budget: &RayBudget,
 ) -> Option<Explanation<'a>> {
-    explanations.into_iter().find_map(|mut explanation| {
-        let exceptions =
-            explanation.count_exceptions(evidence, |_| true, budget)?;
+    explanations.find_map(|mut explanation| {
+        let exceptions = explanation.count_exceptions(evidence, budget)?;
         if 0 < exceptions {
             explanation.sentence +=
                 &format!(" All but {exceptions} pixels are so.");

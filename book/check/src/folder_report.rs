@@ -1,20 +1,18 @@
 use crate::{Answer, Locked, check_png, escape_for_terminal, read_bounded_file};
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// Verdict on one picture in a folder.
+const ABSENT: &str = "absent";
+const UNREADABLE: &str = "unreadable";
+const RIGHT: &str = "right";
+const WRONG: &str = "not right";
+
+/// Verdict on one picture in a folder: one of the four above, with what is to be said of it.
 struct Entry<'a> {
     picture: &'a str,
-    verdict: Verdict,
-}
-
-enum Verdict {
-    Absent,
-    Unreadable(String),
-    /// With what is to be said of the file.
-    Right(String),
-    /// With the whole answer.
-    Wrong(String),
+    verdict: &'static str,
+    text: String,
 }
 
 /// Looks for every picture of the course in `folder`, and says of each whether it is right,
@@ -30,42 +28,31 @@ pub fn report_on_folder_or_class(
     locked: &[Locked],
     as_json: bool,
 ) -> Answer {
-    let own_entries = check_entries(folder, locked);
-    let inner = match own_entries
-        .iter()
-        .all(|entry| matches!(entry.verdict, Verdict::Absent))
-    {
+    let own = vec![(folder.to_owned(), check_entries(folder, locked))];
+    let students = match own[0].1.iter().all(|entry| entry.verdict == ABSENT) {
         true => visible_folders_in(folder),
         false => vec![],
     };
-    let is_class = !inner.is_empty();
+    let is_class = !students.is_empty();
     let all: Vec<_> = match is_class {
-        false => vec![(folder.to_owned(), own_entries)],
+        false => own,
         true => {
-            let own_entries = |folder: PathBuf| {
-                let entries = check_entries(&folder, locked);
-                (folder, entries)
-            };
-            inner.into_iter().map(own_entries).collect()
+            let entries = |one: PathBuf| (one.clone(), check_entries(&one, locked));
+            students.into_iter().map(entries).collect()
         }
     };
-    let lines: Vec<_> = match (as_json, is_class) {
-        (true, _) => vec![format_json(&all)],
-        (false, false) => {
-            all.iter().map(|(_, entries)| format_table(entries)).collect()
-        }
-        (false, true) => all
-            .iter()
-            .map(|(folder, own_entries)| format_student_line(folder, own_entries))
-            .collect(),
+    let lines = all.iter().map(|(folder, entries)| match is_class {
+        true => format_student_line(folder, entries),
+        false => format_table(entries),
+    });
+    let text = match as_json {
+        true => format_json(&all),
+        false => lines.collect::<Vec<_>>().join("\n"),
     };
     let verdicts = all.iter().flat_map(|(_, entries)| entries);
-    let codes = verdicts.filter_map(|entry| match entry.verdict {
-        Verdict::Absent => None,
-        Verdict::Right(_) => Some(0),
-        _ => Some(1),
-    });
-    Answer::new(codes.max().unwrap_or(2), lines.join("\n"))
+    let there = verdicts.filter(|entry| entry.verdict != ABSENT);
+    let codes = there.map(|entry| u8::from(entry.verdict != RIGHT));
+    Answer::new(codes.max().unwrap_or(2), text)
 }
 
 /// The folders in a folder, by their names.
@@ -83,35 +70,34 @@ fn visible_folders_in(folder: &Path) -> Vec<PathBuf> {
 
 fn check_entries<'a>(folder: &Path, locked: &'a [Locked]) -> Vec<Entry<'a>> {
     let entry = |Locked { name, .. }: &'a Locked| {
-        let file = format!("{name}.png");
-        let path = folder.join(&file);
-        let verdict = match path.symlink_metadata() {
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-                Verdict::Absent
-            }
-            _ => match read_bounded_file(&path) {
-                Err(why) => Verdict::Unreadable(why),
-                Ok(png) => {
-                    let Answer { code, text, .. } =
-                        check_png(&png, &file, Some(name), locked);
-                    match code {
-                        0 => Verdict::Right(join_lines_after_first(&text)),
-                        1 => Verdict::Wrong(text),
-                        _ => Verdict::Unreadable(
-                            first_line_without_prefix(&text).to_owned(),
-                        ),
-                    }
-                }
-            },
-        };
-        Entry { picture: name, verdict }
+        let (verdict, text) = check_entry(folder, name, locked);
+        Entry { picture: name, verdict, text }
     };
     locked.iter().map(entry).collect()
 }
 
-/// Joins the lines after the first of an answer into one.
-fn join_lines_after_first(answer_text: &str) -> String {
-    answer_text.lines().skip(1).collect::<Vec<_>>().join(" ")
+/// The verdict on one picture, and what is to be said of it.
+fn check_entry(
+    folder: &Path,
+    name: &str,
+    locked: &[Locked],
+) -> (&'static str, String) {
+    let file = format!("{name}.png");
+    let path = folder.join(&file);
+    let metadata = path.symlink_metadata();
+    if metadata.is_err_and(|error| error.kind() == ErrorKind::NotFound) {
+        return (ABSENT, String::new());
+    }
+    let png = match read_bounded_file(&path) {
+        Err(why) => return (UNREADABLE, why),
+        Ok(png) => png,
+    };
+    let Answer { code, text, .. } = check_png(&png, &file, Some(name), locked);
+    match code {
+        0 => (RIGHT, text.lines().skip(1).collect::<Vec<_>>().join(" ")),
+        1 => (WRONG, text),
+        _ => (UNREADABLE, first_line_without_prefix(&text).to_owned()),
+    }
 }
 
 /// The first line of an answer, without what a table says itself.
@@ -121,57 +107,39 @@ fn first_line_without_prefix(answer_text: &str) -> &str {
     starts.iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line)
 }
 
-fn is_right(entry: &&Entry) -> bool {
-    matches!(entry.verdict, Verdict::Right(_))
+fn count_right(entries: &[Entry]) -> usize {
+    entries.iter().filter(|entry| entry.verdict == RIGHT).count()
 }
 
 /// One line for each picture, and how many are right.
 fn format_table(entries: &[Entry]) -> String {
-    let width =
-        entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0) + 2;
-    let line = |Entry { picture, verdict }: &Entry| {
-        let verdict_text = match verdict {
-            Verdict::Absent => "not there".to_owned(),
-            Verdict::Unreadable(why) => format!("unreadable: {why}"),
-            Verdict::Right(notes) if notes.is_empty() => "right".to_owned(),
-            Verdict::Right(notes) => format!("right; {notes}"),
-            Verdict::Wrong(text) => {
-                format!("not right: {}", first_line_without_prefix(text))
-            }
+    let width = entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0);
+    let line = |Entry { picture, verdict, text }: &Entry| {
+        let verdict = if *verdict == ABSENT { "not there" } else { verdict };
+        let words = match first_line_without_prefix(text) {
+            "" => verdict.to_owned(),
+            text => format!("{verdict}: {text}"),
         };
-        format!("{picture:width$}{verdict_text}\n")
+        format!("{picture:width$}  {words}\n")
     };
     let lines: String = entries.iter().map(line).collect();
-    let right = entries.iter().filter(is_right).count();
-    format!("{lines}{right} of {} are right.", entries.len())
+    format!("{lines}{} of {} are right.", count_right(entries), entries.len())
 }
 
 /// One line for a student's folder.
 fn format_student_line(folder: &Path, entries: &[Entry]) -> String {
-    let names = |is_selected: fn(&Verdict) -> bool| {
-        let selected = entries.iter().filter(|entry| is_selected(&entry.verdict));
-        selected.map(|entry| entry.picture).collect::<Vec<_>>().join(", ")
-    };
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let mut line = format!(
         "{}: {} of {} are right",
-        escape_for_terminal(
-            &folder.file_name().unwrap_or_default().to_string_lossy()
-        ),
-        entries.iter().filter(is_right).count(),
+        escape_for_terminal(&name),
+        count_right(entries),
         entries.len()
     );
-    for (what, names) in [
-        ("not right", names(|verdict| matches!(verdict, Verdict::Wrong(_)))),
-        ("unreadable", names(|verdict| matches!(verdict, Verdict::Unreadable(_)))),
-        (
-            "with a note",
-            names(
-                |verdict| matches!(verdict, Verdict::Right(notes) if !notes.is_empty()),
-            ),
-        ),
-    ] {
+    for verdict in [WRONG, UNREADABLE] {
+        let names = entries.iter().filter(|entry| entry.verdict == verdict);
+        let names: Vec<_> = names.map(|entry| entry.picture).collect();
         if !names.is_empty() {
-            line += &format!("; {what}: {names}");
+            line += &format!("; {verdict}: {}", names.join(", "));
         }
     }
     line
@@ -179,14 +147,9 @@ fn format_student_line(folder: &Path, entries: &[Entry]) -> String {
 
 /// A list of folders, each with the verdict on each picture.
 fn format_json(folders: &[(PathBuf, Vec<Entry>)]) -> String {
-    let entry = |Entry { picture, verdict }: &Entry| {
-        let (verdict, text) = match verdict {
-            Verdict::Absent => ("absent", ""),
-            Verdict::Unreadable(why) => ("unreadable", &why[..]),
-            Verdict::Right(notes) => ("right", &notes[..]),
-            Verdict::Wrong(text) => ("not right", &text[..]),
-        };
-        let [picture, verdict, text] = [picture, verdict, text].map(quote_json);
+    let entry = |Entry { picture, verdict, text }: &Entry| {
+        let [picture, verdict, text] =
+            [picture, verdict, &text[..]].map(quote_json);
         format!(
             "    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}"
         )

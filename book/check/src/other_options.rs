@@ -1,141 +1,104 @@
-use crate::camera_from_sky::SkyCamera;
-use crate::evidence::Evidence;
-use crate::explanation::{Explanation, RayBudget};
+use crate::evidence::scattered_places;
+use crate::explanation::RayBudget;
 use crate::step_scene::{ENCODE, intensity_function, scene_of_step};
-use crate::{Picture, Step, find_mistakes_with_hash, hash_picture};
+use crate::{Step, find_mistakes_with_hash, hash_picture};
 use glam::DVec3;
-use image::{Rgb, RgbImage};
+use image::RgbImage;
 use step01_rays::Camera;
 
-/// The field of view of the locked pictures, in degrees.
-const FIELD_OF_VIEW: f64 = 60.0;
+/// The field of view of the locked pictures, in tenths of a degree.
+const FIELD_OF_VIEW: u32 = 600;
 
-/// The options of a program with which a picture is drawn.
-pub(crate) struct Options {
-    /// In degrees.
-    pub fov_degrees: f64,
-    /// The side of the grid of rays.
-    pub samples: u32,
-    /// How many pixels were compared.
-    pub compared: usize,
-}
+/// How many rays are drawn to find out whether a picture has some options, and to try all.
+const RAYS: u32 = 3 << 20;
+const ALL_RAYS: u32 = 4 * RAYS;
 
-/// Our own picture in some rows.
-pub(crate) fn draw_rows(step: Step, camera: &Camera, rows: &[u32]) -> RgbImage {
-    if rows.len() == camera.v_res as usize {
-        return step.draw_picture(camera, 1);
+/// Sentences about a picture that our own step draws with other options: another size, field
+/// of view or number of samples.
+pub(crate) fn describe_other_options(
+    step: Step,
+    yours: &RgbImage,
+) -> Option<String> {
+    let (columns, rows) = yours.dimensions();
+    if columns < 2 {
+        return None;
     }
     let intensity = intensity_function(step, &scene_of_step(step));
-    RgbImage::from_fn(camera.h_res, rows.len() as u32, |i, k| {
-        let ray = camera.ray(i.into(), rows[k as usize].into());
-        Rgb(ENCODE(intensity(&ray)))
-    })
-}
-
-/// The options with which our own step draws this very picture.
-pub(crate) fn find_other_options(
-    step: Step,
-    yours: &Picture,
-    budget: &RayBudget,
-) -> Option<Options> {
-    let (columns, rows) = yours.size;
-    let fov_of_sky = SkyCamera::fit(&yours.with_spread_rows(1 << 16))
-        .map(|sky| sky.rounded_fov_degrees(columns));
-    let fov_of_sky = fov_of_sky
-        .filter(|angle| 1.0 <= *angle && *angle < 180.0 && *angle != FIELD_OF_VIEW);
-    [Some(FIELD_OF_VIEW), fov_of_sky].into_iter().flatten().find_map(
-        |fov_degrees| {
-            let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-            let ours = draw_rows(step, &camera, &yours.rows);
-            if ours == yours.pixels {
-                let compared = yours.pixels.pixels().len();
-                return Some(Options { fov_degrees, samples: 1, compared });
-            }
-            let evidence = Evidence::new("", None, yours, ours, camera, ENCODE);
-            (2..=16).find_map(|samples| {
-                // Those that are wrong come first: no pixel that another one tells of is left out.
-                let pixels = (RAYS / (samples * samples)) as usize;
-                let compared = pixels.min(evidence.pixels.len());
-                let explanation = sample_grid_candidate(&evidence, step, samples);
-                let holds = evidence.wrong_pixels().len() <= compared
-                    && explanation
-                        .holds_in_first_pixels(&evidence, compared, budget);
-                holds.then_some(Options { fov_degrees, samples, compared })
-            })
-        },
-    )
-}
-
-/// How many rays are drawn to find out whether a picture has so many samples.
-const RAYS: u32 = 3 << 20;
-
-/// Each pixel the mean of a grid of rays.
-fn sample_grid_candidate<'a>(
-    evidence: &'a Evidence,
-    step: Step,
-    samples: u32,
-) -> Explanation<'a> {
-    let intensity = intensity_function(step, &scene_of_step(step));
-    let side = f64::from(samples);
-    let offset = move |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    let mut explanation = Explanation::exact("", &[], move |pixel| {
+    let colour = |camera: &Camera, samples: u32, (i, j): (u32, u32)| {
+        let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
         let mut sum = DVec3::ZERO;
         for v in (0..samples).map(offset) {
             for u in (0..samples).map(offset) {
-                let (i, j) = (f64::from(pixel.i) + u, f64::from(pixel.j) + v);
-                sum += intensity(&evidence.camera.ray(i, j));
+                sum += intensity(&camera.ray(f64::from(i) + u, f64::from(j) + v));
             }
         }
-        ENCODE(sum / (side * side))
-    });
-    explanation.rays = samples * samples;
-    explanation
+        ENCODE(sum / f64::from(samples * samples))
+    };
+    let budget = RayBudget::new(ALL_RAYS);
+    let mut places: Vec<_> =
+        scattered_places(columns, rows).take(RAYS as usize).collect();
+    for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
+        let fov_degrees = f64::from(tenths) / 10.0;
+        let camera = Camera::new(columns, rows, fov_degrees.to_radians());
+        // The sky in the corner hardly depends on the samples.
+        let corner = colour(&camera, 1, (0, 0)).into_iter();
+        let corner = corner.zip(yours.get_pixel(0, 0).0);
+        if corner.into_iter().any(|(ours, yours)| 1 < ours.abs_diff(yours)) {
+            continue;
+        }
+        for samples in 1..=16 {
+            let rays = samples * samples;
+            let compared = places.len().min((RAYS / rays) as usize);
+            let mut asked = places[..compared].iter();
+            let wrong = asked.position(|(i, j)| {
+                !budget.spend(rays)
+                    || colour(&camera, samples, (*i, *j))
+                        != yours.get_pixel(*i, *j).0
+            });
+            match wrong {
+                None => {
+                    return Some(sentences(
+                        step,
+                        yours,
+                        fov_degrees,
+                        samples,
+                        compared,
+                    ));
+                }
+                // A pixel that tells of one mostly tells of the next, and is asked first.
+                Some(k) => places.swap(0, k),
+            }
+        }
+    }
+    None
 }
 
-impl Options {
-    /// Whether these are those of the locked pictures but for the size.
-    pub fn are_default_but_size(&self) -> bool {
-        self.fov_degrees == FIELD_OF_VIEW && self.samples == 1
-    }
-
-    /// Sentences about a picture that is right with them.
-    pub fn sentences(&self, step: Step, yours: &Picture) -> String {
-        let ((columns, rows), name) = (yours.size, step.name());
-        let Self { fov_degrees, samples, compared } = *self;
-        let all = columns as usize * rows as usize;
-        let extent = match yours.has_all_rows() {
-            true if compared == all => "in every pixel".to_owned(),
-            true => format!("in the {compared} pixels of {all} that were compared"),
-            false => format!(
-                "in the {} rows of {rows} that were compared",
-                yours.rows.len()
-            ),
-        };
-        let options = format!(
-            "at {columns}×{rows} pixels, {fov_degrees}° and {samples}×{samples} rays a \
-             pixel."
-        );
-        if !yours.has_all_rows() && self.are_default_but_size() {
-            return format!(
-                "Right {extent}: this is the picture of {name}, {options}"
-            );
-        }
-        let clause = format!("this is the picture of {name}, {extent}, {options}");
-        let mistake =
-            find_mistakes_with_hash(hash_picture(&yours.pixels)).into_iter().next();
-        let mistake = mistake.filter(|_| yours.has_all_rows());
-        let hint = match mistake {
-            Some((mistake, _)) => format!(
-                "Did you give none? Then it may be this: {} ({}).",
-                mistake.title, mistake.file
-            ),
-            None => "Did you give none? Then compare with camera.rs, render.rs, \
-                     aspect_ratio.rs and program.rs in steps/step01_rays/src."
-                .to_owned(),
-        };
-        format!(
-            "Right, but with other options: {clause}\nThe locked picture is drawn without \
-             options, which is --width 640 --aspect 16:9 --fov 60 --samples 1. {hint}"
-        )
-    }
+/// Sentences about a picture that is right with these options, in the pixels compared.
+fn sentences(
+    step: Step,
+    yours: &RgbImage,
+    fov_degrees: f64,
+    samples: u32,
+    compared: usize,
+) -> String {
+    let ((columns, rows), name) = (yours.dimensions(), step.name());
+    let extent = match columns as usize * rows as usize {
+        all if compared == all => "in every pixel".to_owned(),
+        all => format!("in the {compared} pixels of {all} that were compared"),
+    };
+    let hint = match find_mistakes_with_hash(hash_picture(yours)).first() {
+        Some((mistake, _)) => format!(
+            "Did you give none? Then it may be this: {} ({}).",
+            mistake.title, mistake.file
+        ),
+        None => "Did you give none? Then compare with camera.rs, render.rs, aspect_ratio.rs \
+                 and program.rs in steps/step01_rays/src."
+            .to_owned(),
+    };
+    format!(
+        "Right, but with other options: this is the picture of {name}, {extent}, at \
+         {columns}×{rows} pixels, {fov_degrees}° and {samples}×{samples} rays a pixel.\n\
+         The locked picture is drawn without options, which is --width 640 --aspect 16:9 \
+         --fov 60 --samples 1. {hint}"
+    )
 }

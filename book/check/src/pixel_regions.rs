@@ -10,8 +10,6 @@ use step05_phong::{Ray, normal, reflect, terms};
 pub(crate) struct Region {
     /// The number of the object, None where it is the sky.
     pub object: Option<u8>,
-    /// Whether the ray meets another one, too.
-    pub is_crowded: bool,
     /// Whether each light is on the outer side there.
     pub lit: [bool; 2],
     /// Whether a light is so that its highlight, large or small, reaches there.
@@ -30,7 +28,7 @@ impl Region {
 
     fn of_ray(step: Step, scene: &Scene, ray: &Ray) -> Self {
         let hits = hits_nearest_first(scene, ray);
-        let mut region = Self { is_crowded: 1 < hits.len(), ..Self::default() };
+        let mut region = Self::default();
         let Some((t, k)) = hits.first().copied() else { return region };
         region.object = u8::try_from(k).ok();
         if step < Step::Diffuse {

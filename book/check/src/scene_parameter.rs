@@ -2,7 +2,8 @@ use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{
-    LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
+    ENCODE, LIGHTS, Scene, intensity_function, object_name_with_article,
+    scene_of_step,
 };
 use step05_phong::Matte;
 
@@ -206,9 +207,7 @@ fn fitting_number_candidates<'a>(
         all_with_one_number_changed(parameter, old).into_iter().filter(|new| {
             (parameter.set)(&mut scene, owner_index, *new);
             let intensity = intensity_function(step, &scene);
-            first
-                .iter()
-                .all(|(ray, yours)| evidence.encode(intensity(ray)) == *yours)
+            first.iter().all(|(ray, yours)| ENCODE(intensity(ray)) == *yours)
         });
     let fits: Vec<_> = fits.take(8).collect();
     let preposition = if parameter.name.is_empty() { "at " } else { "" };
@@ -222,7 +221,7 @@ fn fitting_number_candidates<'a>(
             "In your picture {owner} {verb} {preposition}{new}; it should be {preposition}{old}."
         );
         Explanation::exact(sentence, &[file], move |pixel| {
-            evidence.encode(intensity(&evidence.our_ray(pixel)))
+            ENCODE(intensity(&evidence.our_ray(pixel)))
         })
     };
     fits.into_iter().map(explanation).collect()

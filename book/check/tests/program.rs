@@ -75,7 +75,7 @@ fn unusable_input_gives_one_line_and_exit_code_2() {
         (&["text.png"], "is not a PNG file, but text"),
         (&["photo.png"], "is a JPEG, which has lost details"),
         (&["short.png"], "is a damaged PNG file"),
-        (&["huge.png"], "200000×200000 pixels, which is too large"),
+        (&["huge.png"], "is too large: pictures of up to 4096×4096"),
         (&["right.png", "step06_mirror"], "step01_rays, step02_sphere"),
         (&["--in", "nowhere"], "is not a folder"),
     ] {
