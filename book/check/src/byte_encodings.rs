@@ -6,9 +6,11 @@ use std::rc::Rc;
 /// Files in which intensities become bytes.
 const FILES: [&str; 2] = ["step01_rays/rgb8.rs", "step01_rays/render.rs"];
 
-/// Other encodings of an intensity I than `rgb8`, each with its words in a sentence. What
-/// they give is cut off to a byte.
-const ENCODINGS: [(&str, fn(f64) -> f64); 22] = [
+/// A number that is cut off to a byte, of an intensity I.
+type Encoding = fn(f64) -> f64;
+
+/// Other encodings of an intensity I than `rgb8`, each with its words in a sentence.
+const ENCODINGS: [(&str, Encoding); 22] = [
     ("255·I cut off, not rounded", |i| 255.0 * i),
     ("255.99·I cut off", |i| 255.99 * i),
     ("255.999·I cut off", |i| 255.999 * i),

@@ -142,24 +142,23 @@ const DIFFUSE: Parameter = Parameter {
 /// How many pixels are asked of a number before all are.
 const FIRST: usize = 32;
 
+/// The most numbers of one parameter that are asked of all pixels.
+const MOST_NUMBERS: usize = 8;
+
 /// Explanations, tried in a few pixels: our scene with one other number.
-pub(crate) fn changed_number_candidates<'a>(
-    evidence: &'a Evidence,
-) -> impl Iterator<Item = Explanation<'a>> {
+pub(crate) fn changed_number_candidates(
+    evidence: &Evidence,
+) -> impl Iterator<Item = Explanation<'_>> {
     let step = evidence.step.filter(|step| Step::Sphere <= *step);
-    let parameters = PARAMETERS.iter().filter(move |one| Some(one.since) <= step);
     step.into_iter().flat_map(move |step| {
-        let parameters = parameters.clone();
+        let parameters = PARAMETERS.iter().filter(move |one| one.since <= step);
         parameters.flat_map(move |parameter| {
-            let owners = parameter_name_of_each_owner(parameter, step)
-                .into_iter()
-                .enumerate();
-            let owners = owners.filter(move |(k, _)| {
-                may_cause_wrong_pixels(parameter, *k, evidence)
-            });
-            owners.flat_map(move |(k, owner)| {
-                fitting_number_candidates(evidence, step, parameter, k, owner)
-            })
+            let names = owner_names(parameter.owner, step).into_iter().enumerate();
+            names
+                .filter(|(k, _)| may_cause_wrong_pixels(parameter, *k, evidence))
+                .flat_map(move |(k, name)| {
+                    number_candidates(evidence, step, parameter, k, &name)
+                })
         })
     })
 }
@@ -170,74 +169,65 @@ fn may_cause_wrong_pixels(
     owner_index: usize,
     evidence: &Evidence,
 ) -> bool {
-    let is_of_surface = parameter.owner == Owner::Object
-        && parameter.since != Step::Sphere
-        || parameter.name == COLOUR.name;
-    let is_there = |pixel: &Pixel| match parameter.owner {
-        Owner::Object if is_of_surface => {
-            pixel.region.object == u8::try_from(owner_index).ok()
-        }
-        Owner::Object => true,
-        _ => pixel.region.object.is_some(),
-    };
-    !evidence.wrong_pixels().is_empty()
-        && evidence.wrong_pixels().iter().all(is_there)
+    let is_shape = parameter.since == Step::Sphere;
+    evidence.wrong_pixels().iter().all(|pixel| match parameter.owner {
+        Owner::Object if is_shape => true,
+        Owner::Object => pixel.region.object == u8::try_from(owner_index).ok(),
+        _ => !pixel.is_sky(),
+    })
 }
 
-/// Explanations by other numbers of one parameter that give the first wrong pixels.
-fn fitting_number_candidates<'a>(
+/// Explanations by other numbers of one parameter that give some of the wrong pixels.
+fn number_candidates<'a>(
     evidence: &'a Evidence,
     step: Step,
-    parameter: &'static Parameter,
+    parameter: &Parameter,
     owner_index: usize,
-    owner: String,
+    owner_name: &str,
 ) -> Vec<Explanation<'a>> {
     let mut scene = scene_of_step(step);
     let old = (parameter.get)(&scene, owner_index);
-    let first: Vec<_> = {
-        let wrong = evidence.wrong_pixels();
-        let spread = wrong.iter().step_by(wrong.len().div_ceil(FIRST).max(1));
-        spread.map(|pixel| (evidence.our_ray(pixel), pixel.yours)).collect()
+    let mut draw_with = |new: [f64; 3]| {
+        (parameter.set)(&mut scene, owner_index, new);
+        let intensity = intensity_function(step, &scene);
+        move |pixel: &Pixel| ENCODE(intensity(&evidence.our_ray(pixel)))
     };
+    let some = evidence.some_wrong_pixels(FIRST);
+    let fits = all_with_one_number_changed(parameter, old).into_iter();
+    let fits = fits.map(|new| (new, draw_with(new)));
+    let fits = fits.filter(|(_, colour)| {
+        some.iter().all(|pixel| colour(pixel) == pixel.yours)
+    });
+    let fits: Vec<_> = fits.take(MOST_NUMBERS).collect();
     let file = match step {
         Step::Sphere => "step02_sphere/picture.rs",
         _ => parameter.file,
     };
-    let fits =
-        all_with_one_number_changed(parameter, old).into_iter().filter(|new| {
-            (parameter.set)(&mut scene, owner_index, *new);
-            let intensity = intensity_function(step, &scene);
-            first.iter().all(|(ray, yours)| ENCODE(intensity(ray)) == *yours)
-        });
-    let fits: Vec<_> = fits.take(8).collect();
     let preposition = if parameter.name.is_empty() { "at " } else { "" };
     let verb = if fits.len() == 1 { "is" } else { "may be" };
-    let explanation = |new: [f64; 3]| {
-        (parameter.set)(&mut scene, owner_index, new);
-        let intensity = intensity_function(step, &scene);
+    let explanation = |(new, colour)| {
         let [new, old] =
-            [new, old].map(|one| format_numbers(&one[..parameter.count]));
+            [new, old].map(|one: [f64; 3]| format_numbers(&one[..parameter.count]));
         let sentence = format!(
-            "In your picture {owner} {verb} {preposition}{new}; it should be {preposition}{old}."
+            "In your picture {}{owner_name} {verb} {preposition}{new}; it should be \
+             {preposition}{old}.",
+            parameter.name
         );
-        Explanation::exact(sentence, &[file], move |pixel| {
-            ENCODE(intensity(&evidence.our_ray(pixel)))
-        })
+        Explanation::exact(sentence, &[file], colour)
     };
     fits.into_iter().map(explanation).collect()
 }
 
-/// The name of a parameter of each of its owners.
-fn parameter_name_of_each_owner(parameter: &Parameter, step: Step) -> Vec<String> {
-    let names: Vec<_> = match parameter.owner {
+/// The names of all that has a parameter of a kind.
+fn owner_names(owner: Owner, step: Step) -> Vec<String> {
+    match owner {
         Owner::Object => {
             let count = scene_of_step(step).objects.len();
             (0..count).map(|k| object_name_with_article(step, k)).collect()
         }
         Owner::Light => LIGHTS.map(str::to_owned).into(),
         Owner::Scene => vec!["the scene".to_owned()],
-    };
-    names.iter().map(|name| format!("{}{name}", parameter.name)).collect()
+    }
 }
 
 /// A parameter with one of its numbers changed, the nearest first.
@@ -246,22 +236,18 @@ fn all_with_one_number_changed(
     old: [f64; 3],
 ) -> Vec<[f64; 3]> {
     let (start, end, parts) = parameter.range;
-    let values = start * parts..=end * parts;
+    let values = (start * parts..=end * parts)
+        .map(|value| f64::from(value) / f64::from(parts));
     let mut all = vec![];
     for k in 0..parameter.count {
-        let mut values: Vec<_> = values
-            .clone()
-            .map(|value| f64::from(value) / f64::from(parts))
-            .collect();
-        let distance = |value: &f64| (value - old[k]).abs();
-        values.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        all.extend(values.into_iter().map(|value| {
+        all.extend(values.clone().filter(|value| *value != old[k]).map(|value| {
             let mut new = if parameter.count == 1 { [value; 3] } else { old };
             new[k] = value;
             new
         }));
     }
-    all.retain(|new| *new != old);
+    let distance = |new: &[f64; 3]| (0..3).map(|k| (new[k] - old[k]).abs()).sum();
+    all.sort_by(|a, b| f64::total_cmp(&distance(a), &distance(b)));
     all
 }
 

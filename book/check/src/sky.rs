@@ -154,12 +154,11 @@ pub(crate) fn sky_colour_candidates(
 ) -> impl Iterator<Item = Explanation<'_>> {
     let is_asked = evidence.step.is_some()
         && evidence.wrong_pixels().iter().all(Pixel::is_sky);
-    let directions: [(&str, fn(DVec3) -> DVec3); 2] =
-        [("V", |v| v), ("V/|V|", DVec3::normalize)];
-    let directions = directions.into_iter().filter(move |_| is_asked);
-    directions.filter_map(move |(name, direction)| {
+    let directions = ["V", "V/|V|"].into_iter().filter(move |_| is_asked);
+    directions.filter_map(move |name| {
         let place = move |pixel: &Pixel| {
-            let v = direction(evidence.our_ray(pixel).direction);
+            let v = evidence.our_ray(pixel).direction;
+            let v = if name == "V" { v } else { v.normalize() };
             DVec3::new(v.x, v.y, 1.0)
         };
         let fit = |channel| fit_channel_of_sky(evidence, channel, place);

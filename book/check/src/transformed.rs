@@ -7,7 +7,10 @@ const MOST_PLACES: usize = 32;
 /// How many columns a piece has that is searched for first.
 const PIECE: u32 = 16;
 
-const TURNS: [(&str, fn(&RgbImage) -> RgbImage); 8] = [
+/// A picture turned or mirrored.
+type Turn = fn(&RgbImage) -> RgbImage;
+
+const TURNS: [(&str, Turn); 8] = [
     ("", RgbImage::clone),
     (" upside down", imageops::flip_vertical),
     (" mirrored, left for right", imageops::flip_horizontal),
