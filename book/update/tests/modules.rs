@@ -95,7 +95,9 @@ fn check_wasm_is_up_to_date() {
     let lists: Vec<_> = lists
         .filter(|path| path.extension().is_some_and(|end| end == "txt"))
         .collect();
-    let source_files = vec![workspace().join("book/check/source_files.txt")];
+    let source_files = ["book/check/source_files.txt", "book/exercises/lib.rs"];
+    let source_files: Vec<_> =
+        source_files.iter().map(|path| workspace().join(path)).collect();
     for (name, paths) in
         [("check", &lists), ("expressions", &lists), ("check", &source_files)]
     {
