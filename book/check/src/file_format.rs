@@ -22,37 +22,43 @@ const LINE_ENDS: &str = "a PNG file whose line ends were changed, as by a copy i
 const READ_AS_TEXT: &str =
     "a PNG file that was read as text and written again; copy it as binary";
 
-/// Half a sentence, such as `a GIF picture; save it as PNG`: the format of a file by its first
-/// bytes; None for a PNG file.
+/// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
+/// first bytes; None for a PNG file.
 pub(crate) fn other_format_clause(file: &[u8]) -> Option<String> {
-    let start = &file[..file.len().min(512)];
-    let text = String::from_utf8_lossy(start).to_ascii_lowercase();
-    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let text = String::from_utf8_lossy(&file[..file.len().min(512)]);
+    let text = text.trim_start_matches('\u{feff}').trim_start().to_lowercase();
+    let is_text = text
+        .chars()
+        .all(|c| c != '\u{fffd}' && (!c.is_control() || c.is_whitespace()));
+    let is_page =
+        ["<!doctype html", "<html"].iter().any(|one| text.starts_with(one));
+    let format = image::guess_format(file).ok().filter(|format| {
+        // Other words than those of a PNM picture may begin with P and a digit.
+        *format != ImageFormat::Pnm
+            || file.get(2).is_some_and(u8::is_ascii_whitespace)
+    });
     let known = STARTS.iter().find(|(start, _)| file.starts_with(start));
-    let clause = match (image::guess_format(file), known) {
-        (Ok(ImageFormat::Png), _) => return None,
-        (Ok(ImageFormat::Jpeg), _) => {
-            "a JPEG, which has lost details; draw it again as PNG".to_owned()
+    let clause = match format {
+        Some(ImageFormat::Png) => return None,
+        Some(ImageFormat::Jpeg) => {
+            "a JPEG, which has lost details; draw it again as PNG"
         }
-        (Ok(format), _) => {
-            let name = format.extensions_str()[0].to_ascii_uppercase();
-            return Some(format!("a {name} picture; save it as PNG"));
+        Some(format) => {
+            return Some(format!(
+                "a picture in another format, {format:?}; save it as PNG"
+            ));
         }
-        (_, Some((_, clause))) => (*clause).to_owned(),
-        _ if file.get(4..8) == Some(b"ftyp") => {
-            "a HEIC picture or a film of a phone; save it as PNG".to_owned()
+        None if known.is_some() => known?.1,
+        None if file.get(4..8) == Some(b"ftyp") => {
+            "a picture or a film in a format of phones, such as HEIC; save it as PNG"
         }
-        _ if file.is_empty() => "not a PNG file: it is empty".to_owned(),
-        _ if text.starts_with("<!doctype html") || text.starts_with("<html") => {
-            "a web page, not the picture on it; save the picture itself".to_owned()
+        None if file.is_empty() => "not a PNG file: it is empty",
+        None if is_page => {
+            "a web page, not the picture on it; save the picture itself"
         }
-        _ if text.contains("<svg") => "an SVG drawing; save it as PNG".to_owned(),
-        _ if text.chars().all(|c| !c.is_control() || c.is_whitespace())
-            && !text.contains('\u{fffd}') =>
-        {
-            "not a PNG file, but text".to_owned()
-        }
-        _ => "not a PNG file".to_owned(),
+        None if text.contains("<svg") => "an SVG drawing; save it as PNG",
+        None if is_text => "not a PNG file, but text",
+        None => "not a PNG file",
     };
-    Some(clause)
+    Some(clause.to_owned())
 }

@@ -1,10 +1,9 @@
 use crate::file_format::other_format_clause;
 use image::codecs::png::PngDecoder;
-use image::error::ImageError;
+use image::error::{ImageError, LimitErrorKind};
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, Limits, RgbImage};
-use std::error::Error;
-use std::io::{self, Cursor, ErrorKind};
+use std::io::{Cursor, ErrorKind};
 
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
 pub(crate) const FILE_BYTES: u64 = 1 << 27;
@@ -62,20 +61,15 @@ pub(crate) fn too_large_clause() -> String {
 
 /// Says what a decoder's error means for the file.
 fn damage_clause(error: ImageError) -> String {
-    let source = error.source().and_then(|one| one.source().or(Some(one)));
-    let io_error = source.and_then(|one| one.downcast_ref::<io::Error>());
-    let cause = match &error {
-        ImageError::Limits(_) => {
+    let cause = match error {
+        ImageError::Limits(error)
+            if error.kind() == LimitErrorKind::DimensionError =>
+        {
             return format!(
                 "is too large: pictures of up to {LARGEST}×{LARGEST} pixels are looked at"
             );
         }
         ImageError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {
-            "it ends too early, as where it was not copied whole"
-        }
-        _ if io_error
-            .is_some_and(|error| error.kind() == ErrorKind::UnexpectedEof) =>
-        {
             "it ends too early, as where it was not copied whole"
         }
         error if error.to_string().contains("CRC") => {

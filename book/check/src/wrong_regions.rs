@@ -59,7 +59,10 @@ fn sentence_of_wrong_objects(evidence: &Evidence, step: Step) -> String {
         .map(|k| object_name_with_article(step, k))
         .collect();
     match names.len() {
-        1..=3 => format!("Of all objects only {} have any.\n", names.join(", ")),
+        1..=3 => format!(
+            "Of the objects, only these have wrong pixels: {}.\n",
+            names.join(", ")
+        ),
         _ => String::new(),
     }
 }

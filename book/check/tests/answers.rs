@@ -84,6 +84,10 @@ fn turned_scaled_or_recoloured_picture_is_named() {
     let mut depth = locked_picture("depth");
     depth.put_pixel(9, 9, Rgb([9; 3]));
     assert!(!text_of_wrong_picture(&depth, "depth").contains("grey"));
+    // Nor does a mirror what is as wrong in it.
+    let mut rings = locked_picture("rings");
+    rings.put_pixel(9, 9, Rgb([9; 3]));
+    assert!(!text_of_wrong_picture(&rings, "rings").contains("picture is that"));
 }
 
 #[test]

@@ -98,13 +98,13 @@ fn other_formats_are_named_by_their_first_bytes() {
         png.iter().copied().filter(|byte| *byte != b'\r').collect();
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     for (file, words) in [
-        (&b"P3\n2 2\n255\n0 0 0"[..], "is a PBM picture"),
-        (b"P6 2 2 255 ", "is a PBM picture"),
-        (b"BM\x36\0\0\0", "is a BMP picture"),
-        (b"RIFF\x24\0\0\0WEBPVP8 ", "is a WEBP picture"),
-        (b"II*\0\x08\0\0\0", "is a TIFF picture"),
-        (b"MM\0*\0\0\0\x08", "is a TIFF picture"),
-        (b"\0\0\0\x1cftypavif", "is a AVIF picture"),
+        (&b"P3\n2 2\n255\n0 0 0"[..], "in another format, Pnm"),
+        (b"P6 2 2 255 ", "in another format, Pnm"),
+        (b"BM\x36\0\0\0", "in another format, Bmp"),
+        (b"RIFF\x24\0\0\0WEBPVP8 ", "in another format, WebP"),
+        (b"II*\0\x08\0\0\0", "in another format, Tiff"),
+        (b"MM\0*\0\0\0\x08", "in another format, Tiff"),
+        (b"\0\0\0\x1cftypavif", "in another format, Avif"),
         (b"\n <!DOCTYPE HTML>", "is a web page"),
         (b"version https://git-lfs.github.com/spec/v1", "`git lfs pull`"),
         (b"<?xml version='1.0'?><svg/>", "is an SVG drawing"),
