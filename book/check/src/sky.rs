@@ -19,12 +19,15 @@ const LIMITS: [f64; 7] = [0.006, 0.005, 0.004, 0.003, 0.0025, 0.0025, 0.0025];
 /// The plane a·x + b·y + c on which most points (x, y, 1) have their values; None where
 /// these are few.
 fn fit_plane(points: &[(DVec3, f64)]) -> Option<DVec3> {
+    if points.len() < 100 {
+        return None;
+    }
     let is_on = |plane: DVec3, limit: f64, (place, value): &(DVec3, f64)| {
         (plane.dot(*place) - value).abs() < limit
     };
     // The best of some planes through three points each.
     let samples: Vec<_> =
-        points.iter().step_by(points.len().div_ceil(400).max(1)).collect();
+        points.iter().step_by(points.len().div_ceil(400)).collect();
     let through = |k: usize| {
         let three =
             [k, 7 * k + 131, 31 * k + 270].map(|n| samples[n * 17 % samples.len()]);
@@ -37,8 +40,7 @@ fn fit_plane(points: &[(DVec3, f64)]) -> Option<DVec3> {
     let count = |plane: &DVec3| {
         samples.iter().filter(|point| is_on(*plane, 0.004, point)).count()
     };
-    let planes = (0..400).filter(|_| 100 <= points.len()).filter_map(through);
-    let mut plane = planes.max_by_key(count)?;
+    let mut plane = (0..400).filter_map(through).max_by_key(count)?;
     for limit in LIMITS {
         let (mut matrix, mut right, mut count) = (DMat3::ZERO, DVec3::ZERO, 0);
         for (x, value) in points.iter().filter(|point| is_on(plane, limit, point)) {
