@@ -7,7 +7,8 @@
 //! 2. It is ours as a whole, **turned, cut out or scaled** (`transformed`).
 //! 3. It is **in the list** (`listed_mistake`): these very pixels are what a mistake that we
 //!    know gives. The lists are the text files in `mistakes/`; the package `update` draws
-//!    them, and the hashes of what they give are in a table (`fingerprints`).
+//!    them, and the hashes of what they give are in a table (`fingerprints`). What 1 and 2
+//!    say, or 4 of other bytes, is told along with it.
 //! 4. An *explanation* holds (`explanation`): a sentence, files to go back to, and a function
 //!    from pixels to colours. It is told if it gives the reader's colour in every pixel, or,
 //!    where a number in it was fitted, within one of 255. One loop, `find_first_that_holds`,
