@@ -1,6 +1,7 @@
-use exercises::{Picture, camera, mirror, terms};
+use exercises::{Picture, camera, checkerboard, mirror, terms};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
+use image::imageops::{FilterType, resize};
 use step01_rays::Camera;
 use step05_phong::*;
 
@@ -28,6 +29,8 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_specular", camera(), |camera, _| {
             terms::picture(camera, |phong| phong.specular)
         }),
+        ("one_ray", tile_camera(), |camera, _| draw_large_pixels(camera, 1)),
+        ("sixteen_rays", tile_camera(), |camera, _| draw_large_pixels(camera, 4)),
         ("speckled", camera_without_tan(), draw_shadows_without_offset),
         ("shadowed", camera(), draw_shadows_without_mirrors),
         ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
@@ -71,6 +74,20 @@ fn draw_shadows_without_offset(camera: &Camera, samples: u32) -> RgbImage {
 fn draw_shadows_without_mirrors(camera: &Camera, samples: u32) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
+}
+
+/// The camera of 40×30 pixels of the course's picture, from column 366 and row 264 on:
+/// edges of four tiles.
+fn tile_camera() -> Camera {
+    let corner = DVec3::new(366.0, 264.0, 1.0);
+    let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
+    Camera { h_res: 40, v_res: 30, matrix: camera().matrix * crop, ..camera() }
+}
+
+/// Draws the checkered floor, each pixel as a square of 16×16.
+fn draw_large_pixels(camera: &Camera, samples: u32) -> RgbImage {
+    let picture = render(camera, samples, checkerboard::colour);
+    resize(&picture, 16 * camera.h_res, 16 * camera.v_res, FilterType::Nearest)
 }
 
 /// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:

@@ -18,13 +18,13 @@ macro_rules! test_pictures {
 
 test_pictures! {
     step01_rays step02_sphere step03_nearest step04_diffuse step05_phong
-    gradient graticule look_at panorama rings
+    gradient checkerboard graticule jitter look_at panorama rings
     disc lens plane quadric
-    all_hits depth jitter many my_scene
+    all_hits depth many my_scene
     gamma normals plaster shadows snowman spot sun
     crowd glass halfway highlight marbles mirror
     slide_matrix step05_ambient step05_diffuse step05_specular
-    speckled shadowed close_up cover goodbye
+    one_ray sixteen_rays speckled shadowed close_up cover goodbye
 }
 
 /// Draws the picture `name`, and compares it with its snapshot.

@@ -1,8 +1,10 @@
+use crate::files::CHAPTERS;
 use crate::generated_files::THUMBNAIL_SUFFIX;
 use crate::markdown::inline_html;
 use crate::picture::Picture;
 use check::{BookEntry, Mistake, Step, mistakes};
 use live::escape;
+use std::fs;
 use std::path::Path;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
@@ -69,13 +71,14 @@ impl Entry<'_> {
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
         let id = book_entry.section.to_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(is_kept).collect();
-        let page = format!("{}.md#{id}", step_of_file.name());
+        let chapter =
+            chapter_with_section(step_of_file, book_entry.section, workspace)?;
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
              <div class=\"panels\">{wrong}{ours}\
              <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
              style=\"background-image: url(generated/mistake-{name}.png), url({right})\"></span>\
-             </div>\n\n{}\n\n{} [Step {}, “{}”]({page})\n",
+             </div>\n\n{}\n\n{} [Step {}, “{}”]({chapter}.md#{id})\n",
             self.capitalised_title_html()?,
             diff_figure_html(mistake),
             inline_html(&symbols_as_formulas(book_entry.reason))?,
@@ -102,6 +105,21 @@ impl Entry<'_> {
             _ => title.to_owned(),
         }))
     }
+}
+
+/// The name of the chapter of a step that has a section with this heading.
+fn chapter_with_section(
+    step: Step,
+    section: &str,
+    workspace: &Path,
+) -> Result<&'static str, String> {
+    let has_section = |chapter: &&str| {
+        let path = workspace.join(CHAPTERS).join(format!("{chapter}.md"));
+        let text = fs::read_to_string(path).unwrap_or_default();
+        text.lines().any(|line| line.strip_prefix("## ") == Some(section))
+    };
+    let chapter = step.chapters().into_iter().find(has_section);
+    chapter.ok_or(format!("no chapter of {} has “{section}”", step.name()))
 }
 
 /// The lines of the file, and those that are written instead.

@@ -16,6 +16,8 @@ use step01_rays::Camera;
 
 #[path = "../../steps/step03_nearest/examples/all_hits.rs"]
 pub mod all_hits;
+#[path = "../../steps/step01_rays/examples/checkerboard.rs"]
+pub mod checkerboard;
 #[path = "../../steps/step05_phong/examples/crowd.rs"]
 pub mod crowd;
 #[path = "../../steps/step03_nearest/examples/depth.rs"]
@@ -36,7 +38,7 @@ pub mod graticule;
 pub mod halfway;
 #[path = "../../steps/step05_phong/examples/highlight.rs"]
 pub mod highlight;
-#[path = "../../steps/step03_nearest/examples/jitter.rs"]
+#[path = "../../steps/step01_rays/examples/jitter.rs"]
 pub mod jitter;
 #[path = "../../steps/step02_sphere/examples/lens.rs"]
 pub mod lens;
@@ -116,7 +118,9 @@ pub const STEPS: [(&str, Picture); 5] = [
 /// The pictures of the examples by their names, step by step.
 pub const PICTURES: &[(&str, Picture)] = &[
     ("gradient", |_, _| gradient::picture()),
+    ("checkerboard", |camera, _| checkerboard::picture(camera)),
     ("graticule", graticule::picture),
+    ("jitter", jitter::picture),
     ("look_at", look_at::picture),
     ("panorama", panorama::picture),
     ("rings", rings::picture),
@@ -126,7 +130,6 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("quadric", quadric::picture),
     ("all_hits", all_hits::picture),
     ("depth", depth::picture),
-    ("jitter", jitter::picture),
     ("many", many::picture),
     ("my_scene", my_scene::picture),
     ("gamma", gamma::picture),

@@ -4,6 +4,7 @@ use exercises::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
+use step01_rays::Camera;
 use tests::{camera, random_point};
 
 #[test]
@@ -26,6 +27,27 @@ fn panorama_has_four_known_directions() {
         (1.0, FRAC_PI_2, DVec3::Y),
     ] {
         assert!(direction(longitude, latitude).distance(v) < 1e-12, "{v}");
+    }
+}
+
+#[test]
+fn jitter_with_1_to_4_samples_draws_the_same_picture() {
+    let camera = Camera::new(160, 90, 60_f64.to_radians());
+    let picture = jitter::picture(&camera, 4);
+    assert!(jitter::picture(&camera, 1) == picture);
+    assert!(jitter::picture(&camera, 5) != picture);
+}
+
+#[test]
+fn jittered_rays_stay_in_their_sub_pixels() {
+    let (camera, side) = (camera(), 4);
+    let inverse = camera.matrix.inverse();
+    for (x, y) in (0..400).flat_map(|y| (0..400).map(move |x| (x, y))) {
+        let centre = |k: i32| (f64::from(k) + 0.5) / f64::from(side) - 0.5;
+        let place = DVec3::new(centre(x), centre(y), 1.0);
+        let ray = jitter::jittered(&camera, side, place.x, place.y);
+        let offset = (inverse * ray.direction - place) * f64::from(side);
+        assert!(offset.abs().max_element() < 0.5 + 1e-9, "{x}, {y}: {offset}");
     }
 }
 

@@ -1,4 +1,4 @@
-use super::reader_workspace::STEP_NAMES;
+use super::reader_workspace::{STEP_NAMES, step_of_page};
 use book::{Files, Site};
 use compare::{target_folder, workspace};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -26,7 +26,13 @@ pub fn read_folder(folder: &str) -> Files {
 fn chapters_of_the_steps_are_in_order() {
     let book = built_book();
     let chapters = book.chapters_in_order().into_iter();
-    let names = chapters.filter_map(|page| page.name.strip_suffix(".html"));
-    let steps: Vec<_> = names.filter(|name| name.starts_with("step")).collect();
-    assert_eq!(steps, STEP_NAMES);
+    let names = chapters.map(|page| page.name.as_str());
+    let (steps, chapters): (Vec<_>, Vec<_>) =
+        names.filter_map(|name| Some((step_of_page(name)?, name))).unzip();
+    assert!(steps.is_sorted(), "{chapters:?}");
+    for step in STEP_NAMES {
+        let first = steps.iter().position(|name| *name == step);
+        let first = first.map(|index| chapters[index]);
+        assert_eq!(first, Some(&*format!("{step}.html")));
+    }
 }

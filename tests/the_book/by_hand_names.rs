@@ -1,9 +1,9 @@
-//! Chapters and tests by hand agree: a chapter names, below its numbers, each test in
-//! `tests/by_hand.rs` of its step.
+//! Chapters and tests by hand agree: those of a step name, below their numbers, each test in
+//! its `tests/by_hand.rs`.
 
 use super::assert_no_faults;
 use super::built_book::built_book;
-use super::reader_workspace::STEP_NAMES;
+use super::reader_workspace::{STEP_NAMES, step_of_page};
 use super::source_listings::SOURCE_FILES;
 use std::collections::BTreeSet;
 
@@ -11,8 +11,9 @@ use std::collections::BTreeSet;
 fn chapters_name_every_test_by_hand() {
     let (book, mut faults) = (built_book(), vec![]);
     for step in STEP_NAMES {
-        let page = &book.pages[&format!("{step}.html")];
-        let elements = page.select_all(".by-hand").into_iter();
+        let pages = book.chapters_in_order().into_iter();
+        let pages = pages.filter(|page| step_of_page(&page.name) == Some(step));
+        let elements = pages.flat_map(|page| page.select_all(".by-hand"));
         let ids = elements.filter_map(|element| element.attr("id"));
         let page_tests: BTreeSet<_> =
             ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();
@@ -22,8 +23,9 @@ fn chapters_name_every_test_by_hand() {
         let file_tests: BTreeSet<_> =
             functions.filter_map(|function| function.split('(').next()).collect();
         for test in page_tests.symmetric_difference(&file_tests) {
-            let page = &page.name;
-            faults.push(format!("{test} is in only one of {path} and {page}."));
+            faults.push(format!(
+                "{test} is in only one of {path} and the chapters of {step}."
+            ));
         }
     }
     assert_no_faults(&faults);

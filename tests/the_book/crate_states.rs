@@ -1,14 +1,16 @@
-//! The book suffices: the crates compile at each heading and each command of a chapter.
+//! The book suffices: the crates compile at each heading and each command of their chapters.
 
 use super::built_book::built_book;
 use super::listing::join_listings;
 use super::page_events::{Event, page_events};
-use super::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
+use super::reader_workspace::{
+    ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page,
+};
 use super::typed_book::typed_workspace;
 use anyhow::{Result, ensure};
 use std::collections::BTreeMap;
 
-/// The crate of a step, as far as the chapter has shown it at some heading or command.
+/// The crate of a step, as far as its chapters have shown it at some heading or command.
 struct CrateState {
     /// A name of its own.
     name: String,
@@ -36,7 +38,9 @@ fn crate_states() -> Vec<CrateState> {
     for step in STEP_NAMES {
         let mut typed = TypedListings::new();
         let folder = format!("steps/{step}/src/");
-        for event in page_events(&book.pages[&format!("{step}.html")]) {
+        let pages = book.chapters_in_order().into_iter();
+        let pages = pages.filter(|page| step_of_page(&page.name) == Some(step));
+        for event in pages.flat_map(page_events) {
             if let Event::Listing(listing) = event {
                 if let Some(file) = listing.path.strip_prefix(&folder) {
                     typed.entry(file).or_default().push(listing);

@@ -14,6 +14,12 @@ pub const STEP_NAMES: [&str; 5] = {
     [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
 };
 
+/// The step of a page, such as `step01_program.html`: the first word of its name says which.
+pub fn step_of_page(page: &str) -> Option<&'static str> {
+    let first_word = |name: &str| name.split('_').next().map(str::to_owned);
+    STEP_NAMES.into_iter().find(|step| first_word(step) == first_word(page))
+}
+
 /// The listings of each file that were typed so far, by path.
 pub type TypedListings<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
 

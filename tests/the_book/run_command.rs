@@ -80,7 +80,7 @@ fn quick_arguments(command: &PageCommand) -> (Vec<&str>, bool) {
 /// Makes the change for which step 1 shows a failing test: a colour of its picture. The
 /// next page that is typed changes it back.
 fn change_direction_colour(reader: &ReaderWorkspace) -> Result<()> {
-    let path = "steps/step01_rays/src/picture.rs";
+    let path = "steps/step01_rays/src/direction_colour.rs";
     let text = fs::read_to_string(reader.folder.join(path))?;
     ensure!(text.contains("0.3 *"), "{path} has no 0.3 to change");
     reader.write_if_changed(path, &text.replace("0.3 *", "0.31 *"))

@@ -1,10 +1,10 @@
-//! Every line of every source file is listed in the chapter of its step, once.
+//! Every line of every source file is listed in a chapter of its step, once.
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use super::listing::{Listing, page_listings};
 use super::own_scene;
-use super::reader_workspace::STEP_NAMES;
+use super::reader_workspace::{STEP_NAMES, step_of_page};
 use book::{Files, Site};
 use compare::workspace;
 use std::fs;
@@ -25,24 +25,25 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     files
 });
 
-/// The name of the page that lists a file: of its step; or, for an example and a file of
-/// no step, the first page that does. None for a file outside `steps/`.
+/// The name of the page that lists a file: the first that does, of its step; or, for an
+/// example and a file of no step, of any. None for a file outside `steps/`.
 fn home_page(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let may_be_on_any_page =
         file.starts_with("examples/") || !STEP_NAMES.contains(&step);
     let mut chapters = book.chapters_in_order().into_iter();
     let page = chapters.find(|page| {
-        may_be_on_any_page
+        (may_be_on_any_page || step_of_page(&page.name) == Some(step))
             && page_listings(page).any(|listing| listing.path == path)
     });
     Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
 }
 
 /// Whether several pages may list parts of a file: the benchmark measures what comes
-/// later, the rest of a manifest comes with it, and each step locks its picture.
+/// later, the rest of a manifest comes with it, a list of modules grows from chapter to
+/// chapter, and each step locks its picture.
 fn may_be_on_several_pages(path: &str) -> bool {
-    let parts = ["/Cargo.toml", "/benches/", "steps/locked/"];
+    let parts = ["/Cargo.toml", "/benches/", "/src/lib.rs", "steps/locked/"];
     parts.iter().any(|part| path.contains(part))
 }
 

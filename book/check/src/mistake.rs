@@ -29,7 +29,7 @@ pub struct BookEntry {
     pub pictures: Vec<(&'static str, Step)>,
     /// How it comes about or what is right, in one sentence.
     pub reason: &'static str,
-    /// The heading of its section, in the chapter of its step.
+    /// The heading of its section, in a chapter of its step.
     pub section: &'static str,
     /// Sentence about what its picture shows.
     pub effect: &'static str,

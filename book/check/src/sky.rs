@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 use step01_rays::Camera;
 
 const CAMERA: &str = "step01_rays/camera.rs";
-const SKY: &str = "step01_rays/picture.rs";
+const SKY: &str = "step01_rays/direction_colour.rs";
 const RGB8: &str = "step01_rays/rgb8.rs";
 
 /// How far off a channel may be while its plane is fitted again; the last are little more
@@ -113,7 +113,7 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
     }
     let caveat = match step {
         Step::Rays => {
-            " (That is, if red is 0.7 + 0.3 V_x and green 0.7 + 0.3 V_y, as in picture.rs.)"
+            " (That is, if red is 0.7 + 0.3 V_x and green 0.7 + 0.3 V_y, as in direction_colour.rs.)"
         }
         _ => "",
     };

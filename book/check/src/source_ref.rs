@@ -7,7 +7,7 @@ pub struct SourceRef {
     pub step: Step,
     /// The file, in the folder `src` of the step.
     pub file: &'static str,
-    /// The heading of its section, in the chapter of the step.
+    /// The heading of its section, in a chapter of the step.
     pub section: &'static str,
     /// The tests in the step's `tests/by_hand.rs` whose numbers go through it, with a
     /// comma between them.
@@ -59,7 +59,7 @@ pub(crate) fn go_back_sentences(refs: &[SourceRef]) -> String {
     let name = step.name();
     format!(
         "Go back to step {}, \"{section}\", and compare with {}.\n\
-         The tests by hand that you type at the end of the chapter name the function: cargo \
+         The tests by hand that you type at the end of the step name the function: cargo \
          test -p {name} --test by_hand, of which {} {} through it.\n",
         step.number(),
         files.join(", "),
@@ -75,9 +75,9 @@ pub(crate) fn test_command_sentence(steps: &[Step]) -> String {
     steps.dedup();
     let packages: Vec<_> =
         steps.iter().map(|step| format!("-p {}", step.name())).collect();
-    let chapters = if steps.len() == 1 { "the chapter" } else { "each chapter" };
+    let ends = if steps.len() == 1 { "the step" } else { "each step" };
     format!(
-        "The tests by hand that you type at the end of {chapters} name the function: cargo \
+        "The tests by hand that you type at the end of {ends} name the function: cargo \
          test {} --no-fail-fast --test by_hand\n",
         packages.join(" ")
     )

@@ -31,7 +31,7 @@ impl Step {
         self as usize + 1
     }
 
-    /// The name of its crate, its chapter and its locked picture.
+    /// The name of its crate, its first chapter and its locked picture.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rays => "step01_rays",
@@ -39,6 +39,14 @@ impl Step {
             Self::Nearest => "step03_nearest",
             Self::Diffuse => "step04_diffuse",
             Self::Phong => "step05_phong",
+        }
+    }
+
+    /// The names of its chapters, in the order of the book.
+    pub fn chapters(self) -> Vec<&'static str> {
+        match self {
+            Self::Rays => vec![self.name(), "step01_program"],
+            _ => vec![self.name()],
         }
     }
 

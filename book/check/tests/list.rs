@@ -11,6 +11,14 @@ fn read_in_workspace(path: &str) -> String {
     fs::read_to_string(workspace().join(path)).unwrap_or_default()
 }
 
+/// The chapters of a step, one after the other.
+fn read_chapters(step: Step) -> String {
+    let chapters = step.chapters().into_iter();
+    chapters
+        .map(|name| read_in_workspace(&format!("book/chapters/{name}.md")))
+        .collect()
+}
+
 #[test]
 fn each_listed_mistake_applies_once_and_is_unique() {
     let (mut wrong, mut seen) = (vec![], HashSet::new());
@@ -49,9 +57,8 @@ fn files_tests_and_sections_of_answers_exist() {
         for test in place.tests.split(", ") {
             assert!(tests.contains(&format!("fn {test}()")), "{test}: {place:?}");
         }
-        let chapter = read_in_workspace(&format!("book/chapters/{step}.md"));
         let heading = format!("# {}\n", place.section);
-        assert!(chapter.contains(&heading), "{place:?}");
+        assert!(read_chapters(place.step).contains(&heading), "{place:?}");
     }
     for mistake in mistakes().iter().filter(|one| !one.file.contains("/examples/"))
     {
@@ -59,11 +66,10 @@ fn files_tests_and_sections_of_answers_exist() {
         let is_known = source_refs().any(|place| place.workspace_path() == *file);
         assert!(is_known, "{file} is not in source_files.txt");
         if let Some(shown) = &mistake.book_entry {
-            let step = mistake.step().expect("a step").name();
-            let chapter = read_in_workspace(&format!("book/chapters/{step}.md"));
+            let step = mistake.step().expect("a step");
             let heading = format!("# {}\n", shown.section);
             assert!(
-                chapter.contains(&heading),
+                read_chapters(step).contains(&heading),
                 "{}: {}",
                 mistake.title,
                 shown.section

@@ -9,13 +9,20 @@ pub use ray::Ray;
 mod camera;
 pub use camera::Camera;
 
-mod render;
 mod rgb8;
-pub use render::{draw_pixels, mean, render, sub_pixels};
 pub use rgb8::rgb8;
 
+mod draw_pixels;
+pub use draw_pixels::draw_pixels;
+
+mod direction_colour;
+pub use direction_colour::direction_colour;
+
+mod render;
+pub use render::{mean, render, sub_pixels};
+
 mod picture;
-pub use picture::{direction_colour, picture};
+pub use picture::picture;
 
 mod aspect_ratio;
 pub use aspect_ratio::AspectRatio;

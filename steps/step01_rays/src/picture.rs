@@ -1,13 +1,5 @@
-use crate::{Camera, Ray, render};
-use glam::DVec3;
+use crate::{Camera, direction_colour, render};
 use image::RgbImage;
-
-/// The direction of a ray as a pale colour: red grows to the right, green upwards, and
-/// blue ahead, along −z.
-pub fn direction_colour(ray: &Ray) -> DVec3 {
-    let v = ray.direction;
-    0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)
-}
 
 /// The picture of step 1: the direction of every ray.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {

@@ -1,126 +1,101 @@
-use super::pyramid::{draw_pyramid, draw_steps};
-use crate::live::collect_numbers;
 use crate::parameter::array;
-use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
-use crate::{
-    Drawing, Handle, Live, Output, Parameter, format_number, format_vector,
-};
-use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
-use step01_rays::{Camera, Ray};
+use crate::{Drawing, Handle, Live, Output, Parameter, View};
+use glam::{DVec2, DVec3, dvec2};
+use step01_rays::Camera;
+use step03_nearest::{Ray, Sphere};
 
-/// A small camera, and the pixel whose ray is drawn.
-struct Frustum {
-    camera: Camera,
-    pixel: DVec2,
+/// The map of (depth, height) to the drawing: the camera looks to the right.
+const VIEW: View = View { origin: dvec2(26.0, 146.0), scale: dvec2(84.0, 84.0) };
+
+/// The place of a point of the world, seen from the side.
+fn place(point: DVec3) -> DVec2 {
+    VIEW.xy_to_drawing(-point.z, point.y)
 }
 
-impl Frustum {
-    fn new(values: &[f64]) -> Self {
-        let [field_of_view, choice, columns, i, j] = array(values);
-        let camera = step01::camera(field_of_view, aspect_ratio(choice), columns);
-        let pixel = nearest_pixel(&camera, dvec2(i, j));
-        Self { camera, pixel }
-    }
-
-    /// The ray of the pixel.
-    fn ray(&self) -> Ray {
-        self.camera.ray(self.pixel.x, self.pixel.y)
-    }
-
-    /// The place in the drawing of a point of the world: turned about y, tilted, without
-    /// perspective. A wide view is drawn smaller.
-    fn project(&self, point: DVec3) -> DVec2 {
-        let tan = -self.camera.matrix.z_axis.x;
-        let scale = 250.0 * (0.5774 / tan).min(1.0);
-        let DVec3 { x, y, .. } =
-            DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
-        dvec2(82.0, 216.0) + scale * dvec2(x, -y)
-    }
-
-    /// The pixel at a place on the image plane.
-    fn pixel_at(&self, place: DVec2) -> DVec2 {
-        let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
-        let first = project(0.0, 0.0);
-        let steps =
-            DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
-        nearest_pixel(&self.camera, steps.inverse() * (place - first))
-    }
+/// The three balls: near, in the middle and far away.
+fn spheres() -> [Sphere; 3] {
+    [[-0.04, 0.56, 0.11], [-0.28, 2.2, 0.34], [0.66, 4.72, 0.42]].map(
+        |[height, depth, radius]| Sphere {
+            centre: DVec3::new(0.0, height, -depth),
+            radius,
+        },
+    )
 }
 
-/// The pixel of the camera that is nearest to `pixel`, still with fractions.
-fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
-    let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
-    pixel.clamp(DVec2::ZERO, last)
-}
-
-fn draw(frustum: &Frustum) -> Drawing {
-    let Frustum { camera, pixel } = frustum;
-    let project = |point: DVec3| frustum.project(point);
-    let c = project(camera.centre);
-    let mut drawing = Drawing::new(480.0, 310.0);
-    draw_pyramid(&mut drawing, camera, project);
-    draw_steps(&mut drawing, camera, *pixel, project);
-    drawing.dot("eye", c);
-    drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
-    let tip = project(frustum.ray().at(1.42));
-    drawing.arrow("ray", c, tip);
-    let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
-    if tip.x < 380.0 {
-        drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
+/// What is left of a sphere between the planes.
+fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
+    let (depth, radius) = (-sphere.centre.z, sphere.radius);
+    if depth + radius <= near || far <= depth - radius {
+        "cut away"
+    } else if near <= depth - radius && depth + radius <= far {
+        "drawn"
     } else {
-        let end =
-            (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
-        drawing.label_ending_at("quiet over", end, &label);
+        "cut in two"
     }
-    let corner = dvec2(44.0, 286.0);
-    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-        let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
-        drawing.arrow("axis", corner, corner + arrow);
-        drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
+}
+
+fn draw(values: &[f64]) -> Drawing {
+    let planes = array(values);
+    // Two rows: a ray along the upper side of the view, and one along the lower.
+    let camera = Camera::new(2, 2, 40_f64.to_radians());
+    let sides = [0.0, 1.0].map(|j| camera.ray(0.5, j));
+    let mut drawing = Drawing::new(480.0, 292.0);
+    let [[upper_near, lower_near], [upper_far, lower_far]] =
+        planes.map(|t| sides.map(|ray| place(ray.at(t))));
+    drawing.area("plane", &[upper_near, upper_far, lower_far, lower_near]);
+    for ray in sides {
+        drawing.line("guide", place(ray.start), place(ray.at(5.4)));
     }
+    for (name, upper, lower) in [
+        ("near plane", upper_near, lower_near),
+        ("far plane", upper_far, lower_far),
+    ] {
+        drawing.line("ground", upper, lower);
+        drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
+    }
+    for sphere in spheres() {
+        let part = part_between(&sphere, planes);
+        let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
+        let class = if part == "cut away" { "behind" } else { "object" };
+        drawing.circle(class, centre, radius);
+        drawing.label("quiet over", centre + dvec2(0.0, radius + 20.0), part);
+        let ray = Ray { start: camera.centre, direction: sphere.centre };
+        if let Some(t) = sphere.intersect(&ray).first_hit() {
+            drawing.line("ray", place(ray.start), place(ray.at(t)));
+            drawing.dot("hit", place(ray.at(t)));
+        }
+    }
+    drawing.dot("eye", place(camera.centre));
+    drawing.label("strong", place(camera.centre) + dvec2(0.0, 28.0), "$C$");
     drawing
 }
 
-/// The frustum of a small camera, its picture on the image plane, and the ray of one
-/// of the pixels.
+/// The handle of a plane, at the middle of its line.
+fn plane_handle(words: &str, index: usize) -> Handle {
+    Handle::new(
+        words,
+        [index, index],
+        |handle, values| {
+            Some(VIEW.xy_to_drawing(values[handle.parameters[0]], 0.0))
+        },
+        |_, _, place| DVec2::splat(VIEW.to_world(place).x),
+    )
+}
+
+/// The frustum of OpenGL from the side, and rays to what it cuts away.
 pub fn figure() -> Live {
     Live {
-        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
-        caption: "The pyramid of rays of a camera with {{#number frustum:columns}} columns and {{#number frustum:rows}} rows, each point in the colour \
-                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
-                  down. From there, {{#number frustum:i}} times $D_u$ and {{#number frustum:j}} times $D_v$ lead to $V =$ {{#number frustum:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+        title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
+        caption: "The frustum is the shaded part; the words below the balls say what OpenGL does. Our rays start at $C$, \
+                  know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
         parameters: vec![
-            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
-            aspect_ratio_parameter(),
-            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
-            Parameter::coordinate(5.0, [0.0, 15.0], 1.0),
-            Parameter::coordinate(3.0, [0.0, 11.0], 1.0),
+            Parameter::new(["", "near plane", ""], 1.0, [0.2, 2.4], 20.0),
+            Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
         ],
-        handles: vec![Handle {
-            is_down: true,
-            ..Handle::new(
-                "the pixel of the ray",
-                [3, 4],
-                |_, values| {
-                    let frustum = Frustum::new(values);
-                    Some(frustum.project(frustum.ray().at(1.0)))
-                },
-                |_, values, place| Frustum::new(values).pixel_at(place),
-            )
-        }],
-        numbers: |values| {
-            let frustum = Frustum::new(values);
-            let Frustum { camera, pixel } = &frustum;
-            collect_numbers([
-                ("columns", camera.h_res.to_string()),
-                ("rows", camera.v_res.to_string()),
-                ("i", format_number(pixel.x)),
-                ("j", format_number(pixel.y)),
-                ("V", format_vector(frustum.ray().direction)),
-            ])
-        },
-        ..Live::new("frustum", |values| {
-            Output::Drawing(draw(&Frustum::new(values)))
-        })
+        handles: vec![
+            plane_handle("the near plane", 0),
+            plane_handle("the far plane", 1),
+        ],
+        ..Live::new("frustum", |values| Output::Drawing(draw(values)))
     }
 }

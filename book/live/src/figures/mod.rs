@@ -3,6 +3,7 @@
 mod aspect_ratios;
 mod attenuation;
 mod ball_outlines;
+mod camera;
 mod eggs;
 mod flat_world;
 mod frustum;
@@ -27,9 +28,10 @@ pub fn all() -> Vec<Live> {
     vec![
         ray::figure(),
         pinhole::figure(),
+        frustum::figure(),
         row::figure(),
         right_hand::figure(),
-        frustum::figure(),
+        camera::figure(),
         aspect_ratios::figure(),
         three_cases::figure(),
         hits::figure(),

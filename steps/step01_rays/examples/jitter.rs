@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{
+use step01_rays::{
     Camera, Ray, direction_colour, draw_pixels, mean, rgb8, run, sub_pixels,
 };
 

@@ -1,0 +1,126 @@
+use super::pyramid::{draw_pyramid, draw_steps};
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
+use crate::{
+    Drawing, Handle, Live, Output, Parameter, format_number, format_vector,
+};
+use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
+use step01_rays::{Camera, Ray};
+
+/// A small camera, and the pixel whose ray is drawn.
+struct CameraFigure {
+    camera: Camera,
+    pixel: DVec2,
+}
+
+impl CameraFigure {
+    fn new(values: &[f64]) -> Self {
+        let [field_of_view, choice, columns, i, j] = array(values);
+        let camera = step01::camera(field_of_view, aspect_ratio(choice), columns);
+        let pixel = nearest_pixel(&camera, dvec2(i, j));
+        Self { camera, pixel }
+    }
+
+    /// The ray of the pixel.
+    fn ray(&self) -> Ray {
+        self.camera.ray(self.pixel.x, self.pixel.y)
+    }
+
+    /// The place in the drawing of a point of the world: turned about y, tilted, without
+    /// perspective. A wide view is drawn smaller.
+    fn project(&self, point: DVec3) -> DVec2 {
+        let tan = -self.camera.matrix.z_axis.x;
+        let scale = 250.0 * (0.5774 / tan).min(1.0);
+        let DVec3 { x, y, .. } =
+            DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
+        dvec2(82.0, 216.0) + scale * dvec2(x, -y)
+    }
+
+    /// The pixel at a place on the image plane.
+    fn pixel_at(&self, place: DVec2) -> DVec2 {
+        let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
+        let first = project(0.0, 0.0);
+        let steps =
+            DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
+        nearest_pixel(&self.camera, steps.inverse() * (place - first))
+    }
+}
+
+/// The pixel of the camera that is nearest to `pixel`, still with fractions.
+fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
+    let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
+    pixel.clamp(DVec2::ZERO, last)
+}
+
+fn draw(figure: &CameraFigure) -> Drawing {
+    let CameraFigure { camera, pixel } = figure;
+    let project = |point: DVec3| figure.project(point);
+    let c = project(camera.centre);
+    let mut drawing = Drawing::new(480.0, 310.0);
+    draw_pyramid(&mut drawing, camera, project);
+    draw_steps(&mut drawing, camera, *pixel, project);
+    drawing.dot("eye", c);
+    drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
+    let tip = project(figure.ray().at(1.42));
+    drawing.arrow("ray", c, tip);
+    let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
+    if tip.x < 380.0 {
+        drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
+    } else {
+        let end =
+            (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
+        drawing.label_ending_at("quiet over", end, &label);
+    }
+    let corner = dvec2(44.0, 286.0);
+    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
+        let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
+        drawing.arrow("axis", corner, corner + arrow);
+        drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
+    }
+    drawing
+}
+
+/// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
+/// one of the pixels.
+pub fn figure() -> Live {
+    Live {
+        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
+        caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
+                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
+                  down. From there, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+        parameters: vec![
+            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+            aspect_ratio_parameter(),
+            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+            Parameter::coordinate(5.0, [0.0, 15.0], 1.0),
+            Parameter::coordinate(3.0, [0.0, 11.0], 1.0),
+        ],
+        handles: vec![Handle {
+            is_down: true,
+            ..Handle::new(
+                "the pixel of the ray",
+                [3, 4],
+                |_, values| {
+                    let figure = CameraFigure::new(values);
+                    Some(figure.project(figure.ray().at(1.0)))
+                },
+                |_, values, place| CameraFigure::new(values).pixel_at(place),
+            )
+        }],
+        numbers: |values| {
+            let figure = CameraFigure::new(values);
+            let CameraFigure { camera, pixel } = &figure;
+            collect_numbers([
+                ("columns", camera.h_res.to_string()),
+                ("rows", camera.v_res.to_string()),
+                ("i", format_number(pixel.x)),
+                ("j", format_number(pixel.y)),
+                ("V", format_vector(figure.ray().direction)),
+            ])
+        },
+        ..Live::new("camera", |values| {
+            Output::Drawing(draw(&CameraFigure::new(values)))
+        })
+    }
+}

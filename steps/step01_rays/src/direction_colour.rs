@@ -1,0 +1,9 @@
+use crate::Ray;
+use glam::DVec3;
+
+/// The direction of a ray as a pale colour: red grows to the right, green upwards, and
+/// blue ahead, along −z.
+pub fn direction_colour(ray: &Ray) -> DVec3 {
+    let v = ray.direction;
+    0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)
+}
