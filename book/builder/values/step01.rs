@@ -1,4 +1,4 @@
-//! The numbers of the introduction and of chapter 1.
+//! The numbers of the introduction and of the chapters of step 1.
 
 use super::Value::{self, Fixed, Number, Vector};
 use super::rays::{camera, pixel_ray};

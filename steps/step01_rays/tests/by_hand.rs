@@ -1,4 +1,4 @@
-//! The numbers that chapter 1 works out or shows.
+//! The numbers that the two chapters of step 1 work out or show.
 
 use glam::{DMat3, DVec3};
 use std::process::Command;

@@ -14,12 +14,18 @@ fn place(point: DVec3) -> DVec2 {
 
 /// The three balls: near, in the middle and far away.
 fn spheres() -> [Sphere; 3] {
-    [[-0.04, 0.56, 0.11], [-0.28, 2.2, 0.34], [0.66, 4.72, 0.42]].map(
+    [[-0.18, 0.75, 0.085], [0.38, 2.3, 0.3], [-0.25, 4.72, 0.42]].map(
         |[height, depth, radius]| Sphere {
             centre: DVec3::new(0.0, height, -depth),
             radius,
         },
     )
+}
+
+/// The rays along the upper and the lower side of the view.
+fn sides() -> [Ray; 2] {
+    let camera = Camera::new(2, 2, 40_f64.to_radians());
+    [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
 /// What is left of a sphere between the planes.
@@ -35,10 +41,7 @@ fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
 }
 
 fn draw(values: &[f64]) -> Drawing {
-    let planes = array(values);
-    // Two rows: a ray along the upper side of the view, and one along the lower.
-    let camera = Camera::new(2, 2, 40_f64.to_radians());
-    let sides = [0.0, 1.0].map(|j| camera.ray(0.5, j));
+    let (planes, sides) = (array(values), sides());
     let mut drawing = Drawing::new(480.0, 292.0);
     let [[upper_near, lower_near], [upper_far, lower_far]] =
         planes.map(|t| sides.map(|ray| place(ray.at(t))));
@@ -59,25 +62,23 @@ fn draw(values: &[f64]) -> Drawing {
         let class = if part == "cut away" { "behind" } else { "object" };
         drawing.circle(class, centre, radius);
         drawing.label("quiet over", centre + dvec2(0.0, radius + 20.0), part);
-        let ray = Ray { start: camera.centre, direction: sphere.centre };
+        let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", place(ray.start), place(ray.at(t)));
             drawing.dot("hit", place(ray.at(t)));
         }
     }
-    drawing.dot("eye", place(camera.centre));
-    drawing.label("strong", place(camera.centre) + dvec2(0.0, 28.0), "$C$");
+    drawing.dot("eye", VIEW.origin);
+    drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
     drawing
 }
 
-/// The handle of a plane, at the middle of its line.
+/// The handle of a plane, at its lower end.
 fn plane_handle(words: &str, index: usize) -> Handle {
     Handle::new(
         words,
         [index, index],
-        |handle, values| {
-            Some(VIEW.xy_to_drawing(values[handle.parameters[0]], 0.0))
-        },
+        |handle, values| Some(place(sides()[1].at(values[handle.parameters[0]]))),
         |_, _, place| DVec2::splat(VIEW.to_world(place).x),
     )
 }
@@ -89,7 +90,7 @@ pub fn figure() -> Live {
         caption: "The frustum is the shaded part; the words below the balls say what OpenGL does. Our rays start at $C$, \
                   know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
         parameters: vec![
-            Parameter::new(["", "near plane", ""], 1.0, [0.2, 2.4], 20.0),
+            Parameter::new(["", "near plane", ""], 1.2, [0.2, 2.4], 20.0),
             Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
         ],
         handles: vec![
