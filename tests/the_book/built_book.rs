@@ -1,5 +1,6 @@
+use super::assert_no_faults;
 use super::reader_workspace::{STEP_NAMES, step_of_page};
-use book::{Files, Site};
+use book::{Files, Site, inner_text};
 use compare::{target_folder, workspace};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::{fs, process};
@@ -35,4 +36,28 @@ fn chapters_of_the_steps_are_in_order() {
         let first = first.map(|index| chapters[index]);
         assert_eq!(first, Some(&*format!("{step}.html")));
     }
+}
+
+#[test]
+fn titles_of_pages_are_those_in_the_contents() {
+    let book = built_book();
+    let mut faults = vec![];
+    for link in book.pages["index.html"].select_all("#contents a") {
+        let name = link.attr("href").unwrap_or_default();
+        // The title of the introduction is the book's.
+        let Some(page) =
+            book.pages.get(name).filter(|_| name != "introduction.html")
+        else {
+            continue;
+        };
+        let titles = page.select_all("h1").into_iter().map(inner_text);
+        let title = inner_text(link);
+        if !titles
+            .map(|text| text.trim().to_owned())
+            .any(|text| text == title.trim())
+        {
+            faults.push(format!("{name} is called {title:?} in the contents."));
+        }
+    }
+    assert_no_faults(&faults);
 }

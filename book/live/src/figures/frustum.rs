@@ -14,7 +14,7 @@ fn place(point: DVec3) -> DVec2 {
 
 /// The three balls: near, in the middle and far away.
 fn spheres() -> [Sphere; 3] {
-    [[-0.18, 0.75, 0.085], [0.38, 2.3, 0.3], [-0.25, 4.72, 0.42]].map(
+    [[-0.19, 0.85, 0.12], [0.45, 2.35, 0.33], [-0.25, 4.72, 0.42]].map(
         |[height, depth, radius]| Sphere {
             centre: DVec3::new(0.0, height, -depth),
             radius,
@@ -61,7 +61,9 @@ fn draw(values: &[f64]) -> Drawing {
         let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
         let class = if part == "cut away" { "behind" } else { "object" };
         drawing.circle(class, centre, radius);
-        drawing.label("quiet over", centre + dvec2(0.0, radius + 20.0), part);
+        // The name of a small ball stands below it.
+        let down = if radius < 20.0 { radius + 32.0 } else { 5.0 };
+        drawing.label("quiet", centre + dvec2(0.0, down), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", place(ray.start), place(ray.at(t)));
@@ -87,10 +89,10 @@ fn plane_handle(words: &str, index: usize) -> Handle {
 pub fn figure() -> Live {
     Live {
         title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
-        caption: "The frustum is the shaded part; the words below the balls say what OpenGL does. Our rays start at $C$, \
+        caption: "The frustum is the shaded part; the words at the balls say what OpenGL does. Our rays start at $C$, \
                   know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
         parameters: vec![
-            Parameter::new(["", "near plane", ""], 1.2, [0.2, 2.4], 20.0),
+            Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
             Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
         ],
         handles: vec![
