@@ -25,6 +25,14 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step02-fifth-pixels", []) => Fixed(1, length_in_pixels(0.2)),
         ("step02-rim-radius", []) => Fixed(2, rim_radius_and_distance().0),
         ("step02-rim-depth", []) => Number(rim_radius_and_distance().1),
+        ("step02-rim-narrower", []) => {
+            let (radius, _) = rim_radius_and_distance();
+            Fixed(0, 100.0 * (1.0 - radius / SPHERE.radius))
+        }
+        ("step02-rim-nearer", []) => {
+            let (_, distance) = rim_radius_and_distance();
+            Fixed(0, 100.0 * (1.0 - distance / SPHERE.centre.length()))
+        }
         ("step02-columns", []) => {
             let columns = 0..camera().h_res;
             Count(columns.filter(|&i| has_hit(&pixel_ray([i, 180]))).count())

@@ -45,6 +45,10 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
             });
             Number(gaps.into_iter().fold(0.0, f64::max))
         }
+        ("step03-horizon", []) => {
+            let Sphere { centre, radius } = OBJECTS[1].sphere;
+            Fixed(1, (centre.length_squared() - radius * radius).sqrt())
+        }
         ("ground-row", &[column]) => Count(first_ground_row(column)),
         ("step03-phi", []) => Fixed(1, WHITE.angle_off_axis().to_degrees()),
         ("step03-alpha", []) => Fixed(1, WHITE.half_angle_of_cone().to_degrees()),

@@ -3,7 +3,10 @@
 use super::Value::{self, Column, Count, Fixed, Number, Vector};
 use super::rays::{count_rays, object_of_pixel, pixel_ray};
 use glam::DVec3;
-use step04_diffuse::{AMBIENT, COOL, WARM, colour, nearest, scene, visible_point};
+use step02_sphere::quadratic;
+use step04_diffuse::{
+    AMBIENT, Attenuation, COOL, WARM, colour, nearest, scene, visible_point,
+};
 
 /// The value of this name.
 pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
@@ -17,6 +20,14 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step04-n-column", []) => Column(point_and_normal(PIXEL).1),
         ("step04-surface", []) => {
             Vector(object_of_pixel(PIXEL).material.matte.diffuse)
+        }
+        ("step04-warm-a", []) => Number(WARM.attenuation.a),
+        ("step04-cool-a", []) => Number(COOL.attenuation.a),
+        ("step04-warm-brighter", []) => {
+            Number(distance_of_full_light(&WARM.attenuation))
+        }
+        ("step04-cool-brighter", []) => {
+            Number(distance_of_full_light(&COOL.attenuation))
         }
         ("step04-peach", []) => Number(blue_per_red(WARM.diffuse)),
         ("step04-orange", []) => Fixed(2, blue_per_red(plaster_light())),
@@ -39,6 +50,13 @@ fn point_and_normal(pixel: [u32; 2]) -> (DVec3, DVec3) {
     let objects = scene().objects;
     let point = visible_point(&objects, &pixel_ray(pixel)).expect("an object");
     (point.p, point.n)
+}
+
+/// The distance at which a light of this attenuation is as bright as its L_d: nearer, it
+/// is brighter.
+fn distance_of_full_light(attenuation: &Attenuation) -> f64 {
+    let Attenuation { a, b, c } = *attenuation;
+    quadratic(c, b, a - 1.0).first_hit().expect("it fades")
 }
 
 fn blue_per_red(light: DVec3) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::Value::{self, Count, Fixed, Number, Vector};
 use super::rays::{camera, sum_over_rays};
-use exercises::{gamma::srgb, look_at::look_at};
+use exercises::{crowd::crowd, gamma::srgb, look_at::look_at};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{
@@ -15,6 +15,10 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("next-basis-x", []) => Vector(look_at_basis().x_axis),
         ("next-basis-y", []) => Vector(look_at_basis().y_axis),
         ("next-basis-z", []) => Vector(look_at_basis().z_axis),
+        ("crowd-objects", []) => Count(crowd().objects.len()),
+        ("crowd-marbles", []) => {
+            Count(crowd().objects.len() - OBJECTS.len())
+        }
         ("mirror-depth", &[k]) => Count(mirror_depth(k)),
         ("next-critical", []) => Fixed(0, (1.0_f64 / 1.5).asin().to_degrees()),
         ("next-tests-many", []) => Count(sum_over_rays(|_| 1000)),

@@ -8,6 +8,7 @@ fn camera() -> Camera {
     Camera::new(640, 360, 60_f64.to_radians())
 }
 
+#[track_caller]
 fn near(found: DVec3, printed: [f64; 3]) {
     assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");
 }

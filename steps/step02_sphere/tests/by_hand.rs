@@ -16,6 +16,7 @@ fn through_the_pixel() -> Ray {
     camera().ray(300.0, 150.0)
 }
 
+#[track_caller]
 fn near(found: f64, printed: f64) {
     assert!((found - printed).abs() < 5e-5, "{found} is not {printed}");
 }

@@ -11,6 +11,7 @@ fn ray(i: u32, j: u32) -> Ray {
     camera().ray(i.into(), j.into())
 }
 
+#[track_caller]
 fn near(found: impl Into<DVec3>, printed: [f64; 3]) {
     let found: DVec3 = found.into();
     assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");

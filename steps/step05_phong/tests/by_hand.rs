@@ -14,6 +14,7 @@ fn terms_at(i: u32, j: u32) -> Phong {
     terms(&scene, &ray).unwrap()
 }
 
+#[track_caller]
 fn near(found: DVec3, printed: [f64; 3]) {
     assert!(found.abs_diff_eq(printed.into(), 5e-5), "{found} is not {printed:?}");
 }

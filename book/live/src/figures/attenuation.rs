@@ -10,16 +10,19 @@ fn reader_attenuation(values: &[f64]) -> Attenuation {
     Attenuation { a, b, c }
 }
 
-/// The light at the distance `d`, as a share of the light at 0.
+/// The light at the distance `d`, as a multiple of L_d.
 fn light_share(attenuation: &Attenuation, d: f64) -> f64 {
-    attenuation.divisor(0.0) / attenuation.divisor(d)
+    1.0 / attenuation.divisor(d)
 }
+
+/// The smallest a that the reader may set: with it, the light begins at the top.
+const SMALLEST_A: f64 = 0.5;
 
 /// Three curves, and that of the reader.
 fn draw(reader_attenuation: &Attenuation) -> Drawing {
-    let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 190.0) };
+    let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 100.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
-    for share in [0.25, 0.5, 0.75, 1.0] {
+    for share in [0.5, 1.0, 1.5, 2.0] {
         drawing.line(
             "grid",
             view.xy_to_drawing(0.0, share),
@@ -36,19 +39,19 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
         drawing.label("quiet", place, &format!("{d}"));
     }
     drawing.arrow("axis", view.origin, view.xy_to_drawing(14.4, 0.0));
-    drawing.arrow("axis", view.origin, view.xy_to_drawing(0.0, 1.14));
+    drawing.arrow("axis", view.origin, view.xy_to_drawing(0.0, 2.16));
     let from_1 = |b, c| Attenuation { a: 1.0, b, c };
     let is_warm = *reader_attenuation == WARM.attenuation;
     // The name stands beside the curve, or where every curve begins.
     let (name, name_d, shift) = if is_warm {
-        ("the warm light", 7.4, -12.0)
+        ("the warm light", 4.2, -10.0)
     } else {
-        ("your curve", 0.0, -8.0)
+        ("your curve", 0.3, -8.0)
     };
     let curves = [
         (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
-        (from_1(0.2, 0.0), 10.0, 24.0, "$a$ = 1, $b$ = 0.2"),
-        (from_1(0.0, 0.1), 0.4, 146.0, "$a$ = 1, $c$ = 0.1"),
+        (from_1(0.2, 0.0), 9.6, 18.0, "$a$ = 1, $b$ = 0.2"),
+        (from_1(0.0, 0.1), 0.4, 88.0, "$a$ = 1, $c$ = 0.1"),
         (*reader_attenuation, name_d, shift, name),
     ];
     for (k, (attenuation, d, shift, text)) in curves.into_iter().enumerate() {
@@ -70,18 +73,18 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
 pub fn figure() -> Live {
     let Attenuation { a, b, c } = WARM.attenuation;
     Live {
-        title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c, and the curve of the scene's warm light between them.",
-        caption: "How much of a light is left at the distance $d$, as a share of what it is at $d = 0$. With $a$ \
+        title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.",
+        caption: "How many times its $L_d$ a light gives at the distance $d$. With $a$ \
                   alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
                   but far away, $b$ leaves more. The curve of the warm light<span class='move'>, until you change it,</span> \
-                  has some of each; at $d = 6$ it leaves {{#number attenuation:share}}.",
+                  has some of each, and begins above 1; at $d = 6$ it gives {{#number attenuation:share}}.",
         parameters: [
             ("a", a, 2.0, 20.0),
             ("b", b, 1.0, 100.0),
             ("c", c, 0.5, 200.0),
         ]
         .map(|(symbol, default, max, steps)| {
-            let min = if symbol == "a" { 0.1 } else { 0.0 };
+            let min = if symbol == "a" { SMALLEST_A } else { 0.0 };
             Parameter::new(
                 [symbol, "of your curve", ""],
                 default,

@@ -1,6 +1,8 @@
+use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_rounded,
+    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_number,
+    format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -89,9 +91,10 @@ fn labels(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
 /// A beam of light that falls straight down, and one whose angle the reader sets.
 pub fn figure() -> Live {
     Live {
-        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at 60 degrees, where the same beam lights a strip twice as wide.",
-        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At 60° it is \
-                  spread over twice the ground, so each point of it gets half: the cosine of the angle. \
+        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
+        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At {{#number lambert:angle}}°, each \
+                  point of the ground gets {{#number lambert:share}} of what it gets from straight above: \
+                  the cosine of the angle, or nothing where that is negative. \
                   <span class='move'>Lower the light to the ground, and below it.</span>",
         parameters: vec![Parameter::new(
             ["α", "angle of the light", "°"],
@@ -115,6 +118,14 @@ pub fn figure() -> Live {
                 })
             },
         )],
+        numbers: |values| {
+            let [degrees] = array(values);
+            let l = DVec2::from_angle(FRAC_PI_2 + f64::to_radians(degrees));
+            collect_numbers([
+                ("angle", format_number(degrees)),
+                ("share", format_rounded(brightness(l), 3)),
+            ])
+        },
         ..Live::new("lambert", |values| {
             let [degrees] = array(values);
             Output::Drawing(draw(degrees))
