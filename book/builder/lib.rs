@@ -57,6 +57,7 @@ mod tests;
 
 pub use build::build;
 pub use files::Files;
+pub use mistakes::effect_and_step_of_picture;
 pub use page::{Page, inner_text, select_all};
 pub use preprocessor::Course;
 pub use site::Site;

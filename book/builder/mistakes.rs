@@ -1,7 +1,7 @@
 use crate::files::CHAPTERS;
 use crate::generated_files::THUMBNAIL_SUFFIX;
 use crate::markdown::inline_html;
-use crate::picture::Picture;
+use crate::picture::{LAZY, Picture};
 use check::{BookEntry, Mistake, Step, mistakes};
 use live::escape;
 use std::fs;
@@ -38,6 +38,19 @@ pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
     Ok(text)
 }
 
+/// The sentence of the list about the picture of a mistake, and the step that is drawn in
+/// it; None for any other picture.
+pub fn effect_and_step_of_picture(source: &str) -> Option<(String, Step)> {
+    let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
+    mistakes().into_iter().filter_map(|mistake| mistake.book_entry).find_map(
+        |entry| {
+            let (_, step) =
+                *entry.pictures.iter().find(|(known, _)| *known == name)?;
+            Some((entry.effect.replace('`', ""), step))
+        },
+    )
+}
+
 /// A mistake in the picture of a step.
 struct Entry<'a> {
     mistake: &'a Mistake,
@@ -66,6 +79,11 @@ impl Entry<'_> {
         let alt =
             format!("The picture of step {} with this mistake.", step.number());
         let wrong = self.picture(&alt).html(workspace)?;
+        // The difference is blended by the browser: two pictures, one upon the other.
+        let blended_source =
+            |source: &str| format!("<img src=\"{source}\" alt=\"\"{LAZY}>");
+        let mistaken = format!("generated/mistake-{name}.png");
+        let blended = blended_source(&mistaken) + &blended_source(&right);
         let step_of_file =
             mistake.step().ok_or("a mistake that is shown is in a step")?;
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
@@ -75,10 +93,10 @@ impl Entry<'_> {
             chapter_with_section(step_of_file, book_entry.section, workspace)?;
         Ok(format!(
             "\n### {} {{#{name}}}\n\n\
-             <div class=\"panels\">{wrong}{ours}\
-             <span class=\"differ\" role=\"img\" aria-label=\"The difference.\" \
-             style=\"background-image: url(generated/mistake-{name}.png), url({right})\"></span>\
-             </div>\n\n{}\n\n{} [Step {}, “{}”]({chapter}.md#{id})\n",
+             <div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
+             <span data-label=\"Ours\">{ours}</span>\
+             <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
+             aria-label=\"The difference.\">{blended}</span></span></div>\n\n{}\n\n{} [Step {}, “{}”]({chapter}.md#{id})\n",
             self.capitalised_title_html()?,
             diff_figure_html(mistake),
             inline_html(&symbols_as_formulas(book_entry.reason))?,

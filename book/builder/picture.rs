@@ -1,6 +1,7 @@
 use crate::files::CHAPTERS;
 use crate::generated_files::HALF_SUFFIX;
 use crate::markdown::inline_html;
+use crate::mistakes::effect_and_step_of_picture;
 use crate::{controls, pixel_panel};
 use image::image_dimensions;
 use live::{Live, escape};
@@ -23,14 +24,20 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Takes the alt text from the Markdown of the picture.
+    /// Takes the alt text from the Markdown of the picture; a mistake's picture has none
+    /// there, as the list of mistakes says what it shows.
     pub fn from_markdown(markdown: &str, source: &str, caption: &str) -> Self {
         // The caption may hold links of its own; the alt text ends before the first.
         let end = format!("]({source}");
         let alt = markdown.trim_start_matches("![").split(&end);
         let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
+        let effect = effect_and_step_of_picture(source).map(|(effect, _)| effect);
+        let alt = match (alt.join(" "), effect) {
+            (alt, Some(effect)) if alt.is_empty() => effect,
+            (alt, _) => alt,
+        };
         let (source, caption) = (source.to_string(), caption.to_string());
-        Self { alt: alt.join(" "), source, caption }
+        Self { alt, source, caption }
     }
 
     /// A picture without a caption.

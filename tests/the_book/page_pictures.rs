@@ -1,8 +1,10 @@
 //! The picture is the output: every picture in the book has the pixels of a locked one, of
-//! a mistake's, of a step's made small, or of what answers on the page, as it is printed.
+//! a mistake's, of a step's made small, or of what answers on the page, as it is printed. Each
+//! is on a page, and what is said of a mistake's is so.
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
+use book::{effect_and_step_of_picture, inner_text, select_all};
 use image::RgbImage;
 use image::imageops::thumbnail;
 use live::{LIVE, Output};
@@ -49,6 +51,65 @@ fn pictures_have_the_expected_pixels() {
                 let location = page.address_for_fault(img);
                 faults.push(format!(
                     "{location}: {source} is not what our code draws."
+                ));
+            }
+        }
+    }
+    assert_no_faults(&faults);
+}
+
+#[test]
+fn every_picture_that_is_built_is_on_a_page() {
+    let (book, mut faults) = (built_book(), vec![]);
+    let chapters = book.chapters_in_order();
+    let images = chapters.iter().flat_map(|page| page.select_all("img"));
+    let sources: String = images
+        .flat_map(|img| [img.attr("src"), img.attr("srcset")])
+        .flatten()
+        .map(|sources| format!("{sources} "))
+        .collect();
+    for file in book.files.0.keys().filter(|file| file.ends_with(".png")) {
+        if !sources.contains(&format!("{file} ")) {
+            faults.push(format!("{file} is on no page."));
+        }
+    }
+    assert_no_faults(&faults);
+}
+
+/// The numbers of the steps that a text names.
+fn named_steps(text: &str) -> Vec<usize> {
+    let words: Vec<_> = text.split(|c: char| !c.is_alphanumeric()).collect();
+    let pairs =
+        words.windows(2).filter(|pair| pair[0].eq_ignore_ascii_case("step"));
+    pairs.filter_map(|pair| pair[1].parse().ok()).collect()
+}
+
+#[test]
+fn mistakes_have_the_sentence_of_the_list_and_the_step_that_is_named() {
+    let (book, mut faults) = (built_book(), vec![]);
+    for page in book.chapters_in_order() {
+        for figure in page.select_all("figure.picture") {
+            let Some(img) = select_all(figure, "img").first().copied() else {
+                continue;
+            };
+            let source = img.attr("src").unwrap_or_default();
+            let Some((effect, step)) = effect_and_step_of_picture(source) else {
+                continue;
+            };
+            let location = page.address_for_fault(figure);
+            if img.attr("alt") != Some(&effect) {
+                faults.push(format!("{location}: the alt text is not {effect:?}."));
+            }
+            let mut steps = named_steps(&inner_text(figure));
+            if steps.is_empty() {
+                steps.extend(named_steps(
+                    &page.name.replace("step0", "step ").replace('_', " "),
+                ));
+            }
+            if steps != [step.number()] {
+                let name = step.name();
+                faults.push(format!(
+                    "{location}: {source} shows {name}, not {steps:?}."
                 ));
             }
         }

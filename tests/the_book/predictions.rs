@@ -1,5 +1,5 @@
 //! Predictions that a chapter asks for, where the answer is a run: the program, changed as
-//! the question says, shows what the answer says.
+//! the question says, shows what the answer says. And what else a chapter says of a run.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots, SPHERE, Sphere};
@@ -41,6 +41,60 @@ fn first_hit_in_place_of_the_nearest_loses_pixels() {
     assert_eq!(golden, 0.0);
     assert!(0.0 < white && white < 0.05, "{white} of white is left");
     assert!(0.2 < teal && teal < 0.8, "{teal} of teal is left");
+}
+
+/// "Red is first in the list, so it loses every overlap. Wherever two others overlap, the
+/// nearer one happens to come later."
+#[test]
+fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
+    for ray in primary_rays() {
+        let has_hit = |object: &&Object<_>| {
+            object.sphere.intersect(&ray).first_hit().is_some()
+        };
+        let last = OBJECTS.iter().rfind(has_hit).map(|object| object.name);
+        let nearest = nearest(&OBJECTS, &ray).map(|hit| hit.object.name);
+        assert!(last == nearest || nearest == Some("red sphere"), "{ray:?}");
+    }
+}
+
+/// "Small ones first … Which four are left": the radius below 1.
+#[test]
+fn four_spheres_of_the_picture_have_a_radius_below_1() {
+    let small = OBJECTS.iter().filter(|object| object.sphere.radius < 1.0);
+    let is_ahead = |object: &&Object<_>| object.sphere.centre.z < 0.0;
+    assert_eq!(small.filter(is_ahead).count(), 4);
+}
+
+/// "The ground", "the teal sphere on the right" and others in the table of shininess, and
+/// "Two spheres of our scene go beyond" 128.
+#[test]
+fn materials_have_the_shininess_of_the_table() {
+    let objects = step05_phong::scene().objects;
+    let shininess = |k: usize| objects[k].material.shininess;
+    assert_eq!([1, 5, 0, 6].map(shininess), [10, 16, 40, 300]);
+    assert_eq!((0..9).filter(|&k| 128 < shininess(k)).count(), 2);
+}
+
+/// "All six of the balls that mirror show it", the green sphere behind the eye.
+#[test]
+fn each_ball_that_mirrors_shows_the_green_sphere() {
+    let objects = exercises::mirror::mirrors().objects;
+    let mut names: Vec<_> = primary_rays()
+        .filter_map(|ray| {
+            let point = step05_phong::visible_point(&objects, &ray)?;
+            let name = nearest(&objects, &ray)?.object.name;
+            let direction = step05_phong::reflect(point.n, -ray.direction);
+            let start = point.p + exercises::mirror::OFFSET * point.n;
+            let mirrored = nearest(&objects, &Ray { start, direction })?;
+            let is_mirror = 0.0 < point.material.k && name != "ground";
+            (is_mirror && mirrored.object.name == "green sphere").then_some(name)
+        })
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), 6, "{names:?}");
+    let mirrors = objects.iter().filter(|object| 0.0 < object.material.k);
+    assert_eq!(mirrors.count(), 7, "and the ground");
 }
 
 /// "The centre of the green sphere is above you and to the right."

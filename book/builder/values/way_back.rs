@@ -16,9 +16,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("next-basis-y", []) => Vector(look_at_basis().y_axis),
         ("next-basis-z", []) => Vector(look_at_basis().z_axis),
         ("crowd-objects", []) => Count(crowd().objects.len()),
-        ("crowd-marbles", []) => {
-            Count(crowd().objects.len() - OBJECTS.len())
-        }
+        ("crowd-marbles", []) => Count(crowd().objects.len() - OBJECTS.len()),
         ("mirror-depth", &[k]) => Count(mirror_depth(k)),
         ("next-critical", []) => Fixed(0, (1.0_f64 / 1.5).asin().to_degrees()),
         ("next-tests-many", []) => Count(sum_over_rays(|_| 1000)),
