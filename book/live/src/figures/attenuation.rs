@@ -50,7 +50,7 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
     };
     let curves = [
         (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
-        (from_1(0.2, 0.0), 9.6, 18.0, "$a$ = 1, $b$ = 0.2"),
+        (from_1(0.2, 0.0), 6.0, -8.0, "$a$ = 1, $b$ = 0.2"),
         (from_1(0.0, 0.1), 0.4, 88.0, "$a$ = 1, $c$ = 0.1"),
         (*reader_attenuation, name_d, shift, name),
     ];
