@@ -5,9 +5,7 @@ use super::rays::{camera, sum_over_rays};
 use exercises::{crowd::crowd, gamma::srgb, look_at::look_at};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
-use step04_diffuse::{
-    Camera, OBJECTS, Object, PointLight, Ray, scene, visible_point,
-};
+use step04_diffuse::{Camera, OBJECTS, Object, Ray};
 
 /// The value of this name.
 pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
@@ -20,7 +18,6 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("mirror-depth", &[k]) => Count(mirror_depth(k)),
         ("next-critical", []) => Fixed(0, (1.0_f64 / 1.5).asin().to_degrees()),
         ("next-tests-many", []) => Count(sum_over_rays(|_| 1000)),
-        ("next-roots", []) => Count(sum_over_rays(count_met_spheres)),
         ("next-wasted", []) => {
             let tests = sum_over_rays(|_| OBJECTS.len()) as f64;
             Fixed(
@@ -28,10 +25,6 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
                 100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests),
             )
         }
-        ("next-lamps", []) => Count(sum_over_rays(|ray| light_cosines(ray).len())),
-        ("next-lamps-in-front", []) => Count(sum_over_rays(|ray| {
-            light_cosines(ray).into_iter().filter(|cosine| 0.0 < *cosine).count()
-        })),
         ("next-half-byte", []) => Number(decode_srgb(128.0 / 255.0)),
         ("next-byte-of-half", []) => Fixed(0, 255.0 * srgb(0.5)),
         _ => return None,
@@ -49,14 +42,6 @@ fn mirror_depth(k: f64) -> usize {
 fn count_met_spheres(ray: &Ray) -> usize {
     let meets = |object: &&Object<_>| object.sphere.intersect(ray) != Roots::Zero;
     OBJECTS.iter().filter(meets).count()
-}
-
-/// The cosine between n and l of each light, at the point that a ray sees.
-fn light_cosines(ray: &Ray) -> Vec<f64> {
-    let scene = scene();
-    let Some(point) = visible_point(&scene.objects, ray) else { return vec![] };
-    let cosine = |light: &PointLight| point.n.dot(light.direction_from(point.p).0);
-    scene.lights.iter().map(cosine).collect()
 }
 
 /// The basis x', y', z' of a camera at (4, 2, 0) that looks at the middle of the largest
