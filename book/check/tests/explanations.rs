@@ -83,7 +83,11 @@ fn other_sky_colour_is_named() {
         assert_answer_contains(
             &picture,
             step.name(),
-            &["red = 0.75 − 0.25 y", "of V/|V|", "step01_rays/src/direction_colour.rs"],
+            &[
+                "red = 0.75 − 0.25 y",
+                "of V/|V|",
+                "step01_rays/src/direction_colour.rs",
+            ],
         );
         let picture =
             draw_with_sky_and_bytes(step, &camera, weak_gradient, our_bytes);
