@@ -93,8 +93,8 @@ pub fn figure() -> Live {
             Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
             aspect_ratio_parameter(),
             Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
-            Parameter::coordinate(5.0, [0.0, 15.0], 1.0),
-            Parameter::coordinate(3.0, [0.0, 11.0], 1.0),
+            Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
+            Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
         ],
         handles: vec![Handle {
             is_down: true,
