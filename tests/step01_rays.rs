@@ -51,7 +51,7 @@ fn program_accepts_the_limits_of_its_options() {
 }
 
 #[test]
-fn outermost_rays_enclose_the_field_of_view_and_mirror_each_other() {
+fn angle_between_outermost_rays_is_the_field_of_view() {
     for degrees in FIELDS_OF_VIEW {
         let camera = Camera::new(101, 75, f64::to_radians(degrees));
         let v = |i, j| camera.ray(i, j).direction;

@@ -34,9 +34,9 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
         for element in page.html.root_element().descendent_elements() {
             for address in addresses_in(element) {
                 let fault = find_address_fault(site, &ids, &page.name, &address);
-                let is_link =
+                let is_external_link =
                     element.value().name() == "a" && is_outside_book(&address);
-                let fault = fault.filter(|_| !is_link);
+                let fault = fault.filter(|_| !is_external_link);
                 let place = || {
                     source_position_of_link(chapters, &page.name, &address)
                         .unwrap_or_else(|| page.address_for_fault(element))
@@ -118,13 +118,13 @@ fn find_address_fault(
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
-        || names_pixel(site, &path, id);
+        || is_pixel_link(site, &path, id);
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
 }
 
 /// Whether an address ends in a pixel, such as `pixel=470,120`, of a picture on the page whose
 /// pixels can be asked.
-fn names_pixel(site: &Site, path: &str, id: &str) -> bool {
+fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
     let camera = live::camera();
     let is_inside = |(i, j): (&str, &str)| {
         let is_below =

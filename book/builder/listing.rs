@@ -57,7 +57,7 @@ pub fn moving_listing_html(
 }
 
 /// The attribute that says where a reader may edit the code: for each place its name, and its
-/// start and length in letters as JavaScript counts them. See book/theme/lines.js.
+/// start and length in letters as JavaScript counts them. See book/theme/line_editor.js.
 fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
     let mut places = expressions::editable_places();

@@ -5,10 +5,10 @@ use step03_nearest::OBJECTS;
 
 /// The text about a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `2-4` is for the pictures of these steps.
-pub const TEXT: &str = include_str!("pixel_panel.md");
+pub const TEXT: &str = include_str!("pixel_trace_template.md");
 
 /// The same for the picture with mirrors.
-const MIRROR_TEXT: &str = include_str!("mirror_panel.md");
+const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");
 
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];

@@ -44,7 +44,7 @@ fn section_jsons(page: &Page) -> Vec<String> {
         .skip(1)
         .map(|(address, title, words)| {
             let words = collapse_blanks(&words);
-            json::list([address, title, words].map(|one| json::text(&one)))
+            json::list([address, title, words].map(|one| json::quote(&one)))
         })
         .collect()
 }

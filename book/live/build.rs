@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("\"../../step04_diffuse/examples/shadows.rs\"", path("shadows.rs"));
     let mirror = read_listing(MIRROR, listed)?;
     let mirror = mirror.replace(listed, &format!("{moving:?}"));
-    // What is included has no comment on all of it.
+    // `include!` takes no inner documentation.
     Ok(write(path("mirror.rs"), mirror.replace("//!", "//"))?)
 }
 

@@ -120,7 +120,7 @@ requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     colours();
     if (!isWhole) {
         load("theme/live.js");
-        load("theme/lines.js");
+        load("theme/line_editor.js");
     }
     load("theme/search.js");
 })));

@@ -1,7 +1,7 @@
 // Everybody can use every page, as far as axe can tell.
 import AxeBuilder from '@axe-core/playwright';
 import { chapters } from './book.js';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 for (const name of chapters) {
   test(`${name} is accessible`, async ({ page, home, colorScheme, viewport }) => {

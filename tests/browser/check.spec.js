@@ -1,6 +1,6 @@
 // The form that looks at a picture knows the right one and a wrong one.
 import { forms, picture } from './book.js';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 // Drops a picture on a form; returns what the page says of it.
 const drop = (form, bytes, name) => form.evaluate(async (one, [bytes, name]) => {

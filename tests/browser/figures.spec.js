@@ -1,6 +1,6 @@
 // A figure changes by its handles and controls; reset brings back what is printed.
 import { figures } from './book.js';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 for (const [name, figure, before] of figures) {
   const place = before ? `, number ${before + 1} there,` : '';

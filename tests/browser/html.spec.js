@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { folder, pages } from './book.js';
-import { expect, test } from './test.js';
+import { expect, test } from './fixtures.js';
 
 // It does not know two attributes of MathML Core and a property of CSS yet.
 const UNKNOWN = /“(displaystyle|scriptlevel)” not allowed|“paint-order” doesn't exist/;

@@ -1,6 +1,6 @@
 // What fails to load once is loaded again.
 import { figures } from './book.js';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 test('a module that fails to load is loaded again', async ({ browser, home }) => {
   const [name] = figures[0];

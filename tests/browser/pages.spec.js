@@ -1,6 +1,6 @@
 // Every page shows all of itself, and the browser has nothing to complain of.
 import { chapters, pages } from './book.js';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 for (const name of pages) {
   test(`${name} shows its pictures and does not scroll sideways`, async ({ page, home }) => {

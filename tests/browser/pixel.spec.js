@@ -1,5 +1,5 @@
 // A pixel is asked by its numbers, and by a link that names it.
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 const page3 = 'step03_nearest.html';
 const picture = 'figure[data-live="step03_nearest"]';

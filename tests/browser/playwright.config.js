@@ -29,7 +29,7 @@ const view = (width, colorScheme) => ({ viewport: { width, height: 900 }, colorS
 // One form of a page and one word of the search will do.
 const QUICK = { grepInvert: /@thorough/ };
 const PAGES = ['pages.spec.js', 'search.spec.js'];
-const ANSWERS = ['figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'lines.spec.js'];
+const ANSWERS = ['figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js'];
 
 export default defineConfig({
   testDir: '.',

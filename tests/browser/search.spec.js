@@ -1,5 +1,5 @@
 // The search finds the words of the book, names of Rust and signs included.
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 const WORDS = ['discriminant', 'sqrt', 'to_radians', 'normalize_and_length', 'θ', 'for', 'f64::consts'];
 

@@ -4,7 +4,7 @@ import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { pagesWithFigures } from './book.js';
-import { expect, local, test as base } from './test.js';
+import { expect, local, test as base } from './fixtures.js';
 
 async function freePort() {
   const server = createServer().listen(0, '127.0.0.1');

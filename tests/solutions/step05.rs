@@ -14,7 +14,7 @@ fn scene_without_mirrors() -> Scene<Mirror, Light> {
 }
 
 /// The scene of the exercise `glass`, in which everything is opaque.
-fn scene_without_glass() -> Scene<Glass, Light> {
+fn scene_with_opaque_spheres() -> Scene<Glass, Light> {
     let mut scene = glass::glasses(1.5);
     scene.objects.iter_mut().for_each(|object| object.material.index = None);
     scene
@@ -23,7 +23,7 @@ fn scene_without_glass() -> Scene<Glass, Light> {
 #[test]
 fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     let (scene, opaque_mirrors, opaque_glass) =
-        (scene(), scene_without_mirrors(), scene_without_glass());
+        (scene(), scene_without_mirrors(), scene_with_opaque_spheres());
     for ray in primary_rays() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let is_hidden = |q: DVec3| shadows::hidden(&scene.objects, &point, q);
@@ -119,7 +119,7 @@ fn glass_casts_no_shadow() {
         };
         glass::hidden_by_opaque(&scene.objects, &point, WARM.position)
     };
-    assert!(is_hidden(scene_without_glass()));
+    assert!(is_hidden(scene_with_opaque_spheres()));
     assert!(!is_hidden(glass::glasses(1.5)));
 }
 

@@ -17,8 +17,8 @@ mod crate_states;
 mod own_scene;
 mod page_events;
 mod reader_workspace;
-mod run_command;
 mod typed_book;
+mod verified_command;
 
 // Results by hand and answers to predictions are right.
 mod by_hand_names;

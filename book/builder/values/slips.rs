@@ -29,17 +29,21 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("slide-row", &[j]) => Number(slide_matrix().ray(0.0, j).direction.y),
         ("slide-angle", &[j]) => Fixed(1, degrees_down(&slide_matrix(), j)),
         ("camera-angle", &[j]) => Fixed(1, degrees_down(&camera(), j)),
-        ("slips-row-last", []) => Number(row().direction(639.0).x),
-        ("slips-row-beyond", []) => Number(row().direction(640.0).x),
+        ("slips-row-last", []) => Number(course_row_2d().direction(639.0).x),
+        ("slips-row-beyond", []) => Number(course_row_2d().direction(640.0).x),
         ("slips-row-angle", []) => {
-            let angle = row().direction(640.0).angle_to(row().direction(0.0));
+            let angle = course_row_2d()
+                .direction(640.0)
+                .angle_to(course_row_2d().direction(0.0));
             Number(angle.to_degrees())
         }
         ("slips-i-twice-2", []) => Number(length_in_pixels(
-            row().direction(4.0).x - row().direction(0.0).x,
+            course_row_2d().direction(4.0).x - course_row_2d().direction(0.0).x,
         )),
         // If D itself had a factor i, ray i would have the direction of ray i².
-        ("slips-i-twice-last", []) => Number(row().direction(639.0 * 639.0).x),
+        ("slips-i-twice-last", []) => {
+            Number(course_row_2d().direction(639.0 * 639.0).x)
+        }
         ("slips-pass-b", []) => Number(SPHERE.coefficients(&PASSING_RAY).1),
         ("slips-pass-c", []) => Number(SPHERE.coefficients(&PASSING_RAY).2),
         ("slips-pass-discriminant", []) => {
@@ -82,7 +86,7 @@ fn degrees_down(camera: &Camera, j: f64) -> f64 {
 }
 
 /// The row of rays in 2D with the columns and the angle of the course's pictures.
-fn row() -> Row {
+fn course_row_2d() -> Row {
     Row::new(640, 60_f64.to_radians())
 }
 

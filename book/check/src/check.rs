@@ -107,7 +107,7 @@ pub fn check_picture(
     }
     let ours = which_picture::find_most_similar(yours, &candidates);
     let step = Step::from_name(&ours.name);
-    let asked = step.filter(|_| one_colour(yours).is_none());
+    let asked = step.filter(|_| uniform_colour(yours).is_none());
     if let Some(text) = asked.and_then(|step| describe_other_options(step, yours)) {
         return Answer::new(1, text);
     }
@@ -243,14 +243,14 @@ fn candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
 }
 
 /// The colour of all pixels, where it is one.
-fn one_colour(picture: &RgbImage) -> Option<[u8; 3]> {
+fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     let first = picture.get_pixel_checked(0, 0)?;
     picture.pixels().all(|pixel| pixel == first).then_some(first.0)
 }
 
 /// Half a sentence about a picture of one colour, or of grey alone where ours is not.
 fn few_colours_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
-    if let Some([r, g, b]) = one_colour(yours) {
+    if let Some([r, g, b]) = uniform_colour(yours) {
         return Some(format!("one colour, ({r}, {g}, {b}), in all pixels"));
     }
     let is_grey =

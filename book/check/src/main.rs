@@ -42,7 +42,7 @@ fn main() -> ExitCode {
             Some(file) => check_file(&file, name.as_deref(), &locked),
         })
         .unwrap_or_else(|what| Answer::new(2, format!("error: {what}")));
-    // Where nobody listens any more, there is nobody to tell.
+    // Write errors are ignored: the output may be a closed pipe.
     let _ = match code {
         2 if !json => writeln!(io::stderr(), "{text}"),
         _ => writeln!(io::stdout(), "{text}"),

@@ -13,7 +13,7 @@ pub(crate) struct Region {
     /// Whether each light is on the outer side there.
     pub lit: [bool; 2],
     /// Whether a light is so that its highlight, large or small, reaches there.
-    pub shines: bool,
+    pub in_highlight: bool,
 }
 
 impl Region {
@@ -39,8 +39,8 @@ impl Region {
         for (light, lit) in scene.lights.iter().zip(&mut region.lit) {
             let l = (light.point_light.position - p).normalize();
             *lit = 0.0 < n.dot(l);
-            let shines = 0.0 < reflect(n, l).dot(-ray.direction);
-            region.shines |= step == Step::Phong && *lit && shines;
+            let in_highlight = 0.0 < reflect(n, l).dot(-ray.direction);
+            region.in_highlight |= step == Step::Phong && *lit && in_highlight;
         }
         region
     }

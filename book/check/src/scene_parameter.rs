@@ -13,7 +13,7 @@ struct Parameter {
     /// Name before that of its owner; empty where it is the owner's place.
     name: &'static str,
     /// The kind of thing that has it.
-    owner: Owner,
+    owner: OwnerKind,
     /// The first step that has it.
     since: Step,
     /// Such as `step03_nearest/objects.rs`.
@@ -31,7 +31,7 @@ struct Parameter {
 
 /// A kind of thing that has parameters.
 #[derive(Clone, Copy, PartialEq)]
-enum Owner {
+enum OwnerKind {
     Object,
     Light,
     Scene,
@@ -40,7 +40,7 @@ enum Owner {
 /// A colour of an object; most of the others differ from it in little.
 const COLOUR: Parameter = Parameter {
     name: "the colour of ",
-    owner: Owner::Object,
+    owner: OwnerKind::Object,
     since: Step::Nearest,
     file: "step03_nearest/objects.rs",
     count: 3,
@@ -92,7 +92,7 @@ const PARAMETERS: [Parameter; 10] = [
     },
     Parameter {
         name: "L_a of ",
-        owner: Owner::Scene,
+        owner: OwnerKind::Scene,
         get: |scene, _| scene.ambient_light.into(),
         set: |scene, _, v| scene.ambient_light = v.into(),
         ..DIFFUSE
@@ -131,7 +131,7 @@ const PARAMETERS: [Parameter; 10] = [
 /// A colour of a light; most parameters of lights differ from it in little.
 const DIFFUSE: Parameter = Parameter {
     name: "L_d of ",
-    owner: Owner::Light,
+    owner: OwnerKind::Light,
     since: Step::Diffuse,
     file: "step04_diffuse/scene.rs",
     get: |scene, k| scene.lights[k].point_light.diffuse.into(),
@@ -153,7 +153,8 @@ pub(crate) fn changed_number_candidates(
     step.into_iter().flat_map(move |step| {
         let parameters = PARAMETERS.iter().filter(move |one| one.since <= step);
         parameters.flat_map(move |parameter| {
-            let names = owner_names(parameter.owner, step).into_iter().enumerate();
+            let names =
+                names_of_kind(parameter.owner, step).into_iter().enumerate();
             names
                 .filter(|(k, _)| may_cause_wrong_pixels(parameter, *k, evidence))
                 .flat_map(move |(k, name)| {
@@ -171,8 +172,8 @@ fn may_cause_wrong_pixels(
 ) -> bool {
     let is_shape = parameter.since == Step::Sphere;
     evidence.wrong_pixels().iter().all(|pixel| match parameter.owner {
-        Owner::Object if is_shape => true,
-        Owner::Object => pixel.region.object == u8::try_from(owner_index).ok(),
+        OwnerKind::Object if is_shape => true,
+        OwnerKind::Object => pixel.region.object == u8::try_from(owner_index).ok(),
         _ => !pixel.is_sky(),
     })
 }
@@ -219,14 +220,14 @@ fn number_candidates<'a>(
 }
 
 /// The names of all that has a parameter of a kind.
-fn owner_names(owner: Owner, step: Step) -> Vec<String> {
+fn names_of_kind(owner: OwnerKind, step: Step) -> Vec<String> {
     match owner {
-        Owner::Object => {
+        OwnerKind::Object => {
             let count = scene_of_step(step).objects.len();
             (0..count).map(|k| object_name_with_article(step, k)).collect()
         }
-        Owner::Light => LIGHTS.map(str::to_owned).into(),
-        Owner::Scene => vec!["the scene".to_owned()],
+        OwnerKind::Light => LIGHTS.map(str::to_owned).into(),
+        OwnerKind::Scene => vec!["the scene".to_owned()],
     }
 }
 

@@ -75,10 +75,10 @@ fn fit_channel_of_sky(
 }
 
 /// How far a byte of the sky has to be off, somewhere, by another number of the camera.
-const TOLD: f64 = 0.1;
+const MIN_CHANGE_TO_REPORT: f64 = 0.1;
 
 /// How far from the middle of a pixel a fitted camera may be.
-const SLACK: f64 = 0.3;
+const MAX_PIXEL_OFFSET: f64 = 0.3;
 
 /// Explanation, not yet tried: our step with the camera that the sky tells. Its z leaves no
 /// trace there.
@@ -95,8 +95,8 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
         let count = f64::from([ours.h_res, ours.v_res, 1][k]);
         let right = [0, 1].map(|y| ours.matrix.row(y)[k]);
         for (y, right) in right.into_iter().enumerate() {
-            // What is hardly another number is ours.
-            if (rows[y][k] - right).abs() * count * 76.5 < TOLD {
+            // A difference below the threshold is none.
+            if (rows[y][k] - right).abs() * count * 76.5 < MIN_CHANGE_TO_REPORT {
                 rows[y][k] = right;
             }
         }
@@ -129,14 +129,14 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
     let mut explanation =
         Explanation::within_range(sentence, files, move |pixel| {
             let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
-            let offsets = [0.0, SLACK, -SLACK].map(|slack| {
+            let offsets = [0.0, MAX_PIXEL_OFFSET, -MAX_PIXEL_OFFSET].map(|slack| {
                 [(i + slack, j), (i, j + slack)]
                     .map(|(i, j)| ENCODE(intensity(&camera.ray(i, j))))
             });
             range_with_margin(offsets.as_flattened(), 1)
         });
     explanation.rays = 6;
-    // An edge may lie between two of these places.
+    // An edge may lie between two of these places: some pixels may differ.
     explanation.exceptions = 2000;
     Some(explanation)
 }

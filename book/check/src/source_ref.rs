@@ -16,7 +16,7 @@ pub struct SourceRef {
 
 /// The files to which an answer may lead, with their sections and tests.
 pub fn source_refs() -> impl Iterator<Item = SourceRef> {
-    let lines = include_str!("../source_files.txt").lines();
+    let lines = include_str!("../sections_and_tests.txt").lines();
     lines.filter_map(|line| {
         let mut parts = line.split('|').map(str::trim);
         let (step, file) = parts.next()?.split_once('/')?;

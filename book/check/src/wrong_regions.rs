@@ -14,7 +14,7 @@ const MOST_REGIONS: usize = 3;
 /// the others are wrong, and the tests by hand.
 pub(crate) fn describe_wrong_regions(evidence: &Evidence, step: Step) -> String {
     let (mut right, mut wrong) = (vec![], vec![]);
-    for (name, is_in) in regions_with_names(step) {
+    for (name, is_in) in named_regions(step) {
         match evidence.count_wrong_and_all(is_in) {
             (_, 0) => {}
             (0, _) => right.push(name),
@@ -70,7 +70,7 @@ fn sentence_of_wrong_objects(evidence: &Evidence, step: Step) -> String {
 type InRegion = Box<dyn Fn(&Pixel) -> bool>;
 
 /// The regions of a step, in the order of the stages that draw them, with their names.
-fn regions_with_names(step: Step) -> Vec<(String, InRegion)> {
+fn named_regions(step: Step) -> Vec<(String, InRegion)> {
     let mut regions: Vec<(String, InRegion)> =
         vec![("the sky".to_owned(), Box::new(Pixel::is_sky))];
     if step < Step::Diffuse {
@@ -83,8 +83,8 @@ fn regions_with_names(step: Step) -> Vec<(String, InRegion)> {
     }
     let lit = move |lit: [bool; 2]| -> InRegion {
         Box::new(move |pixel| {
-            let Region { object, lit: lit_there, shines } = pixel.region;
-            object.is_some() && lit_there == lit && !shines
+            let Region { object, lit: lit_there, in_highlight } = pixel.region;
+            object.is_some() && lit_there == lit && !in_highlight
         })
     };
     let without = if step == Step::Phong { ", without highlights" } else { "" };
@@ -95,7 +95,7 @@ fn regions_with_names(step: Step) -> Vec<(String, InRegion)> {
         (format!("what both lights reach{without}"), lit([true; 2])),
         (
             "where highlights may be".to_owned(),
-            Box::new(|pixel| pixel.region.shines),
+            Box::new(|pixel| pixel.region.in_highlight),
         ),
     ]);
     regions

@@ -64,7 +64,7 @@ fn files_tests_and_sections_of_answers_exist() {
     {
         let file = &mistake.file;
         let is_known = source_refs().any(|place| place.workspace_path() == *file);
-        assert!(is_known, "{file} is not in source_files.txt");
+        assert!(is_known, "{file} is not in sections_and_tests.txt");
         if let Some(shown) = &mistake.book_entry {
             let step = mistake.step().expect("a step");
             let heading = format!("# {}\n", shown.section);

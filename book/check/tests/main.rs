@@ -2,8 +2,8 @@
 //! bring.
 
 mod answers;
-mod damaged;
 mod explanations;
+mod file_formats;
 mod list;
 mod program;
 

@@ -89,7 +89,7 @@ const OPERATORS: &[Function] = &[
     ("%", "www", |[a, b, _]| {
         pack_i32(unpack_i32(a).checked_rem(unpack_i32(b)).unwrap_or(0))
     }),
-    // Before a value: the parser calls them so.
+    // Unary operators, by the names that the parser has for them.
     ("-value", "nn vv ww", |[a, ..]| -a),
     ("!value", "tt", |[a, ..]| 1.0 - a),
     ("as f64", "nn wn", |[a, ..]| a),
@@ -189,6 +189,7 @@ fn kind_from_letter(letter: char) -> Kind {
         'w' => Kind::Whole,
         'v' => Kind::Vector,
         'a' => Kind::Attenuation,
-        _ => Kind::Truth,
+        't' => Kind::Truth,
+        _ => unreachable!("{letter} is no kind"),
     }
 }

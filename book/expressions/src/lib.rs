@@ -36,7 +36,7 @@ mod functions;
 mod parser;
 mod refusal;
 mod value;
-pub use parser::{Expression, Mistake, parse_expression};
+pub use parser::{Expression, ParseError, parse_expression};
 
 mod drawing;
 pub use drawing::{draw_edited, editable_places, place_faults};

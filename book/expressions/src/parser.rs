@@ -17,7 +17,7 @@ impl Expression {
 
 /// Fault in a text.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mistake {
+pub struct ParseError {
     /// Bytes of the text that are wrong.
     pub range: Range<usize>,
     /// One or two sentences for the reader.
@@ -39,11 +39,14 @@ const OPERATORS: [&[&str]; 5] = [
     &["*", "/", "%"],
 ];
 
-/// The level of those that compare.
+/// The precedence level of the comparisons.
 const COMPARISONS: usize = 2;
 
 /// Reads what a reader wrote at a place.
-pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Mistake> {
+pub fn parse_expression(
+    place: &Place,
+    text: &str,
+) -> Result<Expression, ParseError> {
     let mut parser = Parser { place, text, at: 0, depth: 0 };
     if LENGTH < text.len() {
         return parser
@@ -63,7 +66,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Mistake
     Ok(Expression(part.code))
 }
 
-/// A part of a text that has a value.
+/// A subexpression.
 struct Part {
     code: Code,
     kind: Kind,
@@ -78,7 +81,7 @@ struct Parser<'a> {
     depth: usize,
 }
 
-type Parsed<T> = Result<T, Mistake>;
+type Parsed<T> = Result<T, ParseError>;
 
 /// Whether a letter may be in a name.
 pub fn is_word_char(c: char) -> bool {
@@ -91,7 +94,7 @@ impl<'a> Parser<'a> {
         range: Range<usize>,
         sentence: impl Into<String>,
     ) -> Parsed<T> {
-        Err(Mistake { range, sentence: sentence.into() })
+        Err(ParseError { range, sentence: sentence.into() })
     }
 
     /// Refuses the word or the sign that comes next, or the end of the text.
@@ -107,7 +110,7 @@ impl<'a> Parser<'a> {
             [..remaining.find(|c| !is_word_char(c)).unwrap_or(remaining.len())];
         let word =
             if word.is_empty() { &remaining[..sign.len_utf8()] } else { word };
-        let sentence = refusal::explain_misplaced_word(word)
+        let sentence = refusal::explain_unexpected_token(word)
             .unwrap_or(default_sentence.to_owned());
         self.refuse(self.at..self.at + word.len(), sentence)
     }
@@ -134,7 +137,7 @@ impl<'a> Parser<'a> {
         is_next
     }
 
-    /// Reads as far as letters are such, from here.
+    /// Reads on while `is_part` holds of the letters.
     fn take_while(&mut self, is_part: impl Fn(char) -> bool) -> &'a str {
         let remaining = &self.text[self.at..];
         let word = &remaining
@@ -272,7 +275,7 @@ impl<'a> Parser<'a> {
             return Ok(Part { range: start..self.at, ..inside });
         }
         let first = self.take_while(is_word_char);
-        if first.is_empty() || refusal::explain_misplaced_word(first).is_some() {
+        if first.is_empty() || refusal::explain_unexpected_token(first).is_some() {
             self.at = start;
             return self.refuse_next_word(
                 "A number, a name or a ( is missing before this.",
@@ -332,7 +335,7 @@ impl<'a> Parser<'a> {
         Ok(Part { code, kind, range: start..self.at })
     }
 
-    /// The call of what is named so, by the words in `range`.
+    /// The call of the function `name`, which the words in `range` are.
     fn build_call(
         &self,
         name: &str,

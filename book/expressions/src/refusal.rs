@@ -30,7 +30,7 @@ const ONE_EXPRESSION: &str = "One expression fits here, without let, if, blocks 
     that's true, else 0.";
 
 /// Sentence about a word or a sign that no expression may have here; None for others.
-pub fn explain_misplaced_word(word: &str) -> Option<String> {
+pub fn explain_unexpected_token(word: &str) -> Option<String> {
     if STATEMENTS.contains(&word) {
         return Some(ONE_EXPRESSION.to_owned());
     }

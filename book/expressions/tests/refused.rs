@@ -94,7 +94,7 @@ fn refused_text_has_its_range_and_sentence() {
 }
 
 /// Texts that are read; those that the book says to write come first.
-const READ: [(&str, &str); 25] = [
+const ACCEPTED: [(&str, &str); 25] = [
     ("sky", "0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z).normalize()"),
     ("sky", "DVec3::splat((40.0 * v.x).sin())"),
     ("sky", "(4.0 * v).fract().abs()"),
@@ -123,8 +123,8 @@ const READ: [(&str, &str); 25] = [
 ];
 
 #[test]
-fn texts_of_the_book_and_readers_are_parsed() {
-    for (name, text) in READ {
+fn valid_expressions_parse() {
+    for (name, text) in ACCEPTED {
         let read = parse_expression(&find_place(name), text);
         assert!(read.is_ok(), "{text}: {:?}", read.err());
     }

@@ -39,7 +39,7 @@ pub fn answer(request: &str) -> Answer {
 
 /// The answer that says, in a sentence, what was wrong with the request.
 fn error_answer(sentence: &str) -> Answer {
-    Answer::from_json_fields([("error", json::text(sentence))])
+    Answer::from_json_fields([("error", json::quote(sentence))])
 }
 
 fn try_answer(request: &str) -> Option<Answer> {
@@ -81,12 +81,12 @@ fn handles_and_defaults_answer(live: &Live) -> Answer {
         let [first, _] = handle.parameters;
         let [min, max] = live.parameters[first].range;
         json::object([
-            ("words", json::text(&handle.words)),
+            ("words", json::quote(&handle.words)),
             ("parameters", json::list(handle.parameters)),
-            ("mark", json::text(handle.mark.name())),
+            ("mark", json::quote(handle.mark.name())),
             ("min", min.to_string()),
             ("max", max.to_string()),
-            ("group", json::text(live.parameters[first].group)),
+            ("group", json::quote(live.parameters[first].group)),
         ])
     });
     Answer::from_json_fields([
@@ -102,7 +102,7 @@ fn full_answer(live: &Live, values: &[f64]) -> Answer {
     let mut pixels = vec![];
     match (live.draw)(values) {
         Output::Drawing(drawing) => {
-            fields.push(("drawing", json::text(drawing.svg_elements())));
+            fields.push(("drawing", json::quote(drawing.svg_elements())));
         }
         Output::Picture(picture) => {
             fields.push(("size", json::list([picture.width(), picture.height()])));
@@ -119,7 +119,7 @@ fn text_answer(live: &Live, values: &[f64]) -> Answer {
 
 fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     let pairs = live.parameters.iter().zip(values);
-    let texts = pairs.clone().map(|(p, value)| json::text(&p.format(*value)));
+    let texts = pairs.clone().map(|(p, value)| json::quote(&p.format(*value)));
     let visible = pairs.map(|(p, _)| (p.has_control)(p, values));
     let places = live.handles.iter().map(|handle| {
         // The page hides a handle that is outside the picture.
@@ -127,7 +127,7 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
         json::list(place.map(|x| (100.0 * x).round() / 100.0))
     });
     let numbers = (live.numbers)(values);
-    let numbers = numbers.iter().map(|(name, text)| (&name[..], json::text(text)));
+    let numbers = numbers.iter().map(|(name, text)| (&name[..], json::quote(text)));
     let mut fields = vec![
         ("values", json::list(values)),
         ("texts", json::list(texts)),
@@ -137,7 +137,7 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     ];
     if let Some(companion) = live.companion {
         let drawing = (companion.draw)(values);
-        fields.push(("companion", json::text(drawing.svg_elements())));
+        fields.push(("companion", json::quote(drawing.svg_elements())));
     }
     fields
 }

@@ -2,7 +2,7 @@
 //! the pages a sixth larger.
 
 /// A JSON string.
-pub fn text(text: &str) -> String {
+pub fn quote(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {
@@ -23,6 +23,6 @@ pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
 /// A JSON object of fields that are JSON already.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let fields = fields.into_iter();
-    let fields = fields.map(|(name, value)| format!("{}:{value}", text(name)));
+    let fields = fields.map(|(name, value)| format!("{}:{value}", quote(name)));
     format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
 }

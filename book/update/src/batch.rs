@@ -26,7 +26,7 @@ const MAIN: &str = include_str!("batch_main.rs");
 const CAMERA: &str = "Camera::new(640, 360, 60_f64.to_radians())";
 
 /// The modules of a step with the program around its picture.
-const PROGRAM: [&str; 2] = ["program", "aspect_ratio"];
+const CLI_MODULES: [&str; 2] = ["program", "aspect_ratio"];
 
 /// Mistakes in one program: as many as a compiler takes with little memory.
 const COUNT: usize = 100;
@@ -126,7 +126,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
             }
             let camera = if is_step { &path } else { own_step };
             pictures.push(match &*name {
-                _ if is_program_file(&mistake.file) => {
+                _ if is_cli_file(&mistake.file) => {
                     programs
                         .push(format!("|| {path}::run(\"\", {path}::picture),"));
                     format!("|| draw_with_program({}),", programs.len() - 1)
@@ -168,8 +168,7 @@ fn write_step(
     step: &str,
     k: usize,
 ) -> io::Result<()> {
-    let is_left_out =
-        |path: &str| is_program_file(path) && !is_program_file(&mistake.file);
+    let is_left_out = |path: &str| is_cli_file(path) && !is_cli_file(&mistake.file);
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
@@ -189,7 +188,7 @@ fn write_step(
             );
         }
         for name in
-            PROGRAM.iter().filter(|name| is_left_out(&format!("/{name}.rs")))
+            CLI_MODULES.iter().filter(|name| is_left_out(&format!("/{name}.rs")))
         {
             text = text.replace(
                 &format!("mod {name};"),
@@ -203,8 +202,8 @@ fn write_step(
 }
 
 /// Whether a file belongs to the program around a picture.
-fn is_program_file(path: &str) -> bool {
-    PROGRAM.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
+fn is_cli_file(path: &str) -> bool {
+    CLI_MODULES.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
 }
 
 /// Compiles the program, and returns the numbers of the modules that have errors.

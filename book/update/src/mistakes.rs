@@ -21,7 +21,7 @@ pub fn draw_outdated_and_chosen(
         table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
     let mut table: HashMap<u32, TableRow> =
         rows_with_hash.map(|row| (row.key, row)).collect();
-    // Where what is right is another picture, so is what a mistake makes of it.
+    // Where a locked picture has changed, its mistakes are drawn anew.
     let right: HashMap<_, _> = locked_hashes().collect();
     let is_new =
         |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
@@ -43,7 +43,7 @@ pub fn draw_outdated_and_chosen(
         table.insert(row.key, row);
         write_small_pictures(mistake, &pictures)
     })?;
-    write_table(&all, &table, &locked)?;
+    write_picture_hashes(&all, &table, &locked)?;
     Ok(())
 }
 
@@ -133,7 +133,7 @@ fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()
 }
 
 /// Writes the table: the hashes of what is right, then a row for each mistake.
-fn write_table(
+fn write_picture_hashes(
     all: &[Mistake],
     table: &HashMap<u32, TableRow>,
     locked: &[Locked],

@@ -49,7 +49,7 @@ fn live_wasm_is_up_to_date() {
         ];
         for _ in 0..if tries_all_cases() { 2 } else { 1 } {
             let tree =
-                random_requests(live).new_tree(&mut runner).expect("requests");
+                random_live_requests(live).new_tree(&mut runner).expect("requests");
             all.extend(tree.current());
         }
         for request in all {
@@ -88,14 +88,15 @@ fn check_wasm_is_up_to_date() {
         answer(&request, &pixels);
         module.answer(&request, &pixels);
     }
-    // The lists that they look up lie in them as they are.
+    // The modules contain these files, byte by byte.
     let lists =
         fs::read_dir(workspace().join("book/check/mistakes")).expect("lists");
     let lists = lists.map(|file| file.expect("a list").path());
     let lists: Vec<_> = lists
         .filter(|path| path.extension().is_some_and(|end| end == "txt"))
         .collect();
-    let source_files = ["book/check/source_files.txt", "book/exercises/lib.rs"];
+    let source_files =
+        ["book/check/sections_and_tests.txt", "book/exercises/lib.rs"];
     let source_files: Vec<_> =
         source_files.iter().map(|path| workspace().join(path)).collect();
     for (name, paths) in
@@ -169,7 +170,7 @@ fn default_values_as_printed(live: &Live) -> Vec<f64> {
 
 /// Shows something, drags a handle of it and steps one, anywhere in and around what is
 /// allowed.
-fn random_requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
+fn random_live_requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
     let ranges = live.parameters.iter().map(|parameter| {
         let [min, max] = parameter.range;
         let max = if parameter.words == "columns" { 16.0 } else { max };

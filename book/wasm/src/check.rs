@@ -1,4 +1,4 @@
-use crate::pictures::{SIZE, draw_picture};
+use crate::locked_pictures::{SIZE, draw_picture};
 use ::check::{Locked, Step, locked_names};
 use image::RgbImage;
 use live::Answer;
@@ -50,7 +50,7 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
 /// # Panics
 ///
 /// Panics where it has another size.
-pub fn keep(name: &str, pixels: &[u8]) -> Answer {
+pub fn keep_drawn_pixels(name: &str, pixels: &[u8]) -> Answer {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
     insert(name, picture.expect("all pixels of a locked picture"));
@@ -67,8 +67,10 @@ fn insert(name: &str, picture: RgbImage) {
 
 /// The answer of `check` as one for the page.
 fn page_answer(answer: check::Answer) -> Answer {
-    let mut fields =
-        vec![("code", answer.code.to_string()), ("text", json::text(&answer.text))];
+    let mut fields = vec![
+        ("code", answer.code.to_string()),
+        ("text", json::quote(&answer.text)),
+    ];
     let mut pixels = vec![];
     if let Some(difference) = answer.difference {
         let (width, height) = difference.dimensions();

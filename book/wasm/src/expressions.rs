@@ -1,14 +1,14 @@
-use ::check::{
-    Mistake as KnownMistake, find_mistakes_with_hash, hash_picture, locked_hashes,
+use ::check::{Mistake, find_mistakes_with_hash, hash_picture, locked_hashes};
+use expressions::{
+    ParseError, Place, draw_edited, editable_places, parse_expression,
 };
-use expressions::{Mistake, Place, draw_edited, editable_places, parse_expression};
 use image::RgbImage;
 use live::{Answer, json};
 
 /// The names that an expression may use at the place NAME.
 pub fn variables(name: &str) -> Answer {
     let Some(place) = find_place(name) else { return Answer::default() };
-    let names = place.variables.iter().map(|(name, _)| json::text(name));
+    let names = place.variables.iter().map(|(name, _)| json::quote(name));
     Answer::from_json_fields([("variables", json::list(names))])
 }
 
@@ -31,18 +31,18 @@ pub fn edit(words: &str) -> Answer {
             } else {
                 None
             };
-            let known = json::text(&known.unwrap_or_default());
+            let known = json::quote(&known.unwrap_or_default());
             let answer =
                 Answer::from_json_fields([("size", size), ("known", known)]);
             Answer { pixels: live::rgba_bytes(&picture), ..answer }
         }
-        Err(Mistake { range, sentence }) => {
+        Err(ParseError { range, sentence }) => {
             // A page counts letters as JavaScript does.
             let at = |at: usize| text[..at].encode_utf16().count().to_string();
             Answer::from_json_fields([
                 ("from", at(range.start)),
                 ("to", at(range.end)),
-                ("mistake", json::text(&sentence)),
+                ("mistake", json::quote(&sentence)),
             ])
         }
     }
@@ -58,9 +58,8 @@ fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
     mistakes.retain(|(_, name)| name == step);
     // What was written here comes before what gives the same pixels elsewhere.
     let file = format!("steps/{}", place.file);
-    let is_here = |mistake: &KnownMistake| {
-        text.contains(&mistake.new) && mistake.file == file
-    };
+    let is_here =
+        |mistake: &Mistake| text.contains(&mistake.new) && mistake.file == file;
     mistakes.sort_by_key(|(mistake, _)| (!is_here(mistake), mistake.file != file));
     let (mistake, _) = mistakes.first()?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))

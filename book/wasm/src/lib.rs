@@ -5,18 +5,18 @@
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
-mod pictures;
+mod locked_pictures;
 #[cfg(feature = "check")]
-pub use check::{check, keep};
+pub use check::{check, keep_drawn_pixels};
 #[cfg(feature = "check")]
-pub use pictures::draw;
+pub use locked_pictures::draw;
 
 #[cfg(feature = "expressions")]
 mod expressions;
 #[cfg(feature = "expressions")]
 pub use expressions::{edit, variables};
 
-// A name that is kept for the page counts as unsafe, as it could clash with another.
+// `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
 #[allow(unsafe_code)]
 mod page;
 
@@ -27,7 +27,7 @@ use live::Answer;
 /// - `check NAME FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
-/// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep`].
+/// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep_drawn_pixels`].
 /// - `variables PLACE` gives the names that a line may use: see [`variables`].
 /// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
 /// - [`live::answer`] gets all others.
@@ -37,7 +37,7 @@ pub fn answer(request: &str, file: &[u8]) -> Answer {
         #[cfg(feature = "check")]
         Some(("check", words)) => check(words, file),
         #[cfg(feature = "check")]
-        Some(("drawn", name)) => keep(name, file),
+        Some(("drawn", name)) => keep_drawn_pixels(name, file),
         #[cfg(feature = "check")]
         Some(("draw", name)) => draw(name),
         #[cfg(feature = "expressions")]

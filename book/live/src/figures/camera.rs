@@ -1,4 +1,4 @@
-use super::pyramid::{draw_pyramid, draw_steps};
+use super::pyramid::{draw_steps, draw_view_pyramid};
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
@@ -58,7 +58,7 @@ fn draw(figure: &CameraFigure) -> Drawing {
     let project = |point: DVec3| figure.project(point);
     let c = project(camera.centre);
     let mut drawing = Drawing::new(480.0, 310.0);
-    draw_pyramid(&mut drawing, camera, project);
+    draw_view_pyramid(&mut drawing, camera, project);
     draw_steps(&mut drawing, camera, *pixel, project);
     drawing.dot("eye", c);
     drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");

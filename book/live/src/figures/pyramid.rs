@@ -3,7 +3,7 @@ use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, direction_colour, render};
 
 /// The image plane with a dot for each pixel, and the rays through its corners.
-pub fn draw_pyramid(
+pub fn draw_view_pyramid(
     drawing: &mut Drawing,
     camera: &Camera,
     project: impl Fn(DVec3) -> DVec2,

@@ -1,7 +1,7 @@
 // A line of a listing that the reader edits is drawn, and the book's comes back.
 import { execFileSync } from 'node:child_process';
 import { resolve } from 'node:path';
-import { expect, open, test } from './test.js';
+import { expect, open, test } from './fixtures.js';
 
 const STEP = 'step04_diffuse';
 const NORMAL = '(p - sphere.centre) / sphere.radius';

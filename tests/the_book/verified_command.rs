@@ -7,7 +7,7 @@ use tests::read_snapshot;
 
 /// Runs a command of a page in the reader's workspace. Fails unless its exit code, output
 /// and pictures are as the page says; returns the names of the locked pictures it drew.
-pub fn run_command(
+pub fn run_and_verify_command(
     reader: &ReaderWorkspace,
     command: &PageCommand,
 ) -> Result<Vec<String>> {
