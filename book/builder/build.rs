@@ -87,7 +87,10 @@ fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
 
 /// A link with a name for screen readers where it is a formula alone.
 fn name_formula_link(html: &str) -> String {
-    let is_formula = html.contains("\"><math") && html.ends_with("</math></a>");
+    let inside = html.split_once('>').map_or("", |(_, inside)| inside);
+    let is_formula = inside.starts_with("<math")
+        && inside.ends_with("</math></a>")
+        && inside.matches("<math").count() == 1;
     let link = Html::parse_fragment(html);
     let letters: String = link.root_element().text().collect();
     let name = format!("<a aria-label=\"{}\" ", letters.trim());

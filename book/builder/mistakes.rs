@@ -80,10 +80,12 @@ impl Entry<'_> {
             format!("The picture of step {} with this mistake.", step.number());
         let wrong = self.picture(&alt).html(workspace)?;
         // The difference is blended by the browser: two pictures, one upon the other.
-        let blended_source =
-            |source: &str| format!("<img src=\"{source}\" alt=\"\"{LAZY}>");
+        let blended_source = |source: &str, alt: &str| {
+            format!("<img src=\"{source}\" alt=\"{alt}\"{LAZY}>")
+        };
         let mistaken = format!("generated/mistake-{name}.png");
-        let blended = blended_source(&mistaken) + &blended_source(&right);
+        let blended =
+            blended_source(&mistaken, "Yours.") + &blended_source(&right, "Ours.");
         let step_of_file =
             mistake.step().ok_or("a mistake that is shown is in a step")?;
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';

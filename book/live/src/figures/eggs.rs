@@ -76,7 +76,7 @@ fn draw_cone(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32) {
 /// Equal balls round the eye and their picture, with a field of view to set.
 pub fn figure() -> Live {
     Live {
-        title: "Seven balls in an arc round the eye, from above, and their picture over it. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.",
+        title: "Seven balls in an arc round the eye, from above, and over it the picture of those in view. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.",
         caption: "Equal balls, all at the same distance from the eye: from above and, over it, in the picture, with $\\theta = {{#number eggs:angle}}°$. \
                   The last ball that's whole in the picture is {{#number eggs:phi}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
                   The dashed ray goes through its centre: on the image plane, the outer part of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>",

@@ -121,7 +121,7 @@ pub fn figure() -> Live {
                 },
             ),
             Handle::new(
-                "the point at t",
+                "the point's distance from S",
                 [4, 4],
                 |_, values| {
                     let figure = RayFigure::new(values);

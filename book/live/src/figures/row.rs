@@ -92,7 +92,7 @@ fn draw(figure: &RowFigure) -> Drawing {
     drawing.label_starting_at("quiet", label, "1");
     let label = (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0))
         .max(c + dvec2(46.0, 0.0));
-    drawing.label("quiet", label, "tan $θ$/2");
+    drawing.label("quiet", label, "tan($θ$/2)");
     drawing
 }
 
