@@ -27,7 +27,7 @@ pub fn html(live: &Live) -> String {
 }
 
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
-                    the arrow keys, to ask a pixel.</span>";
+                    the arrow keys, to ask a pixel. The answer is below.</span>";
 
 const RESET: &str =
     "<button type=\"button\" class=\"reset\" disabled>Reset</button>";

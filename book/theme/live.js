@@ -163,7 +163,9 @@ function activateFigure(figure, module) {
                 drawNextFrame("control", () => request("show"));
             });
             // What was typed gives way to the allowed number that is nearest.
-            input.addEventListener("blur", () => { if (input.type === "number") input.value = values[k]; });
+            if (input.type !== "number") continue;
+            input.addEventListener("blur", () => { input.value = values[k]; });
+            input.addEventListener("keydown", event => { if (event.key === "Enter") input.value = values[k]; });
         }
         return { element, inputs, output: element.querySelector("b"), group: element.dataset.group };
     });
@@ -199,7 +201,7 @@ function activateFigure(figure, module) {
     };
     const handles = description.handles.map((about, k) => {
         const handle = make("span", {
-            class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words,
+            class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
             "aria-valuemin": about.min, "aria-valuemax": about.max,
         });
         handle.group = about.group;
@@ -278,6 +280,7 @@ function activateFigure(figure, module) {
             // There is nothing to show at these values: the last ones stay.
             values = lastAnswer.values;
             showControls();
+            fault.textContent = "There is nothing to show at that number.";
             return;
         }
         // The columns of a coarse picture are not the reader's.
@@ -318,7 +321,8 @@ function activateFigure(figure, module) {
         keepAddress(answer.numbers.address);
         reset.disabled = values.every((value, k) => value === description.values[k]);
     }
-    const isInside = ([x, y]) => 0 <= x && x <= size[0] && 0 <= y && y <= size[1];
+    // Rounded to its step, a handle at the border may be a little outside.
+    const isInside = place => place.every((x, k) => -4 <= x && x <= size[k] + 4);
 
     // A scene of the reader's own is in the address of the page, once a gesture has come to rest.
     let sceneAddress = lastAnswer.numbers.address;
@@ -351,10 +355,10 @@ function activateFigure(figure, module) {
         // On paper, everything is as printed.
         addEventListener("beforeprint", () => { if (!reset.disabled) reset.click(); });
     } else {
-        controls.append(fault);
         addEventListener("hashchange", openScene);
         openScene();
     }
+    controls.append(fault);
     Object.assign(controls, { hidden: false, inert: false });
     figure.dataset.ready = "";
     addEventListener("hashchange", openPixel);

@@ -74,9 +74,9 @@ pub fn figure() -> Live {
     let Attenuation { a, b, c } = WARM.attenuation;
     Live {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.",
-        caption: "How many times its $L_d$ a light gives at the distance $d$. With $a$ \
+        caption: "What a light gives at the distance $d$, in units of its $L_d$. With $a$ \
                   alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
-                  but far away, $b$ leaves more. The curve of the warm light<span class='move'>, until you change it,</span> \
+                  but far away it fades most. The curve of the warm light<span class='move'>, until you change it,</span> \
                   has some of each, and begins above 1; at $d = 6$ it gives {{#number attenuation:share}}.",
         parameters: [
             ("a", a, 2.0, 20.0),

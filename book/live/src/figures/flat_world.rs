@@ -168,7 +168,7 @@ pub fn figure() -> Live {
         title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
         caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
                   to the light; where it's dotted, the light is hidden. \
-                  <span class='move'>Drag the light until $p$ sees it, or anything else.</span>",
+                  <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>",
         parameters: parameters.collect(),
         handles: handles.collect(),
         is_allowed: |values| World::new(values).is_allowed(),
