@@ -1,6 +1,7 @@
 use crate::markdown::{self, parse_directive};
 use crate::{
     check_form, figure, folded_box, formula, listing, mistakes, numbers, picture,
+    problem,
 };
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
@@ -12,9 +13,18 @@ type Fault = (usize, String);
 /// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
 /// chapter: gives Markdown as mdBook renders it, and what is wrong on which line.
 pub fn expand_directives(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
-    let (edits, faults, code, listings, open_box) = Default::default();
-    let mut chapter =
-        Chapter { text, workspace, edits, faults, code, listings, open_box };
+    let (edits, faults, code, listings) = Default::default();
+    let (open_box, open_problem) = (None, None);
+    let mut chapter = Chapter {
+        text,
+        workspace,
+        edits,
+        faults,
+        code,
+        listings,
+        open_box,
+        open_problem,
+    };
     chapter.expand_blocks();
     chapter.fill_placeholders();
     let (markdown, faults) = chapter.apply_edits();
@@ -35,6 +45,8 @@ struct Chapter<'a> {
     listings: Vec<String>,
     /// The place where the open box begins.
     open_box: Option<usize>,
+    /// The place where the open problem begins.
+    open_problem: Option<usize>,
 }
 
 /// A part of a chapter, by what becomes of it.
@@ -68,7 +80,7 @@ impl Chapter<'_> {
             }
             end_of_last = range.end;
         }
-        if let Some(position) = self.open_box {
+        if let Some(position) = self.open_problem.or(self.open_box) {
             self.faults.push((position, "the box has no {{#end}}".to_owned()));
         }
     }
@@ -162,10 +174,14 @@ impl Chapter<'_> {
             ("rust", words) => markdown::inline_html(words).map(|words| {
                 format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")
             }),
-            ("end", _) => match self.open_box.take() {
-                Some(_) => Ok("</details>\n".to_owned()),
-                None => Err("{{#end}} without a box to end".to_owned()),
-            },
+            ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
+                Err("a problem begins after the {{#end}} of another".to_owned())
+            }
+            ("problem", words) => {
+                self.open_problem = Some(range.start);
+                problem::opening_html(words)
+            }
+            ("end", _) => self.end_box(),
             (kind, words) => match folded_box::opening_html(kind, words) {
                 Some(_) if self.open_box.is_some() => {
                     Err("a box can't hold another box".to_owned())
@@ -177,6 +193,16 @@ impl Chapter<'_> {
                 None => return self.expand_pictures_alone(events, range),
             },
         })
+    }
+
+    /// The end of the open box, and of the problem whose answer it is.
+    fn end_box(&mut self) -> Result<String, String> {
+        match (self.open_box.take(), self.open_problem.take()) {
+            (Some(_), None) => Ok("</details>\n".to_owned()),
+            (Some(_), Some(_)) => Ok("</details>\n</section>\n".to_owned()),
+            (None, Some(_)) => Err("the problem has no {{#answer}}".to_owned()),
+            (None, None) => Err("{{#end}} without a box to end".to_owned()),
+        }
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live}}`, that

@@ -14,7 +14,9 @@
 //! - a *figure* is a drawing of the crate `live`, and a *picture* a PNG file, locked or made
 //!   from code; with `live` behind it, it *answers*: its *controls* set the parameters of `live`,
 //!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
-//! - a *box* (`predict`, `hints`, `aside` … `end`) is opened by its reader;
+//! - a *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader;
+//! - a `problem` is to be solved on paper: its answer is a value, and `answer` holds the way
+//!   to it; `problem-sheet` has those of all chapters once more;
 //! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
 //!   was worked out above it, and `rust` tells what a week of Rust does not;
@@ -39,6 +41,7 @@ mod listing;
 mod mistakes;
 mod picture;
 mod pixel_panel;
+mod problem;
 
 mod chapter;
 

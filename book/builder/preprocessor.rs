@@ -1,4 +1,4 @@
-use crate::{chapter, generated_files};
+use crate::{chapter, generated_files, problem};
 use anyhow::{Context, Result, bail};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
@@ -36,12 +36,13 @@ fn expand_chapters(
     workspace: &Path,
     our_folder: &str,
 ) -> Result<()> {
+    let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
+    let sheet = problem::sheet_markdown(chapters);
     let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
     let expanded = texts.par_iter().map(|text| {
-        chapter::expand_directives(
-            &text.replace("{{#our-folder}}", our_folder),
-            workspace,
-        )
+        let text = text.replace("{{#our-folder}}", our_folder);
+        let text = text.replace("{{#problem-sheet}}", &sheet);
+        chapter::expand_directives(&text, workspace)
     });
     let expanded: Vec<_> = expanded.collect();
     let mut expanded = expanded.into_iter();

@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand_directives;
-use crate::{Files, Page, Site, links, paper_page, pixel_panel};
+use crate::{Files, Page, Site, links, paper_page, pixel_panel, problem};
 use compare::workspace;
 
 const RAY: &str = "../../steps/step01_rays/src/ray.rs";
@@ -116,6 +116,70 @@ fn a_directive_has_its_place() {
     assert_one_fault("{{#predict Why?}}\n\nSo.\n", 1, "no {{#end}}");
     assert_one_fault("So.\n\n{{#end}}\n", 3, "without a box");
     assert_one_fault("One.\n\n```console\n$ ls\n```\n", 3, "console,yours or");
+}
+
+#[test]
+fn a_problem_has_an_answer_that_is_a_value() {
+    let problem = "{{#problem 7 camera-tan}}\n\nHow *far*?\n\n\
+                   {{#answer}}\n\n**{{#value camera-tan}}.** So.\n\n{{#end}}\n";
+    let html = expand_without_fault(problem);
+    assert!(html.contains("id=\"problem-7\" data-answer=\"0.5774\""), "{html}");
+    assert!(html.trim_end().ends_with("</details>\n</section>"), "{html}");
+    let without_answer = problem.replace("{{#answer}}\n\n", "");
+    assert_one_fault(&without_answer, 7, "no {{#answer}}");
+    let without_end = problem.replace("{{#end}}", "");
+    assert_one_fault(&without_end, 1, "no {{#end}}");
+    assert_one_fault(&problem.replace(" 7", ""), 1, "NUMBER VALUE");
+    assert_one_fault(&problem.replace("7 camera", "7 lens"), 1, "no value");
+    let (_, faults) = expand_directives(&without_end.repeat(2), &workspace());
+    assert!(faults[1].1.contains("after the {{#end}}"), "{faults:?}");
+}
+
+#[test]
+fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
+    let chapter = |number: u32| {
+        format!(
+            "# A title\n\n{{{{#problem {number} camera-tan}}}}\n\nQuestion {number}?\n\n\
+             {{{{#answer}}}}\n\nWay {number}.\n\n{{{{#end}}}}\n\nText.\n"
+        )
+    };
+    let chapters =
+        [("One", &*chapter(1)), ("None", "# None\n"), ("Two", &chapter(2))];
+    let sheet =
+        expand_without_fault(&problem::sheet_markdown(chapters.into_iter()));
+    let parts = [
+        "## One",
+        "Question 1?",
+        "## Two",
+        "Question 2?",
+        "## Answers",
+        "<details",
+        "Way 1.",
+        "Way 2.",
+        "</details>",
+    ];
+    let positions = parts.map(|part| sheet.find(part));
+    assert!(
+        positions.iter().all(Option::is_some) && positions.is_sorted(),
+        "{sheet}"
+    );
+    assert!(!sheet.contains("Text.") && !sheet.contains("None"), "{sheet}");
+}
+
+#[test]
+fn problems_are_short_and_numbered_as_they_are_read() {
+    let files = Files::read(&workspace().join("book/chapters")).expect("chapters");
+    let summary = files.text("SUMMARY.md").expect("a summary");
+    let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
+    let text: String = names.filter_map(|name| files.text(name)).collect();
+    let problems: Vec<_> = text.split("\n{{#problem ").skip(1).collect();
+    for (number, problem) in (1..).zip(&problems) {
+        assert!(problem.starts_with(&format!("{number} ")), "{number}: {problem}");
+        let words =
+            problem.split("\n{{#answer}}").next().map(str::split_whitespace);
+        assert!(words.is_some_and(|words| words.count() <= 80), "{problem}");
+    }
+    assert!(10 < problems.len());
 }
 
 #[test]

@@ -103,6 +103,26 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
+// Problems on paper: a number is right if it is within 1 % of the answer.
+for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
+    const answer = Number(problem.dataset.answer);
+    const form = document.createElement("form");
+    const input = Object.assign(document.createElement("input"), { type: "number", step: "any", required: true });
+    input.setAttribute("aria-label", `Your number for problem ${problem.querySelector(".number").textContent}`);
+    input.placeholder = "your number";
+    const button = Object.assign(document.createElement("button"), { textContent: "Check" });
+    const verdict = document.createElement("output");
+    form.append(input, button, verdict);
+    form.addEventListener("submit", event => {
+        event.preventDefault();
+        const isRight = Math.abs(input.valueAsNumber - answer) <= Math.abs(answer) / 100;
+        verdict.textContent = isRight ? "right" : "not yet";
+        verdict.classList.toggle("right", isRight);
+    });
+    input.addEventListener("input", () => { verdict.textContent = ""; });
+    problem.insertBefore(form, problem.querySelector("details"));
+}
+
 // What may scroll sideways takes the focus, so that the keyboard can scroll it.
 document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 

@@ -20,6 +20,7 @@ const named = pattern => chapters.flatMap(page => {
 });
 export const figures = named(/<figure[^>]* data-live="([^"]+)"/g);
 export const forms = named(/<form[^>]* data-live="check"[^>]* data-name="([^"]+)"/g);
+export const problems = named(/<section[^>]* id="(problem-\d+)"/g);
 export const pagesWithFigures = [...new Set(figures.map(([page]) => page))];
 
 // A picture of the book, in base 64.

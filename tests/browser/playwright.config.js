@@ -29,7 +29,9 @@ const view = (width, colorScheme) => ({ viewport: { width, height: 900 }, colorS
 // One form of a page and one word of the search will do.
 const QUICK = { grepInvert: /@thorough/ };
 const PAGES = ['pages.spec.js', 'search.spec.js'];
-const ANSWERS = ['figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js'];
+const ANSWERS = [
+  'figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js', 'problems.spec.js',
+];
 
 export default defineConfig({
   testDir: '.',

@@ -7,6 +7,7 @@
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
 
+mod problems;
 mod rays;
 mod slips;
 mod step01;
@@ -36,7 +37,7 @@ pub enum Value {
 /// The value of a name with the numbers behind it; None if it is of another chapter.
 type ChapterValue = fn(&str, &[f64]) -> Option<Value>;
 
-const CHAPTERS: [ChapterValue; 7] = [
+const CHAPTERS: [ChapterValue; 8] = [
     step01::value,
     step02::value,
     step03::value,
@@ -44,6 +45,7 @@ const CHAPTERS: [ChapterValue; 7] = [
     step05::value,
     slips::value,
     way_back::value,
+    problems::value,
 ];
 
 /// The text of `{{#value …}}`.

@@ -1,0 +1,57 @@
+use crate::values;
+use std::fmt::Write;
+
+/// The HTML for `{{#problem 7 near-root}}`, which begins the problem of this number; its
+/// answer is a value.
+///
+/// The problem's text follows, `{{#answer}}`, the way to the answer, and `{{#end}}`. What a
+/// reader types in is compared by book/theme/book.js.
+pub fn opening_html(words: &str) -> Result<String, String> {
+    let (number, value) = words
+        .split_once(' ')
+        .ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
+    let answer = values::value_text(value)?.replace(',', "");
+    Ok(format!(
+        "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\">\
+         <b class=\"number\">{number}</b>\n"
+    ))
+}
+
+/// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each a title and a
+/// text, and then their answers.
+pub fn sheet_markdown<'a>(
+    chapters: impl Iterator<Item = (&'a str, &'a str)>,
+) -> String {
+    let (mut problems, mut answers) = (String::new(), String::new());
+    for (title, text) in chapters {
+        let mut heading = Some(format!("## {title}\n\n"));
+        for part in text.split("\n{{#problem ").skip(1) {
+            let Some((words, problem, answer)) = split_problem(part) else {
+                continue; // a fault of its chapter, and told there
+            };
+            let opening = opening_html(words).unwrap_or_default();
+            problems += &heading.take().unwrap_or_default();
+            let _ =
+                write!(problems, "{opening}\n{}\n\n</section>\n\n", problem.trim());
+            let number = words.split(' ').next().unwrap_or_default();
+            let _ = write!(
+                answers,
+                "<div class=\"answer\"><a href=\"#problem-{number}\">{number}</a>\n\n{}\n\n\
+                 </div>\n\n",
+                answer.trim()
+            );
+        }
+    }
+    format!(
+        "{problems}## Answers {{#answers}}\n\n\
+         {{{{#answer to each problem}}}}\n\n{answers}{{{{#end}}}}\n"
+    )
+}
+
+/// The words of a directive, the text of the problem, and the way to its answer.
+fn split_problem(part: &str) -> Option<(&str, &str, &str)> {
+    let (words, rest) = part.split_once("}}")?;
+    let (problem, rest) = rest.split_once("\n{{#answer}}")?;
+    let (answer, _) = rest.split_once("\n{{#end}}")?;
+    Some((words, problem, answer))
+}

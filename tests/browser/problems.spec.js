@@ -1,0 +1,29 @@
+// A problem on paper says whether a number is right, and has its answer behind a press.
+import { problems } from './book.js';
+import { expect, open, test } from './fixtures.js';
+
+// On the sheet, one will do: they are the same.
+const some = problems.filter(([name, id]) => name !== 'problems.html' || id === 'problem-1');
+
+for (const [name, id] of some) {
+  test(`${name}: a number for ${id} is right or not yet`, async ({ page, home }) => {
+    await open(page, home + name);
+    const problem = page.locator(`#${id}`);
+    const answer = Number(await problem.getAttribute('data-answer'));
+    const verdict = problem.locator('output');
+    const field = problem.getByRole('spinbutton', { name: `Your number for problem ${id.split('-')[1]}` });
+    for (const [share, words] of [[0.97, 'not yet'], [1.02, 'not yet'], [0.995, 'right'], [1, 'right']]) {
+      await field.fill(String(answer * share));
+      await expect(verdict).toBeEmpty();
+      if (share === 1) await field.press('Enter');
+      else await problem.getByRole('button', { name: 'Check' }).click();
+      await expect(verdict).toHaveText(words);
+    }
+    const box = problem.locator('details');
+    if (name === 'problems.html') return;
+    await expect(box.locator('p').first()).toBeHidden();
+    await box.locator('summary').click();
+    const printed = await box.locator('strong').first().textContent();
+    expect(parseFloat(printed.replaceAll(',', ''))).toBe(answer);
+  });
+}
