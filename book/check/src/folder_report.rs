@@ -41,13 +41,10 @@ pub fn report_on_folder_or_class(
             students.into_iter().map(entries).collect()
         }
     };
-    let lines = all.iter().map(|(folder, entries)| match is_class {
-        true => format_student_line(folder, entries),
-        false => format_table(entries),
-    });
-    let text = match as_json {
-        true => format_json(&all),
-        false => lines.collect::<Vec<_>>().join("\n"),
+    let text = match is_class {
+        _ if as_json => format_json(&all),
+        true => format_class(&all, locked),
+        false => format_table(&all[0].1),
     };
     let verdicts = all.iter().flat_map(|(_, entries)| entries);
     let there = verdicts.filter(|entry| entry.verdict != ABSENT);
@@ -126,23 +123,39 @@ fn format_table(entries: &[Entry]) -> String {
     format!("{lines}{} of {} are right.", count_right(entries), entries.len())
 }
 
-/// One line for a student's folder.
-fn format_student_line(folder: &Path, entries: &[Entry]) -> String {
-    let name = folder.file_name().unwrap_or_default().to_string_lossy();
-    let mut line = format!(
-        "{}: {} of {} are right",
-        escape_for_terminal(&name),
-        count_right(entries),
-        entries.len()
-    );
-    for verdict in [WRONG, UNREADABLE] {
-        let names = entries.iter().filter(|entry| entry.verdict == verdict);
-        let names: Vec<_> = names.map(|entry| entry.picture).collect();
-        if !names.is_empty() {
-            line += &format!("; {verdict}: {}", names.join(", "));
+/// One line for each student's folder: how many pictures are right, and the verdict on each
+/// that anybody has. The first line names them.
+fn format_class(students: &[(PathBuf, Vec<Entry>)], locked: &[Locked]) -> String {
+    let mut names = vec![String::new()];
+    names.extend(students.iter().map(|(folder, _)| {
+        let name = folder.file_name().unwrap_or_default().to_string_lossy();
+        escape_for_terminal(&name)
+    }));
+    let mut counts = vec![RIGHT.to_owned()];
+    counts.extend(students.iter().map(|(_, all)| count_right(all).to_string()));
+    let mut columns = vec![names, counts];
+    for (k, Locked { name, .. }) in locked.iter().enumerate() {
+        let verdicts = students.iter().map(|(_, entries)| entries[k].verdict);
+        if verdicts.clone().any(|verdict| verdict != ABSENT) {
+            let words = verdicts.map(|verdict| match verdict {
+                ABSENT => "missing",
+                verdict => verdict,
+            });
+            columns.push(
+                [&name[..]].into_iter().chain(words).map(Into::into).collect(),
+            );
         }
     }
-    line
+    let widths = columns.iter().map(|column| {
+        column.iter().map(|word| word.chars().count()).max().unwrap_or(0)
+    });
+    let widths: Vec<_> = widths.collect();
+    let line = |k: usize| {
+        let words = columns.iter().zip(&widths);
+        let words = words.map(|(column, width)| format!("{:width$}", column[k]));
+        words.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    (0..=students.len()).map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// A list of folders, each with the verdict on each picture.
