@@ -7,6 +7,9 @@ use super::typed_book::typed_workspace;
 use compare::Difference;
 use image::RgbImage;
 use live::{Kind, Live, Output, Parameter, find};
+use std::collections::HashSet;
+use step05_phong::Object;
+use tests::primary_rays;
 
 /// The file of the reader's workspace in which the page has the program saved.
 pub const EXAMPLE_PATH: &str = "steps/step05_phong/examples/my_scene.rs";
@@ -69,19 +72,20 @@ fn random_values(seed: usize) -> Vec<f64> {
     own_scene().snap_if_allowed(&values.collect::<Vec<_>>()).expect("a scene")
 }
 
-/// Saves and runs the program of a scene; how it fails, or how its picture differs from
-/// the one on the page.
-fn program_fault(reader: &ReaderWorkspace, values: &[f64]) -> Option<String> {
-    let picture = page_picture(values);
-    let program = write_program(values);
-    reader.write_if_changed(EXAMPLE_PATH, &program).expect("a file can be written");
+/// Saves and runs a program; how it fails, or how its picture differs from this one.
+fn program_fault(
+    reader: &ReaderWorkspace,
+    program: &str,
+    picture: &RgbImage,
+) -> Option<String> {
+    reader.write_if_changed(EXAMPLE_PATH, program).expect("a file can be written");
     // The second line of the program is the command that runs it, options after ` -- `.
     let command = program.lines().nth(1)?.trim_end_matches('`');
     let options = command.split_once(" -- ").map_or("", |(_, options)| options);
     let options = format!("{options} --width {}", picture.width());
     match reader.draw_example("step05_phong", "my_scene", &options) {
         Err(error) => Some(format!("{error} in {program}")),
-        Ok(example_picture) => Difference::between(&picture, &example_picture)
+        Ok(example_picture) => Difference::between(picture, &example_picture)
             .map(|text| format!("It draws another picture, {text}: {program}")),
     }
 }
@@ -125,6 +129,54 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
         random_3,
     ];
     let reader = typed_workspace();
-    let faults = scenes.iter().filter_map(|scene| program_fault(&reader, scene));
+    let faults = scenes.iter().filter_map(|scene| {
+        program_fault(&reader, &write_program(scene), &page_picture(scene))
+    });
     assert_no_faults(&faults.collect::<Vec<_>>());
+}
+
+#[test]
+#[ignore = "takes a minute: cargo test -- --include-ignored"]
+fn program_of_a_named_scene_draws_its_picture() {
+    let reader = typed_workspace();
+    let scenes = ["ada", "Grace Hopper", "\"\n é"].map(live::draw_named_scene);
+    let faults = scenes
+        .iter()
+        .filter_map(|(program, picture)| program_fault(&reader, program, picture));
+    assert_no_faults(&faults.collect::<Vec<_>>());
+}
+
+#[test]
+fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
+    for name in ["ada", "bob", "cleo", "dan", "eve", ""] {
+        let objects = live::named_scene(name).objects;
+        // They touch the ground, as in the course's scene, to two digits.
+        for (k, a) in objects.iter().enumerate() {
+            for b in &objects[..k] {
+                let distance = a.sphere.centre.distance(b.sphere.centre);
+                let radii = a.sphere.radius + b.sphere.radius;
+                assert!(-0.01 < distance - radii, "{name}: {}, {}", a.name, b.name);
+            }
+        }
+        for ray in primary_rays() {
+            for Object { name: ball, sphere, .. } in &objects {
+                let (a, b, c) = sphere.coefficients(&ray);
+                let margin =
+                    (b * b - 4.0 * a * c).abs() / (b * b + 4.0 * a * c.abs());
+                assert!(1e-12 < margin, "{name}: {ball}, {ray:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn names_have_scenes_of_their_own() {
+    let scene_text = |k: usize| {
+        let scene = live::named_scene(&format!("student {k}"));
+        let objects = scene.objects.iter();
+        let parts = objects.map(|one| (one.sphere, one.material.material));
+        format!("{:?} {:?}", parts.collect::<Vec<_>>(), scene.lights)
+    };
+    let scenes: HashSet<_> = (0..1000).map(scene_text).collect();
+    assert_eq!(scenes.len(), 1000);
 }

@@ -1,7 +1,7 @@
 //! The program `check`: its arguments, its exit codes, and where it looks.
 
 use crate::{create_empty_folder, locked_picture};
-use image::Rgb;
+use image::{Rgb, RgbImage};
 use std::path::Path;
 use std::process::{Command, Output};
 use std::{env, fs};
@@ -181,6 +181,37 @@ fn folder_of_folders_gets_one_line_each() {
         "{json}"
     );
     assert_eq!(json.matches("\"verdict\": ").count(), 3 * count, "{json}");
+}
+
+#[test]
+fn scene_of_a_name_is_printed_and_compared() {
+    let folder = create_empty_folder("scene");
+    let (code, program) = run_check(&folder, &["--scene", "ada"]);
+    assert_eq!(code, Some(0), "{program}");
+    assert!(
+        program.starts_with("//! The scene of ada. This draws it:\n"),
+        "{program}"
+    );
+    let (_, mut picture) = live::draw_named_scene("ada");
+    let path = folder.join("ada.png");
+    picture.save(&path).expect("a file");
+    let run = |name| run_check(&folder, &["--scene", name, "ada.png"]);
+    let (code, text) = run("ada");
+    assert_eq!((code, text.starts_with("Right: ")), (Some(0), true), "{text}");
+    let (code, text) = run("Ada");
+    assert_eq!((code, text.contains(" pixels differ")), (Some(1), true), "{text}");
+    picture.get_pixel_mut(7, 5).0[1] ^= 2;
+    picture.save(&path).expect("a file");
+    let (_, text) = run("ada");
+    let words = "1 of 230400 pixels differ, by up to 2 of 255; the first is in column 7, row 5";
+    assert!(text.contains(words), "{text}");
+    RgbImage::new(2, 1).save(&path).expect("a file");
+    let (_, text) = run("ada");
+    assert!(text.contains("it has 2×1 pixels, and ours 640×360"), "{text}");
+    let (code, text) = run_check(&folder, &["--scene", "ada", "nowhere.png"]);
+    assert!(code == Some(2) && text.starts_with("error: can't read"), "{text}");
+    let (code, text) = run_check(&folder, &["--scene", "ada", "--json"]);
+    assert!(code == Some(2) && text.contains("cannot be used with"), "{text}");
 }
 
 #[test]

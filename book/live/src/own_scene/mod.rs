@@ -2,12 +2,14 @@
 //! its Rust.
 
 mod address;
+mod named_scene;
 mod parameters;
 mod rust;
 mod scene;
 mod settings;
 
 pub use address::parse_address;
+pub use named_scene::{draw_named_scene, named_scene};
 pub use scene::own_scene;
 
 use crate::live::collect_numbers;

@@ -10,7 +10,12 @@ use step05_phong::{
 
 /// The reader's own scene of these values, as step 5 has it.
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
-    let Scene { objects, ambient_light, lights } = mirror_scene(values);
+    without_mirrors(mirror_scene(values))
+}
+
+/// The same scene, in which nothing mirrors.
+pub fn without_mirrors(scene: Scene<Mirror, Light>) -> Scene<Material, Light> {
+    let Scene { objects, ambient_light, lights } = scene;
     let objects = objects.into_iter().map(|object| {
         let Object { name, sphere, material: Mirror { material, .. } } = object;
         Object { name, sphere, material }
