@@ -24,6 +24,7 @@ mod verified_command;
 mod by_hand_names;
 mod predictions;
 
+mod exercise_times;
 mod page_contents;
 
 /// Fails if there are faults, and prints all of them.
