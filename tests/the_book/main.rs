@@ -19,6 +19,7 @@ mod page_events;
 mod reader_workspace;
 mod typed_book;
 mod verified_command;
+mod workflow;
 
 // Results by hand and answers to predictions are right.
 mod by_hand_names;
