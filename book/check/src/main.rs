@@ -4,7 +4,7 @@ use check::{
     Answer, Locked, check_png, escape_for_terminal, locked_names,
     read_bounded_file, read_png, report_on_folder_or_class,
 };
-use clap::Parser;
+use clap::{Parser, builder::NonEmptyStringValueParser};
 use compare::Difference;
 use image::RgbImage;
 use std::fs;
@@ -33,6 +33,7 @@ struct Arguments {
     /// Prints the program of the scene that belongs to a name; with a file, tells
     /// whether it is what the program draws
     #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder", "json"])]
+    #[arg(value_parser = NonEmptyStringValueParser::new())]
     scene: Option<String>,
     /// Tells all of a folder as JSON
     #[arg(long, conflicts_with = "file")]

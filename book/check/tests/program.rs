@@ -210,6 +210,8 @@ fn scene_of_a_name_is_printed_and_compared() {
     assert!(text.contains("it has 2×1 pixels, and ours 640×360"), "{text}");
     let (code, text) = run_check(&folder, &["--scene", "ada", "nowhere.png"]);
     assert!(code == Some(2) && text.starts_with("error: can't read"), "{text}");
+    let (code, text) = run_check(&folder, &["--scene", ""]);
+    assert!(code == Some(2) && text.contains("a value is required"), "{text}");
     let (code, text) = run_check(&folder, &["--scene", "ada", "--json"]);
     assert!(code == Some(2) && text.contains("cannot be used with"), "{text}");
 }
