@@ -305,8 +305,7 @@ function activateFigure(figure, module) {
             const isLost = !isInside(handle.place) && handle === document.activeElement;
             handle.hidden = !isInside(handle.place);
             if (isLost) parameterControls[parameters[0]]?.inputs[0].focus();
-            handle.style.left = `${handle.place[0] / size[0] * 100}%`;
-            handle.style.top = `${handle.place[1] / size[1] * 100}%`;
+            for (const [k, side] of ["left", "top"].entries()) handle.style[side] = `${(handle.place?.[k] ?? 0) / size[k] * 100}%`;
             handle.setAttribute("aria-valuenow", values[parameters[0]]);
             handle.setAttribute("aria-valuetext", parameters.map(parameter => answer.texts[parameter]).join(", "));
         });
@@ -322,7 +321,7 @@ function activateFigure(figure, module) {
         reset.disabled = values.every((value, k) => value === description.values[k]);
     }
     // Rounded to its step, a handle at the border may be a little outside.
-    const isInside = place => place.every((x, k) => -4 <= x && x <= size[k] + 4);
+    const isInside = place => place?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
 
     // A scene of the reader's own is in the address of the page, once a gesture has come to rest.
     let sceneAddress = lastAnswer.numbers.address;

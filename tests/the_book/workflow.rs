@@ -35,7 +35,7 @@ fn workflow_draws_and_checks_five_pictures() {
     for path in reader.picture_paths().expect("a folder") {
         fs::remove_file(path).expect("a picture can be removed");
     }
-    let course = format!("{}/", workspace().display());
+    let course = format!("\"{}\"/", workspace().display());
     let mut outputs = vec![];
     for command in values_of_key(&text, "run") {
         let mut bash = Command::new("bash");

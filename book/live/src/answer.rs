@@ -1,6 +1,6 @@
 use crate::own_scene::parse_address;
 use crate::{Kind, Live, Mark, Output, find, json};
-use glam::{DVec2, dvec2};
+use glam::dvec2;
 use image::RgbImage;
 
 /// The answer to a request of the page.
@@ -122,9 +122,11 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     let texts = pairs.clone().map(|(p, value)| json::quote(&p.format(*value)));
     let visible = pairs.map(|(p, _)| (p.has_control)(p, values));
     let places = live.handles.iter().map(|handle| {
-        // The page hides a handle that is outside the picture.
-        let place = handle.place(values).unwrap_or(DVec2::NEG_X).to_array();
-        json::list(place.map(|x| (100.0 * x).round() / 100.0))
+        let rounded = |x: f64| (100.0 * x).round() / 100.0;
+        let place = handle.place(values);
+        place.map_or("null".into(), |place| {
+            json::list(place.to_array().map(rounded))
+        })
     });
     let numbers = (live.numbers)(values);
     let numbers = numbers.iter().map(|(name, text)| (&name[..], json::quote(text)));

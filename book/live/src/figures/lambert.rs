@@ -94,7 +94,7 @@ pub fn figure() -> Live {
         title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
         caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At {{#number lambert:angle}}°, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above: \
-                  the cosine of the angle, or nothing where that is negative. \
+                  the cosine of the angle, or nothing where that is negative. (Of a beam that's nearly level, only what falls on this piece of ground is drawn.) \
                   <span class='move'>Lower the light to the ground, and below it.</span>",
         parameters: vec![Parameter::new(
             ["α", "angle of the light", "°"],

@@ -106,7 +106,7 @@ pub fn figure() -> Live {
         )],
         numbers: |values| {
             let [turn] = array(values);
-            let angle = Vectors::new(turn).angle();
+            let angle = Vectors::new(turn).angle().abs();
             collect_numbers([("angle", format_rounded(angle, 1))])
         },
         ..Live::new("phong-vectors", |values| {
