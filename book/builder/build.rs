@@ -1,6 +1,6 @@
 use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, fail_with_faults};
-use crate::{Files, Page, Site, inline_styles, links, paper_page, search};
+use crate::{Files, Page, Site, inline_stylesheets, links, paper_page, search};
 use anyhow::{Context, Result, bail};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -82,7 +82,7 @@ fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
         "print.html" => paper_page::arrange_for_paper(page)?,
         _ => {}
     }
-    inline_styles::inline_styles(page, files)
+    inline_stylesheets::inline_stylesheets(page, files)
 }
 
 /// A link with a name for screen readers where it is a formula alone.

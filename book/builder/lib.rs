@@ -48,7 +48,7 @@ mod chapter;
 mod generated_files;
 mod preprocessor;
 
-mod inline_styles;
+mod inline_stylesheets;
 mod links;
 mod paper_page;
 mod search;

@@ -83,7 +83,7 @@ fn image_radius() -> f64 {
     (1.0_f64 / 24.0).sqrt()
 }
 
-/// The radius of the circle in which the rays that touch the sphere do so, and its
+/// The radius of the circle of the tangent points, and its
 /// distance from the eye.
 fn rim_radius_and_distance() -> (f64, f64) {
     let Sphere { centre, radius } = SPHERE;

@@ -3,7 +3,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
-/// The bytes of a file, or why they can't be had. What is not a file, such as a folder, a
+/// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
 /// device or a pipe, is not opened, and of a larger file than any picture nothing is read.
 pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
     let printable_path = escape_for_terminal(&path.display().to_string());

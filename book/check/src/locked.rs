@@ -14,7 +14,7 @@ pub struct Locked {
 
 impl Locked {
     /// All that there are in the folder of the course, or a sentence about why one of
-    /// them can't be had.
+    /// them can't be read.
     pub fn read_all() -> Result<Vec<Self>, String> {
         locked_names().into_iter().map(Self::read).collect()
     }

@@ -141,7 +141,7 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
     Some(explanation)
 }
 
-/// A number with four digits that tell.
+/// A number with four significant decimals.
 fn format_4_or_6_decimals(number: f64) -> String {
     let number = if number.abs() < 1e-6 { 0.0 } else { number };
     let digits = if number.abs() < 0.1 { 6 } else { 4 };

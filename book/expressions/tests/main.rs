@@ -1,5 +1,5 @@
-//! What a reader's expression draws is what the compiler's program draws, and what Rust would
-//! refuse is refused.
+//! Places as they stand draw the locked pictures, and what Rust would refuse is refused. That an
+//! edited place draws what the compiler's program draws is tested in book/update.
 
-mod drawn;
 mod refused;
+mod unedited_places;

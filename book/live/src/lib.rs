@@ -34,6 +34,7 @@ pub use exercises::{camera, row::Row};
 mod handle;
 mod live;
 mod parameter;
+mod probe;
 pub use handle::{Handle, Mark};
 pub use live::{Companion, Live, Numbers, Output};
 pub use parameter::{Kind, Parameter};

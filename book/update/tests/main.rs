@@ -3,9 +3,9 @@
 //! anew.
 
 mod expressions;
-mod module;
-mod modules;
+mod modules_up_to_date;
 mod table;
+mod wasm_runner;
 
 use std::env;
 

@@ -1,4 +1,4 @@
-use crate::locked_pictures::{SIZE, draw_picture};
+use crate::draw_picture::{SIZE, draw_picture};
 use ::check::{Locked, Step, locked_names};
 use image::RgbImage;
 use live::Answer;

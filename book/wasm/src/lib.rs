@@ -5,11 +5,11 @@
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
-mod locked_pictures;
+mod draw_picture;
 #[cfg(feature = "check")]
 pub use check::{check, keep_drawn_pixels};
 #[cfg(feature = "check")]
-pub use locked_pictures::draw;
+pub use draw_picture::draw;
 
 #[cfg(feature = "expressions")]
 mod expressions;

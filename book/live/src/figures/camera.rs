@@ -1,4 +1,4 @@
-use super::pyramid::{draw_steps, draw_view_pyramid};
+use super::shared::view_pyramid::{draw_steps, draw_view_pyramid};
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};

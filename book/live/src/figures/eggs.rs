@@ -1,4 +1,4 @@
-use super::ball_outlines::{
+use super::shared::ball_outlines::{
     HALF_ANGLE, SPACING, ball, image_of_centre, outline, outline_size,
 };
 use crate::live::collect_numbers;

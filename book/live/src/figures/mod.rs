@@ -2,7 +2,6 @@
 
 mod aspect_ratios;
 mod attenuation;
-mod ball_outlines;
 mod camera;
 mod eggs;
 mod flat_world;
@@ -12,11 +11,11 @@ mod lambert;
 mod lobes;
 mod phong_vectors;
 mod pinhole;
-mod pyramid;
 mod ray;
 mod right_hand;
 mod row;
 mod scene_from_above;
+mod shared;
 mod three_cases;
 
 pub use scene_from_above::draw as draw_scene_from_above;

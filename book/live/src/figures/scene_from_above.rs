@@ -1,5 +1,5 @@
-use crate::pictures::pixel_probe::Probe;
 use crate::pictures::{short_name, step03};
+use crate::probe::Probe;
 use crate::{Drawing, Live, Output, View, format_rounded};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;

@@ -13,8 +13,8 @@ pub use named_scene::{draw_named_scene, named_scene};
 pub use scene::own_scene;
 
 use crate::live::collect_numbers;
-use crate::pictures::pixel_probe::{SIZE, place_of_point, point_at_place};
 use crate::pictures::render_scene;
+use crate::probe::{SIZE, place_of_point, point_at_place};
 use crate::{Handle, Live, Mark, Output};
 use exercises::mirror;
 use glam::{DVec2, DVec3};

@@ -4,7 +4,7 @@
 
 use super::settings::Settings;
 use crate::Parameter;
-use crate::pictures::pixel_probe::columns_parameter;
+use crate::probe::columns_parameter;
 use exercises::mirror::{Mirror, mirrors};
 use glam::DVec3;
 use std::slice::ChunksExact;

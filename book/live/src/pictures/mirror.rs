@@ -1,8 +1,8 @@
-use super::pixel_probe::Probe;
 use super::short_name;
 use super::step05::object_parameters;
 use crate::live::collect_numbers;
 use crate::parameter::array;
+use crate::probe::Probe;
 use crate::{Live, Numbers, Output, Parameter, format_number, format_vector};
 use example::{Mirror, colour, hidden, mirrors, shadowed_phong};
 use glam::DVec3;

@@ -1,7 +1,6 @@
 //! The live pictures, each drawn by its step or example.
 
 mod mirror;
-pub mod pixel_probe;
 mod pixel_trace;
 pub mod step01;
 mod step02;

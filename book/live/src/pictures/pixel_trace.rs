@@ -1,8 +1,8 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
-use super::pixel_probe::Probe;
 use super::short_name;
 use crate::live::collect_numbers;
+use crate::probe::Probe;
 use crate::{Numbers, discriminant, format_number, format_vector};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};

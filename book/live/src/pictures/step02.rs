@@ -1,6 +1,6 @@
-use super::pixel_probe::{Probe, place_of_point, point_at_place};
 use super::pixel_trace::trace_pixel;
 use crate::parameter::array;
+use crate::probe::{Probe, place_of_point, point_at_place};
 use crate::{Handle, Live, Numbers, Output, Parameter};
 use step02_sphere::{SPHERE, Sphere, colour, render};
 use step03_nearest::Object;

@@ -1,6 +1,6 @@
-use super::pixel_probe::Probe;
 use super::pixel_trace::trace_pixel;
 use crate::figures::draw_scene_from_above;
+use crate::probe::Probe;
 use crate::{Companion, Live, Numbers, Output};
 use step03_nearest::{OBJECTS, colour, render};
 

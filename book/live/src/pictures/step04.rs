@@ -1,5 +1,5 @@
-use super::pixel_probe::{self, Probe};
 use super::pixel_trace::{trace_pixel, trace_shading};
+use crate::probe::{self, Probe};
 use crate::{Handle, Live, Mark, Output, Parameter};
 use glam::{DVec2, DVec3};
 use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};
@@ -23,12 +23,12 @@ fn light_handle(words: &str, x: usize) -> Handle {
         [x, x + 1],
         |handle, values| {
             let position = DVec3::from_slice(&values[handle.parameters[0]..]);
-            pixel_probe::place_of_point(&crate::camera(), position)
+            probe::place_of_point(&crate::camera(), position)
         },
         |handle, values, place| {
-            let inside = place.clamp(DVec2::splat(24.0), pixel_probe::SIZE - 24.0);
+            let inside = place.clamp(DVec2::splat(24.0), probe::SIZE - 24.0);
             let z = values[handle.parameters[1] + 1];
-            pixel_probe::point_at_place(&crate::camera(), inside, z)
+            probe::point_at_place(&crate::camera(), inside, z)
                 .unwrap_or_else(|| handle.coordinates(values))
         },
     );

@@ -1,7 +1,7 @@
-use super::pixel_probe::Probe;
 use super::pixel_trace::{trace_pixel, trace_shading};
 use super::render_scene;
 use crate::parameter::array;
+use crate::probe::Probe;
 use crate::{Live, Parameter};
 use glam::DVec3;
 use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest};

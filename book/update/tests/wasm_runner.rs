@@ -20,7 +20,7 @@ pub struct Module {
 }
 
 impl Module {
-    /// Starts the module `name`, which asks nothing of its page.
+    /// Starts the module `name`, which imports nothing.
     pub fn start_checked_in(name: &str) -> Self {
         let mut config = Config::default();
         // Most functions are called by few tests.

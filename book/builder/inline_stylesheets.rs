@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 
 /// Puts into a page, instead of links to them, the styles that are among the `files` of
 /// the book, so that it is shown at once.
-pub fn inline_styles(page: &mut Page, files: &Files) -> Result<()> {
+pub fn inline_stylesheets(page: &mut Page, files: &Files) -> Result<()> {
     let links = page.select_all("link[rel=stylesheet]");
     ensure!(!links.is_empty(), "{} has no styles", page.name);
     let mut styles = String::new();

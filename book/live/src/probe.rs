@@ -1,7 +1,7 @@
 //! The probe of a picture: a cross at the pixel whose trace is told.
 
-use super::step01::{self, WIDESCREEN};
 use crate::parameter::array;
+use crate::pictures::step01::{self, WIDESCREEN};
 use crate::{Handle, Kind, Mark, Parameter};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};

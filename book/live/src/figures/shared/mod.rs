@@ -1,0 +1,4 @@
+//! What several figures draw with.
+
+pub mod ball_outlines;
+pub mod view_pyramid;
