@@ -78,12 +78,14 @@ fn program_fault(
     program: &str,
     picture: &RgbImage,
 ) -> Option<String> {
-    reader.write_if_changed(EXAMPLE_PATH, program).expect("a file can be written");
     // The second line of the program is the command that runs it, options after ` -- `.
     let command = program.lines().nth(1)?.trim_end_matches('`');
-    let options = command.split_once(" -- ").map_or("", |(_, options)| options);
+    let (command, options) = command.split_once(" -- ").unwrap_or((command, ""));
+    let (_, example) = command.split_once(" --example ")?;
+    let path = format!("steps/step05_phong/examples/{example}.rs");
+    reader.write_if_changed(&path, program).expect("a file can be written");
     let options = format!("{options} --width {}", picture.width());
-    match reader.draw_example("step05_phong", "my_scene", &options) {
+    match reader.draw_example("step05_phong", example, &options) {
         Err(error) => Some(format!("{error} in {program}")),
         Ok(example_picture) => Difference::between(picture, &example_picture)
             .map(|text| format!("It draws another picture, {text}: {program}")),
@@ -171,12 +173,14 @@ fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
 
 #[test]
 fn names_have_scenes_of_their_own() {
-    let scene_text = |k: usize| {
-        let scene = live::named_scene(&format!("student {k}"));
+    let scene_text = |name: &str| {
+        let scene = live::named_scene(name);
         let objects = scene.objects.iter();
         let parts = objects.map(|one| (one.sphere, one.material.material));
         format!("{:?} {:?}", parts.collect::<Vec<_>>(), scene.lights)
     };
-    let scenes: HashSet<_> = (0..1000).map(scene_text).collect();
+    let names = (0..1000).map(|k| format!("student {k}"));
+    let scenes: HashSet<_> = names.map(|name| scene_text(&name)).collect();
     assert_eq!(scenes.len(), 1000);
+    assert_eq!(scene_text("student 7"), scene_text(" student  7\n"));
 }

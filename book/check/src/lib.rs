@@ -39,6 +39,7 @@ mod listed_mistake;
 mod locked;
 mod missing_parts;
 mod mistake;
+mod named_scene;
 mod other_options;
 mod pixel_regions;
 mod png_file;
@@ -59,6 +60,7 @@ pub use fingerprints::{
 pub use folder_report::report_on_folder_or_class;
 pub use locked::{Locked, locked_names};
 pub use mistake::{BookEntry, Mistake, mistakes};
+pub use named_scene::check_named_scene;
 pub use png_file::{Picture, read_png};
 pub use source_ref::{SourceRef, source_refs};
 pub use step::{Step, default_camera};

@@ -85,7 +85,7 @@ fn explain_several_files(
     }
     format!(
         "{count} mistakes that we know give this very picture, such as: {}.\n\
-         They are {}.\n{}",
+         By file: {}.\n{}",
         first.title,
         counts.join(", "),
         test_command_sentence(&steps),

@@ -1,11 +1,10 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, Locked, check_png, escape_for_terminal, locked_names,
-    read_bounded_file, read_png, report_on_folder_or_class,
+    Answer, Locked, check_named_scene, check_png, escape_for_terminal,
+    locked_names, read_bounded_file, report_on_folder_or_class,
 };
-use clap::{Parser, builder::NonEmptyStringValueParser};
-use compare::Difference;
+use clap::Parser;
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -33,17 +32,29 @@ struct Arguments {
     /// Prints the program of the scene that belongs to a name; with a file, tells
     /// whether it is what the program draws
     #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder", "json"])]
-    #[arg(value_parser = NonEmptyStringValueParser::new())]
+    #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
     /// Tells all of a folder as JSON
     #[arg(long, conflicts_with = "file")]
     json: bool,
 }
 
+/// The name without blanks around it, if anything is left.
+fn parse_scene_name(text: &str) -> Result<String, String> {
+    match text.trim() {
+        "" => Err("a name is more than blanks".to_owned()),
+        name => Ok(name.to_owned()),
+    }
+}
+
 fn main() -> ExitCode {
     let Arguments { file, name, folder, scene, json } = Arguments::parse();
     let result = match (scene, file) {
-        (Some(scene), file) => check_named_scene(&scene, file.as_deref()),
+        (Some(scene), Some(file)) => check_named_scene(&scene, &file),
+        (Some(scene), None) => {
+            let (program, _) = live::draw_named_scene(&scene);
+            Ok(Answer::new(0, program))
+        }
         (None, None) => Locked::read_verified()
             .and_then(|locked| check_folder(&folder, &locked, json)),
         (None, Some(file)) => Locked::read_verified()
@@ -84,32 +95,6 @@ fn check_file(
         answer.text += &format!("\n{}", save_difference(difference, file));
     }
     Ok(answer)
-}
-
-/// The program of the scene that belongs to a name, or whether a picture is what it draws.
-fn check_named_scene(name: &str, file: Option<&Path>) -> Result<Answer, String> {
-    let (program, ours) = live::draw_named_scene(name);
-    let Some(file) = file else { return Ok(Answer::new(0, program)) };
-    let yours = read_png(&read_bounded_file(file)?).map_err(|what| {
-        format!("{} {what}", escape_for_terminal(&file.display().to_string()))
-    })?;
-    let name = escape_for_terminal(name);
-    let differ = match Difference::between(&ours, &yours.pixels) {
-        None => {
-            let text =
-                format!("Right: this is the scene of {name}, in every pixel.");
-            return Ok(Answer::new(0, text));
-        }
-        Some(Difference::Size((w, h), (columns, rows))) => {
-            format!("it has {columns}×{rows} pixels, and ours {w}×{h}")
-        }
-        Some(Difference::Pixels { count, largest, first: (i, j), .. }) => format!(
-            "{count} of {} pixels differ, by up to {largest} of 255; the first is in \
-             column {i}, row {j}",
-            ours.width() * ours.height()
-        ),
-    };
-    Ok(Answer::new(1, format!("Not the scene of {name}: {differ}.")))
 }
 
 /// Writes the picture of a difference into the target folder, from which this program

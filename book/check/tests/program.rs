@@ -98,7 +98,7 @@ fn without_a_file_each_picture_of_the_course_is_reported() {
     let count = crate::locked().len();
     let (code, text) = run_check(&folder, &["--in", "."]);
     assert!(code == Some(1) || code == Some(2), "{text}");
-    assert_eq!(text.matches(" not there\n").count(), count, "{text}");
+    assert_eq!(text.matches(" missing\n").count(), count, "{text}");
     locked_picture("glass").save(folder.join("glass.png")).expect("a file");
     let (code, text) = run_check(&folder, &[]);
     assert!(code == Some(0) && text.contains("\nglass "), "{text}");
@@ -154,33 +154,79 @@ fn pipes_folders_and_huge_files_are_unreadable() {
 #[test]
 fn folder_of_folders_gets_one_line_each() {
     let folder = create_empty_folder("class");
-    for (student, name) in [("ada", "sun"), ("bob", "glass"), ("cleo", "")] {
-        let student_folder = folder.join(student);
-        fs::create_dir(&student_folder).expect("a folder");
-        if !name.is_empty() {
-            locked_picture("glass")
-                .save(student_folder.join(format!("{name}.png")))
-                .expect("a file");
-        }
+    for student in ["ada", "bob", "cleo"] {
+        fs::create_dir(folder.join(student)).expect("a folder");
     }
-    let count = crate::locked().len();
+    let save = |picture: &RgbImage, path: &str| {
+        picture.save(folder.join(path)).expect("a file");
+    };
+    let [sky, glass] = ["step01_rays", "glass"].map(locked_picture);
+    let (_, ada) = live::draw_named_scene("ada");
+    save(&sky, "ada/step01_rays.png");
+    save(&glass, "ada/sun.png");
+    save(&glass, "ada/glass.png");
+    save(&ada, "ada/scene_of_me.png");
+    save(&ada, "bob/scene_of_me.png");
     let (code, text) = run_check(&folder, &[]);
     assert_eq!(code, Some(1), "{text}");
     let lines = [
-        "      right  sun        glass",
-        "ada   0      not right  missing",
-        "bob   1      missing    right",
-        "cleo  0      missing    missing",
+        "      right  step01_rays  scene_of_me  others",
+        "ada   3      right        right        1 of 2",
+        "bob   0      missing      not right    0 of 0",
+        "cleo  0      missing      missing      0 of 0",
     ];
     assert_eq!(text.trim_end(), lines.join("\n"));
     let (code, json) = run_check(&folder, &["--json"]);
     assert_eq!(code, Some(1), "{json}");
     let entry = "{\"picture\": \"glass\", \"verdict\": \"right\", \"text\": \"\"}";
     assert!(
-        json.starts_with("[\n  {\"folder\": ") && json.contains(entry),
+        json.starts_with("[\n  {\"folder\": \"ada\", ") && json.contains(entry),
         "{json}"
     );
+    let reason = "\"not right\", \"text\": \"Not the scene of bob: ";
+    assert!(json.contains(reason), "{json}");
+    let count = crate::locked().len() + 1;
     assert_eq!(json.matches("\"verdict\": ").count(), 3 * count, "{json}");
+}
+
+#[test]
+fn pictures_under_another_name_are_told() {
+    let folder = create_empty_folder("unchecked");
+    for path in ["ada/old", "bob/bob/steps", "cleo"] {
+        fs::create_dir_all(folder.join(path)).expect("a folder");
+    }
+    let sky = locked_picture("step01_rays");
+    let sky = |path: &str| sky.save(folder.join(path)).expect("a file");
+    sky("step01_rays.png");
+    sky("ada/step01_rays.png");
+    sky("ada/step01_rays (1).png");
+    sky("ada/old/step01_rays.png");
+    sky("bob/bob/step01_rays.png");
+    for name in ["my depth.PNG", "step03.jpg", "notes.txt", ".hidden.png"] {
+        fs::write(folder.join("cleo").join(name), "").expect("a file");
+    }
+    let (code, text) = run_check(&folder, &[]);
+    assert_eq!(code, Some(0), "{text}");
+    let lines = [
+        "      right  step01_rays",
+        "ada   1      right",
+        "bob   0      missing",
+        "cleo  0      missing",
+        "Not looked at: step01_rays.png, ada/step01_rays (1).png, ada/old/, bob/bob/, \
+         cleo/my depth.PNG, cleo/step03.jpg.",
+    ];
+    assert_eq!(text.trim_end(), lines.join("\n"));
+    let (_, json) = run_check(&folder, &["--json"]);
+    assert!(json.contains("\"not_looked_at\": [\"bob/\"]"), "{json}");
+    for k in 0..9 {
+        sky(&format!("x{k}.png"));
+    }
+    let (_, text) = run_check(&folder, &[]);
+    assert!(text.trim_end().ends_with(", x5.png, x6.png and 7 more."), "{text}");
+    // A workspace is one folder, whatever folders it has.
+    fs::write(folder.join("Cargo.toml"), "").expect("a file");
+    let (_, text) = run_check(&folder, &[]);
+    assert!(text.contains(" are right.\nNot looked at: x0.png, "), "{text}");
 }
 
 #[test]
@@ -192,6 +238,10 @@ fn scene_of_a_name_is_printed_and_compared() {
         program.starts_with("//! The scene of ada. This draws it:\n"),
         "{program}"
     );
+    let command = "\n//! `cargo run -p step05_phong --example scene_of_me`\n";
+    assert!(program.contains(command), "{program}");
+    let (_, other) = run_check(&folder, &["--scene", " ada\t"]);
+    assert_eq!(other, program);
     let (_, mut picture) = live::draw_named_scene("ada");
     let path = folder.join("ada.png");
     picture.save(&path).expect("a file");
@@ -210,8 +260,11 @@ fn scene_of_a_name_is_printed_and_compared() {
     assert!(text.contains("it has 2×1 pixels, and ours 640×360"), "{text}");
     let (code, text) = run_check(&folder, &["--scene", "ada", "nowhere.png"]);
     assert!(code == Some(2) && text.starts_with("error: can't read"), "{text}");
-    let (code, text) = run_check(&folder, &["--scene", ""]);
-    assert!(code == Some(2) && text.contains("a value is required"), "{text}");
+    for blanks in ["", " \t"] {
+        let (code, text) = run_check(&folder, &["--scene", blanks]);
+        let words = "a name is more than blanks";
+        assert!(code == Some(2) && text.contains(words), "{text}");
+    }
     let (code, text) = run_check(&folder, &["--scene", "ada", "--json"]);
     assert!(code == Some(2) && text.contains("cannot be used with"), "{text}");
 }

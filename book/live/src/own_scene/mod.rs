@@ -9,7 +9,7 @@ mod scene;
 mod settings;
 
 pub use address::parse_address;
-pub use named_scene::{draw_named_scene, named_scene};
+pub use named_scene::{NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene};
 pub use scene::own_scene;
 
 use crate::live::collect_numbers;

@@ -6,15 +6,24 @@ use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{Light, Matte, OBJECTS, Scene, colour, render};
 
+/// The example of step 5 as which the program of a named scene is saved. No example of the
+/// course has this name, so no other program draws a picture of it.
+pub const NAMED_SCENE_EXAMPLE: &str = "scene_of_me";
+
 /// The program of the scene that belongs to a name, for an example of step 5, and the
 /// picture that it draws.
 pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
+    let name = join_words(name);
     let values: Vec<_> = PARAMETERS.iter().map(|one| one.default).collect();
     let settings = Settings::from_values(&values);
-    let scene = named_scene(name);
+    let scene = named_scene(&name);
     let title = format!("The scene of {}.", name.escape_debug());
     let program = rust::program(&settings, &scene);
-    let program = program.replacen("A scene of your own.", &title, 1);
+    let program = program.replacen("A scene of your own.", &title, 1).replacen(
+        "--example my_scene",
+        &format!("--example {NAMED_SCENE_EXAMPLE}"),
+        1,
+    );
     let scene = super::scene::without_mirrors(scene);
     let camera = settings.camera(settings.columns);
     (program, render(&camera, 1, |ray| colour(&scene, ray)))
@@ -30,7 +39,9 @@ const NAMES: [&str; OBJECTS.len()] = [
 /// light, chosen by a hash of the name.
 ///
 /// Each sphere lies inside the one of the course and on the same ground, so none meet.
+/// Blanks around the name, and how many there are between its words, make no difference.
 pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
+    let name = join_words(name);
     let mut choices = 0;
     let mut choose = |count: usize| {
         choices += 1;
@@ -65,6 +76,11 @@ pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
         [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
     scene.lights[0].point_light.diffuse = tints[choose(4)].into();
     scene
+}
+
+/// The words of a name, with one blank between them.
+fn join_words(name: &str) -> String {
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The hash FNV-1a, of 64 bits.
