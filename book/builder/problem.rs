@@ -5,14 +5,17 @@ use std::fmt::Write;
 /// answer is a value.
 ///
 /// The problem's text follows, `{{#answer}}`, the way to the answer, and `{{#end}}`. What a
-/// reader types in is compared by book/theme/book.js.
+/// reader types in is compared by book/theme/book.js: a count exactly, any other number
+/// within 1 %.
 pub fn opening_html(words: &str) -> Result<String, String> {
     let (number, value) = words
         .split_once(' ')
         .ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
     let answer = values::value_text(value)?.replace(',', "");
+    let tolerance = if values::is_count(value) { 0.0 } else { 0.01 };
     Ok(format!(
-        "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\">\
+        "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\" \
+         data-tolerance=\"{tolerance}\">\
          <b class=\"number\">{number}</b>\n"
     ))
 }

@@ -123,7 +123,15 @@ fn a_problem_has_an_answer_that_is_a_value() {
     let problem = "{{#problem 7 camera-tan}}\n\nHow *far*?\n\n\
                    {{#answer}}\n\n**{{#value camera-tan}}.** So.\n\n{{#end}}\n";
     let html = expand_without_fault(problem);
-    assert!(html.contains("id=\"problem-7\" data-answer=\"0.5774\""), "{html}");
+    let attributes = |answer: &str, tolerance: &str| {
+        format!(
+            "id=\"problem-7\" data-answer=\"{answer}\" data-tolerance=\"{tolerance}\""
+        )
+    };
+    assert!(html.contains(&attributes("0.5774", "0.01")), "{html}");
+    let count = problem.replace("7 camera-tan", "7 mirror-depth 0.8");
+    let count = expand_without_fault(&count);
+    assert!(count.contains(&attributes("25", "0")), "{count}");
     assert!(html.trim_end().ends_with("</details>\n</section>"), "{html}");
     let without_answer = problem.replace("{{#answer}}\n\n", "");
     assert_one_fault(&without_answer, 7, "no {{#answer}}");

@@ -103,9 +103,9 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
-// Problems on paper: a number is right if it is within 1 % of the answer.
+// Problems on paper: a number is right if it is within the tolerance, a part of the answer.
 for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
-    const answer = Number(problem.dataset.answer);
+    const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
     const form = document.createElement("form");
     const input = Object.assign(document.createElement("input"), { type: "number", step: "any", required: true });
     input.setAttribute("aria-label", `Your number for problem ${problem.querySelector(".number").textContent}`);
@@ -115,7 +115,7 @@ for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
     form.append(input, button, verdict);
     form.addEventListener("submit", event => {
         event.preventDefault();
-        const isRight = Math.abs(input.valueAsNumber - answer) <= Math.abs(answer) / 100;
+        const isRight = Math.abs(input.valueAsNumber - answer) <= tolerance * Math.abs(answer);
         verdict.textContent = isRight ? "right" : "not yet";
         verdict.classList.toggle("right", isRight);
     });

@@ -1,5 +1,6 @@
 //! The workflow that a teacher copies does, in a reader's workspace, what its page says.
 
+use super::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use compare::{target_folder, workspace};
 use std::fs;
@@ -28,36 +29,56 @@ fn actions_are_those_of_the_course() {
     assert!(actions.iter().all(|action| ours.contains(action)), "{actions:?}");
 }
 
+/// The commands of the workflow, in their order; one may have several lines.
+fn workflow_commands() -> Vec<String> {
+    let text = workflow_text();
+    let steps =
+        text.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
+    let command = |step: &str| match step.strip_prefix("|\n") {
+        Some(lines) => lines.to_owned(),
+        None => step.lines().next().unwrap_or_default().to_owned(),
+    };
+    steps.map(command).collect()
+}
+
+/// Runs a command of the workflow in a reader's workspace; whether it succeeds, and what
+/// it prints.
+fn run_command(reader: &ReaderWorkspace, command: &str) -> (bool, String) {
+    let mut bash = Command::new("bash");
+    let course = format!("{}/", workspace().display());
+    bash.args(["-e", "-c", &command.replace("course/", &course)]);
+    bash.current_dir(&reader.folder);
+    if command.contains("course/") {
+        bash.env("CARGO_TARGET_DIR", target_folder());
+    } else {
+        let cargo = reader.cargo(&[]);
+        bash.envs(cargo.get_envs().filter_map(|(name, text)| Some((name, text?))));
+        bash.env("CARGO_TARGET_DIR", "target");
+    }
+    let output = bash.output().expect("bash runs");
+    let text = [output.stdout, output.stderr].concat();
+    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+}
+
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn workflow_draws_and_checks_five_pictures() {
-    let (text, reader) = (workflow_text(), typed_workspace());
-    for path in reader.picture_paths().expect("a folder") {
-        fs::remove_file(path).expect("a picture can be removed");
-    }
-    let course = format!("\"{}\"/", workspace().display());
-    let mut outputs = vec![];
-    for command in values_of_key(&text, "run") {
-        let mut bash = Command::new("bash");
-        bash.args(["-e", "-c", &command.replace("course/", &course)]);
-        bash.current_dir(&reader.folder);
-        if command.starts_with("rustup") {
-            continue;
-        } else if command.contains("course/") {
-            bash.env("CARGO_TARGET_DIR", target_folder());
-        } else {
-            let cargo = reader.cargo(&[]);
-            bash.envs(
-                cargo.get_envs().filter_map(|(name, text)| Some((name, text?))),
-            );
-            bash.env("CARGO_TARGET_DIR", "target");
-        }
-        let output = bash.output().expect("bash runs");
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{command}: {errors}");
-        outputs.push(String::from_utf8_lossy(&output.stdout).into_owned());
-    }
-    let [_, report] = &outputs[..] else { panic!("{outputs:?}") };
+    let (commands, reader) = (workflow_commands(), typed_workspace());
+    let [_, draw, check] = &commands[..] else { panic!("{commands:?}") };
+    // A picture that nobody draws, and is right.
+    let glass = workspace().join("tests/snapshots/glass.snap.png");
+    fs::copy(glass, reader.folder.join("glass.png")).expect("a copy");
+    let (is_drawn, text) = run_command(&reader, draw);
+    assert!(is_drawn, "{text}");
+    let (is_right, report) = run_command(&reader, check);
+    assert!(is_right && report.contains("\n5 of "), "{report}");
     assert_eq!(report.matches(" right\n").count(), 5, "{report}");
-    assert!(report.contains("5 of "), "{report}");
+    // A step that does not compile, and those before it.
+    let path = "steps/step05_phong/src/picture.rs";
+    reader.write_if_changed(path, "half a line").expect("a file");
+    let (is_drawn, text) = run_command(&reader, draw);
+    assert!(!is_drawn, "{text}");
+    assert!(workflow_text().contains(&format!("{check}\n        if: always()\n")));
+    let (is_right, report) = run_command(&reader, check);
+    assert!(is_right && report.contains("\n4 of "), "{report}");
 }

@@ -74,13 +74,22 @@ fn live_number_text(live: &str, number: &str) -> Option<String> {
     is_allowed.then(|| (live.numbers)(&values).remove(name))?
 }
 
+/// Whether a value is a count of something, and so a whole number.
+pub fn is_count(text: &str) -> bool {
+    matches!(chapter_value(text), Some(Value::Count(_)))
+}
+
 /// A value such as `camera-tan`, or such as `half-angle 40`.
-fn chapter_value_text(text: &str) -> Option<String> {
+fn chapter_value(text: &str) -> Option<Value> {
     let mut words = text.split(' ');
     let name = words.next()?;
     let arguments: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     let arguments = arguments?;
-    Some(match CHAPTERS.iter().find_map(|value| value(name, &arguments))? {
+    CHAPTERS.iter().find_map(|value| value(name, &arguments))
+}
+
+fn chapter_value_text(text: &str) -> Option<String> {
+    Some(match chapter_value(text)? {
         Value::Number(number) => format_number(number),
         Value::Fixed(digits, number) => format_fixed(number, digits),
         Value::Count(count) => format_with_thousands_commas(count),

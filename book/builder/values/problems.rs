@@ -68,7 +68,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
             });
             100.0 * left.iter().sum::<f64>() / 3.0
         }),
-        ("problem-byte", []) => Number({
+        ("problem-byte", []) => Count({
             let matte = Matte::of(DVec3::splat(0.9));
             let position = DVec3::new(0.0, 3.0, 1.0);
             let light = lamp(position, 0.5, [0.5, 0.1, 0.01]);

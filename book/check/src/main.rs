@@ -39,11 +39,11 @@ struct Arguments {
     json: bool,
 }
 
-/// The name without blanks around it, if anything is left.
-fn parse_scene_name(text: &str) -> Result<String, String> {
+/// The name, if it is more than blanks.
+fn parse_scene_name(text: &str) -> Result<String, &'static str> {
     match text.trim() {
-        "" => Err("a name is more than blanks".to_owned()),
-        name => Ok(name.to_owned()),
+        "" => Err("a name is more than blanks"),
+        _ => Ok(text.to_owned()),
     }
 }
 
