@@ -17,9 +17,9 @@ mod crate_states;
 mod own_scene;
 mod page_events;
 mod reader_workspace;
+mod teacher_workflow;
 mod typed_book;
 mod verified_command;
-mod workflow;
 
 // Results by hand and answers to predictions are right.
 mod by_hand_names;

@@ -45,7 +45,7 @@ fn workflow_commands() -> Vec<String> {
 /// it prints.
 fn run_command(reader: &ReaderWorkspace, command: &str) -> (bool, String) {
     let mut bash = Command::new("bash");
-    let course = format!("{}/", workspace().display());
+    let course = format!("\"{}\"/", workspace().display());
     bash.args(["-e", "-c", &command.replace("course/", &course)]);
     bash.current_dir(&reader.folder);
     if command.contains("course/") {
