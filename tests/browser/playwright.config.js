@@ -51,13 +51,13 @@ export default defineConfig({
     },
     {
       name: 'chromium-narrow',
-      testMatch: [...PAGES, 'accessibility.spec.js'],
+      testMatch: PAGES,
       use: { ...chromium, ...view(390, 'light'), source: 'folder' },
       ...QUICK,
     },
     {
       name: 'chromium-dark',
-      testMatch: [...PAGES, 'accessibility.spec.js'],
+      testMatch: PAGES,
       use: { ...chromium, ...view(1280, 'dark'), source: 'folder' },
       ...QUICK,
     },
@@ -69,7 +69,7 @@ export default defineConfig({
     },
     {
       name: 'firefox-dark',
-      testMatch: [...PAGES, ...ANSWERS],
+      testMatch: PAGES,
       use: { ...firefox(true), ...view(1280, null), source: 'server' },
       ...QUICK,
     },
