@@ -24,9 +24,9 @@
 //!
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 
+mod built_site;
 mod files;
 mod page;
-mod site;
 
 mod formula;
 mod markdown;
@@ -59,8 +59,8 @@ mod build;
 mod tests;
 
 pub use build::build;
+pub use built_site::Site;
 pub use files::Files;
 pub use mistakes::effect_and_step_of_picture;
 pub use page::{Page, inner_text, select_all};
 pub use preprocessor::Course;
-pub use site::Site;

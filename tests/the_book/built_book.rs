@@ -1,5 +1,5 @@
 use super::assert_no_faults;
-use super::reader_workspace::{STEP_NAMES, step_of_page};
+use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use book::{Files, Site, inner_text};
 use compare::{target_folder, workspace};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};

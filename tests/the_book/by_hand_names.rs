@@ -3,8 +3,8 @@
 
 use super::assert_no_faults;
 use super::built_book::built_book;
-use super::reader_workspace::{STEP_NAMES, step_of_page};
 use super::source_listings::SOURCE_FILES;
+use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use std::collections::BTreeSet;
 
 #[test]

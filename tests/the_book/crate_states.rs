@@ -1,9 +1,9 @@
 //! The book suffices: the crates compile at each heading and each command of their chapters.
 
 use super::built_book::built_book;
-use super::listing::join_listings;
-use super::page_events::{Event, page_events};
-use super::reader_workspace::{
+use super::support::listing::join_listings;
+use super::support::page_events::{Event, page_events};
+use super::support::reader_workspace::{
     ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page,
 };
 use super::typed_book::typed_workspace;

@@ -4,9 +4,9 @@
 //! can't be expanded, a link is broken, or a page would fetch anything from elsewhere.
 
 mod built_book;
+mod support;
 
 // The book is the source.
-mod listing;
 mod source_listings;
 
 // The picture is the output.
@@ -14,12 +14,9 @@ mod page_pictures;
 
 // The book suffices.
 mod crate_states;
+mod github_workflow;
 mod own_scene;
-mod page_events;
-mod reader_workspace;
-mod teacher_workflow;
 mod typed_book;
-mod verified_command;
 
 // Results by hand and answers to predictions are right.
 mod by_hand_names;

@@ -2,7 +2,7 @@
 //! picture on the page.
 
 use super::assert_no_faults;
-use super::reader_workspace::ReaderWorkspace;
+use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use compare::Difference;
 use image::RgbImage;

@@ -2,9 +2,9 @@
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
-use super::listing::{Listing, page_listings};
 use super::own_scene;
-use super::reader_workspace::{STEP_NAMES, step_of_page};
+use super::support::listing::{Listing, page_listings};
+use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use book::{Files, Site};
 use compare::workspace;
 use std::fs;

@@ -2,11 +2,13 @@
 //! pages say. `source_listings` tests that all files are typed in the end.
 
 use super::built_book::built_book;
-use super::listing::page_listings;
-use super::page_events::{Event, PageCommand, page_events};
-use super::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
 use super::source_listings::SOURCE_FILES;
-use super::verified_command::run_and_verify_command;
+use super::support::listing::page_listings;
+use super::support::page_events::{Event, PageCommand, page_events};
+use super::support::reader_workspace::{
+    ReaderWorkspace, STEP_NAMES, TypedListings,
+};
+use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
 use book::Page;
 

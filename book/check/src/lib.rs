@@ -31,7 +31,6 @@ mod check;
 mod disturbed;
 mod evidence;
 mod explanation;
-mod file;
 mod file_format;
 mod fingerprints;
 mod folder_report;
@@ -43,6 +42,7 @@ mod named_scene;
 mod other_options;
 mod pixel_regions;
 mod png_file;
+mod read_file;
 mod scene_parameter;
 mod sky;
 mod source_ref;
@@ -53,7 +53,6 @@ mod which_picture;
 mod wrong_regions;
 
 pub use check::{Answer, check_picture, check_png};
-pub use file::{escape_for_terminal, read_bounded_file};
 pub use fingerprints::{
     TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, table_rows,
 };
@@ -62,6 +61,7 @@ pub use locked::{Locked, locked_names};
 pub use mistake::{BookEntry, Mistake, mistakes};
 pub use named_scene::check_named_scene;
 pub use png_file::{Picture, read_png};
+pub use read_file::{escape_for_terminal, read_bounded_file};
 pub use source_ref::{SourceRef, source_refs};
 pub use step::{Step, default_camera};
 pub use which_picture::{find_name_in_file_name, step_of_exercise};

@@ -1,6 +1,6 @@
 use crate::modules_up_to_date::assert_same;
+use crate::support::page_module::Module;
 use crate::tries_all_cases;
-use crate::wasm_runner::Module;
 use check::{Mistake, TableRow, hash_picture, locked_hashes, mistakes, table_rows};
 use compare::workspace;
 use expressions::{Place, draw_edited, editable_places, parse_expression};

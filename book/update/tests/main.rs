@@ -4,8 +4,8 @@
 
 mod expressions;
 mod modules_up_to_date;
+mod support;
 mod table;
-mod wasm_runner;
 
 use std::env;
 

@@ -1,5 +1,5 @@
+use crate::support::page_module::{self, Module};
 use crate::tries_all_cases;
-use crate::wasm_runner::{self, Module};
 use check::{Locked, default_camera, locked_names};
 use compare::workspace;
 use image::{ImageFormat, RgbImage};
@@ -102,7 +102,7 @@ fn check_wasm_is_up_to_date() {
     for (name, paths) in
         [("check", &lists), ("expressions", &lists), ("check", &source_files)]
     {
-        let bytes = wasm_runner::read_module(name);
+        let bytes = page_module::read_module(name);
         for path in paths {
             let text = fs::read(path).expect("a list");
             assert!(
@@ -138,7 +138,7 @@ fn check_wasm_is_up_to_date() {
 #[test]
 fn no_path_of_a_machine_stands_in_a_module() {
     for name in ["check", "expressions", "live"] {
-        let bytes = wasm_runner::read_module(name);
+        let bytes = page_module::read_module(name);
         let text = String::from_utf8_lossy(&bytes);
         for path in [".cargo", "registry/src", "/home/", "/Users/"] {
             assert!(!text.contains(path), "{path} stands in {name}.wasm");

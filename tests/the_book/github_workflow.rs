@@ -1,6 +1,6 @@
 //! The workflow that a teacher copies does, in a reader's workspace, what its page says.
 
-use super::reader_workspace::ReaderWorkspace;
+use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use compare::{target_folder, workspace};
 use std::fs;
