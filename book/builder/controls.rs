@@ -7,11 +7,14 @@ use live::{Handle, Kind, Live, Parameter, escape, italic_letter};
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
+    let handles = visible_handles(live);
     let controls = |is_included: fn(&Parameter) -> bool| -> String {
         let parameters = live.parameters.iter().enumerate();
         let included = parameters.filter(|(_, parameter)| is_included(parameter));
         included
-            .map(|(k, parameter)| parameter_control_html(live, k, parameter))
+            .map(|(k, parameter)| {
+                parameter_control_html(live, &handles, k, parameter)
+            })
             .collect()
     };
     let hint = if live.has_probe() { HINT } else { "" };
@@ -32,17 +35,13 @@ const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross
 const RESET: &str =
     "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The handle that sets the parameter number `k`, if it is inside the printed output.
-fn visible_handle(live: &Live, k: usize) -> Option<&Handle> {
+/// The handles that are inside the printed output.
+fn visible_handles(live: &Live) -> Vec<&Handle> {
     let values = live.default_values();
     let size = DVec2::from(live.default_output().width_and_height());
-    live.handles.iter().filter(|handle| handle.parameters.contains(&k)).find(
-        |handle| {
-            handle
-                .place(&values)
-                .is_some_and(|place| place == place.clamp(DVec2::ZERO, size))
-        },
-    )
+    let is_inside = |place: DVec2| place == place.clamp(DVec2::ZERO, size);
+    let handles = live.handles.iter();
+    handles.filter(|handle| handle.place(&values).is_some_and(is_inside)).collect()
 }
 
 /// The choice of the group whose controls are visible; None without groups.
@@ -57,9 +56,18 @@ fn group_select_html(live: &Live) -> Option<String> {
     (!groups.is_empty()).then_some(choice)
 }
 
-/// The control of the parameter number `k`, at its default.
-fn parameter_control_html(live: &Live, k: usize, parameter: &Parameter) -> String {
-    let handle = visible_handle(live, k).filter(|_| parameter.group.is_empty());
+/// The control of the parameter number `k`, at its default. What a visible handle sets has
+/// no range beside its number field, unless it has a group.
+fn parameter_control_html(
+    live: &Live,
+    visible_handles: &[&Handle],
+    k: usize,
+    parameter: &Parameter,
+) -> String {
+    let handle = visible_handles.iter().copied();
+    let handle = handle
+        .filter(|_| parameter.group.is_empty())
+        .find(|handle| handle.parameters.contains(&k));
     let (symbol, words) = symbol_and_words(k, parameter, handle);
     let label = label_html(symbol, &words);
     let default = escape(&parameter.format(parameter.default));
