@@ -13,7 +13,7 @@ const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");
 /// The numbers of a sphere, in the columns of its row.
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 
-/// Those of what a mirrored ray meets.
+/// The numbers of a hit of a mirrored ray, in the columns of its row.
 const MIRROR_COLUMNS: [&str; 9] =
     ["object", "t", "k", "I", "hidden", "matte", "specular", "p", "n"];
 

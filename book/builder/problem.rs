@@ -53,8 +53,8 @@ pub fn sheet_markdown<'a>(
 
 /// The words of a directive, the text of the problem, and the way to its answer.
 fn split_problem(part: &str) -> Option<(&str, &str, &str)> {
-    let (words, rest) = part.split_once("}}")?;
-    let (problem, rest) = rest.split_once("\n{{#answer}}")?;
-    let (answer, _) = rest.split_once("\n{{#end}}")?;
+    let (words, box_text) = part.split_once("}}")?;
+    let (problem, answer_text) = box_text.split_once("\n{{#answer}}")?;
+    let (answer, _) = answer_text.split_once("\n{{#end}}")?;
     Some((words, problem, answer))
 }

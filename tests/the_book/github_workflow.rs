@@ -12,7 +12,7 @@ fn workflow_text() -> String {
     fs::read_to_string(workspace().join(path)).expect("a file of the course")
 }
 
-/// What stands behind a key such as `run`, in the order of the steps.
+/// The values of a key such as `run`, in the order of the workflow.
 fn values_of_key<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
     let start = format!("- {key}: ");
     text.lines().filter_map(|line| line.trim().strip_prefix(&*start)).collect()

@@ -107,8 +107,9 @@ pub fn check_picture(
     }
     let ours = which_picture::find_most_similar(yours, &candidates);
     let step = Step::from_name(&ours.name);
-    let asked = step.filter(|_| uniform_colour(yours).is_none());
-    if let Some(text) = asked.and_then(|step| describe_other_options(step, yours)) {
+    let varied = step.filter(|_| uniform_colour(yours).is_none());
+    if let Some(text) = varied.and_then(|step| describe_other_options(step, yours))
+    {
         return Answer::new(1, text);
     }
     let text = match locked.iter().find(|one| one.picture == *yours) {
@@ -185,8 +186,7 @@ fn explain_wrong_picture(yours: &RgbImage, ours: &Locked) -> String {
         let tests = mistake_text.unwrap_or_else(tests);
         return format!("Not right: your picture is {clause}.\n{tests}");
     }
-    let turned = turned_or_swapped_clause(yours, picture);
-    if let Some((clause, file)) = turned {
+    if let Some((clause, file)) = turned_or_swapped_clause(yours, picture) {
         let back = mistake_text.unwrap_or_else(|| go_back_to_files(&[file]));
         return format!(
             "Not right: your picture is that of {name}{clause}.\n{back}"
@@ -230,7 +230,7 @@ fn explain_wrong_picture(yours: &RgbImage, ours: &Locked) -> String {
     text + &sentences_of_wrong_pixel(&evidence)
 }
 
-/// What may be said of a picture that is no mistake of the list, the strongest first.
+/// The explanations of a picture that is no mistake of the list, the strongest first.
 fn candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
     missing_object_candidates(evidence)
         .chain(changed_number_candidates(evidence))

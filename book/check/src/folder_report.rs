@@ -2,7 +2,7 @@ use crate::{
     Answer, Locked, Step, check_named_scene, check_png, escape_for_terminal,
     read_bounded_file,
 };
-use live::NAMED_SCENE_EXAMPLE;
+use live::{NAMED_SCENE_EXAMPLE, json};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ pub fn report_on_folder_or_class(
     locked: &[Locked],
     as_json: bool,
 ) -> Answer {
-    let own = report_on_folder(folder, locked, false);
+    let whole = report_on_folder(folder, locked, false);
     let students = match folder.join("Cargo.toml").exists() {
         true => vec![],
         false => visible_folders_in(folder),
@@ -67,9 +67,9 @@ pub fn report_on_folder_or_class(
     let students: Vec<_> = students.collect();
     let has_pictures = |report: &Report| report.present().next().is_some();
     let is_class = !students.is_empty()
-        && (!has_pictures(&own) || students.iter().any(has_pictures));
+        && (!has_pictures(&whole) || students.iter().any(has_pictures));
     let stray = if is_class { visible_pictures_in(folder) } else { vec![] };
-    let reports = if is_class { students } else { vec![own] };
+    let reports = if is_class { students } else { vec![whole] };
     let text = match is_class {
         _ if as_json => format_json(&reports),
         true => format_class(&reports, stray),
@@ -121,7 +121,7 @@ fn name_of_path(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What is in a folder and not hidden, by name.
+/// The paths in a folder that are not hidden, by name.
 fn visible_paths_in(folder: &Path) -> Vec<PathBuf> {
     let all = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = all.map(|entry| entry.path());
@@ -281,7 +281,7 @@ fn format_unchecked(mut names: Vec<String>) -> String {
 fn format_json(reports: &[Report]) -> String {
     let entry = |Entry { picture, verdict, text }: &Entry| {
         let [picture, verdict, text] =
-            [picture, verdict, &text[..]].map(quote_json);
+            [picture, verdict, &text[..]].map(json::quote);
         format!(
             "    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}"
         )
@@ -289,23 +289,14 @@ fn format_json(reports: &[Report]) -> String {
     let report = |Report { folder, entries, unchecked }: &Report| {
         let entries: Vec<_> = entries.iter().map(entry).collect();
         let unchecked: Vec<_> =
-            unchecked.iter().map(|name| quote_json(name)).collect();
+            unchecked.iter().map(|name| json::quote(name)).collect();
         format!(
             "  {{\"folder\": {}, \"pictures\": [\n{}\n  ], \"not_looked_at\": [{}]}}",
-            quote_json(folder),
+            json::quote(folder),
             entries.join(",\n"),
             unchecked.join(", ")
         )
     };
     let reports: Vec<_> = reports.iter().map(report).collect();
     format!("[\n{}\n]", reports.join(",\n"))
-}
-
-fn quote_json(text: &str) -> String {
-    let letter = |c: char| match c {
-        '"' | '\\' => format!("\\{c}"),
-        c if c.is_control() => format!("\\u{:04x}", u32::from(c)),
-        c => c.to_string(),
-    };
-    format!("\"{}\"", text.chars().map(letter).collect::<String>())
 }

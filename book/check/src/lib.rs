@@ -24,7 +24,7 @@
 //! Explanations are asked of pictures of our size alone (`evidence`); of another size, those
 //! of 1 and 2 are told. Each ray that they draw is taken from a `RayBudget`, so that every
 //! answer comes soon, and is the same on every machine; of a file, no more is read than a
-//! picture has (`file`, `png_file`).
+//! picture has (`read_file`, `png_file`).
 
 mod byte_encodings;
 mod check;

@@ -14,7 +14,7 @@ const LARGEST: DVec2 = dvec2(9.6, 5.6);
 /// The number of mirrors that a ray may meet.
 const DEPTH: usize = 2;
 
-/// What is dragged, and where it is by default.
+/// The handles, and their default places.
 const DEFAULTS: [(&str, [f64; 2]); 7] = [
     ("the eye S", [0.6, 2.6]),
     ("the end of V", [1.8, 2.65]),
@@ -87,7 +87,7 @@ impl World {
         (hits, None)
     }
 
-    /// What the ray meets, in words.
+    /// The sentence about what the ray meets.
     fn path_words(&self) -> String {
         let (hits, leaving) = self.trace();
         let words = hits.iter().map(|hit| {

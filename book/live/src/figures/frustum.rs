@@ -28,7 +28,7 @@ fn sides() -> [Ray; 2] {
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// What is left of a sphere between the planes.
+/// The words for the part of a sphere that is between the planes.
 fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
     let (depth, radius) = (-sphere.centre.z, sphere.radius);
     if depth + radius <= near || far <= depth - radius {

@@ -53,7 +53,7 @@ type Row = Vec<(&'static str, String)>;
 const COLUMNS: [&str; 9] =
     ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
 
-/// What the values set.
+/// The probe and the scene of these values.
 struct Mirrors {
     probe: Probe,
     depth: u32,
