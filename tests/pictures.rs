@@ -37,7 +37,6 @@ fn assert_locked_picture(name: &str) {
 
 #[test]
 fn each_locked_picture_has_a_test_of_its_name() {
-    let names: Vec<_> =
-        locked_pictures().into_iter().map(|(name, ..)| name).collect();
+    let names: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
     assert_eq!(names, TEST_NAMES);
 }

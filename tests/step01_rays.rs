@@ -21,8 +21,7 @@ fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
 #[test]
 fn program_prints_file_size_and_time() {
     let program = StepProgram::new("step01_rays", "prints");
-    let output =
-        program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
+    let output = program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.starts_with("small.png: 64×48 pixels in "), "{text}");
     assert!(output.stderr.is_empty(), "{output:?}");
@@ -71,24 +70,19 @@ fn pixels_are_square_at_four_aspect_ratios() {
         assert_eq!(AspectRatio { width, height }.v_res(640), rows);
         let camera = Camera::new(640, rows, 1.0);
         assert_eq!(camera.matrix.x_axis.length(), camera.matrix.y_axis.length());
-        let (top, bottom) =
-            (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
+        let (top, bottom) = (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
         assert!(nearly_equal(top.direction.y, -bottom.direction.y));
     }
 }
 
 #[test]
 fn rows_of_an_aspect_ratio_are_rounded_and_at_least_one() {
-    let rows =
-        |text: &str| text.parse::<AspectRatio>().map(|ratio| ratio.v_res(640));
+    let rows = |text: &str| text.parse::<AspectRatio>().map(|ratio| ratio.v_res(640));
     assert_eq!(rows("2.35:1"), Ok(272));
     assert_eq!(rows("1281:1"), Ok(1));
     assert_eq!(rows("1:4"), Ok(2560));
     assert_eq!([rows("1e9:1"), rows("1e308:1e308")], [Ok(1), Ok(640)]);
-    for text in [
-        "", "16", "16:0", "0:9", "-4:-3", "1:2:3", "nan:1", "1:inf", "inf:inf",
-        "1:4.1",
-    ] {
+    for text in ["", "16", "16:0", "0:9", "-4:-3", "1:2:3", "nan:1", "1:inf", "inf:inf", "1:4.1"] {
         assert!(rows(text).is_err(), "{text}");
     }
 }
@@ -99,11 +93,7 @@ fn middle_row_of_the_camera_is_the_row_in_2d() {
         let (camera, row) = (Camera::new(9, 5, theta), Row::new(9, theta));
         for i in (0..9).map(f64::from) {
             let (v, v_in_2d) = (camera.ray(i, 2.0).direction, row.direction(i));
-            assert!(
-                nearly_equal(v.x, v_in_2d.x)
-                    && v.y.abs() < 1e-12
-                    && v.z == -v_in_2d.y
-            );
+            assert!(nearly_equal(v.x, v_in_2d.x) && v.y.abs() < 1e-12 && v.z == -v_in_2d.y);
         }
     }
 }

@@ -15,9 +15,8 @@ fn sphere_at(z: f64) -> Sphere {
 /// t of the nearest hit, and the index of the sphere that is hit.
 fn nearest_t_and_index(spheres: &[Sphere], ray: &Ray) -> Option<(f64, usize)> {
     let spheres = spheres.iter().copied().enumerate();
-    let objects: Vec<_> = spheres
-        .map(|(material, sphere)| Object { name: "ball", sphere, material })
-        .collect();
+    let objects: Vec<_> =
+        spheres.map(|(material, sphere)| Object { name: "ball", sphere, material }).collect();
     nearest(&objects, ray).map(|hit| (hit.t, hit.object.material))
 }
 
@@ -38,16 +37,10 @@ fn first_object_wins_at_equal_t() {
 fn spheres_behind_or_beside_the_ray_are_not_hit() {
     let sphere_beside = Sphere { centre: DVec3::new(3.0, 0.0, -2.0), radius: 1.0 };
     assert_eq!(
-        nearest_t_and_index(
-            &[sphere_at(2.0), sphere_beside, sphere_at(-9.0)],
-            &RAY_AHEAD
-        ),
+        nearest_t_and_index(&[sphere_at(2.0), sphere_beside, sphere_at(-9.0)], &RAY_AHEAD),
         Some((8.0, 2))
     );
-    assert_eq!(
-        nearest_t_and_index(&[sphere_at(2.0), sphere_beside], &RAY_AHEAD),
-        None
-    );
+    assert_eq!(nearest_t_and_index(&[sphere_at(2.0), sphere_beside], &RAY_AHEAD), None);
     assert_eq!(nearest_t_and_index(&[], &RAY_AHEAD), None);
 }
 

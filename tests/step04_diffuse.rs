@@ -3,8 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use step04_diffuse::{
-    COOL, Matte, OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, scene,
-    visible_point,
+    COOL, Matte, OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, scene, visible_point,
 };
 use tests::{assert_program_works, random_point, random_sphere_and_ray};
 

@@ -3,18 +3,15 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    Attenuation, Light, Material, Matte, OBJECTS, Phong, PointLight, Ray,
-    SurfacePoint, ambient, colour, phong, reflect, scene, terms, visible_point,
+    Attenuation, Light, Material, Matte, OBJECTS, Phong, PointLight, Ray, SurfacePoint, ambient,
+    colour, phong, reflect, scene, terms, visible_point,
 };
 use tests::{assert_program_works, camera, random_point, random_unit_vector};
 
 const GREY: DVec3 = DVec3::splat(0.5);
 
 const MATERIAL: Material = Material {
-    matte: Matte {
-        ambient: DVec3::new(0.1, 0.2, 0.3),
-        diffuse: DVec3::new(0.4, 0.5, 0.6),
-    },
+    matte: Matte { ambient: DVec3::new(0.1, 0.2, 0.3), diffuse: DVec3::new(0.4, 0.5, 0.6) },
     specular: DVec3::new(0.7, 0.8, 0.9),
     shininess: 3,
 };
@@ -22,8 +19,7 @@ const MATERIAL: Material = Material {
 /// A light at `position`, half as bright at any distance.
 fn light_at(position: DVec3) -> Light {
     let attenuation = Attenuation { a: 2.0, b: 0.0, c: 0.0 };
-    let point_light =
-        PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
+    let point_light = PointLight { position, diffuse: DVec3::new(1.0, 0.5, 0.25), attenuation };
     Light { point_light, specular: DVec3::new(0.25, 0.5, 1.0) }
 }
 
@@ -63,8 +59,7 @@ fn terms_do_not_depend_on_the_length_of_the_ray() {
     let (scene, ray) = (scene(), camera().ray(245.0, 155.0));
     let point = visible_point(&scene.objects, &ray).expect("the red sphere");
     let long_ray = Ray { direction: 3.0 * ray.direction, ..ray };
-    let long_ray_terms =
-        phong(&point, &long_ray, scene.ambient_light, &scene.lights);
+    let long_ray_terms = phong(&point, &long_ray, scene.ambient_light, &scene.lights);
     let terms = terms(&scene, &ray).expect("a hit");
     assert!(0.1 < terms.specular.max_element());
     assert!(terms.specular.distance(long_ray_terms.specular) < 1e-12);
@@ -81,8 +76,7 @@ fn scene_has_the_objects_of_step_3_and_the_lights_of_step_4() {
         assert_eq!(object.material.matte, Matte::of(flat.material));
     }
     let matte = step04_diffuse::scene();
-    let lights: Vec<_> =
-        scene.lights.iter().map(|light| light.point_light).collect();
+    let lights: Vec<_> = scene.lights.iter().map(|light| light.point_light).collect();
     assert_eq!((scene.ambient_light, lights), (matte.ambient_light, matte.lights));
 }
 

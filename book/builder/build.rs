@@ -15,8 +15,7 @@ use std::{fs, process};
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let draft = own_sibling_folder(folder, "draft");
     let built = write_and_check_pages(workspace, &draft);
-    let placed =
-        built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
+    let placed = built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
     let _ = fs::remove_dir_all(&draft);
     placed
 }

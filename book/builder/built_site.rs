@@ -22,9 +22,6 @@ impl Site {
 
     /// How many elements that a CSS selector names are in the chapters.
     pub fn count_in_chapters(&self, selector: &str) -> usize {
-        self.chapters_in_order()
-            .iter()
-            .map(|page| page.select_all(selector).len())
-            .sum()
+        self.chapters_in_order().iter().map(|page| page.select_all(selector).len()).sum()
     }
 }

@@ -1,7 +1,6 @@
 use crate::markdown::{self, parse_directive};
 use crate::{
-    check_form, figure, folded_box, formula, listing, mistakes, numbers, picture,
-    problem,
+    check_form, figure, folded_box, formula, listing, mistakes, numbers, picture, problem,
 };
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
@@ -15,16 +14,8 @@ type Fault = (usize, String);
 pub fn expand_directives(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
     let (edits, faults, code, listings) = Default::default();
     let (open_box, open_problem) = (None, None);
-    let mut chapter = Chapter {
-        text,
-        workspace,
-        edits,
-        faults,
-        code,
-        listings,
-        open_box,
-        open_problem,
-    };
+    let mut chapter =
+        Chapter { text, workspace, edits, faults, code, listings, open_box, open_problem };
     chapter.expand_blocks();
     chapter.fill_placeholders();
     let (markdown, faults) = chapter.apply_edits();
@@ -86,37 +77,25 @@ impl Chapter<'_> {
     }
 
     /// The text for a place; an empty one, and a fault, for an error.
-    fn text_or_record_fault(
-        &mut self,
-        position: usize,
-        text: Result<String, String>,
-    ) -> String {
+    fn text_or_record_fault(&mut self, position: usize, text: Result<String, String>) -> String {
         text.unwrap_or_else(|fault| {
             self.faults.push((position, fault));
             String::new()
         })
     }
 
-    fn expand_event(
-        &mut self,
-        event: &Event,
-        events: &Events,
-        range: &Range<usize>,
-    ) -> Part {
+    fn expand_event(&mut self, event: &Event, events: &Events, range: &Range<usize>) -> Part {
         let source = &self.text[range.clone()];
         Part::Replaced(match event {
             Event::Start(Tag::CodeBlock(kind)) => {
                 return self.expand_code_block(kind, source);
             }
-            Event::Start(Tag::Paragraph) => {
-                match self.expand_paragraph(events, range) {
-                    Some(html) => html.map(|html| format!("\n{html}\n")),
-                    None => return Part::Plain,
-                }
-            }
+            Event::Start(Tag::Paragraph) => match self.expand_paragraph(events, range) {
+                Some(html) => html.map(|html| format!("\n{html}\n")),
+                None => return Part::Plain,
+            },
             Event::Start(Tag::Image { dest_url, title, .. }) => {
-                let picture =
-                    picture::Picture::from_markdown(source, dest_url, title);
+                let picture = picture::Picture::from_markdown(source, dest_url, title);
                 picture.html(self.workspace)
             }
             Event::InlineMath(latex) => formula::formula_html(latex, false),
@@ -167,13 +146,10 @@ impl Chapter<'_> {
             ("figure", name) => figure::html(name),
             ("check", name) => check_form::html(name, self.workspace),
             ("mistakes", step) => mistakes::html(step, self.workspace),
-            ("listing", words) => {
-                listing::moving_listing_html(words, &mut self.listings)
-            }
+            ("listing", words) => listing::moving_listing_html(words, &mut self.listings),
             ("by-hand", test) => Ok(by_hand_note_html(test)),
-            ("rust", words) => markdown::inline_html(words).map(|words| {
-                format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")
-            }),
+            ("rust", words) => markdown::inline_html(words)
+                .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
                 Err("a problem begins after the {{#end}} of another".to_owned())
             }
@@ -219,14 +195,11 @@ impl Chapter<'_> {
                 && inner.start < range.end
             {
                 let markdown = &self.text[inner.clone()];
-                pictures.push(picture::Picture::from_markdown(
-                    markdown, dest_url, title,
-                ));
+                pictures.push(picture::Picture::from_markdown(markdown, dest_url, title));
                 remaining = remaining.replacen(markdown, "", 1);
             }
         }
-        let live =
-            parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
+        let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         let live = live.map(|(_, name)| name);
         (is_whole && !pictures.is_empty())
@@ -236,18 +209,14 @@ impl Chapter<'_> {
     /// Puts numbers in place, and finds directives that are left.
     fn fill_placeholders(&mut self) {
         let text = self.text;
-        let replaced: Vec<_> =
-            self.edits.iter().map(|(range, _)| range.clone()).collect();
-        let inside = |ranges: &[Range<usize>], position| {
-            ranges.iter().any(|one| one.contains(&position))
-        };
+        let replaced: Vec<_> = self.edits.iter().map(|(range, _)| range.clone()).collect();
+        let inside =
+            |ranges: &[Range<usize>], position| ranges.iter().any(|one| one.contains(&position));
         for (position, _) in text.match_indices("{{#") {
             if inside(&replaced, position) {
                 continue;
             }
-            let end = text[position..]
-                .find("}}")
-                .map_or(text.len(), |end| position + end + 2);
+            let end = text[position..].find("}}").map_or(text.len(), |end| position + end + 2);
             let minus = if inside(&self.code, position) { "-" } else { "−" };
             let number = numbers::fill_in_text(&text[position..end], minus);
             let number = self.text_or_record_fault(position, number);
@@ -267,9 +236,7 @@ impl Chapter<'_> {
             let mark = self.text[copied_end..].chars().next();
             match mark.filter(|mark| ",.;:?)".contains(*mark)) {
                 Some(mark) if replacement.ends_with("</math>") => {
-                    markdown += &format!(
-                        "<span class=\"tight\">{replacement}{mark}</span>"
-                    );
+                    markdown += &format!("<span class=\"tight\">{replacement}{mark}</span>");
                     copied_end += mark.len_utf8();
                 }
                 _ => markdown += replacement,
@@ -277,10 +244,8 @@ impl Chapter<'_> {
         }
         markdown += &self.text[copied_end..];
         self.faults.sort();
-        let line =
-            |position: usize| 1 + self.text[..position].matches('\n').count();
-        let faults =
-            self.faults.into_iter().map(|(position, what)| (line(position), what));
+        let line = |position: usize| 1 + self.text[..position].matches('\n').count();
+        let faults = self.faults.into_iter().map(|(position, what)| (line(position), what));
         (markdown, faults.collect())
     }
 }

@@ -12,9 +12,7 @@ pub fn html(live: &Live) -> String {
         let parameters = live.parameters.iter().enumerate();
         let included = parameters.filter(|(_, parameter)| is_included(parameter));
         included
-            .map(|(k, parameter)| {
-                parameter_control_html(live, &handles, k, parameter)
-            })
+            .map(|(k, parameter)| parameter_control_html(live, &handles, k, parameter))
             .collect()
     };
     let hint = if live.has_probe() { HINT } else { "" };
@@ -32,8 +30,7 @@ pub fn html(live: &Live) -> String {
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
                     the arrow keys, to ask a pixel. The answer is below.</span>";
 
-const RESET: &str =
-    "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
+const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
 /// The handles that are inside the printed output.
 fn visible_handles(live: &Live) -> Vec<&Handle> {
@@ -46,12 +43,10 @@ fn visible_handles(live: &Live) -> Vec<&Handle> {
 
 /// The choice of the group whose controls are visible; None without groups.
 fn group_select_html(live: &Live) -> Option<String> {
-    let mut groups: Vec<_> =
-        live.parameters.iter().map(|parameter| parameter.group).collect();
+    let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();
     groups.retain(|group| !group.is_empty());
-    let options: String =
-        groups.iter().map(|group| format!("<option>{group}</option>")).collect();
+    let options: String = groups.iter().map(|group| format!("<option>{group}</option>")).collect();
     let choice = format!("<label>Change <select>{options}</select></label>");
     (!groups.is_empty()).then_some(choice)
 }
@@ -65,22 +60,17 @@ fn parameter_control_html(
     parameter: &Parameter,
 ) -> String {
     let handle = visible_handles.iter().copied();
-    let handle = handle
-        .filter(|_| parameter.group.is_empty())
-        .find(|handle| handle.parameters.contains(&k));
+    let handle =
+        handle.filter(|_| parameter.group.is_empty()).find(|handle| handle.parameters.contains(&k));
     let (symbol, words) = symbol_and_words(k, parameter, handle);
     let label = label_html(symbol, &words);
     let default = escape(&parameter.format(parameter.default));
     let (class, content) = match parameter.kind {
         Kind::Columns => return String::new(),
-        Kind::Switch => (
-            "switch",
-            format!("<label>{label}{}</label>", checkbox_html(parameter)),
-        ),
-        Kind::Choice(names) if names.len() < 4 => (
-            "field",
-            format!("<label>{label} {}</label>", select_html(parameter, names)),
-        ),
+        Kind::Switch => ("switch", format!("<label>{label}{}</label>", checkbox_html(parameter))),
+        Kind::Choice(names) if names.len() < 4 => {
+            ("field", format!("<label>{label} {}</label>", select_html(parameter, names)))
+        }
         Kind::Choice(_) => (
             "range",
             format!(
@@ -94,12 +84,8 @@ fn parameter_control_html(
         }
         Kind::Number(unit) => {
             let name = format!(" aria-label=\"{} {words}\"", escape(symbol));
-            let (range, field) =
-                (range_input_html(parameter), number_input_html(parameter, &name));
-            (
-                "range",
-                format!("<label>{label}{range}</label><span>{field}{unit}</span>"),
-            )
+            let (range, field) = (range_input_html(parameter), number_input_html(parameter, &name));
+            ("range", format!("<label>{label}{range}</label><span>{field}{unit}</span>"))
         }
     };
     let first_group = live.handles.first().map_or("", |handle| {
@@ -113,9 +99,7 @@ fn parameter_control_html(
         "" => String::new(),
         group => format!(" data-group=\"{group}\""),
     };
-    format!(
-        "<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>"
-    )
+    format!("<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>")
 }
 
 /// The symbol and the words of a parameter; a coordinate of a handle is called by it.
@@ -143,10 +127,7 @@ fn label_html(symbol: &str, words: &str) -> String {
     let symbol: String = symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {
         "" => symbol,
-        _ => format!(
-            "<span class=\"symbol\" aria-hidden=\"true\">{}</span> ",
-            escape(&symbol)
-        ),
+        _ => format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape(&symbol)),
     };
     format!("<span>{symbol}{}</span>", escape(words))
 }

@@ -9,9 +9,8 @@ pub fn html(name: &str) -> Result<String, String> {
     else {
         return Err(format!("there is no figure {name}"));
     };
-    let has_companion = |live: &&Live| {
-        live.companion.is_some_and(|companion| companion.name == name)
-    };
+    let has_companion =
+        |live: &&Live| live.companion.is_some_and(|companion| companion.name == name);
     let (live, controls) = match LIVE.iter().find(has_companion) {
         Some(live) => (format!(" data-companion=\"{}\"", live.name), String::new()),
         None if figure.parameters.is_empty() => Default::default(),

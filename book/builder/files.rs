@@ -50,10 +50,7 @@ impl Files {
     }
 
     /// The paths and texts of all files whose path ends in `suffix`.
-    pub fn texts_with_suffix(
-        &self,
-        suffix: &str,
-    ) -> impl Iterator<Item = (&str, &str)> {
+    pub fn texts_with_suffix(&self, suffix: &str) -> impl Iterator<Item = (&str, &str)> {
         let paths = self.0.keys().filter(move |path| path.ends_with(suffix));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
     }

@@ -2,12 +2,8 @@ use crate::markdown::inline_html;
 
 /// The boxes a chapter can have, and what stands before the author's own words in
 /// their heading.
-const KINDS: [(&str, &str); 4] = [
-    ("predict", "Predict"),
-    ("hints", "Hints"),
-    ("aside", "Aside"),
-    ("answer", "Answer"),
-];
+const KINDS: [(&str, &str); 4] =
+    [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside"), ("answer", "Answer")];
 
 /// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
 pub fn opening_html(kind: &str, summary: &str) -> Option<Result<String, String>> {

@@ -5,11 +5,10 @@ use math_core::{LatexToMathML, MathDisplay};
 pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, |latex| {
-        let converted =
-            LatexToMathML::default().convert_with_local_state(latex, style);
-        converted.map(|converted| converted.mathml).map_err(|error| {
-            format!("the formula {} does not parse: {error}", latex.trim())
-        })
+        let converted = LatexToMathML::default().convert_with_local_state(latex, style);
+        converted
+            .map(|converted| converted.mathml)
+            .map_err(|error| format!("the formula {} does not parse: {error}", latex.trim()))
     })?;
     let mathml = escape_markdown(&mathml);
     Ok(if is_display {
@@ -27,8 +26,7 @@ fn escape_markdown(mathml: &str) -> String {
     for c in mathml.chars() {
         in_tag = (in_tag || c == '<') && c != '>';
         match c {
-            '*' | '_' | '[' | ']' | '\\' | '|' | '`' | '~' | '\'' | '"' | '.'
-            | '-' | '$' | '!'
+            '*' | '_' | '[' | ']' | '\\' | '|' | '`' | '~' | '\'' | '"' | '.' | '-' | '$' | '!'
                 if !in_tag =>
             {
                 escaped += &format!("&#{};", u32::from(c));

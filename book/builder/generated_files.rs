@@ -30,8 +30,7 @@ pub fn write_generated_files(workspace: &Path) -> Result<()> {
     let lock = File::create(target_folder().join("book.lock"))?;
     lock.lock()?;
     let folder = workspace.join(CHAPTERS).join("generated");
-    fs::create_dir_all(&folder)
-        .with_context(|| format!("{} can't be made", folder.display()))?;
+    fs::create_dir_all(&folder).with_context(|| format!("{} can't be made", folder.display()))?;
     let old = Files::read(&folder)?.0;
     let mistakes = Files::read(&workspace.join("book/check/mistakes/pictures"))?.0;
     let mistakes = mistakes.into_iter();
@@ -39,9 +38,7 @@ pub fn write_generated_files(workspace: &Path) -> Result<()> {
         mistakes.map(|(name, bytes)| (format!("mistake-{name}"), bytes)).collect();
     for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
         let Some(name) = name.strip_suffix(".snap.png") else { continue };
-        files.extend(
-            named_smaller_picture(name, &bytes).with_context(|| name.to_owned())?,
-        );
+        files.extend(named_smaller_picture(name, &bytes).with_context(|| name.to_owned())?);
         files.insert(format!("{name}.png"), bytes);
     }
     for name in MODULES {
@@ -65,13 +62,9 @@ pub fn write_generated_files(workspace: &Path) -> Result<()> {
 
 /// The smaller pictures that go with the locked picture `name`: half of a wide one, and a
 /// step's beside those of its mistakes.
-fn named_smaller_picture(
-    name: &str,
-    file: &[u8],
-) -> Result<Option<(String, Vec<u8>)>> {
-    let (width, height) = ImageReader::new(Cursor::new(file))
-        .with_guessed_format()?
-        .into_dimensions()?;
+fn named_smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
+    let (width, height) =
+        ImageReader::new(Cursor::new(file)).with_guessed_format()?.into_dimensions()?;
     let (end, part) = match Step::from_name(name) {
         _ if MIN_WIDTH_OF_HALF <= width => (HALF_SUFFIX, 2),
         Some(_) => (THUMBNAIL_SUFFIX, width / 320),

@@ -11,8 +11,7 @@ pub fn inline_stylesheets(page: &mut Page, files: &Files) -> Result<()> {
     for link in &links {
         let path = link.attr("href").unwrap_or_default();
         let css = files.text(path);
-        styles +=
-            &rebase_urls(css.with_context(|| format!("there is no {path}"))?, path);
+        styles += &rebase_urls(css.with_context(|| format!("there is no {path}"))?, path);
     }
     let links: Vec<_> = links.iter().map(|link| link.id()).collect();
     page.insert_html_before(links[0], &format!("<style>\n{styles}</style>"));

@@ -11,22 +11,15 @@ use std::collections::BTreeSet;
 ///
 /// The pages that repeat the chapters are looked at where these have no fault.
 pub fn find_faults(site: &Site, chapters: &Files) -> Vec<String> {
-    let is_copy =
-        |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
+    let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
     let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
     let faults = find_page_faults(site, chapters, &pages);
-    if faults.is_empty() {
-        find_page_faults(site, chapters, &copies)
-    } else {
-        faults
-    }
+    if faults.is_empty() { find_page_faults(site, chapters, &copies) } else { faults }
 }
 
 fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
-        page.select_all("[id]")
-            .into_iter()
-            .map(|one| (page.name.as_str(), one.attr("id")))
+        page.select_all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
     });
     let ids = with_id.collect();
     let mut faults = vec![];
@@ -34,8 +27,7 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
         for element in page.html.root_element().descendent_elements() {
             for address in addresses_in(element) {
                 let fault = find_address_fault(site, &ids, &page.name, &address);
-                let is_external_link =
-                    element.value().name() == "a" && is_outside_book(&address);
+                let is_external_link = element.value().name() == "a" && is_outside_book(&address);
                 let fault = fault.filter(|_| !is_external_link);
                 let place = || {
                     source_position_of_link(chapters, &page.name, &address)
@@ -49,11 +41,7 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
 }
 
 /// The file and the line of the chapter of a page in which an address stands.
-fn source_position_of_link(
-    chapters: &Files,
-    page: &str,
-    address: &str,
-) -> Option<String> {
+fn source_position_of_link(chapters: &Files, page: &str, address: &str) -> Option<String> {
     let file = page.replace(".html", ".md");
     let written = [address.replace(".html", ".md"), address.to_owned()];
     let is_there = |line: &str| {
@@ -75,8 +63,7 @@ fn addresses_in(element: ElementRef) -> Vec<String> {
         match name {
             "href" | "src" => addresses.push(value.into()),
             "srcset" => {
-                let sets =
-                    value.split(',').flat_map(|set| set.split_whitespace().next());
+                let sets = value.split(',').flat_map(|set| set.split_whitespace().next());
                 addresses.extend(sets.map(str::to_owned));
             }
             _ => {}
@@ -116,9 +103,8 @@ fn find_address_fault(
     if !site.files.0.contains_key(&path) {
         return Some(format!("leads to {path}, which is not in the book"));
     }
-    let is_there = id.is_empty()
-        || ids.contains(&(&path, Some(id)))
-        || is_pixel_link(site, &path, id);
+    let is_there =
+        id.is_empty() || ids.contains(&(&path, Some(id))) || is_pixel_link(site, &path, id);
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
 }
 
@@ -127,8 +113,7 @@ fn find_address_fault(
 fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
     let camera = live::camera();
     let is_inside = |(i, j): (&str, &str)| {
-        let is_below =
-            |text: &str, count| text.parse().is_ok_and(|k: u32| k < count);
+        let is_below = |text: &str, count| text.parse().is_ok_and(|k: u32| k < count);
         is_below(i, camera.h_res) && is_below(j, camera.v_res)
     };
     let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
@@ -138,7 +123,6 @@ fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
 
 /// The address of everything that a style fetches: what is in `url(…)`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
-    let inside =
-        css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
+    let inside = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     inside.map(|url| url.trim().trim_matches(['"', '\'']))
 }

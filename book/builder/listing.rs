@@ -35,24 +35,18 @@ pub fn html(
     let is_whole = range.len() == lines.len();
     let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
     let code = lines[range].join("\n");
-    let attributes =
-        format!("data-lines=\"{first}-{last}\"{}", places_attribute(path, &code));
+    let attributes = format!("data-lines=\"{first}-{last}\"{}", places_attribute(path, &code));
     Ok(figure_markdown(path, &attributes, part, language, &code, ids))
 }
 
 /// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
 /// a file whose text is a number that moves.
-pub fn moving_listing_html(
-    words: &str,
-    ids: &mut Vec<String>,
-) -> Result<String, String> {
-    let (number_name, path) = words
-        .split_once(' ')
-        .ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
+pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
+    let (number_name, path) =
+        words.split_once(' ').ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
     let code = numbers::default_text_of_number(number_name)?;
     let lines = code.lines().count();
-    let attributes =
-        format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
+    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
     Ok(figure_markdown(path, &attributes, "", "rust", code, ids))
 }
 
@@ -62,16 +56,15 @@ fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
     let mut places = expressions::editable_places();
     places.retain(|place| path.strip_prefix("steps/") == Some(place.file));
-    let entries =
-        places.iter().filter_map(|place| match &place.find_ranges(code)[..] {
-            [range] => Some(format!(
-                "{}:{}:{}",
-                place.name,
-                letters(&code[..range.start]),
-                letters(&code[range.clone()])
-            )),
-            _ => None,
-        });
+    let entries = places.iter().filter_map(|place| match &place.find_ranges(code)[..] {
+        [range] => Some(format!(
+            "{}:{}:{}",
+            place.name,
+            letters(&code[..range.start]),
+            letters(&code[range.clone()])
+        )),
+        _ => None,
+    });
     match entries.collect::<Vec<_>>().join(" ") {
         none if none.is_empty() => none,
         places => format!(" data-places=\"{places}\""),
@@ -89,8 +82,7 @@ fn figure_markdown(
 ) -> String {
     let short_path = path.strip_prefix("steps/").unwrap_or(path);
     let name_start = short_path.rfind('/').map_or(0, |name_start| name_start + 1);
-    let (folder, file) =
-        (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
+    let (folder, file) = (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
     let new = Some(format!("listing-{}", short_path.replace('/', "-")));
     let new = new.filter(|id| !ids.contains(id));
     ids.extend(new.clone());
@@ -109,14 +101,11 @@ fn figure_markdown(
 /// The lines of a part such as `use..impl Ray`, which begins and ends before what
 /// begins with these words.
 fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
-    let (begin_words, end_words) = part.split_once("..").ok_or(format!(
-        "a part is ..how its end begins, or how it begins.., not {part}"
-    ))?;
-    let start = if begin_words.is_empty() {
-        0
-    } else {
-        find_line_or_attributes(begin_words, lines, 0)?
-    };
+    let (begin_words, end_words) = part
+        .split_once("..")
+        .ok_or(format!("a part is ..how its end begins, or how it begins.., not {part}"))?;
+    let start =
+        if begin_words.is_empty() { 0 } else { find_line_or_attributes(begin_words, lines, 0)? };
     let end = if end_words.is_empty() {
         lines.len()
     } else {
@@ -137,9 +126,7 @@ fn find_line_or_attributes(
         + lines_from
             .position(|line| line.trim_start().starts_with(words))
             .ok_or(format!("no line there begins with {words:?}"))?;
-    while first_line < line_index
-        && lines[line_index - 1].trim_start().starts_with(['#', '/'])
-    {
+    while first_line < line_index && lines[line_index - 1].trim_start().starts_with(['#', '/']) {
         line_index -= 1;
     }
     Ok(line_index)

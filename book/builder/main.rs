@@ -33,9 +33,7 @@ enum Command {
 fn main() -> ExitCode {
     let options = Options::parse();
     let result = match &options.command {
-        Some(Command::Preprocess { question }) if question.is_empty() => {
-            preprocess_stdin()
-        }
+        Some(Command::Preprocess { question }) if question.is_empty() => preprocess_stdin(),
         Some(Command::Preprocess { .. }) => Ok(()),
         None => build_and_report(options.open),
     };
@@ -69,8 +67,7 @@ fn build_and_report(opens_browser: bool) -> Result<()> {
     let index = folder.join("index.html");
     print_line(&format!("It begins at {}", index.display()));
     let patience = Duration::from_secs(2);
-    if opens_browser && open::that_detached_with_timeout(&index, patience).is_err()
-    {
+    if opens_browser && open::that_detached_with_timeout(&index, patience).is_err() {
         print_line("There is no browser here to open it with.");
     }
     Ok(())

@@ -18,19 +18,13 @@ static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
 /// `minus` in the values: − in a text, a hyphen in code.
 pub fn fill_in_text(text: &str, minus: &str) -> Result<String, String> {
-    replace_between(text, "{{#", "}}", |directive| {
-        match directive.split_once(' ') {
-            Some(("value", name)) => {
-                Ok(values::value_text(name)?.replace('−', minus))
-            }
-            Some(("number", number_name)) => {
-                moving_number_html("span", number_name)
-            }
-            _ => Err(format!(
-                "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
+    replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
+        Some(("value", name)) => Ok(values::value_text(name)?.replace('−', minus)),
+        Some(("number", number_name)) => moving_number_html("span", number_name),
+        _ => Err(format!(
+            "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
              or is none of the directives"
-            )),
-        }
+        )),
     })
 }
 
@@ -39,19 +33,15 @@ pub fn fill_in_formula(
     latex: &str,
     to_mathml: impl FnOnce(&str) -> Result<String, String>,
 ) -> Result<String, String> {
-    let marked = replace_between(latex, "{{#", "}}", |directive| match directive
-        .split_once(' ')
-    {
-        Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
-        Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
-        _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
-    })?;
-    replace_between(
-        &to_mathml(&marked)?,
-        "<mtext>⟦",
-        "⟧</mtext>",
-        |number_name| moving_number_html("mn", number_name),
-    )
+    let marked =
+        replace_between(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
+            Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
+            Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
+            _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
+        })?;
+    replace_between(&to_mathml(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
+        moving_number_html("mn", number_name)
+    })
 }
 
 fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
@@ -75,8 +65,7 @@ fn replace_between(
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (inside, tail) =
-            part.split_once(end).ok_or(format!("{begin}{part} has no {end}"))?;
+        let (inside, tail) = part.split_once(end).ok_or(format!("{begin}{part} has no {end}"))?;
         replaced += &replacement(inside)?;
         replaced += tail;
     }

@@ -35,9 +35,7 @@ impl Page {
         let mut ids_before = around
             .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
             .filter_map(|node| node.value().as_element()?.id());
-        ids_before
-            .next()
-            .map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
+        ids_before.next().map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
 
     /// Puts a piece of HTML before a node.
@@ -45,8 +43,7 @@ impl Page {
         let tree = &mut self.html.tree;
         let piece = tree.extend_tree(Html::parse_fragment(html).tree).id();
         let nodes = tree.get(piece).and_then(|root| root.first_child());
-        let nodes: Vec<_> =
-            nodes.iter().flat_map(|top| top.children()).map(|n| n.id()).collect();
+        let nodes: Vec<_> = nodes.iter().flat_map(|top| top.children()).map(|n| n.id()).collect();
         for node in nodes {
             if let Some(mut before) = tree.get_mut(before) {
                 before.insert_id_before(node);
@@ -55,11 +52,7 @@ impl Page {
     }
 
     /// Writes each element that a CSS selector names anew, as `edit` makes it from its HTML.
-    pub(crate) fn replace_each(
-        &mut self,
-        selector: &str,
-        edit: impl Fn(&str) -> String,
-    ) {
+    pub(crate) fn replace_each(&mut self, selector: &str, edit: impl Fn(&str) -> String) {
         let all = self.select_all(selector).into_iter();
         let all: Vec<_> = all.map(|one| (one.id(), edit(&one.html()))).collect();
         for (node, html) in all {
@@ -75,10 +68,7 @@ impl Page {
 }
 
 /// Every element in another that a CSS selector names, from top to bottom.
-pub fn select_all<'a>(
-    element: ElementRef<'a>,
-    selector: &str,
-) -> Vec<ElementRef<'a>> {
+pub fn select_all<'a>(element: ElementRef<'a>, selector: &str) -> Vec<ElementRef<'a>> {
     let selector = Selector::parse(selector).expect("a CSS selector");
     element.select(&selector).collect()
 }

@@ -11,9 +11,7 @@ pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
     let mut removals = vec![];
     let (mut breaks, mut contents) = (vec![], vec![]);
     let (mut question_count, mut answers) = (0, String::new());
-    for part in
-        page.select_all("main h1, main details, main > div[style*=break-before]")
-    {
+    for part in page.select_all("main h1, main details, main > div[style*=break-before]") {
         let inside = |selector| select_all(part, selector).into_iter().next();
         match part.value().name() {
             "div" => {
@@ -34,9 +32,7 @@ pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
                 let words = summary.inner_html();
                 let text = part.inner_html().replacen(&summary.html(), "", 1);
                 let html = if part.attr("class") == Some("aside") {
-                    format!(
-                        "<section class=\"aside\"><p>{words}</p>{text}</section>"
-                    )
+                    format!("<section class=\"aside\"><p>{words}</p>{text}</section>")
                 } else {
                     question_count += 1;
                     answers += &format!(
@@ -83,7 +79,6 @@ pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
 
 /// The section with these answers, behind a chapter.
 fn answers_html(answers: &str) -> String {
-    let heading =
-        if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
+    let heading = if answers.is_empty() { "" } else { "<h2>Answers and hints</h2>" };
     format!("{heading}{answers}")
 }

@@ -49,30 +49,25 @@ impl Picture {
     /// Finds the live figure that answers in this picture: by `name`, or by the name of
     /// its file.
     fn find_live(&self, name: &str) -> Result<&'static Live, String> {
-        let file =
-            Path::new(&self.source).file_stem().and_then(|name| name.to_str());
+        let file = Path::new(&self.source).file_stem().and_then(|name| name.to_str());
         let name = if name.is_empty() { file } else { Some(name) };
-        name.and_then(live::find)
-            .ok_or(format!("nothing answers for the picture {}", self.source))
+        name.and_then(live::find).ok_or(format!("nothing answers for the picture {}", self.source))
     }
 
     /// The picture alone, in its size; it loads when it comes into view.
     pub fn html(&self, workspace: &Path) -> Result<String, String> {
         let Self { alt, source, .. } = self;
         if alt.is_empty() {
-            return Err(format!(
-                "the picture {source} has no alt text: say what it shows"
-            ));
+            return Err(format!("the picture {source} has no alt text: say what it shows"));
         }
         let path = workspace.join(CHAPTERS).join(source);
-        let (width, height) = image_dimensions(path)
-            .map_err(|_| format!("there is no picture {source}"))?;
+        let (width, height) =
+            image_dimensions(path).map_err(|_| format!("there is no picture {source}"))?;
         let half = source.replace(".png", HALF_SUFFIX);
         let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
-            true => format!(
-                r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#,
-                width / 2
-            ),
+            true => {
+                format!(r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#, width / 2)
+            }
             false => String::new(),
         };
         Ok(format!(

@@ -64,9 +64,7 @@ fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
 
 /// A row of these numbers, number `k` of the table.
 fn row_markdown(columns: &[&str], k: usize) -> String {
-    let cells: Vec<_> = columns
-        .iter()
-        .map(|column| format!("{{{{#number {column}{k}}}}}"))
-        .collect();
+    let cells: Vec<_> =
+        columns.iter().map(|column| format!("{{{{#number {column}{k}}}}}")).collect();
     format!("| {} |", cells.join(" | "))
 }

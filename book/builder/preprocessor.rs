@@ -17,25 +17,16 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let workspace =
-            context.root.parent().context("the book is in a workspace")?;
+        let workspace = context.root.parent().context("the book is in a workspace")?;
         generated_files::write_generated_files(workspace)?;
         let url = context.config.get::<String>("output.html.git-repository-url")?;
-        expand_chapters(
-            &mut book,
-            workspace,
-            &our_folder_markdown(workspace, url.as_deref()),
-        )?;
+        expand_chapters(&mut book, workspace, &our_folder_markdown(workspace, url.as_deref()))?;
         Ok(book)
     }
 }
 
 /// Turns the chapters as they are written into plain Markdown.
-fn expand_chapters(
-    book: &mut Book,
-    workspace: &Path,
-    our_folder: &str,
-) -> Result<()> {
+fn expand_chapters(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
     let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
     let sheet = problem::sheet_markdown(chapters);
     let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
@@ -51,9 +42,11 @@ fn expand_chapters(
         let Some((markdown, wrong)) = expanded.next() else { return };
         chapter.content = markdown;
         let file = chapter.source_path.clone().unwrap_or_default();
-        faults.extend(wrong.iter().map(|(line, what)| {
-            format!("book/chapters/{}:{line}: {what}", file.display())
-        }));
+        faults.extend(
+            wrong
+                .iter()
+                .map(|(line, what)| format!("book/chapters/{}:{line}: {what}", file.display())),
+        );
     });
     fail_with_faults(&faults)
 }

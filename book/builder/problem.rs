@@ -8,9 +8,8 @@ use std::fmt::Write;
 /// reader types in is compared by book/theme/book.js: a count exactly, any other number
 /// within 1 %.
 pub fn opening_html(words: &str) -> Result<String, String> {
-    let (number, value) = words
-        .split_once(' ')
-        .ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
+    let (number, value) =
+        words.split_once(' ').ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
     let answer = values::value_text(value)?.replace(',', "");
     let tolerance = if values::is_count(value) { 0.0 } else { 0.01 };
     Ok(format!(
@@ -22,9 +21,7 @@ pub fn opening_html(words: &str) -> Result<String, String> {
 
 /// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each a title and a
 /// text, and then their answers.
-pub fn sheet_markdown<'a>(
-    chapters: impl Iterator<Item = (&'a str, &'a str)>,
-) -> String {
+pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) -> String {
     let (mut problems, mut answers) = (String::new(), String::new());
     for (title, text) in chapters {
         let mut heading = Some(format!("## {title}\n\n"));
@@ -34,8 +31,7 @@ pub fn sheet_markdown<'a>(
             };
             let opening = opening_html(words).unwrap_or_default();
             problems += &heading.take().unwrap_or_default();
-            let _ =
-                write!(problems, "{opening}\n{}\n\n</section>\n\n", problem.trim());
+            let _ = write!(problems, "{opening}\n{}\n\n</section>\n\n", problem.trim());
             let number = words.split(' ').next().unwrap_or_default();
             let _ = write!(
                 answers,

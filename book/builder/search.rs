@@ -19,8 +19,8 @@ fn section_jsons(page: &Page) -> Vec<String> {
     let mut chapter = String::new();
     let (mut address, mut title, mut words) = <(String, String, String)>::default();
     for part in main.children() {
-        let heading = ElementRef::wrap(part)
-            .filter(|one| ["h1", "h2", "h3"].contains(&one.value().name()));
+        let heading =
+            ElementRef::wrap(part).filter(|one| ["h1", "h2", "h3"].contains(&one.value().name()));
         let Some(heading) = heading else {
             words += &visible_text(part);
             words.push(' ');
@@ -57,9 +57,7 @@ fn visible_text(part: ego_tree::NodeRef<Node>) -> String {
             select_all(element, "figcaption").into_iter().map(inner_text).collect()
         }
         Some(element) => inner_text(element),
-        None => {
-            part.value().as_text().map_or(String::new(), |text| text.to_string())
-        }
+        None => part.value().as_text().map_or(String::new(), |text| text.to_string()),
     }
 }
 

@@ -30,23 +30,14 @@ fn assert_one_fault(markdown: &str, line: usize, words: &str) {
 #[test]
 fn a_listing_is_a_file_or_a_part_of_it() {
     let file = include_str!("../../steps/step01_rays/src/ray.rs").trim_end();
-    let part = |part: &str| {
-        expand_without_fault(&listing_markdown(&format!("{RAY}:{part}")))
-    };
+    let part = |part: &str| expand_without_fault(&listing_markdown(&format!("{RAY}:{part}")));
     let (before_impl, after_impl) = (part("..impl Ray"), part("impl Ray.."));
     let (begin, end) = file.split_once("\nimpl").expect("an impl");
     assert!(
-        expand_without_fault(&listing_markdown(RAY))
-            .contains(&format!("```rust\n{file}\n```"))
+        expand_without_fault(&listing_markdown(RAY)).contains(&format!("```rust\n{file}\n```"))
     );
-    assert!(
-        before_impl.contains(&format!("```rust\n{begin}\n```")),
-        "{before_impl}"
-    );
-    assert!(
-        after_impl.contains(&format!("```rust\nimpl{end}\n```")),
-        "{after_impl}"
-    );
+    assert!(before_impl.contains(&format!("```rust\n{begin}\n```")), "{before_impl}");
+    assert!(after_impl.contains(&format!("```rust\nimpl{end}\n```")), "{after_impl}");
     assert_one_fault(&listing_markdown("../../steps/nowhere.rs"), 3, "no file");
     assert_one_fault(&listing_markdown(&format!("{RAY}:3:5")), 3, "not 3:5");
     assert_one_fault(
@@ -54,11 +45,7 @@ fn a_listing_is_a_file_or_a_part_of_it() {
         3,
         "begins with \"pub type\"",
     );
-    assert_one_fault(
-        &listing_markdown(&format!("{RAY}}}}}\nlet x = 1; {{{{")),
-        3,
-        "nothing else",
-    );
+    assert_one_fault(&listing_markdown(&format!("{RAY}}}}}\nlet x = 1; {{{{")), 3, "nothing else");
     assert_one_fault("{{#include ../../Cargo.toml}}\n", 1, "stands alone");
 }
 
@@ -74,16 +61,9 @@ fn a_formula_is_read() {
 
 #[test]
 fn a_value_has_the_minus_of_its_place() {
-    assert!(
-        expand_without_fault("It is {{#value camera-v0-x}}.").contains("−0.5774")
-    );
-    assert!(
-        expand_without_fault("It is `{{#value camera-v0-x}}`.").contains("-0.5774")
-    );
-    assert!(
-        expand_without_fault("It is $t = {{#value camera-tan}}$.")
-            .contains("<mn>0&#46;5774")
-    );
+    assert!(expand_without_fault("It is {{#value camera-v0-x}}.").contains("−0.5774"));
+    assert!(expand_without_fault("It is `{{#value camera-v0-x}}`.").contains("-0.5774"));
+    assert!(expand_without_fault("It is $t = {{#value camera-tan}}$.").contains("<mn>0&#46;5774"));
     assert_one_fault("It is {{#value nothing}} long.\n", 1, "no value nothing");
     assert_one_fault("It is $t = {{#value nothing}}$.\n", 1, "no value nothing");
     assert_one_fault("One {{#value camera-step\n", 1, "no }}");
@@ -124,9 +104,7 @@ fn a_problem_has_an_answer_that_is_a_value() {
                    {{#answer}}\n\n**{{#value camera-tan}}.** So.\n\n{{#end}}\n";
     let html = expand_without_fault(problem);
     let attributes = |answer: &str, tolerance: &str| {
-        format!(
-            "id=\"problem-7\" data-answer=\"{answer}\" data-tolerance=\"{tolerance}\""
-        )
+        format!("id=\"problem-7\" data-answer=\"{answer}\" data-tolerance=\"{tolerance}\"")
     };
     assert!(html.contains(&attributes("0.5774", "0.01")), "{html}");
     let count = problem.replace("7 camera-tan", "7 mirror-depth 0.8");
@@ -151,10 +129,8 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
              {{{{#answer}}}}\n\nWay {number}.\n\n{{{{#end}}}}\n\nText.\n"
         )
     };
-    let chapters =
-        [("One", &*chapter(1)), ("None", "# None\n"), ("Two", &chapter(2))];
-    let sheet =
-        expand_without_fault(&problem::sheet_markdown(chapters.into_iter()));
+    let chapters = [("One", &*chapter(1)), ("None", "# None\n"), ("Two", &chapter(2))];
+    let sheet = expand_without_fault(&problem::sheet_markdown(chapters.into_iter()));
     let parts = [
         "## One",
         "Question 1?",
@@ -167,10 +143,7 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
         "</details>",
     ];
     let positions = parts.map(|part| sheet.find(part));
-    assert!(
-        positions.iter().all(Option::is_some) && positions.is_sorted(),
-        "{sheet}"
-    );
+    assert!(positions.iter().all(Option::is_some) && positions.is_sorted(), "{sheet}");
     assert!(!sheet.contains("Text.") && !sheet.contains("None"), "{sheet}");
 }
 
@@ -183,8 +156,7 @@ fn problems_are_short_and_numbered_as_they_are_read() {
     let problems: Vec<_> = text.split("\n{{#problem ").skip(1).collect();
     for (number, problem) in (1..).zip(&problems) {
         assert!(problem.starts_with(&format!("{number} ")), "{number}: {problem}");
-        let words =
-            problem.split("\n{{#answer}}").next().map(str::split_whitespace);
+        let words = problem.split("\n{{#answer}}").next().map(str::split_whitespace);
         assert!(words.is_some_and(|words| words.count() <= 80), "{problem}");
     }
     assert!(10 < problems.len());
@@ -194,17 +166,10 @@ fn problems_are_short_and_numbered_as_they_are_read() {
 fn a_picture_has_words_and_may_answer() {
     assert_one_fault("One.\n\n![](generated/step01_rays.png)\n", 3, "no alt text");
     assert_one_fault("One.\n\n![What](generated/nowhere.png)\n", 3, "no picture");
-    assert_one_fault(
-        &format!("![A sky.]({SKY}) {{{{#live nothing}}}}\n"),
-        1,
-        "nothing answers",
-    );
-    let html = expand_without_fault(&format!(
-        "![A sky.]({SKY} \"[It](a.md)\") {{{{#live own_scene}}}}"
-    ));
-    assert!(
-        html.contains("alt=\"A sky.\"") && html.contains("data-live=\"own_scene\"")
-    );
+    assert_one_fault(&format!("![A sky.]({SKY}) {{{{#live nothing}}}}\n"), 1, "nothing answers");
+    let html =
+        expand_without_fault(&format!("![A sky.]({SKY} \"[It](a.md)\") {{{{#live own_scene}}}}"));
+    assert!(html.contains("alt=\"A sky.\"") && html.contains("data-live=\"own_scene\""));
 }
 
 #[test]
@@ -220,15 +185,12 @@ fn every_figure_and_every_value_is_used() {
     let sources = Files::read(&workspace().join("book/builder/values"));
     let sources = sources.expect("the sources of the values");
     let lines = sources.texts_with_suffix(".rs").flat_map(|(_, text)| text.lines());
-    let names: Vec<_> = lines
-        .filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next())
-        .collect();
+    let names: Vec<_> =
+        lines.filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next()).collect();
     assert!(50 < names.len(), "{names:?}");
     let values = names.iter().map(|name| format!("{{{{#value {name}"));
     let unused = figures.chain(values).filter(|directive| {
-        ["}}", " "]
-            .iter()
-            .all(|end| !chapters.contains(&format!("{directive}{end}")))
+        ["}}", " "].iter().all(|end| !chapters.contains(&format!("{directive}{end}")))
     });
     assert_eq!(unused.collect::<Vec<_>>(), [""; 0]);
 }
@@ -254,22 +216,18 @@ fn a_link_that_leads_nowhere_is_a_fault() {
 #[test]
 fn a_fault_of_a_link_has_the_line_of_its_chapter() {
     let html = "<p><a href=\"b.html#i\">b</a></p>";
-    let pages = ["a.html", "print.html"]
-        .map(|name| (name.to_owned(), Page::parse(name, html)));
+    let pages = ["a.html", "print.html"].map(|name| (name.to_owned(), Page::parse(name, html)));
     let site = Site { files: Files::default(), pages: pages.into() };
     let chapter = b"# A\n\nSee [b](b.md#i).\n".to_vec();
-    let faults =
-        links::find_faults(&site, &Files([("a.md".to_owned(), chapter)].into()));
-    let sentence =
-        "book/chapters/a.md:3: the link leads to b.html, which is not in the book";
+    let faults = links::find_faults(&site, &Files([("a.md".to_owned(), chapter)].into()));
+    let sentence = "book/chapters/a.md:3: the link leads to b.html, which is not in the book";
     assert_eq!(faults, [sentence]);
 }
 
 #[test]
 fn on_paper_answers_come_behind_their_chapter() {
     let predict = "<details class=\"predict\"><summary>why?</summary>so</details>";
-    let aside =
-        "<details class=\"aside\"><summary>by the way</summary>it</details>";
+    let aside = "<details class=\"aside\"><summary>by the way</summary>it</details>";
     let next = "<div style=\"break-before: page;\"></div>";
     let chapter = |name| format!("<h1 id=\"{name}\"><a>{name}</a></h1>");
     let (one, two) = (chapter("one"), chapter("two"));
@@ -277,13 +235,7 @@ fn on_paper_answers_come_behind_their_chapter() {
     let mut page = Page::parse("print.html", &html);
     paper_page::arrange_for_paper(&mut page).expect("a book of two chapters");
     let text = crate::inner_text(page.html.root_element());
-    assert_eq!(
-        text,
-        "oneContentstwotwowhy? → 1by the wayitAnswers and hints1soend"
-    );
+    assert_eq!(text, "oneContentstwotwowhy? → 1by the wayitAnswers and hints1soend");
     let torn = format!("<main>{one}{two}</main>");
-    assert!(
-        paper_page::arrange_for_paper(&mut Page::parse("print.html", &torn))
-            .is_err()
-    );
+    assert!(paper_page::arrange_for_paper(&mut Page::parse("print.html", &torn)).is_err());
 }

@@ -2,90 +2,57 @@
 //! solutions of the exercises. Who wants to draw one takes it from here.
 
 #![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(
-    clippy::duplicate_mod,
-    reason = "`fast` has `many` in it, `crowd` has `mirror`"
-)]
-#![allow(
-    missing_docs,
-    reason = "each is a program, and says at its top what it draws"
-)]
+#![allow(clippy::duplicate_mod, reason = "`fast` has `many` in it, `crowd` has `mirror`")]
+#![allow(missing_docs, reason = "each is a program, and says at its top what it draws")]
 
 use image::RgbImage;
 use step01_rays::Camera;
 
-#[path = "../../steps/step03_nearest/examples/all_hits.rs"]
-pub mod all_hits;
-#[path = "../../steps/step01_rays/examples/checkerboard.rs"]
-pub mod checkerboard;
-#[path = "../../steps/step05_phong/examples/crowd.rs"]
-pub mod crowd;
-#[path = "../../steps/step03_nearest/examples/depth.rs"]
-pub mod depth;
-#[path = "../../steps/step02_sphere/examples/disc.rs"]
-pub mod disc;
-#[path = "../../steps/step05_phong/examples/fast.rs"]
-pub mod fast;
-#[path = "../../steps/step04_diffuse/examples/gamma.rs"]
-pub mod gamma;
-#[path = "../../steps/step05_phong/examples/glass.rs"]
-pub mod glass;
-#[path = "../../steps/step01_rays/examples/gradient.rs"]
-pub mod gradient;
-#[path = "../../steps/step01_rays/examples/graticule.rs"]
-pub mod graticule;
-#[path = "../../steps/step05_phong/examples/halfway.rs"]
-pub mod halfway;
-#[path = "../../steps/step05_phong/examples/highlight.rs"]
-pub mod highlight;
-#[path = "../../steps/step01_rays/examples/jitter.rs"]
-pub mod jitter;
-#[path = "../../steps/step02_sphere/examples/lens.rs"]
-pub mod lens;
-#[path = "../../steps/step01_rays/examples/look_at.rs"]
-pub mod look_at;
-#[path = "../../steps/step03_nearest/examples/many.rs"]
-pub mod many;
-#[path = "../../steps/step05_phong/examples/marbles.rs"]
-pub mod marbles;
-#[path = "../../steps/step05_phong/examples/mirror.rs"]
-pub mod mirror;
-#[path = "../../steps/step03_nearest/examples/my_scene.rs"]
-pub mod my_scene;
-#[path = "../../steps/step04_diffuse/examples/normals.rs"]
-pub mod normals;
-#[path = "../../steps/step01_rays/examples/panorama.rs"]
-pub mod panorama;
-#[path = "../../steps/step02_sphere/examples/plane.rs"]
-pub mod plane;
-#[path = "../../steps/step04_diffuse/examples/plaster.rs"]
-pub mod plaster;
-#[path = "../../steps/step02_sphere/examples/quadric.rs"]
-pub mod quadric;
-#[path = "../../steps/step01_rays/examples/rings.rs"]
-pub mod rings;
-#[path = "../../steps/step01_rays/examples/row.rs"]
-pub mod row;
-#[path = "../../steps/step04_diffuse/examples/shadows.rs"]
-pub mod shadows;
-#[path = "../../steps/step04_diffuse/examples/snowman.rs"]
-pub mod snowman;
-#[path = "../../steps/step04_diffuse/examples/spot.rs"]
-pub mod spot;
-#[path = "../../steps/step01_rays/examples/step01_starter.rs"]
-pub mod step01_starter;
-#[path = "../../steps/step02_sphere/examples/step02_starter.rs"]
-pub mod step02_starter;
-#[path = "../../steps/step03_nearest/examples/step03_starter.rs"]
-pub mod step03_starter;
-#[path = "../../steps/step04_diffuse/examples/step04_starter.rs"]
-pub mod step04_starter;
-#[path = "../../steps/step05_phong/examples/step05_starter.rs"]
-pub mod step05_starter;
-#[path = "../../steps/step04_diffuse/examples/sun.rs"]
-pub mod sun;
-#[path = "../../steps/step05_phong/examples/terms.rs"]
-pub mod terms;
+/// Declares the examples as modules; a listing keeps the form that the steps have.
+macro_rules! examples {
+    ($($name:ident: $path:literal,)*) => {
+        $(#[path = $path] pub mod $name;)*
+    };
+}
+
+examples! {
+    all_hits: "../../steps/step03_nearest/examples/all_hits.rs",
+    checkerboard: "../../steps/step01_rays/examples/checkerboard.rs",
+    crowd: "../../steps/step05_phong/examples/crowd.rs",
+    depth: "../../steps/step03_nearest/examples/depth.rs",
+    disc: "../../steps/step02_sphere/examples/disc.rs",
+    fast: "../../steps/step05_phong/examples/fast.rs",
+    gamma: "../../steps/step04_diffuse/examples/gamma.rs",
+    glass: "../../steps/step05_phong/examples/glass.rs",
+    gradient: "../../steps/step01_rays/examples/gradient.rs",
+    graticule: "../../steps/step01_rays/examples/graticule.rs",
+    halfway: "../../steps/step05_phong/examples/halfway.rs",
+    highlight: "../../steps/step05_phong/examples/highlight.rs",
+    jitter: "../../steps/step01_rays/examples/jitter.rs",
+    lens: "../../steps/step02_sphere/examples/lens.rs",
+    look_at: "../../steps/step01_rays/examples/look_at.rs",
+    many: "../../steps/step03_nearest/examples/many.rs",
+    marbles: "../../steps/step05_phong/examples/marbles.rs",
+    mirror: "../../steps/step05_phong/examples/mirror.rs",
+    my_scene: "../../steps/step03_nearest/examples/my_scene.rs",
+    normals: "../../steps/step04_diffuse/examples/normals.rs",
+    panorama: "../../steps/step01_rays/examples/panorama.rs",
+    plane: "../../steps/step02_sphere/examples/plane.rs",
+    plaster: "../../steps/step04_diffuse/examples/plaster.rs",
+    quadric: "../../steps/step02_sphere/examples/quadric.rs",
+    rings: "../../steps/step01_rays/examples/rings.rs",
+    row: "../../steps/step01_rays/examples/row.rs",
+    shadows: "../../steps/step04_diffuse/examples/shadows.rs",
+    snowman: "../../steps/step04_diffuse/examples/snowman.rs",
+    spot: "../../steps/step04_diffuse/examples/spot.rs",
+    step01_starter: "../../steps/step01_rays/examples/step01_starter.rs",
+    step02_starter: "../../steps/step02_sphere/examples/step02_starter.rs",
+    step03_starter: "../../steps/step03_nearest/examples/step03_starter.rs",
+    step04_starter: "../../steps/step04_diffuse/examples/step04_starter.rs",
+    step05_starter: "../../steps/step05_phong/examples/step05_starter.rs",
+    sun: "../../steps/step04_diffuse/examples/sun.rs",
+    terms: "../../steps/step05_phong/examples/terms.rs",
+}
 
 /// Draws a picture for a camera, with so many rays a pixel each way.
 pub type Picture = fn(&Camera, u32) -> RgbImage;

@@ -18,7 +18,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=src/place.rs");
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
-        let step = step?.file_name().display().to_string();
+        let step = step?;
+        if !step.file_type()?.is_dir() {
+            continue;
+        }
+        let step = step.file_name().display().to_string();
         for file in read_dir(Path::new(STEPS).join(&step).join("src"))? {
             let file = file?;
             let name = format!("{step}/src/{}", file.file_name().display());
@@ -38,8 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     edits.sort_by_key(|(range, ..)| Reverse(range.start));
     for (range, index, place) in edits {
         let Some(text) = files.get_mut(place.file) else { continue };
-        let variables: Vec<_> =
-            place.variables.iter().map(|(name, _)| *name).collect();
+        let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
         let (code, variables) = (&text[range.clone()], variables.join(", "));
         let question = format!("editable!({index}, {code}, [{variables}])");
         text.replace_range(range, &question);
@@ -52,11 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let step = name.split('/').next().unwrap_or_default();
         // What was a crate is a module.
         let text = text.replace("use crate", &format!("use crate::steps::{step}"));
-        write(
-            &path,
-            text.replace("use step0", "use crate::steps::step0")
-                .replace("//!", "//"),
-        )?;
+        write(&path, text.replace("use step0", "use crate::steps::step0").replace("//!", "//"))?;
         if name.ends_with("/lib.rs") {
             modules += &format!("#[path = {path:?}]\npub mod {step};\n");
         }

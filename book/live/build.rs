@@ -10,8 +10,7 @@ const MIRROR: &str = "../../steps/step05_phong/examples/mirror.rs";
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = env::var("OUT_DIR")?;
     let path = |name| Path::new(&folder).join(name);
-    let (constant, variable) =
-        ("const OFFSET: f64 = 1e-9;", "use super::super::OFFSET;");
+    let (constant, variable) = ("const OFFSET: f64 = 1e-9;", "use super::super::OFFSET;");
     let shadows = read_listing(SHADOWS, constant)?.replace(constant, variable);
     let shadows_path = path("shadows.rs");
     write(&shadows_path, shadows)?;
@@ -26,9 +25,5 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn read_listing(path: &str, part: &str) -> Result<String, Box<dyn Error>> {
     println!("cargo::rerun-if-changed={path}");
     let text = read_to_string(path)?;
-    if text.contains(part) {
-        Ok(text)
-    } else {
-        Err(format!("{path} has no {part}").into())
-    }
+    if text.contains(part) { Ok(text) } else { Err(format!("{path} has no {part}").into()) }
 }

@@ -28,19 +28,13 @@ type PhongScene = Scene<Material, Light>;
 
 /// The first instruction set with which `fast` draws other bytes than `render`, and how
 /// many; None if all bytes agree.
-fn fast_difference(
-    camera: &Camera,
-    samples: u32,
-    scene: &PhongScene,
-) -> Option<String> {
+fn fast_difference(camera: &Camera, samples: u32, scene: &PhongScene) -> Option<String> {
     let expected = render(camera, samples, |ray| colour(scene, ray));
     instruction_sets().into_iter().find_map(|level| {
         let picture = draw(level, camera, samples, scene);
         let bytes = picture.iter().zip(expected.iter());
         let wrong_count = bytes.filter(|(byte, expected)| byte != expected).count();
-        (wrong_count != 0).then(|| {
-            format!("{level:?}: {wrong_count} bytes of {}", expected.len())
-        })
+        (wrong_count != 0).then(|| format!("{level:?}: {wrong_count} bytes of {}", expected.len()))
     })
 }
 
@@ -72,8 +66,7 @@ fn random_material() -> impl Strategy<Value = Material> {
 }
 
 fn random_light() -> impl Strategy<Value = Light> {
-    let attenuation = (0.01..1.0, 0.0..0.5, 0.0..0.1)
-        .prop_map(|(a, b, c)| Attenuation { a, b, c });
+    let attenuation = (0.01..1.0, 0.0..0.5, 0.0..0.1).prop_map(|(a, b, c)| Attenuation { a, b, c });
     let parts = (random_point(), random_colour(), random_colour(), attenuation);
     parts.prop_map(|(position, diffuse, specular, attenuation)| Light {
         point_light: PointLight { position, diffuse, attenuation },
@@ -83,13 +76,16 @@ fn random_light() -> impl Strategy<Value = Light> {
 
 /// Up to 24 spheres, some tiny, some as large as a ground.
 fn random_objects() -> impl Strategy<Value = Vec<Object<Material>>> {
-    let tiny_sphere = (random_point(), 1e-3..0.1)
-        .prop_map(|(centre, radius)| Sphere { centre, radius });
+    let tiny_sphere =
+        (random_point(), 1e-3..0.1).prop_map(|(centre, radius)| Sphere { centre, radius });
     let ground = (random_unit_vector(), 50.0..1e3_f64)
         .prop_map(|(n, radius)| Sphere { centre: (radius + 1.0) * n, radius });
     let sphere = prop_oneof![4 => random_sphere(), 2 => tiny_sphere, 1 => ground];
-    let object = (sphere, random_material())
-        .prop_map(|(sphere, material)| Object { name: "ball", sphere, material });
+    let object = (sphere, random_material()).prop_map(|(sphere, material)| Object {
+        name: "ball",
+        sphere,
+        material,
+    });
     vec(object, 0..25)
 }
 

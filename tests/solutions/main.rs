@@ -32,8 +32,7 @@ fn starters_and_fast_draw_the_pictures_of_their_steps() {
         ("step05_phong", exercises::fast::picture),
     ];
     for (name, draw) in pictures {
-        let difference =
-            Difference::between(&read_snapshot(name), &draw(&camera(), 1));
+        let difference = Difference::between(&read_snapshot(name), &draw(&camera(), 1));
         assert!(difference.is_none(), "{name}: {}", difference.unwrap());
     }
 }
@@ -47,14 +46,11 @@ fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
 }
 
 /// The pictures that take longest.
-const SLOW_PICTURES: [&str; 5] =
-    ["cover", "goodbye", "crowd", "close_up", "jitter"];
+const SLOW_PICTURES: [&str; 5] = ["cover", "goodbye", "crowd", "close_up", "jitter"];
 
 #[test]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {
-    assert_pictures_survive_perturbed_cameras(|name| {
-        !SLOW_PICTURES.contains(&name)
-    });
+    assert_pictures_survive_perturbed_cameras(|name| !SLOW_PICTURES.contains(&name));
 }
 
 #[test]
@@ -100,9 +96,7 @@ fn every_example_is_an_exercise_and_is_listed_in_the_book() {
             // The others draw the picture of a step or a part of it, or print.
             let is_exercise = name.ends_with("_starter")
                 || ["directions", "fast", "row", "terms"].contains(&name)
-                || exercises::PICTURES
-                    .iter()
-                    .any(|(exercise, _)| *exercise == name);
+                || exercises::PICTURES.iter().any(|(exercise, _)| *exercise == name);
             if !is_exercise {
                 faults.push(format!("{folder}/{file} is not in book/exercises"));
             }

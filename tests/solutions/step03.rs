@@ -4,10 +4,7 @@ use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
-use tests::{
-    primary_rays, random_point, random_sphere, random_sphere_and_ray,
-    random_unit_vector,
-};
+use tests::{primary_rays, random_point, random_sphere, random_sphere_and_ray, random_unit_vector};
 
 #[test]
 fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
@@ -34,11 +31,7 @@ fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
 /// with that t.
 #[track_caller]
 fn assert_tree_finds_nearest(spheres: impl IntoIterator<Item = Sphere>, ray: &Ray) {
-    let objects = spheres.into_iter().map(|sphere| Object {
-        name: "ball",
-        sphere,
-        material: (),
-    });
+    let objects = spheres.into_iter().map(|sphere| Object { name: "ball", sphere, material: () });
     let mut objects: Vec<_> = objects.collect();
     let t = nearest(&objects, ray).map(|hit| hit.t);
     let tree = Tree::new(&mut objects);
@@ -50,10 +43,7 @@ fn assert_tree_finds_nearest(spheres: impl IntoIterator<Item = Sphere>, ray: &Ra
 
 #[test]
 fn tree_finds_hits_of_tangents_and_of_rays_along_the_axes() {
-    assert_tree_finds_nearest(
-        [],
-        &Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z },
-    );
+    assert_tree_finds_nearest([], &Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z });
     let centre = |x: i32| DVec3::new((2 * x).into(), 0.0, -5.0);
     let row = (-8..8).map(|x| Sphere { centre: centre(x), radius: 1.0 });
     for x in -20..20 {

@@ -3,8 +3,8 @@ use glam::DVec3;
 use image::Rgb;
 use proptest::prelude::*;
 use step04_diffuse::{
-    Attenuation, COOL, Matte, Object, PointLight, Ray, SurfacePoint, WARM, diffuse,
-    scene, visible_point,
+    Attenuation, COOL, Matte, Object, PointLight, Ray, SurfacePoint, WARM, diffuse, scene,
+    visible_point,
 };
 use tests::{camera, primary_rays, random_point, random_unit_vector};
 
@@ -25,9 +25,7 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
     for (pixel, linear_pixel) in picture.pixels().zip(linear_picture.pixels()) {
         let mean = DVec3::from(linear_pixel.0.map(f64::from)) / 255.0;
         // The mean was rounded to a byte: where it is dark, the curve makes 6 of it.
-        assert!(
-            compare::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6
-        );
+        assert!(compare::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
     }
 }
 
@@ -64,14 +62,9 @@ fn surface_facing_a_light_is_hidden_by_other_objects_only() {
                 object.sphere.intersect(&ray).first_hit().is_some_and(|t| t < 1.0)
             };
             let index = *point.material;
-            let mut others =
-                objects.iter().filter(|object| object.material != index);
+            let mut others = objects.iter().filter(|object| object.material != index);
             let is_hidden = others.any(hides);
-            assert_eq!(
-                shadows::hidden(&objects, &point, q),
-                is_hidden,
-                "{point:?}"
-            );
+            assert_eq!(shadows::hidden(&objects, &point, q), is_hidden, "{point:?}");
             self_hits += u32::from(hides(&objects[index]));
         }
     }

@@ -68,12 +68,7 @@ fn unit_vector_at(angle: f64) -> DVec3 {
 
 /// The colour of a ray along `v` that meets glass with the normal `n`; `trace` gives the
 /// colour of a ray that goes on from there.
-fn glass_colour(
-    v: DVec3,
-    n: DVec3,
-    index: f64,
-    trace: impl Fn(&Ray) -> DVec3,
-) -> DVec3 {
+fn glass_colour(v: DVec3, n: DVec3, index: f64, trace: impl Fn(&Ray) -> DVec3) -> DVec3 {
     let point = SurfacePoint { p: DVec3::ONE, n, material: &() };
     let ray = Ray { start: DVec3::ONE - v, direction: v };
     glass::through_glass(&ray, &point, index, trace)
@@ -98,8 +93,7 @@ fn glass_refracts_to_the_normal_inside_and_away_outside() {
 fn glass_reflects_4_percent_head_on_and_everything_along_the_surface() {
     let reflectance = |degrees: f64| {
         let v = -unit_vector_at(degrees.to_radians());
-        let refracted =
-            glass::refract(v, DVec3::Y, 1.0 / 1.5).expect("light goes in");
+        let refracted = glass::refract(v, DVec3::Y, 1.0 / 1.5).expect("light goes in");
         glass::fresnel(v, refracted, DVec3::Y, 1.0 / 1.5)
     };
     assert!((reflectance(0.0) - 0.04).abs() < 1e-12);
@@ -112,11 +106,7 @@ fn glass_casts_no_shadow() {
     let is_hidden = |scene: Scene<Glass, Light>| {
         let Object { sphere, material, .. } = &scene.objects[0];
         let n = (sphere.centre - WARM.position).normalize();
-        let point = SurfacePoint {
-            p: sphere.centre + 1.01 * sphere.radius * n,
-            n,
-            material,
-        };
+        let point = SurfacePoint { p: sphere.centre + 1.01 * sphere.radius * n, n, material };
         glass::hidden_by_opaque(&scene.objects, &point, WARM.position)
     };
     assert!(is_hidden(scene_with_opaque_spheres()));

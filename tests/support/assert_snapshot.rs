@@ -81,9 +81,7 @@ fn mismatch_message(
     };
     let difference = Difference::between(&locked_picture, picture)?;
     let caption = match draw_panels(picture, &locked_picture).save(panels_path) {
-        Ok(()) => {
-            "New, locked and difference (orange where the new one is brighter):"
-        }
+        Ok(()) => "New, locked and difference (orange where the new one is brighter):",
         Err(_) => "The difference can't be written to",
     };
     Some(format!("{name}: {difference}.\n{caption} {}", panels_path.display()))

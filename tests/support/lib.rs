@@ -11,7 +11,6 @@ pub use assert_snapshot::{assert_matches_snapshot, read_snapshot};
 pub use exercises::camera;
 pub use picture_list::{LockedPicture, locked_pictures};
 pub use random_inputs::{
-    primary_rays, random_point, random_sphere, random_sphere_and_ray,
-    random_unit_vector,
+    primary_rays, random_point, random_sphere, random_sphere_and_ray, random_unit_vector,
 };
 pub use step_program::{StepProgram, assert_program_works};

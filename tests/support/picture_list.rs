@@ -15,20 +15,10 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
     let large_camera = Camera::new(1280, 720, 60_f64.to_radians());
     pictures.extend([
-        (
-            "slide_matrix",
-            exercises::slide_matrix(),
-            step05_phong::picture as Picture,
-        ),
-        ("step05_ambient", camera(), |camera, _| {
-            terms::picture(camera, |phong| phong.ambient)
-        }),
-        ("step05_diffuse", camera(), |camera, _| {
-            terms::picture(camera, |phong| phong.diffuse)
-        }),
-        ("step05_specular", camera(), |camera, _| {
-            terms::picture(camera, |phong| phong.specular)
-        }),
+        ("slide_matrix", exercises::slide_matrix(), step05_phong::picture as Picture),
+        ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
+        ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
+        ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
         ("one_ray", tile_camera(), |camera, _| draw_large_pixels(camera, 1)),
         ("sixteen_rays", tile_camera(), |camera, _| draw_large_pixels(camera, 4)),
         ("speckled", camera_without_tan(), draw_shadows_without_offset),

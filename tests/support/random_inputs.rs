@@ -12,8 +12,7 @@ pub fn primary_rays() -> impl Iterator<Item = Ray> {
 
 /// Points within 10 of the origin along each axis.
 pub fn random_point() -> impl Strategy<Value = DVec3> {
-    (-10.0..10.0, -10.0..10.0, -10.0..10.0)
-        .prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    (-10.0..10.0, -10.0..10.0, -10.0..10.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
 }
 
 /// Vectors of length 1.
@@ -24,8 +23,7 @@ pub fn random_unit_vector() -> impl Strategy<Value = DVec3> {
 
 /// Spheres of radius 0.1 to 4 around a random point.
 pub fn random_sphere() -> impl Strategy<Value = Sphere> {
-    (random_point(), 0.1..4.0)
-        .prop_map(|(centre, radius)| Sphere { centre, radius })
+    (random_point(), 0.1..4.0).prop_map(|(centre, radius)| Sphere { centre, radius })
 }
 
 /// Spheres, each with a ray of any length from a random point; about half of the rays hit

@@ -40,9 +40,7 @@ impl StepProgram {
     /// The names of the files in the folder, sorted.
     pub fn file_names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.folder).expect("the folder of the test");
-        let names = entries
-            .flatten()
-            .map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
         let mut names: Vec<_> = names.collect();
         names.sort();
         names
@@ -84,8 +82,7 @@ pub fn assert_program_works(step: &'static str) {
 /// `--workspace` gives it the features with which everything else is built.
 fn build_program(name: &str) {
     let (folder, target) = (profile_folder(), target_folder());
-    let subfolder =
-        folder.strip_prefix(&target).expect("a folder in the target folder");
+    let subfolder = folder.strip_prefix(&target).expect("a folder in the target folder");
     let subfolder = subfolder.to_str().expect("UTF-8").replace('\\', "/");
     let (platform, profile) = subfolder.split_once('/').unwrap_or(("", &subfolder));
     // The dev profile writes to the folder `debug`; the others, to their names.

@@ -15,17 +15,14 @@ fn chapters_name_every_test_by_hand() {
         let pages = pages.filter(|page| step_of_page(&page.name) == Some(step));
         let elements = pages.flat_map(|page| page.select_all(".by-hand"));
         let ids = elements.filter_map(|element| element.attr("id"));
-        let page_tests: BTreeSet<_> =
-            ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();
+        let page_tests: BTreeSet<_> = ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();
         let path = format!("steps/{step}/tests/by_hand.rs");
         let file = SOURCE_FILES.text(&path).unwrap_or_default();
         let functions = file.split("#[test]\nfn ").skip(1);
         let file_tests: BTreeSet<_> =
             functions.filter_map(|function| function.split('(').next()).collect();
         for test in page_tests.symmetric_difference(&file_tests) {
-            faults.push(format!(
-                "{test} is in only one of {path} and the chapters of {step}."
-            ));
+            faults.push(format!("{test} is in only one of {path} and the chapters of {step}."));
         }
     }
     assert_no_faults(&faults);

@@ -3,9 +3,7 @@
 use super::built_book::built_book;
 use super::support::listing::join_listings;
 use super::support::page_events::{Event, page_events};
-use super::support::reader_workspace::{
-    ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page,
-};
+use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page};
 use super::typed_book::typed_workspace;
 use anyhow::{Result, ensure};
 use std::collections::BTreeMap;
@@ -48,9 +46,8 @@ fn crate_states() -> Vec<CrateState> {
                 continue;
             }
             let files = typed.iter().filter(|(file, _)| **file != "main.rs");
-            let files: BTreeMap<_, _> = files
-                .map(|(file, listings)| (file.to_string(), join_listings(listings)))
-                .collect();
+            let files: BTreeMap<_, _> =
+                files.map(|(file, listings)| (file.to_string(), join_listings(listings))).collect();
             let is_new = states.last().is_none_or(|state| state.files != files);
             if is_new && !files.is_empty() {
                 let name = format!("state_{step}_{}", states.len());

@@ -44,14 +44,12 @@ fn exercises_take_two_minutes_a_line() {
         for heading in page.select_all("main :is(h2, h3)[id]") {
             let id = heading.attr("id").unwrap_or_default();
             let starter = example_text(&starter_name(id, &page.name));
-            let (Some(solution), Some(starter)) = (example_text(id), starter)
-            else {
+            let (Some(solution), Some(starter)) = (example_text(id), starter) else {
                 continue;
             };
             let known: HashSet<_> = starter.lines().map(str::trim).collect();
             let lines = solution.lines().map(str::trim);
-            let lines =
-                lines.filter(|line| !line.is_empty() && !known.contains(line));
+            let lines = lines.filter(|line| !line.is_empty() && !known.contains(line));
             let time = format_minutes(2 * lines.count());
             let title = inner_text(heading);
             if !title.trim().ends_with(&format!(": {time}")) {

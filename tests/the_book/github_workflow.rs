@@ -32,8 +32,7 @@ fn actions_are_those_of_the_course() {
 /// The commands of the workflow, in their order; one may have several lines.
 fn workflow_commands() -> Vec<String> {
     let text = workflow_text();
-    let steps =
-        text.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
+    let steps = text.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
     let command = |step: &str| match step.strip_prefix("|\n") {
         Some(lines) => lines.to_owned(),
         None => step.lines().next().unwrap_or_default().to_owned(),

@@ -49,9 +49,8 @@ fn zeroed_values(is_zero: fn(&Parameter) -> bool) -> Vec<f64> {
 fn changed_values(changes: &[([&str; 2], f64)]) -> Vec<f64> {
     let mut values = own_scene().default_values();
     for ([group, words], value) in changes {
-        let is_changed = |parameter: &Parameter| {
-            parameter.group == *group && parameter.words == *words
-        };
+        let is_changed =
+            |parameter: &Parameter| parameter.group == *group && parameter.words == *words;
         let index = own_scene().parameters.iter().position(is_changed);
         values[index.expect(words)] = *value;
     }
@@ -63,21 +62,13 @@ fn random_values(seed: usize) -> Vec<f64> {
     let values = own_scene().parameters.iter().zip(seed..).map(|(parameter, k)| {
         let [min, max] = parameter.range;
         let fraction = (1e4 * (k as f64).sin()).fract().abs();
-        if parameter.words == "columns" {
-            160.0
-        } else {
-            min + fraction * (max - min)
-        }
+        if parameter.words == "columns" { 160.0 } else { min + fraction * (max - min) }
     });
     own_scene().snap_if_allowed(&values.collect::<Vec<_>>()).expect("a scene")
 }
 
 /// Saves and runs a program; how it fails, or how its picture differs from this one.
-fn program_fault(
-    reader: &ReaderWorkspace,
-    program: &str,
-    picture: &RgbImage,
-) -> Option<String> {
+fn program_fault(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) -> Option<String> {
     // The second line of the program is the command that runs it, options after ` -- `.
     let command = program.lines().nth(1)?.trim_end_matches('`');
     let (command, options) = command.split_once(" -- ").unwrap_or((command, ""));
@@ -96,21 +87,16 @@ fn program_fault(
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_the_picture_on_the_page() {
     let default = own_scene().default_values();
-    let difference = Difference::between(
-        &tests::read_snapshot("step05_phong"),
-        &page_picture(&default),
-    );
+    let difference =
+        Difference::between(&tests::read_snapshot("step05_phong"), &page_picture(&default));
     assert!(difference.is_none());
     let without_objects = zeroed_values(|parameter| parameter.kind == Kind::Switch);
     let eye_in_a_sphere = zeroed_values(|parameter| {
-        parameter.group == "red sphere"
-            && ["x", "y", "z"].contains(&parameter.symbol)
+        parameter.group == "red sphere" && ["x", "y", "z"].contains(&parameter.symbol)
     });
     let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_values);
-    let mirrors = [
-        (["the way back", "shadows and mirrors"], 1.0),
-        (["ground", "mirror image"], 0.5),
-    ];
+    let mirrors =
+        [(["the way back", "shadows and mirrors"], 1.0), (["ground", "mirror image"], 0.5)];
     let camera = [
         (["camera", "field of view"], 50.0),
         (["camera", "position sideways"], 6.0),
@@ -131,9 +117,9 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
         random_3,
     ];
     let reader = typed_workspace();
-    let faults = scenes.iter().filter_map(|scene| {
-        program_fault(&reader, &write_program(scene), &page_picture(scene))
-    });
+    let faults = scenes
+        .iter()
+        .filter_map(|scene| program_fault(&reader, &write_program(scene), &page_picture(scene)));
     assert_no_faults(&faults.collect::<Vec<_>>());
 }
 
@@ -142,9 +128,8 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
 fn program_of_a_named_scene_draws_its_picture() {
     let reader = typed_workspace();
     let scenes = ["ada", "Grace Hopper", "\"\n é"].map(live::draw_named_scene);
-    let faults = scenes
-        .iter()
-        .filter_map(|(program, picture)| program_fault(&reader, program, picture));
+    let faults =
+        scenes.iter().filter_map(|(program, picture)| program_fault(&reader, program, picture));
     assert_no_faults(&faults.collect::<Vec<_>>());
 }
 
@@ -163,8 +148,7 @@ fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
         for ray in primary_rays() {
             for Object { name: ball, sphere, .. } in &objects {
                 let (a, b, c) = sphere.coefficients(&ray);
-                let margin =
-                    (b * b - 4.0 * a * c).abs() / (b * b + 4.0 * a * c.abs());
+                let margin = (b * b - 4.0 * a * c).abs() / (b * b + 4.0 * a * c.abs());
                 assert!(1e-12 < margin, "{name}: {ball}, {ray:?}");
             }
         }

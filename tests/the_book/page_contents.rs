@@ -12,11 +12,9 @@ const UNEXPANDED_MARKS: [&str; 4] = ["{{#", "$$", r"\frac", r"\begin{"];
 fn directives_and_formulas_are_expanded() {
     let (book, mut faults) = (built_book(), vec![]);
     for page in book.pages.values() {
-        let body: String =
-            page.select_all("body").into_iter().map(inner_text).collect();
+        let body: String = page.select_all("body").into_iter().map(inner_text).collect();
         let marks = UNEXPANDED_MARKS.iter().filter(|mark| body.contains(**mark));
-        faults
-            .extend(marks.map(|mark| format!("{mark} is left in {}.", page.name)));
+        faults.extend(marks.map(|mark| format!("{mark} is left in {}.", page.name)));
     }
     assert_no_faults(&faults);
 }
@@ -27,8 +25,7 @@ fn pages_tell_their_version() {
     let is_chapter = |page: &&book::Page| page.name != "toc.html";
     let mut faults = vec![];
     for page in built_book().pages.values().filter(is_chapter) {
-        let footer: String =
-            page.select_all("footer").into_iter().map(inner_text).collect();
+        let footer: String = page.select_all("footer").into_iter().map(inner_text).collect();
         if !footer.contains(&version) {
             faults.push(format!("{} does not say {version}", page.name));
         }
@@ -42,19 +39,14 @@ fn pictures_and_drawings_have_a_text() {
     for page in book.pages.values() {
         for img in page.select_all("img:not([role=img] > img)") {
             if img.attr("alt").is_none_or(|alt| alt.trim().is_empty()) {
-                faults.push(format!(
-                    "The picture at {} has no alt.",
-                    page.address_for_fault(img)
-                ));
+                faults.push(format!("The picture at {} has no alt.", page.address_for_fault(img)));
             }
         }
         for svg in page.select_all("figure svg") {
             let titles = select_all(svg, "title");
             if titles.iter().all(|title| inner_text(*title).trim().is_empty()) {
-                faults.push(format!(
-                    "The drawing at {} has no title.",
-                    page.address_for_fault(svg)
-                ));
+                faults
+                    .push(format!("The drawing at {} has no title.", page.address_for_fault(svg)));
             }
         }
     }
@@ -79,18 +71,14 @@ fn fonts_have_the_letters_of_the_book() {
             let code = u32::from(c);
             c.is_whitespace()
                 || LETTERS_OF_SYSTEM_FONTS.contains(&c)
-                || ranges
-                    .iter()
-                    .any(|&[first, last]| (first..=last).contains(&code))
+                || ranges.iter().any(|&[first, last]| (first..=last).contains(&code))
         };
         for page in book.pages.values() {
             for element in page.select_all(selector) {
                 let text = inner_text(element);
                 if let Some(c) = text.chars().find(|&c| !is_available(c)) {
                     let location = page.address_for_fault(element);
-                    faults.push(format!(
-                        "No font {family:?} has {c:?}, at {location}."
-                    ));
+                    faults.push(format!("No font {family:?} has {c:?}, at {location}."));
                 }
             }
         }

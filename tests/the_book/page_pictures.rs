@@ -17,11 +17,10 @@ fn expected_pictures() -> HashMap<String, RgbImage> {
         let picture = thumbnail(&draw(&camera(), 1), 320, 180);
         (format!("{name}-small"), picture)
     });
-    let live_pictures =
-        LIVE.iter().filter_map(|live| match live.default_output() {
-            Output::Picture(picture) => Some((live.name.to_owned(), picture)),
-            Output::Drawing(_) => None,
-        });
+    let live_pictures = LIVE.iter().filter_map(|live| match live.default_output() {
+        Output::Picture(picture) => Some((live.name.to_owned(), picture)),
+        Output::Drawing(_) => None,
+    });
     let mut pictures: HashMap<_, _> = small_pictures.chain(live_pictures).collect();
     for (file, png) in read_folder("book/check/mistakes/pictures").0 {
         let name = file.strip_suffix(".png").map(|name| format!("mistake-{name}"));
@@ -49,9 +48,7 @@ fn pictures_have_the_expected_pixels() {
             let picture = book.files.0.get(source).and_then(|png| decode_png(png));
             if picture.is_none() || picture.as_ref() != expected {
                 let location = page.address_for_fault(img);
-                faults.push(format!(
-                    "{location}: {source} is not what our code draws."
-                ));
+                faults.push(format!("{location}: {source} is not what our code draws."));
             }
         }
     }
@@ -79,8 +76,7 @@ fn every_picture_that_is_built_is_on_a_page() {
 /// The numbers of the steps that a text names.
 fn named_steps(text: &str) -> Vec<usize> {
     let words: Vec<_> = text.split(|c: char| !c.is_alphanumeric()).collect();
-    let pairs =
-        words.windows(2).filter(|pair| pair[0].eq_ignore_ascii_case("step"));
+    let pairs = words.windows(2).filter(|pair| pair[0].eq_ignore_ascii_case("step"));
     pairs.filter_map(|pair| pair[1].parse().ok()).collect()
 }
 
@@ -102,15 +98,11 @@ fn mistakes_have_the_sentence_of_the_list_and_the_step_that_is_named() {
             }
             let mut steps = named_steps(&inner_text(figure));
             if steps.is_empty() {
-                steps.extend(named_steps(
-                    &page.name.replace("step0", "step ").replace('_', " "),
-                ));
+                steps.extend(named_steps(&page.name.replace("step0", "step ").replace('_', " ")));
             }
             if steps != [step.number()] {
                 let name = step.name();
-                faults.push(format!(
-                    "{location}: {source} shows {name}, not {steps:?}."
-                ));
+                faults.push(format!("{location}: {source} shows {name}, not {steps:?}."));
             }
         }
     }

@@ -9,8 +9,7 @@ use tests::primary_rays;
 /// "In `sphere.rs`, you move the direction as you move the start."
 #[test]
 fn sphere_is_not_hit_when_directions_are_moved_too() {
-    let move_direction =
-        |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
+    let move_direction = |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
     let mut rays = primary_rays().map(move_direction);
     assert!(rays.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));
 }
@@ -31,13 +30,11 @@ fn first_hit_in_place_of_the_nearest_loses_pixels() {
         let t = |k: &usize| OBJECTS[*k].sphere.intersect(&ray).first_hit();
         let Some(first) = (0..9).find(|k| t(k).is_some()) else { continue };
         let nearest_t = nearest(&OBJECTS, &ray).map(|hit| hit.t);
-        let nearest =
-            (0..9).find(|k| t(k) == nearest_t).expect("an object has this t");
+        let nearest = (0..9).find(|k| t(k) == nearest_t).expect("an object has this t");
         first_counts[first] += 1.0;
         nearest_counts[nearest] += 1.0;
     }
-    let [golden, teal, white] =
-        [2, 5, 6].map(|k| first_counts[k] / nearest_counts[k]);
+    let [golden, teal, white] = [2, 5, 6].map(|k| first_counts[k] / nearest_counts[k]);
     assert_eq!(golden, 0.0);
     assert!(0.0 < white && white < 0.05, "{white} of white is left");
     assert!(0.2 < teal && teal < 0.8, "{teal} of teal is left");
@@ -48,9 +45,7 @@ fn first_hit_in_place_of_the_nearest_loses_pixels() {
 #[test]
 fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     for ray in primary_rays() {
-        let has_hit = |object: &&Object<_>| {
-            object.sphere.intersect(&ray).first_hit().is_some()
-        };
+        let has_hit = |object: &&Object<_>| object.sphere.intersect(&ray).first_hit().is_some();
         let last = OBJECTS.iter().rfind(has_hit).map(|object| object.name);
         let nearest = nearest(&OBJECTS, &ray).map(|hit| hit.object.name);
         assert!(last == nearest || nearest == Some("red sphere"), "{ray:?}");

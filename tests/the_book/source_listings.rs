@@ -10,16 +10,13 @@ use compare::workspace;
 use std::fs;
 use std::sync::LazyLock;
 
-/// The files that a reader types, by path: those of the five crates and of `book/reader`,
-/// the settings of rustfmt, and the program that the page of the own scene writes.
+/// The files that a reader types, by path: those of the five crates, with their settings of
+/// rustfmt, of `book/reader`, and the program that the page of the own scene writes.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let steps = read_folder("steps").0.into_iter();
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
     let mut files: Files = Files(steps.collect());
     files.0.extend(read_folder("book/reader").0);
-    let path = ".rustfmt.toml";
-    let bytes = fs::read(workspace().join(path)).expect("a file of the workspace");
-    files.0.insert(path.to_owned(), bytes);
     let program = own_scene::default_program().into_bytes();
     files.0.insert(own_scene::EXAMPLE_PATH.to_owned(), program);
     files
@@ -29,8 +26,7 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
 /// example and a file of no step, of any. None for a file outside `steps/`.
 fn home_page(book: &Site, path: &str) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let may_be_on_any_page =
-        file.starts_with("examples/") || !STEP_NAMES.contains(&step);
+    let may_be_on_any_page = file.starts_with("examples/") || !STEP_NAMES.contains(&step);
     let mut chapters = book.chapters_in_order().into_iter();
     let page = chapters.find(|page| {
         (may_be_on_any_page || step_of_page(&page.name) == Some(step))
@@ -67,8 +63,7 @@ fn listings_are_lines_of_their_files() {
         let file_lines = file_lines.get(first - 1..last).unwrap_or_default();
         if file_lines.join("\n") != code {
             let mut pairs = file_lines.iter().zip(code.lines());
-            let equal_count =
-                pairs.position(|(line, listed)| *line != listed).unwrap_or(0);
+            let equal_count = pairs.position(|(line, listed)| *line != listed).unwrap_or(0);
             let line = first + equal_count;
             faults.push(format!("{location}: line {line} of {path} differs."));
         }
@@ -115,9 +110,7 @@ fn every_line_of_every_file_is_listed_once() {
         }
         let mut counts = (1..).zip(listing_counts);
         if let Some((line, count)) = counts.find(|(_, count)| *count != 1) {
-            faults.push(format!(
-                "Line {line} of {path} is listed {count} times in {home_page}."
-            ));
+            faults.push(format!("Line {line} of {path} is listed {count} times in {home_page}."));
         }
     }
     assert_no_faults(&faults);

@@ -5,9 +5,7 @@ use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
 use super::support::listing::page_listings;
 use super::support::page_events::{Event, PageCommand, page_events};
-use super::support::reader_workspace::{
-    ReaderWorkspace, STEP_NAMES, TypedListings,
-};
+use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
 use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
 use book::Page;
@@ -27,13 +25,11 @@ fn type_and_run_page<'a>(
             }
             Event::Command(command) if !runs_unlisted_solution(&command, typed) => {
                 reader.write_listings(typed)?;
-                let names = run_and_verify_command(reader, &command).with_context(
-                    || {
-                        let PageCommand { location, arguments, .. } = &command;
-                        let line = arguments.join(" ");
-                        format!("At {location}, {line} does not do what it says")
-                    },
-                )?;
+                let names = run_and_verify_command(reader, &command).with_context(|| {
+                    let PageCommand { location, arguments, .. } = &command;
+                    let line = arguments.join(" ");
+                    format!("At {location}, {line} does not do what it says")
+                })?;
                 picture_names.extend(names);
             }
             Event::Command(_) | Event::Heading => {}

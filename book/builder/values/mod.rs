@@ -102,9 +102,7 @@ fn format_with_thousands_commas(count: usize) -> String {
     let digits = count.to_string();
     let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
     let digits = digits.char_indices();
-    digits
-        .map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" }))
-        .collect()
+    digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
 }
 
 fn format_column_latex(vector: DVec3) -> String {

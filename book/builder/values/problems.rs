@@ -12,18 +12,14 @@ use step05_phong::{reflect, rgb8};
 /// The value of this name.
 pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
     Some(match (name, arguments) {
-        ("problem-far-plane", []) => {
-            Fixed(2, 50.0 * pixel_ray([0, 0]).direction.length())
-        }
+        ("problem-far-plane", []) => Fixed(2, 50.0 * pixel_ray([0, 0]).direction.length()),
         ("problem-vertical-view", []) => Fixed(1, vertical_view_degrees()),
         ("problem-rays", []) => Count({
             let v_res = AspectRatio { width: 2.39, height: 1.0 }.v_res(640);
             (640 * v_res * 3 * 3) as usize
         }),
         ("problem-touch", []) => {
-            match sphere([0.0, 0.0, -5.0], 3.0)
-                .intersect(&ray([0.0; 3], [0.75, 0.0, -1.0]))
-            {
+            match sphere([0.0, 0.0, -5.0], 3.0).intersect(&ray([0.0; 3], [0.75, 0.0, -1.0])) {
                 Roots::One(t) => Number(t),
                 _ => return None,
             }
@@ -38,14 +34,12 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
                 sphere([0.0, 0.0, -1.0], 4.0),
                 sphere([0.0, 3.0, -10.0], 5.0),
             ];
-            let objects =
-                spheres.map(|sphere| Object { name: "", sphere, material: () });
+            let objects = spheres.map(|sphere| Object { name: "", sphere, material: () });
             nearest(&objects, &ray([0.0; 3], [0.0, 0.0, -1.0]))?.t
         }),
         ("problem-hidden", []) => Number({
             // The ray that touches the front sphere, by its a = b² / (4c).
-            let (front, axis) =
-                (sphere([0.0, 0.0, -4.0], 1.0), ray([0.0; 3], [0.0, 0.0, -1.0]));
+            let (front, axis) = (sphere([0.0, 0.0, -4.0], 1.0), ray([0.0; 3], [0.0, 0.0, -1.0]));
             let (_, b, c) = front.coefficients(&axis);
             let a = b * b / (4.0 * c);
             let (_, b, c) = sphere([0.0, 0.0, -18.0], 0.0).coefficients(&axis);
@@ -74,8 +68,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
             let light = lamp(position, 0.5, [0.5, 0.1, 0.01]);
             let (p, n) = (DVec3::new(0.0, 0.0, -3.0), DVec3::Z);
             let (l, d) = light.direction_from(p);
-            let sum = ambient(&matte, DVec3::splat(0.2))
-                + diffuse(n, l, d, &matte, &light);
+            let sum = ambient(&matte, DVec3::splat(0.2)) + diffuse(n, l, d, &matte, &light);
             rgb8(sum).0[0].into()
         }),
         ("problem-reflection", []) => Fixed(3, {

@@ -15,14 +15,10 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("slips-first-v0-y", []) => Number(first_v_0_y()),
         ("slips-first-v0-pixels", []) => Number(rows_above_v_0(first_v_0_y())),
         ("slips-slide-v0-y", []) => Number(slide_matrix().matrix.z_axis.y),
-        ("slips-slide-v0-pixels", []) => {
-            Number(rows_above_v_0(slide_matrix().matrix.z_axis.y))
-        }
+        ("slips-slide-v0-pixels", []) => Number(rows_above_v_0(slide_matrix().matrix.z_axis.y)),
         ("slips-slide-d-v", []) => Number(slide_matrix().matrix.y_axis.y),
         ("slips-meant-d-v", []) => Fixed(6, -2.0 * first_v_0_y() / 359.0),
-        ("slips-meant-ratio", []) => {
-            Number(length_in_pixels(2.0 * first_v_0_y() / 359.0))
-        }
+        ("slips-meant-ratio", []) => Number(length_in_pixels(2.0 * first_v_0_y() / 359.0)),
         ("slips-slide-times", []) => {
             Fixed(0, slide_matrix().matrix.y_axis.y / camera().matrix.y_axis.y)
         }
@@ -32,23 +28,17 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("slips-row-last", []) => Number(course_row_2d().direction(639.0).x),
         ("slips-row-beyond", []) => Number(course_row_2d().direction(640.0).x),
         ("slips-row-angle", []) => {
-            let angle = course_row_2d()
-                .direction(640.0)
-                .angle_to(course_row_2d().direction(0.0));
+            let angle = course_row_2d().direction(640.0).angle_to(course_row_2d().direction(0.0));
             Number(angle.to_degrees())
         }
         ("slips-i-twice-2", []) => Number(length_in_pixels(
             course_row_2d().direction(4.0).x - course_row_2d().direction(0.0).x,
         )),
         // If D itself had a factor i, ray i would have the direction of ray i².
-        ("slips-i-twice-last", []) => {
-            Number(course_row_2d().direction(639.0 * 639.0).x)
-        }
+        ("slips-i-twice-last", []) => Number(course_row_2d().direction(639.0 * 639.0).x),
         ("slips-pass-b", []) => Number(SPHERE.coefficients(&PASSING_RAY).1),
         ("slips-pass-c", []) => Number(SPHERE.coefficients(&PASSING_RAY).2),
-        ("slips-pass-discriminant", []) => {
-            Number(discriminant(&SPHERE, &PASSING_RAY))
-        }
+        ("slips-pass-discriminant", []) => Number(discriminant(&SPHERE, &PASSING_RAY)),
         ("slips-pass-real", []) => {
             let (a, b, _) = SPHERE.coefficients(&PASSING_RAY);
             Number(-b / (2.0 * a))
@@ -91,8 +81,7 @@ fn course_row_2d() -> Row {
 }
 
 /// A ray along −z that passes the sphere at a distance of 1.1 from its centre.
-const PASSING_RAY: Ray =
-    Ray { start: DVec3::new(1.1, 0.0, 0.0), direction: DVec3::NEG_Z };
+const PASSING_RAY: Ray = Ray { start: DVec3::new(1.1, 0.0, 0.0), direction: DVec3::NEG_Z };
 
 /// The direction from the surface y = 0 to a light that is low behind it.
 fn low_light() -> DVec3 {

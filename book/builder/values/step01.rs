@@ -15,20 +15,14 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step01-row-v6", []) => Number(row().direction(6.0).x),
         ("step01-row-middle-angle", []) => Fixed(1, angle_between(2.0, 3.0)),
         ("step01-row-edge-angle", []) => Fixed(1, angle_between(0.0, 1.0)),
-        ("step01-row-short-angle", []) => {
-            Fixed(1, angle_between(0.0, 6.0 * 6.0 / 7.0))
-        }
+        ("step01-row-short-angle", []) => Fixed(1, angle_between(0.0, 6.0 * 6.0 / 7.0)),
         ("step01-step", []) => Fixed(6, camera().matrix.x_axis.x),
         ("step01-down", []) => Fixed(6, camera().matrix.y_axis.y),
         ("step01-pixel-x", []) => Number(pixel_ray(PIXEL).direction.x),
         ("step01-pixel-y", []) => Number(pixel_ray(PIXEL).direction.y),
-        ("step01-pixel-intensity", []) => {
-            Vector(direction_colour(&pixel_ray(PIXEL)))
-        }
+        ("step01-pixel-intensity", []) => Vector(direction_colour(&pixel_ray(PIXEL))),
         ("step01-pixel-colour", []) => Vector(pixel_bytes(PIXEL)),
-        ("step01-corner-length", []) => {
-            Number(pixel_ray([0, 0]).direction.length())
-        }
+        ("step01-corner-length", []) => Number(pixel_ray([0, 0]).direction.length()),
         ("step01-top-left", []) => Vector(pixel_bytes([0, 0])),
         ("step01-top-right", []) => Vector(pixel_bytes([639, 0])),
         ("step01-bottom-left", []) => Vector(pixel_bytes([0, 359])),

@@ -17,9 +17,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("step02-long", []) => Number(pixel_ray(PIXEL).direction.length()),
         ("step02-distance", []) => Number(hit_point().length()),
         ("step02-rays", []) => Count(count_rays(|_| true)),
-        ("step02-touches", []) => {
-            Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0))
-        }
+        ("step02-touches", []) => Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0)),
         ("step02-edge", []) => Number(image_radius()),
         ("step02-edge-pixels", []) => Fixed(1, length_in_pixels(image_radius())),
         ("step02-fifth-pixels", []) => Fixed(1, length_in_pixels(0.2)),

@@ -11,31 +11,21 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
     Some(match (name, arguments) {
         ("step03-tests", []) => Count(sum_over_rays(|_| OBJECTS.len())),
         ("step03-hits", []) => Count(sum_over_rays(|ray| first_hits(ray).count())),
-        ("step03-wins", []) => {
-            Count(count_rays(|ray| first_hits(ray).next().is_some()))
-        }
-        ("step03-last", []) => {
-            Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray)))
-        }
-        ("step03-first", []) => {
-            Count(count_rays(|ray| first_hits(ray).next() != nearest_hit(ray)))
-        }
+        ("step03-wins", []) => Count(count_rays(|ray| first_hits(ray).next().is_some())),
+        ("step03-last", []) => Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray))),
+        ("step03-first", []) => Count(count_rays(|ray| first_hits(ray).next() != nearest_hit(ray))),
         ("step03-ties", []) => Count(sum_over_rays(|ray| {
             let least = nearest_hit(ray).map(|(_, t)| t);
             let ties = first_hits(ray).filter(|(_, t)| Some(*t) == least);
             ties.count().saturating_sub(1)
         })),
-        ("step03-behind", []) => {
-            Count(count_rays(|ray| line_meets(ray, &OBJECTS[4])))
-        }
+        ("step03-behind", []) => Count(count_rays(|ray| line_meets(ray, &OBJECTS[4]))),
         ("step03-meets", []) => {
             let ray = pixel_ray([195, 237]);
             Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
         }
         ("step03-check-centre", []) => Vector(weighted_sum(|o| o.sphere.centre)),
-        ("step03-check-radius", []) => {
-            Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x)
-        }
+        ("step03-check-radius", []) => Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x),
         ("step03-check-colour", []) => Vector(weighted_sum(|o| o.material)),
         ("step03-gap", []) => {
             let ground = OBJECTS[1].sphere;
@@ -52,14 +42,12 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("ground-row", &[column]) => Count(first_ground_row(column)),
         ("step03-phi", []) => Fixed(1, WHITE.angle_off_axis().to_degrees()),
         ("step03-alpha", []) => Fixed(1, WHITE.half_angle_of_cone().to_degrees()),
-        ("step03-inner", []) => Fixed(
-            2,
-            length_in_pixels(WHITE.angle_off_axis().tan() - WHITE.near_end()),
-        ),
-        ("step03-outer", []) => Fixed(
-            2,
-            length_in_pixels(WHITE.far_end() - WHITE.angle_off_axis().tan()),
-        ),
+        ("step03-inner", []) => {
+            Fixed(2, length_in_pixels(WHITE.angle_off_axis().tan() - WHITE.near_end()))
+        }
+        ("step03-outer", []) => {
+            Fixed(2, length_in_pixels(WHITE.far_end() - WHITE.angle_off_axis().tan()))
+        }
         ("step03-off", []) => {
             let middle = (WHITE.near_end() + WHITE.far_end()) / 2.0;
             Fixed(1, length_in_pixels(middle - WHITE.angle_off_axis().tan()))
@@ -75,9 +63,9 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
 
 /// The first hit of a ray with each object, and its t, in the order of the list.
 fn first_hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
-    OBJECTS.iter().filter_map(|object| {
-        Some((object.name, object.sphere.intersect(ray).first_hit()?))
-    })
+    OBJECTS
+        .iter()
+        .filter_map(|object| Some((object.name, object.sphere.intersect(ray).first_hit()?)))
 }
 
 /// The nearest of the hits.
@@ -134,8 +122,7 @@ impl Oval {
     }
 
     fn width(&self) -> f64 {
-        let (angle_off_axis, sin) =
-            (self.angle_off_axis(), self.half_angle_of_cone().sin());
+        let (angle_off_axis, sin) = (self.angle_off_axis(), self.half_angle_of_cone().sin());
         2.0 * sin / (angle_off_axis.cos().powi(2) - sin.powi(2)).sqrt()
     }
 }

@@ -5,8 +5,8 @@ use super::rays::{camera, object_of_pixel, pixel_ray};
 use compare::Difference;
 use std::sync::LazyLock;
 use step05_phong::{
-    COOL, SurfacePoint, colour, direction_colour, picture, reflect, render, scene,
-    specular, visible_point,
+    COOL, SurfacePoint, colour, direction_colour, picture, reflect, render, scene, specular,
+    visible_point,
 };
 
 /// The value of this name.
@@ -51,9 +51,7 @@ const TEAL: [u32; 2] = [583, 215];
 static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| {
-        let Some(SurfacePoint { p, n, material }) =
-            visible_point(&scene.objects, ray)
-        else {
+        let Some(SurfacePoint { p, n, material }) = visible_point(&scene.objects, ray) else {
             return direction_colour(ray);
         };
         let mut sum = colour(&scene, ray);

@@ -20,10 +20,7 @@ pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
         ("next-tests-many", []) => Count(sum_over_rays(|_| 1000)),
         ("next-wasted", []) => {
             let tests = sum_over_rays(|_| OBJECTS.len()) as f64;
-            Fixed(
-                0,
-                100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests),
-            )
+            Fixed(0, 100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests))
         }
         ("next-half-byte", []) => Number(decode_srgb(128.0 / 255.0)),
         ("next-byte-of-half", []) => Fixed(0, 255.0 * srgb(0.5)),

@@ -25,9 +25,7 @@ const ENCODINGS: [(&str, Encoding); 22] = [
     ("255·√I (gamma 2)", |i| 255.0 * i.sqrt() + 0.5),
     ("255·√I (gamma 2), cut off", |i| 255.0 * i.sqrt()),
     ("255.999·√I (gamma 2), cut off", |i| 255.999 * i.sqrt()),
-    ("256·√I (gamma 2), with √I at most 0.999", |i| {
-        256.0 * i.sqrt().min(0.999)
-    }),
+    ("256·√I (gamma 2), with √I at most 0.999", |i| 256.0 * i.sqrt().min(0.999)),
     ("255·I^(1/2.2) (gamma)", |i| 255.0 * i.powf(1.0 / 2.2) + 0.5),
     ("255·I^(1/2.2) (gamma), cut off", |i| 255.0 * i.powf(1.0 / 2.2)),
     ("255·I^2.2, gamma the wrong way round", |i| 255.0 * i.powf(2.2) + 0.5),
@@ -36,15 +34,11 @@ const ENCODINGS: [(&str, Encoding); 22] = [
     ("255·I rounded, but what is above 255 begins again at 0", |i| {
         (255.0 * i + 0.5).trunc() % 256.0
     }),
-    ("255·I cut off, and what is above 255 begins again at 0", |i| {
-        (255.0 * i).trunc() % 256.0
-    }),
+    ("255·I cut off, and what is above 255 begins again at 0", |i| (255.0 * i).trunc() % 256.0),
 ];
 
 /// Explanations, not yet tried, by another encoding than `rgb8`.
-pub(crate) fn encoding_candidates(
-    evidence: &Evidence,
-) -> impl Iterator<Item = Explanation<'_>> {
+pub(crate) fn encoding_candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
     evidence.step.into_iter().flat_map(move |step| {
         let intensity = Rc::new(intensity_function(step, &scene_of_step(step)));
         ENCODINGS.into_iter().map(move |(words, encode)| {

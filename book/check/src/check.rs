@@ -1,7 +1,5 @@
 use crate::byte_encodings::encoding_candidates;
-use crate::disturbed::{
-    lossy_candidate, rounding_candidate, shifted_ray_candidates,
-};
+use crate::disturbed::{lossy_candidate, rounding_candidate, shifted_ray_candidates};
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::{Explanation, RayBudget, find_first_that_holds};
 use crate::listed_mistake::explain_listed_mistake;
@@ -10,14 +8,12 @@ use crate::other_options::describe_other_options;
 use crate::pixel_regions::computed_values_clause;
 use crate::scene_parameter::changed_number_candidates;
 use crate::sky::{camera_candidate, sky_colour_candidates};
-use crate::source_ref::{
-    find_source_ref, go_back_sentences, test_command_sentence,
-};
+use crate::source_ref::{find_source_ref, go_back_sentences, test_command_sentence};
 use crate::transformed::{crop_or_scale_clause, turned_or_swapped_clause};
 use crate::wrong_regions::describe_wrong_regions;
 use crate::{
-    Locked, Step, default_camera, escape_for_terminal, find_mistakes_with_hash,
-    hash_picture, png_file, which_picture,
+    Locked, Step, default_camera, escape_for_terminal, find_mistakes_with_hash, hash_picture,
+    png_file, which_picture,
 };
 use compare::draw_panels;
 use image::RgbImage;
@@ -62,8 +58,8 @@ pub fn check_png(
         }
     };
     let names = locked.iter().map(|one| one.name.as_str());
-    let expected_name = expected_name
-        .or_else(|| which_picture::find_name_in_file_name(file_name, names));
+    let expected_name =
+        expected_name.or_else(|| which_picture::find_name_in_file_name(file_name, names));
     let mut answer = check_picture(&picture.pixels, expected_name, locked);
     if answer.code < 2 && picture.is_invisible {
         answer.text = format!(
@@ -83,13 +79,8 @@ pub fn check_png(
 
 /// Compares a picture with the locked picture `name`, or with the nearest where `name`
 /// is left out.
-pub fn check_picture(
-    yours: &RgbImage,
-    expected_name: Option<&str>,
-    locked: &[Locked],
-) -> Answer {
-    let is_asked =
-        |one: &&Locked| expected_name.is_none_or(|expected| expected == one.name);
+pub fn check_picture(yours: &RgbImage, expected_name: Option<&str>, locked: &[Locked]) -> Answer {
+    let is_asked = |one: &&Locked| expected_name.is_none_or(|expected| expected == one.name);
     let candidates: Vec<_> = locked.iter().filter(is_asked).collect();
     if candidates.is_empty() {
         let names: Vec<_> = locked.iter().map(|one| one.name.as_str()).collect();
@@ -108,8 +99,7 @@ pub fn check_picture(
     let ours = which_picture::find_most_similar(yours, &candidates);
     let step = Step::from_name(&ours.name);
     let varied = step.filter(|_| uniform_colour(yours).is_none());
-    if let Some(text) = varied.and_then(|step| describe_other_options(step, yours))
-    {
+    if let Some(text) = varied.and_then(|step| describe_other_options(step, yours)) {
         return Answer::new(1, text);
     }
     let text = match locked.iter().find(|one| one.picture == *yours) {
@@ -122,15 +112,9 @@ pub fn check_picture(
 }
 
 /// Lines about a picture that is the right one of another name.
-fn explain_other_picture(
-    yours: &RgbImage,
-    ours: &Locked,
-    other: &Locked,
-) -> String {
+fn explain_other_picture(yours: &RgbImage, ours: &Locked, other: &Locked) -> String {
     let (name, expected_name) = (&other.name, &ours.name);
-    let start = format!(
-        "Not right: this is the picture of {name}, not of {expected_name}."
-    );
+    let start = format!("Not right: this is the picture of {name}, not of {expected_name}.");
     let steps = [name, expected_name].map(|name| Step::from_name(name));
     let [Some(found_step), Some(expected_step)] = steps else {
         return format!("{start}\n{}", hint_to_check_step_first(expected_name));
@@ -142,20 +126,13 @@ fn explain_other_picture(
         (Step::Rays, _) => "The objects are missing: no ray meets one",
         _ => "The nine objects are missing",
     };
-    let later = Step::ALL
-        .into_iter()
-        .filter(|step| found_step < *step && *step <= expected_step);
+    let later = Step::ALL.into_iter().filter(|step| found_step < *step && *step <= expected_step);
     let later: Vec<_> = later.collect();
-    let is_listed = find_mistakes_with_hash(hash_picture(yours))
-        .iter()
-        .any(|(_, name)| name == expected_name);
-    let mistake_text =
-        explain_listed_mistake(yours, expected_name).filter(|_| is_listed);
+    let is_listed =
+        find_mistakes_with_hash(hash_picture(yours)).iter().any(|(_, name)| name == expected_name);
+    let mistake_text = explain_listed_mistake(yours, expected_name).filter(|_| is_listed);
     let tests = mistake_text.unwrap_or_else(|| test_command_sentence(&later));
-    format!(
-        "{start}\n{missing}. (Or the file is that of step {}.)\n{tests}",
-        found_step.number()
-    )
+    format!("{start}\n{missing}. (Or the file is that of step {}.)\n{tests}", found_step.number())
 }
 
 /// Tells which step's picture to check first, where that of an exercise is wrong.
@@ -188,9 +165,7 @@ fn explain_wrong_picture(yours: &RgbImage, ours: &Locked) -> String {
     }
     if let Some((clause, file)) = turned_or_swapped_clause(yours, picture) {
         let back = mistake_text.unwrap_or_else(|| go_back_to_files(&[file]));
-        return format!(
-            "Not right: your picture is that of {name}{clause}.\n{back}"
-        );
+        return format!("Not right: your picture is that of {name}{clause}.\n{back}");
     }
     if size != our_size {
         let (columns, rows) = our_size;
@@ -206,8 +181,7 @@ fn explain_wrong_picture(yours: &RgbImage, ours: &Locked) -> String {
     }
     let evidence = Evidence::new(step, yours, picture);
     let others = mistake_text.is_none().then(|| candidates(&evidence));
-    let candidates =
-        encoding_candidates(&evidence).chain(others.into_iter().flatten());
+    let candidates = encoding_candidates(&evidence).chain(others.into_iter().flatten());
     let budget = RayBudget::new(RAYS);
     let found = find_first_that_holds(&evidence, candidates, &budget);
     let text = match (found, mistake_text) {
@@ -253,8 +227,7 @@ fn few_colours_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(yours) {
         return Some(format!("one colour, ({r}, {g}, {b}), in all pixels"));
     }
-    let is_grey =
-        |picture: &RgbImage| picture.pixels().all(|one| one.0 == [one[0]; 3]);
+    let is_grey = |picture: &RgbImage| picture.pixels().all(|one| one.0 == [one[0]; 3]);
     let is_told = is_grey(yours) && !is_grey(ours);
     is_told.then(|| "grey in every pixel, and ours is not".to_owned())
 }
@@ -275,8 +248,7 @@ fn lowercase_first_letter(sentence: &str) -> String {
 /// One pixel that is wrong, among those that differ most, and how many there are.
 fn sentences_of_wrong_pixel(evidence: &Evidence) -> String {
     let wrong = evidence.wrong_pixels();
-    let Some(most) = wrong.iter().map(Pixel::largest_channel_difference).max()
-    else {
+    let Some(most) = wrong.iter().map(Pixel::largest_channel_difference).max() else {
         return String::new();
     };
     let mut most_different: Vec<_> = wrong
@@ -288,8 +260,7 @@ fn sentences_of_wrong_pixel(evidence: &Evidence) -> String {
     let computed = evidence.step.map_or(String::new(), |step| {
         format!(": {}", computed_values_clause(step, &evidence.our_ray(pixel)))
     });
-    let [a, b] =
-        [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
+    let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     format!(
         "{} of {} pixels differ, by up to {most} of 255.\n\
          Column {}, row {}: yours is {a}, ours {b}{computed}.\n",

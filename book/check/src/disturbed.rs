@@ -30,9 +30,7 @@ pub(crate) fn rounding_candidate(evidence: &Evidence) -> Option<Explanation<'_>>
 }
 
 /// Rays that go through the pixels half a pixel or a whole one beside their middles.
-pub(crate) fn shifted_ray_candidates(
-    evidence: &Evidence,
-) -> impl Iterator<Item = Explanation<'_>> {
+pub(crate) fn shifted_ray_candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
     evidence.step.into_iter().flat_map(move |step| {
         let halves = [-1.0, -0.5, 0.0, 0.5, 1.0];
         let shifts = halves.into_iter().flat_map(move |u| halves.map(|v| (u, v)));
@@ -86,9 +84,9 @@ pub(crate) fn lossy_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
         *count += 1;
     }
     // The squares at the end of a row may be thin.
-    let is_like_ours = squares.values().all(|(sums, count)| {
-        sums.iter().all(|sum| sum.unsigned_abs() <= MEAN * (*count).max(128))
-    });
+    let is_like_ours = squares
+        .values()
+        .all(|(sums, count)| sums.iter().all(|sum| sum.unsigned_abs() <= MEAN * (*count).max(128)));
     let sums = squares.values().flat_map(|(sums, _)| sums);
     let bias: u64 = sums.map(|sum| sum.unsigned_abs()).sum();
     if !is_like_ours || 3 * distance < 5 * bias {

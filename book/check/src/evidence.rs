@@ -77,27 +77,17 @@ impl Evidence {
     }
 
     /// How many of the pixels in a region are wrong, and how many there are.
-    pub fn count_wrong_and_all(
-        &self,
-        is_in_region: impl Fn(&Pixel) -> bool,
-    ) -> (usize, usize) {
+    pub fn count_wrong_and_all(&self, is_in_region: impl Fn(&Pixel) -> bool) -> (usize, usize) {
         let pixels = self.pixels.iter().filter(|pixel| is_in_region(pixel));
-        pixels.fold((0, 0), |(wrong, all), pixel| {
-            (wrong + usize::from(pixel.is_wrong()), all + 1)
-        })
+        pixels.fold((0, 0), |(wrong, all), pixel| (wrong + usize::from(pixel.is_wrong()), all + 1))
     }
 }
 
 /// Column and row of every pixel, in an order that soon comes to each part of the picture.
-pub(crate) fn scattered_places(
-    columns: u32,
-    rows: u32,
-) -> impl Iterator<Item = (u32, u32)> {
-    let (columns, count) =
-        (u64::from(columns), u64::from(columns) * u64::from(rows));
+pub(crate) fn scattered_places(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
+    let (columns, count) = (u64::from(columns), u64::from(columns) * u64::from(rows));
     // 7919 is a prime, so that it visits every place where it divides no count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
     let place = move |n: u64| n * stride % count;
-    (0..count)
-        .map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
+    (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
 }

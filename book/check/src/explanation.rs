@@ -46,23 +46,16 @@ impl<'a> Explanation<'a> {
 
     /// Number of pixels that have another colour than it gives them; None where these are
     /// too many.
-    fn count_exceptions(
-        &self,
-        evidence: &Evidence,
-        budget: &RayBudget,
-    ) -> Option<usize> {
-        let most_exceptions =
-            evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
-        let most_exceptions =
-            most_exceptions.min(evidence.wrong_pixels().len() / 100);
+    fn count_exceptions(&self, evidence: &Evidence, budget: &RayBudget) -> Option<usize> {
+        let most_exceptions = evidence.pixels.len().checked_div(self.exceptions).unwrap_or(0);
+        let most_exceptions = most_exceptions.min(evidence.wrong_pixels().len() / 100);
         let mut count = 0;
         for pixel in &evidence.pixels {
             if !budget.spend(self.rays) {
                 return None;
             }
             let [low, high] = (self.colours)(pixel);
-            let is_between =
-                (0..3).all(|k| (low[k]..=high[k]).contains(&pixel.yours[k]));
+            let is_between = (0..3).all(|k| (low[k]..=high[k]).contains(&pixel.yours[k]));
             count += usize::from(!is_between);
             if most_exceptions < count {
                 return None;
@@ -114,8 +107,7 @@ pub(crate) fn find_first_that_holds<'a>(
     explanations.find_map(|mut explanation| {
         let exceptions = explanation.count_exceptions(evidence, budget)?;
         if 0 < exceptions {
-            explanation.sentence +=
-                &format!(" All but {exceptions} pixels are so.");
+            explanation.sentence += &format!(" All but {exceptions} pixels are so.");
         }
         Some(explanation)
     })

@@ -33,8 +33,7 @@ impl TableRow {
         let lines = file_text.lines().map(str::trim);
         let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
         let Mistake { file, old, new, .. } = mistake;
-        let all =
-            [&file[..], old, new].into_iter().chain(code).flat_map(str::bytes);
+        let all = [&file[..], old, new].into_iter().chain(code).flat_map(str::bytes);
         (hash_fnv1a(all) >> 32) as u32
     }
 

@@ -1,6 +1,5 @@
 use crate::{
-    Answer, Locked, Step, check_named_scene, check_png, escape_for_terminal,
-    read_bounded_file,
+    Answer, Locked, Step, check_named_scene, check_png, escape_for_terminal, read_bounded_file,
 };
 use live::{NAMED_SCENE_EXAMPLE, json};
 use std::fs;
@@ -13,8 +12,7 @@ const RIGHT: &str = "right";
 const WRONG: &str = "not right";
 
 /// The extensions of files that may have been meant as a picture, or hold some.
-const PICTURE_EXTENSIONS: [&str; 7] =
-    ["png", "jpg", "jpeg", "webp", "gif", "bmp", "zip"];
+const PICTURE_EXTENSIONS: [&str; 7] = ["png", "jpg", "jpeg", "webp", "gif", "bmp", "zip"];
 
 /// The most names that a line tells.
 const NAMES: usize = 8;
@@ -53,11 +51,7 @@ impl Report<'_> {
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
 /// none is there.
-pub fn report_on_folder_or_class(
-    folder: &Path,
-    locked: &[Locked],
-    as_json: bool,
-) -> Answer {
+pub fn report_on_folder_or_class(folder: &Path, locked: &[Locked], as_json: bool) -> Answer {
     let whole = report_on_folder(folder, locked, false);
     let students = match folder.join("Cargo.toml").exists() {
         true => vec![],
@@ -66,8 +60,8 @@ pub fn report_on_folder_or_class(
     let students = students.iter().map(|one| report_on_folder(one, locked, true));
     let students: Vec<_> = students.collect();
     let has_pictures = |report: &Report| report.present().next().is_some();
-    let is_class = !students.is_empty()
-        && (!has_pictures(&whole) || students.iter().any(has_pictures));
+    let is_class =
+        !students.is_empty() && (!has_pictures(&whole) || students.iter().any(has_pictures));
     let stray = if is_class { visible_pictures_in(folder) } else { vec![] };
     let reports = if is_class { students } else { vec![whole] };
     let text = match is_class {
@@ -82,11 +76,7 @@ pub fn report_on_folder_or_class(
 
 /// The verdicts on the pictures of the course in a folder and, if it is a student's, on the
 /// scene of its name.
-fn report_on_folder<'a>(
-    path: &Path,
-    locked: &'a [Locked],
-    is_students: bool,
-) -> Report<'a> {
+fn report_on_folder<'a>(path: &Path, locked: &'a [Locked], is_students: bool) -> Report<'a> {
     let full_path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let folder = name_of_path(&full_path);
     let entry = |Locked { name, .. }: &'a Locked| {
@@ -103,17 +93,14 @@ fn report_on_folder<'a>(
     let folders = visible_folders_in(path);
     let folders = folders
         .iter()
-        .filter(|inner| {
-            is_students && is_empty || !visible_pictures_in(inner).is_empty()
-        })
+        .filter(|inner| is_students && is_empty || !visible_pictures_in(inner).is_empty())
         .map(|inner| format!("{}/", name_of_path(inner)));
     let is_checked = |file: &String| {
         let name = file.strip_suffix(".png").unwrap_or_default();
         entries.iter().any(|entry| entry.picture == name)
     };
     let pictures = visible_pictures_in(path).into_iter();
-    let unchecked =
-        pictures.filter(|file| !is_checked(file)).chain(folders).collect();
+    let unchecked = pictures.filter(|file| !is_checked(file)).chain(folders).collect();
     Report { folder, entries, unchecked }
 }
 
@@ -125,8 +112,7 @@ fn name_of_path(path: &Path) -> String {
 fn visible_paths_in(folder: &Path) -> Vec<PathBuf> {
     let all = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = all.map(|entry| entry.path());
-    let mut paths: Vec<_> =
-        paths.filter(|path| !name_of_path(path).starts_with('.')).collect();
+    let mut paths: Vec<_> = paths.filter(|path| !name_of_path(path).starts_with('.')).collect();
     paths.sort();
     paths
 }
@@ -167,11 +153,7 @@ fn is_missing(path: &Path) -> bool {
 }
 
 /// The verdict on one picture, and what is to be said of it.
-fn check_entry(
-    folder: &Path,
-    name: &str,
-    locked: &[Locked],
-) -> (&'static str, String) {
+fn check_entry(folder: &Path, name: &str, locked: &[Locked]) -> (&'static str, String) {
     let file = format!("{name}.png");
     let path = folder.join(&file);
     if is_missing(&path) {
@@ -225,9 +207,8 @@ fn format_class(students: &[Report], stray: Vec<String>) -> String {
         column(RIGHT, &|student| student.count_right().to_string()),
     ];
     let steps = Step::ALL.map(Step::name);
-    let is_other = |entry: &&Entry| {
-        entry.picture != NAMED_SCENE_EXAMPLE && !steps.contains(&entry.picture)
-    };
+    let is_other =
+        |entry: &&Entry| entry.picture != NAMED_SCENE_EXAMPLE && !steps.contains(&entry.picture);
     let is_present = |name: &str| {
         let mut entries = students.iter().flat_map(Report::present);
         entries.any(|entry| entry.picture == name)
@@ -247,9 +228,9 @@ fn format_class(students: &[Report], stray: Vec<String>) -> String {
             format!("{} of {}", right.count(), others.len())
         }));
     }
-    let widths = columns.iter().map(|column| {
-        column.iter().map(|word| word.chars().count()).max().unwrap_or(0)
-    });
+    let widths = columns
+        .iter()
+        .map(|column| column.iter().map(|word| word.chars().count()).max().unwrap_or(0));
     let widths: Vec<_> = widths.collect();
     let line = |k: usize| {
         let words = columns.iter().zip(&widths);
@@ -280,16 +261,12 @@ fn format_unchecked(mut names: Vec<String>) -> String {
 /// A list of folders, each with the verdict on each picture.
 fn format_json(reports: &[Report]) -> String {
     let entry = |Entry { picture, verdict, text }: &Entry| {
-        let [picture, verdict, text] =
-            [picture, verdict, &text[..]].map(json::quote);
-        format!(
-            "    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}"
-        )
+        let [picture, verdict, text] = [picture, verdict, &text[..]].map(json::quote);
+        format!("    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}")
     };
     let report = |Report { folder, entries, unchecked }: &Report| {
         let entries: Vec<_> = entries.iter().map(entry).collect();
-        let unchecked: Vec<_> =
-            unchecked.iter().map(|name| json::quote(name)).collect();
+        let unchecked: Vec<_> = unchecked.iter().map(|name| json::quote(name)).collect();
         format!(
             "  {{\"folder\": {}, \"pictures\": [\n{}\n  ], \"not_looked_at\": [{}]}}",
             json::quote(folder),

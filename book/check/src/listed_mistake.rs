@@ -11,10 +11,7 @@ const LINES: usize = 4;
 const TITLES: usize = 3;
 
 /// Tells which mistakes of the list give these very pixels.
-pub(crate) fn explain_listed_mistake(
-    yours: &RgbImage,
-    expected_name: &str,
-) -> Option<String> {
+pub(crate) fn explain_listed_mistake(yours: &RgbImage, expected_name: &str) -> Option<String> {
     let mut all = find_mistakes_with_hash(hash_picture(yours));
     if all.iter().any(|(_, name)| name == expected_name) {
         all.retain(|(_, name)| name == expected_name);
@@ -27,8 +24,7 @@ pub(crate) fn explain_listed_mistake(
         ),
     };
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
-    all.iter()
-        .for_each(|(mistake, _)| *files.entry(&mistake.file).or_default() += 1);
+    all.iter().for_each(|(mistake, _)| *files.entry(&mistake.file).or_default() += 1);
     if 1 < files.len() {
         return Some(start + &explain_several_files(all.len(), first, files));
     }
@@ -36,8 +32,7 @@ pub(crate) fn explain_listed_mistake(
         Some(shown) if all.len() == 1 => format!("{}\n", shown.reason),
         _ => String::new(),
     };
-    let titles: Vec<_> =
-        all.iter().take(TITLES).map(|(mistake, _)| mistake.title).collect();
+    let titles: Vec<_> = all.iter().take(TITLES).map(|(mistake, _)| mistake.title).collect();
     let give = match all.len() {
         1 => "this mistake gives".to_owned(),
         count => format!("{count} mistakes in one file give, such as"),
@@ -71,11 +66,7 @@ fn go_back_to_mistake_sentences(mistake: &Mistake) -> String {
 }
 
 /// Tells of mistakes in several files, of which there are so many each.
-fn explain_several_files(
-    count: usize,
-    first: &Mistake,
-    files: BTreeMap<&str, usize>,
-) -> String {
+fn explain_several_files(count: usize, first: &Mistake, files: BTreeMap<&str, usize>) -> String {
     let (mut steps, mut counts) = (vec![], vec![]);
     for (file, count) in files {
         let name = file.rsplit('/').next().unwrap_or_default();

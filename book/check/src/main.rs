@@ -1,8 +1,8 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, Locked, check_named_scene, check_png, escape_for_terminal,
-    locked_names, read_bounded_file, report_on_folder_or_class,
+    Answer, Locked, check_named_scene, check_png, escape_for_terminal, locked_names,
+    read_bounded_file, report_on_folder_or_class,
 };
 use clap::Parser;
 use image::RgbImage;
@@ -55,10 +55,12 @@ fn main() -> ExitCode {
             let (program, _) = live::draw_named_scene(&scene);
             Ok(Answer::new(0, program))
         }
-        (None, None) => Locked::read_verified()
-            .and_then(|locked| check_folder(&folder, &locked, json)),
-        (None, Some(file)) => Locked::read_verified()
-            .and_then(|locked| check_file(&file, name.as_deref(), &locked)),
+        (None, None) => {
+            Locked::read_verified().and_then(|locked| check_folder(&folder, &locked, json))
+        }
+        (None, Some(file)) => {
+            Locked::read_verified().and_then(|locked| check_file(&file, name.as_deref(), &locked))
+        }
     };
     let Answer { code, text, .. } =
         result.unwrap_or_else(|what| Answer::new(2, format!("error: {what}")));
@@ -71,11 +73,7 @@ fn main() -> ExitCode {
 }
 
 /// Looks at every picture of the course in a folder.
-fn check_folder(
-    folder: &Path,
-    locked: &[Locked],
-    json: bool,
-) -> Result<Answer, String> {
+fn check_folder(folder: &Path, locked: &[Locked], json: bool) -> Result<Answer, String> {
     if !folder.is_dir() {
         let printable_path = escape_for_terminal(&folder.display().to_string());
         return Err(format!("{printable_path} is not a folder"));
@@ -84,11 +82,7 @@ fn check_folder(
 }
 
 /// Looks at one picture, and saves the difference.
-fn check_file(
-    file: &Path,
-    name: Option<&str>,
-    locked: &[Locked],
-) -> Result<Answer, String> {
+fn check_file(file: &Path, name: Option<&str>, locked: &[Locked]) -> Result<Answer, String> {
     let png = read_bounded_file(file)?;
     let mut answer = check_png(&png, &file.display().to_string(), name, locked);
     if let Some(difference) = &answer.difference {

@@ -2,8 +2,7 @@ use crate::Step;
 use crate::evidence::Evidence;
 use crate::explanation::Explanation;
 use crate::step_scene::{
-    ENCODE, LIGHTS, Scene, intensity_function, object_name_with_article,
-    scene_of_step,
+    ENCODE, LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
 };
 use step05_phong::terms;
 
@@ -24,9 +23,7 @@ pub(crate) fn missing_object_candidates(
             (k..k + 1, format!("In your picture {name} is missing."))
         });
         let only_first = (1..count - 1).map(move |first| {
-            let sentence = format!(
-                "In your picture only the first {first} objects are there."
-            );
+            let sentence = format!("In your picture only the first {first} objects are there.");
             (first..count, sentence)
         });
         one_missing.chain(only_first).map(move |(missing, sentence)| {
@@ -43,17 +40,13 @@ pub(crate) fn missing_object_candidates(
 
 /// Explanations, not yet tried: terms of the light left out or counted twice; first those
 /// of which few are changed.
-pub(crate) fn term_candidates(
-    evidence: &Evidence,
-) -> impl Iterator<Item = Explanation<'_>> {
+pub(crate) fn term_candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
     let step = evidence.step.filter(|step| Step::Diffuse <= *step);
     step.into_iter().flat_map(move |step| {
         let names = names_and_files_of_terms(step);
         let count = names.len() as u32;
         let mut all: Vec<Vec<u32>> = (0..3_u32.pow(count))
-            .map(|choice| {
-                (0..count).map(|k| (choice / 3_u32.pow(k) + 1) % 3).collect()
-            })
+            .map(|choice| (0..count).map(|k| (choice / 3_u32.pow(k) + 1) % 3).collect())
             .collect();
         all.sort_by_key(|factors| factors.iter().filter(|one| **one != 1).count());
         let changed = all.into_iter().skip(1);
@@ -63,16 +56,13 @@ pub(crate) fn term_candidates(
 
 /// The terms of a step: the ambient one, those of each light, and their files.
 fn names_and_files_of_terms(step: Step) -> Vec<(String, &'static str)> {
-    let mut all =
-        vec![("the ambient term".to_owned(), "step04_diffuse/ambient.rs")];
+    let mut all = vec![("the ambient term".to_owned(), "step04_diffuse/ambient.rs")];
     for (kind, since, file) in [
         ("diffuse", Step::Diffuse, "step04_diffuse/diffuse.rs"),
         ("specular", Step::Phong, "step05_phong/specular.rs"),
     ] {
         let lights = LIGHTS.iter().filter(|_| since <= step);
-        all.extend(
-            lights.map(|light| (format!("the {kind} term of {light}"), file)),
-        );
+        all.extend(lights.map(|light| (format!("the {kind} term of {light}"), file)));
     }
     all
 }
@@ -89,8 +79,7 @@ fn term_candidate<'a>(
         0 => format!("without {name}"),
         _ => format!("with {name} twice"),
     });
-    let sentence =
-        format!("Your picture is ours {}.", words.collect::<Vec<_>>().join(", "));
+    let sentence = format!("Your picture is ours {}.", words.collect::<Vec<_>>().join(", "));
     let mut files: Vec<_> = changed.map(|((_, file), _)| *file).collect();
     files.push(match step {
         Step::Phong => "step05_phong/phong.rs",
@@ -98,25 +87,14 @@ fn term_candidate<'a>(
     });
     files.dedup();
     let ours = scene_of_step(step);
-    let scenes =
-        [0, 1].map(|k| Scene { lights: vec![ours.lights[k]], ..ours.clone() });
+    let scenes = [0, 1].map(|k| Scene { lights: vec![ours.lights[k]], ..ours.clone() });
     let mut explanation = Explanation::exact(sentence, &files, move |pixel| {
         let ray = evidence.our_ray(pixel);
-        let [Some(warm), Some(cool)] = [0, 1].map(|k| terms(&scenes[k], &ray))
-        else {
+        let [Some(warm), Some(cool)] = [0, 1].map(|k| terms(&scenes[k], &ray)) else {
             return pixel.ours;
         };
-        let terms = [
-            warm.ambient,
-            warm.diffuse,
-            cool.diffuse,
-            warm.specular,
-            cool.specular,
-        ];
-        let scaled = terms
-            .iter()
-            .zip(&factors)
-            .map(|(term, factor)| *term * f64::from(*factor));
+        let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
+        let scaled = terms.iter().zip(&factors).map(|(term, factor)| *term * f64::from(*factor));
         ENCODE(scaled.sum())
     });
     explanation.rays = 2;

@@ -64,18 +64,16 @@ pub fn mistakes() -> Vec<Mistake> {
 fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
     let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
-        let lines =
-            marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
+        let lines = marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
         lines.map(|line| line.strip_prefix(' ').unwrap_or(line))
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
     let step_of_file = Step::from_path(file);
-    let pictures =
-        marked('!').filter_map(|picture| match picture.split_once(' ') {
-            Some((name, step)) => Some((name, Step::from_path(step)?)),
-            None => Some((picture, step_of_file?)),
-        });
+    let pictures = marked('!').filter_map(|picture| match picture.split_once(' ') {
+        Some((name, step)) => Some((name, Step::from_path(step)?)),
+        None => Some((picture, step_of_file?)),
+    });
     let pictures: Vec<_> = pictures.collect();
     let book_entry = (!pictures.is_empty()).then(|| BookEntry {
         pictures,
@@ -115,8 +113,7 @@ impl Mistake {
     /// once.
     pub fn apply_and_unindent(&self, file_text: &str) -> Option<String> {
         let bare = |file_text: &str| {
-            let lines: Vec<_> =
-                file_text.split('\n').map(str::trim_start).collect();
+            let lines: Vec<_> = file_text.split('\n').map(str::trim_start).collect();
             lines.join("\n")
         };
         let (file_text, old) = (bare(file_text), bare(&self.old));

@@ -5,15 +5,13 @@ use std::path::Path;
 /// Tells whether the picture in a file is the scene that belongs to a name; an error is a
 /// sentence about why the file is no picture.
 pub fn check_named_scene(name: &str, file: &Path) -> Result<Answer, String> {
-    let yours = read_png(&read_bounded_file(file)?).map_err(|what| {
-        format!("{} {what}", escape_for_terminal(&file.display().to_string()))
-    })?;
+    let yours = read_png(&read_bounded_file(file)?)
+        .map_err(|what| format!("{} {what}", escape_for_terminal(&file.display().to_string())))?;
     let (_, ours) = live::draw_named_scene(name);
     let name = escape_for_terminal(name);
     let differ = match Difference::between(&ours, &yours.pixels) {
         None => {
-            let text =
-                format!("Right: this is the scene of {name}, in every pixel.");
+            let text = format!("Right: this is the scene of {name}, in every pixel.");
             return Ok(Answer::new(0, text));
         }
         Some(Difference::Size((w, h), (columns, rows))) => {

@@ -15,10 +15,7 @@ const ALL_RAYS: u32 = 4 * RAYS;
 
 /// Sentences about a picture that our own step draws with other options: another size, field
 /// of view or number of samples.
-pub(crate) fn describe_other_options(
-    step: Step,
-    yours: &RgbImage,
-) -> Option<String> {
+pub(crate) fn describe_other_options(step: Step, yours: &RgbImage) -> Option<String> {
     let (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
@@ -35,8 +32,7 @@ pub(crate) fn describe_other_options(
         ENCODE(sum / f64::from(samples * samples))
     };
     let budget = RayBudget::new(ALL_RAYS);
-    let mut places: Vec<_> =
-        scattered_places(columns, rows).take(RAYS as usize).collect();
+    let mut places: Vec<_> = scattered_places(columns, rows).take(RAYS as usize).collect();
     for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
         let fov_degrees = f64::from(tenths) / 10.0;
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
@@ -51,18 +47,11 @@ pub(crate) fn describe_other_options(
             let mut asked = places[..compared].iter();
             let wrong = asked.position(|(i, j)| {
                 !budget.spend(rays)
-                    || colour(&camera, samples, (*i, *j))
-                        != yours.get_pixel(*i, *j).0
+                    || colour(&camera, samples, (*i, *j)) != yours.get_pixel(*i, *j).0
             });
             match wrong {
                 None => {
-                    return Some(sentences(
-                        step,
-                        yours,
-                        fov_degrees,
-                        samples,
-                        compared,
-                    ));
+                    return Some(sentences(step, yours, fov_degrees, samples, compared));
                 }
                 // A pixel that tells of one mostly tells of the next, and is asked first.
                 Some(k) => places.swap(0, k),
@@ -86,10 +75,9 @@ fn sentences(
         all => format!("in the {compared} pixels of {all} that were compared"),
     };
     let hint = match find_mistakes_with_hash(hash_picture(yours)).first() {
-        Some((mistake, _)) => format!(
-            "Did you give none? Then it may be this: {} ({}).",
-            mistake.title, mistake.file
-        ),
+        Some((mistake, _)) => {
+            format!("Did you give none? Then it may be this: {} ({}).", mistake.title, mistake.file)
+        }
         None => "Did you give none? Then compare with camera.rs, render.rs, aspect_ratio.rs \
                  and program.rs in steps/step01_rays/src."
             .to_owned(),

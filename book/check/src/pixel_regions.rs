@@ -60,17 +60,14 @@ pub(crate) fn computed_values_clause(step: Step, ray: &Ray) -> String {
         for (light, name) in scene.lights.iter().zip(LIGHTS) {
             let to_light = light.point_light.position - p;
             let (l, d) = (to_light.normalize(), to_light.length());
-            text += &format!(
-                "; {name}: n·l = {}, d = {d:.4}",
-                format_4_decimals(n.dot(l))
-            );
+            text += &format!("; {name}: n·l = {}, d = {d:.4}", format_4_decimals(n.dot(l)));
         }
     }
     if step == Step::Phong
         && let Some(terms) = terms(&scene, ray)
     {
-        let [a, d, s] = [terms.ambient, terms.diffuse, terms.specular]
-            .map(format_vector_4_decimals);
+        let [a, d, s] =
+            [terms.ambient, terms.diffuse, terms.specular].map(format_vector_4_decimals);
         text += &format!(";\n  I_a = {a}, I_d = {d}, I_s = {s}");
     }
     text

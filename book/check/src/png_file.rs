@@ -36,8 +36,7 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     limits.max_image_width = Some(LARGEST);
     limits.max_image_height = Some(LARGEST);
     limits.max_alloc = Some(FILE_BYTES);
-    let mut decoder = PngDecoder::with_limits(Cursor::new(file), limits)
-        .map_err(damage_clause)?;
+    let mut decoder = PngDecoder::with_limits(Cursor::new(file), limits).map_err(damage_clause)?;
     let mut notes = viewer_notes(&mut decoder).map_err(damage_clause)?;
     let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
     let alpha = picture.color().has_alpha().then(|| picture.to_rgba8());
@@ -62,9 +61,7 @@ pub(crate) fn too_large_clause() -> String {
 /// Says what a decoder's error means for the file.
 fn damage_clause(error: ImageError) -> String {
     let cause = match error {
-        ImageError::Limits(error)
-            if error.kind() == LimitErrorKind::DimensionError =>
-        {
+        ImageError::Limits(error) if error.kind() == LimitErrorKind::DimensionError => {
             return format!(
                 "is too large: pictures of up to {LARGEST}×{LARGEST} pixels are looked at"
             );
@@ -81,16 +78,11 @@ fn damage_clause(error: ImageError) -> String {
 }
 
 /// Sentences about what a viewer may show otherwise, and what was left out.
-fn viewer_notes(
-    decoder: &mut PngDecoder<Cursor<&[u8]>>,
-) -> Result<Vec<&'static str>, ImageError> {
+fn viewer_notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, ImageError> {
     let colour = decoder.color_type();
     let bits = colour.bytes_per_pixel() / colour.channel_count();
     let notes = [
-        (
-            !colour.has_color(),
-            "The file is grey: it has one number a pixel, and ours has three.",
-        ),
+        (!colour.has_color(), "The file is grey: it has one number a pixel, and ours has three."),
         (bits == 2, "The file has 16 bits a channel; they were rounded to 8."),
         (
             decoder.icc_profile()?.is_some(),
@@ -101,14 +93,7 @@ fn viewer_notes(
             decoder.orientation()? != Orientation::NoTransforms,
             "Its EXIF data asks a viewer to turn it; that was left out.",
         ),
-        (
-            decoder.is_apng()?,
-            "It is an animation: only its first picture was looked at.",
-        ),
+        (decoder.is_apng()?, "It is an animation: only its first picture was looked at."),
     ];
-    Ok(notes
-        .into_iter()
-        .filter(|(is_so, _)| *is_so)
-        .map(|(_, note)| note)
-        .collect())
+    Ok(notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect())
 }

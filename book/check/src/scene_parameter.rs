@@ -2,8 +2,7 @@ use crate::Step;
 use crate::evidence::{Evidence, Pixel};
 use crate::explanation::Explanation;
 use crate::step_scene::{
-    ENCODE, LIGHTS, Scene, intensity_function, object_name_with_article,
-    scene_of_step,
+    ENCODE, LIGHTS, Scene, intensity_function, object_name_with_article, scene_of_step,
 };
 use step05_phong::Matte;
 
@@ -113,8 +112,7 @@ const PARAMETERS: [Parameter; 10] = [
             [attenuation.a, attenuation.b, attenuation.c]
         },
         set: |scene, k, [a, b, c]| {
-            scene.lights[k].point_light.attenuation =
-                step05_phong::Attenuation { a, b, c };
+            scene.lights[k].point_light.attenuation = step05_phong::Attenuation { a, b, c };
         },
         ..DIFFUSE
     },
@@ -153,23 +151,16 @@ pub(crate) fn changed_number_candidates(
     step.into_iter().flat_map(move |step| {
         let parameters = PARAMETERS.iter().filter(move |one| one.since <= step);
         parameters.flat_map(move |parameter| {
-            let names =
-                names_of_kind(parameter.owner, step).into_iter().enumerate();
+            let names = names_of_kind(parameter.owner, step).into_iter().enumerate();
             names
                 .filter(|(k, _)| may_cause_wrong_pixels(parameter, *k, evidence))
-                .flat_map(move |(k, name)| {
-                    number_candidates(evidence, step, parameter, k, &name)
-                })
+                .flat_map(move |(k, name)| number_candidates(evidence, step, parameter, k, &name))
         })
     })
 }
 
 /// Whether all wrong pixels are where the parameter of owner `k` can change one.
-fn may_cause_wrong_pixels(
-    parameter: &Parameter,
-    owner_index: usize,
-    evidence: &Evidence,
-) -> bool {
+fn may_cause_wrong_pixels(parameter: &Parameter, owner_index: usize, evidence: &Evidence) -> bool {
     let is_shape = parameter.since == Step::Sphere;
     evidence.wrong_pixels().iter().all(|pixel| match parameter.owner {
         OwnerKind::Object if is_shape => true,
@@ -196,9 +187,7 @@ fn number_candidates<'a>(
     let some = evidence.some_wrong_pixels(FIRST);
     let fits = all_with_one_number_changed(parameter, old).into_iter();
     let fits = fits.map(|new| (new, draw_with(new)));
-    let fits = fits.filter(|(_, colour)| {
-        some.iter().all(|pixel| colour(pixel) == pixel.yours)
-    });
+    let fits = fits.filter(|(_, colour)| some.iter().all(|pixel| colour(pixel) == pixel.yours));
     let fits: Vec<_> = fits.take(MOST_NUMBERS).collect();
     let file = match step {
         Step::Sphere => "step02_sphere/picture.rs",
@@ -207,8 +196,7 @@ fn number_candidates<'a>(
     let preposition = if parameter.name.is_empty() { "at " } else { "" };
     let verb = if fits.len() == 1 { "is" } else { "may be" };
     let explanation = |(new, colour)| {
-        let [new, old] =
-            [new, old].map(|one: [f64; 3]| format_numbers(&one[..parameter.count]));
+        let [new, old] = [new, old].map(|one: [f64; 3]| format_numbers(&one[..parameter.count]));
         let sentence = format!(
             "In your picture {}{owner_name} {verb} {preposition}{new}; it should be \
              {preposition}{old}.",
@@ -232,13 +220,9 @@ fn names_of_kind(owner: OwnerKind, step: Step) -> Vec<String> {
 }
 
 /// A parameter with one of its numbers changed, the nearest first.
-fn all_with_one_number_changed(
-    parameter: &Parameter,
-    old: [f64; 3],
-) -> Vec<[f64; 3]> {
+fn all_with_one_number_changed(parameter: &Parameter, old: [f64; 3]) -> Vec<[f64; 3]> {
     let (start, end, parts) = parameter.range;
-    let values = (start * parts..=end * parts)
-        .map(|value| f64::from(value) / f64::from(parts));
+    let values = (start * parts..=end * parts).map(|value| f64::from(value) / f64::from(parts));
     let mut all = vec![];
     for k in 0..parameter.count {
         all.extend(values.clone().filter(|value| *value != old[k]).map(|value| {

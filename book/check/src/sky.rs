@@ -26,20 +26,14 @@ fn fit_plane(points: &[(DVec3, f64)]) -> Option<DVec3> {
         (plane.dot(*place) - value).abs() < limit
     };
     // The best of some planes through three points each.
-    let samples: Vec<_> =
-        points.iter().step_by(points.len().div_ceil(400)).collect();
+    let samples: Vec<_> = points.iter().step_by(points.len().div_ceil(400)).collect();
     let through = |k: usize| {
-        let three =
-            [k, 7 * k + 131, 31 * k + 270].map(|n| samples[n * 17 % samples.len()]);
+        let three = [k, 7 * k + 131, 31 * k + 270].map(|n| samples[n * 17 % samples.len()]);
         let [p, q, r] = three.map(|point| point.0);
         let inverse = DMat3::from_cols(p, q, r).transpose().inverse();
-        inverse
-            .is_finite()
-            .then(|| inverse * DVec3::from_array(three.map(|point| point.1)))
+        inverse.is_finite().then(|| inverse * DVec3::from_array(three.map(|point| point.1)))
     };
-    let count = |plane: &DVec3| {
-        samples.iter().filter(|point| is_on(*plane, 0.004, point)).count()
-    };
+    let count = |plane: &DVec3| samples.iter().filter(|point| is_on(*plane, 0.004, point)).count();
     let mut plane = (0..400).filter_map(through).max_by_key(count)?;
     for limit in LIMITS {
         let (mut matrix, mut right, mut count) = (DMat3::ZERO, DVec3::ZERO, 0);
@@ -102,10 +96,8 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
         }
         let yours = [rows[0][k], rows[1][k]];
         if yours != right {
-            let [[a, b], [c, d]] =
-                [yours, right].map(|pair| pair.map(format_4_or_6_decimals));
-            clauses
-                .push(format!("x and y of {name} are ({a}, {b}), not ({c}, {d})"));
+            let [[a, b], [c, d]] = [yours, right].map(|pair| pair.map(format_4_or_6_decimals));
+            clauses.push(format!("x and y of {name} are ({a}, {b}), not ({c}, {d})"));
         }
     }
     if clauses.is_empty() {
@@ -126,15 +118,13 @@ pub(crate) fn camera_candidate(evidence: &Evidence) -> Option<Explanation<'_>> {
     let matrix = DMat3::from_cols(x, y, z).transpose();
     let camera = Camera { matrix, ..ours };
     let intensity = intensity_function(step, &scene_of_step(step));
-    let mut explanation =
-        Explanation::within_range(sentence, files, move |pixel| {
-            let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
-            let offsets = [0.0, MAX_PIXEL_OFFSET, -MAX_PIXEL_OFFSET].map(|slack| {
-                [(i + slack, j), (i, j + slack)]
-                    .map(|(i, j)| ENCODE(intensity(&camera.ray(i, j))))
-            });
-            range_with_margin(offsets.as_flattened(), 1)
+    let mut explanation = Explanation::within_range(sentence, files, move |pixel| {
+        let (i, j) = (f64::from(pixel.i), f64::from(pixel.j));
+        let offsets = [0.0, MAX_PIXEL_OFFSET, -MAX_PIXEL_OFFSET].map(|slack| {
+            [(i + slack, j), (i, j + slack)].map(|(i, j)| ENCODE(intensity(&camera.ray(i, j))))
         });
+        range_with_margin(offsets.as_flattened(), 1)
+    });
     explanation.rays = 6;
     // An edge may lie between two of these places: some pixels may differ.
     explanation.exceptions = 2000;
@@ -151,11 +141,8 @@ fn format_4_or_6_decimals(number: f64) -> String {
 
 /// Explanations, not yet tried: the sky of another colour, whose channels are planes in V
 /// or in V/|V|; objects as ours.
-pub(crate) fn sky_colour_candidates(
-    evidence: &Evidence,
-) -> impl Iterator<Item = Explanation<'_>> {
-    let is_asked = evidence.step.is_some()
-        && evidence.wrong_pixels().iter().all(Pixel::is_sky);
+pub(crate) fn sky_colour_candidates(evidence: &Evidence) -> impl Iterator<Item = Explanation<'_>> {
+    let is_asked = evidence.step.is_some() && evidence.wrong_pixels().iter().all(Pixel::is_sky);
     let directions = ["V", "V/|V|"].into_iter().filter(move |_| is_asked);
     directions.filter_map(move |name| {
         let place = move |pixel: &Pixel| {
@@ -175,8 +162,7 @@ pub(crate) fn sky_colour_candidates(
             words.join(", ")
         );
         // A V that is longer, but not another way, looks the same.
-        let is_scaled =
-            planes[..2].iter().all(|plane| (plane.z - 0.7).abs() < 0.01);
+        let is_scaled = planes[..2].iter().all(|plane| (plane.z - 0.7).abs() < 0.01);
         let files: &[_] = match (is_alone, is_scaled) {
             (_, true) => &[SKY, CAMERA],
             (true, _) => &[SKY, RGB8],
@@ -184,8 +170,7 @@ pub(crate) fn sky_colour_candidates(
         };
         Some(Explanation::within_range(sentence, files, move |pixel| {
             let colour = match pixel.is_sky() {
-                true => planes
-                    .map(|plane| (255.0 * plane.dot(place(pixel))).round() as u8),
+                true => planes.map(|plane| (255.0 * plane.dot(place(pixel))).round() as u8),
                 false => return [pixel.ours; 2],
             };
             range_with_margin(&[colour], 1)

@@ -27,8 +27,7 @@ pub fn source_refs() -> impl Iterator<Item = SourceRef> {
 
 /// The place `name`, such as `step01_rays/camera.rs`.
 pub(crate) fn find_source_ref(name: &str) -> Option<SourceRef> {
-    source_refs()
-        .find(|place| format!("{}/{}", place.step.name(), place.file) == name)
+    source_refs().find(|place| format!("{}/{}", place.step.name(), place.file) == name)
 }
 
 impl SourceRef {
@@ -73,8 +72,7 @@ pub(crate) fn test_command_sentence(steps: &[Step]) -> String {
     let mut steps = steps.to_vec();
     steps.sort();
     steps.dedup();
-    let packages: Vec<_> =
-        steps.iter().map(|step| format!("-p {}", step.name())).collect();
+    let packages: Vec<_> = steps.iter().map(|step| format!("-p {}", step.name())).collect();
     let ends = if steps.len() == 1 { "the step" } else { "each step" };
     format!(
         "The tests by hand that you type at the end of {ends} name the function: cargo \

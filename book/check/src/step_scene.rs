@@ -20,8 +20,7 @@ pub(crate) const LIGHTS: [&str; 2] = ["the warm light", "the cool light"];
 
 /// The name of object `k` of a step, with its article.
 pub(crate) fn object_name_with_article(step: Step, object_index: usize) -> String {
-    let name =
-        if step == Step::Sphere { "sphere" } else { OBJECTS[object_index].name };
+    let name = if step == Step::Sphere { "sphere" } else { OBJECTS[object_index].name };
     format!("the {name}")
 }
 
@@ -40,16 +39,11 @@ pub(crate) fn scene_of_step(step: Step) -> Scene {
 }
 
 /// The intensity that a ray gets of a scene, by the functions of a step.
-pub(crate) fn intensity_function(
-    step: Step,
-    scene: &Scene,
-) -> Box<dyn Fn(&Ray) -> DVec3> {
+pub(crate) fn intensity_function(step: Step, scene: &Scene) -> Box<dyn Fn(&Ray) -> DVec3> {
     match step {
         Step::Rays => Box::new(step01_rays::direction_colour),
         Step::Sphere => match scene.objects.first().map(|object| object.sphere) {
-            Some(sphere) => {
-                Box::new(move |ray| step02_sphere::colour(&sphere, ray))
-            }
+            Some(sphere) => Box::new(move |ray| step02_sphere::colour(&sphere, ray)),
             None => Box::new(step01_rays::direction_colour),
         },
         Step::Nearest => {
@@ -61,10 +55,8 @@ pub(crate) fn intensity_function(
             Box::new(move |ray| step03_nearest::colour(&flat, ray))
         }
         Step::Diffuse => {
-            let matte = scene
-                .objects
-                .iter()
-                .map(|object| object.with_material(object.material.matte));
+            let matte =
+                scene.objects.iter().map(|object| object.with_material(object.material.matte));
             let matte = step04_diffuse::Scene {
                 objects: matte.collect(),
                 ambient_light: scene.ambient_light,
@@ -81,8 +73,7 @@ pub(crate) fn intensity_function(
 
 /// The t and the number of each object that a ray meets, the nearest first.
 pub(crate) fn hits_nearest_first(scene: &Scene, ray: &Ray) -> Vec<(f64, usize)> {
-    let hit =
-        |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
+    let hit = |k: usize| Some((scene.objects[k].sphere.intersect(ray).first_hit()?, k));
     let mut hits: Vec<_> = (0..scene.objects.len()).filter_map(hit).collect();
     hits.sort_by(|a, b| a.0.total_cmp(&b.0));
     hits

@@ -20,9 +20,7 @@ const TURNS: [(&str, Turn); 8] = [
     (" transposed, its rows as columns", |ours| {
         imageops::flip_horizontal(&imageops::rotate90(ours))
     }),
-    (" transposed and turned", |ours| {
-        imageops::flip_vertical(&imageops::rotate90(ours))
-    }),
+    (" transposed and turned", |ours| imageops::flip_vertical(&imageops::rotate90(ours))),
 ];
 
 /// The orders of red, green and blue.
@@ -82,9 +80,7 @@ pub(crate) fn crop_or_scale_clause(
     let (w, h) = yours.dimensions();
     if let Some((i, j)) = find_corner_of_part(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
-        return Some(format!(
-            ", cut out: its columns {i} to {right} and rows {j} to {low}"
-        ));
+        return Some(format!(", cut out: its columns {i} to {right} and rows {j} to {low}"));
     }
     if let Some((i, j)) = find_corner_of_part(ours, yours) {
         return Some(format!(
@@ -92,11 +88,9 @@ pub(crate) fn crop_or_scale_clause(
         ));
     }
     let (our_columns, our_rows) = ours.dimensions();
-    let is_scaled = w * h <= 9 * our_columns * our_rows
-        && is_scaled_copy(yours, ours, ours_at_size);
-    is_scaled.then(|| {
-        format!(", scaled, {our_columns}×{our_rows} pixels made into {w}×{h}")
-    })
+    let is_scaled =
+        w * h <= 9 * our_columns * our_rows && is_scaled_copy(yours, ours, ours_at_size);
+    is_scaled.then(|| format!(", scaled, {our_columns}×{our_rows} pixels made into {w}×{h}"))
 }
 
 /// The corner of the place in `whole` where all pixels of `part` are.
@@ -112,8 +106,7 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
         start..start + 3 * count as usize
     };
     let is_there = |(i, j): (u32, u32), (k, l): (u32, u32), count: u32| {
-        whole.as_raw()[row(whole, i + k, j + l, count)]
-            == part.as_raw()[row(part, k, l, count)]
+        whole.as_raw()[row(whole, i + k, j + l, count)] == part.as_raw()[row(part, k, l, count)]
     };
     let pieces = (0..h).flat_map(|j| (0..w / PIECE).map(move |k| (PIECE * k, j)));
     let colours = |(i, j): &(u32, u32)| {
@@ -130,11 +123,7 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
 
 /// Whether the picture is nearer to ours scaled than to what is drawn at its size, and
 /// nowhere brighter or darker than what is there in ours allows.
-fn is_scaled_copy(
-    yours: &RgbImage,
-    ours: &RgbImage,
-    ours_at_size: Option<&RgbImage>,
-) -> bool {
+fn is_scaled_copy(yours: &RgbImage, ours: &RgbImage, ours_at_size: Option<&RgbImage>) -> bool {
     let (w, h) = yours.dimensions();
     let mean_difference = |picture: &RgbImage| {
         let bytes = yours.as_raw().iter().zip(picture.as_raw());
@@ -170,8 +159,7 @@ fn is_scaled_copy(
         (0..3).all(|c| {
             let [low, high] = range[c];
             let overshoot = 3 + (high - low) / 4;
-            low.saturating_sub(overshoot) <= pixel[c]
-                && pixel[c] <= high.saturating_add(overshoot)
+            low.saturating_sub(overshoot) <= pixel[c] && pixel[c] <= high.saturating_add(overshoot)
         })
     })
 }

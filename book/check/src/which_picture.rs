@@ -32,10 +32,7 @@ fn contains_whole_word(text: &str, word: &str) -> bool {
 }
 
 /// The picture that is most like yours, whatever its size.
-pub(crate) fn find_most_similar<'a>(
-    yours: &RgbImage,
-    candidates: &[&'a Locked],
-) -> &'a Locked {
+pub(crate) fn find_most_similar<'a>(yours: &RgbImage, candidates: &[&'a Locked]) -> &'a Locked {
     let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
     let yours = small(yours);
     let distance = |candidate: &&&Locked| {

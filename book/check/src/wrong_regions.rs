@@ -3,8 +3,7 @@ use crate::evidence::{Evidence, Pixel};
 use crate::pixel_regions::Region;
 use crate::source_ref::test_command_sentence;
 use crate::step_scene::{
-    ENCODE, LIGHTS, OBJECT_COUNT, intensity_function, object_name_with_article,
-    scene_of_step,
+    ENCODE, LIGHTS, OBJECT_COUNT, intensity_function, object_name_with_article, scene_of_step,
 };
 
 /// The most regions of which the wrong pixels are told.
@@ -37,9 +36,8 @@ pub(crate) fn describe_wrong_regions(evidence: &Evidence, step: Step) -> String 
         text += &sentence_of_wrong_objects(evidence, step);
     }
     let sky = intensity_function(Step::Rays, &scene_of_step(Step::Rays));
-    let shows_sky = |pixel: &&Pixel| {
-        !pixel.is_sky() && ENCODE(sky(&evidence.our_ray(pixel))) == pixel.yours
-    };
+    let shows_sky =
+        |pixel: &&Pixel| !pixel.is_sky() && ENCODE(sky(&evidence.our_ray(pixel))) == pixel.yours;
     match evidence.wrong_pixels().iter().filter(shows_sky).count() {
         0 => {}
         count => text += &format!("{count} pixels of objects show the sky.\n"),
@@ -54,15 +52,10 @@ fn sentence_of_wrong_objects(evidence: &Evidence, step: Step) -> String {
         let objects = evidence.wrong_pixels().iter().map(|one| one.region.object);
         objects.flatten().any(|object| usize::from(object) == *k)
     };
-    let names: Vec<_> = (0..OBJECT_COUNT)
-        .filter(is_wrong)
-        .map(|k| object_name_with_article(step, k))
-        .collect();
+    let names: Vec<_> =
+        (0..OBJECT_COUNT).filter(is_wrong).map(|k| object_name_with_article(step, k)).collect();
     match names.len() {
-        1..=3 => format!(
-            "Of the objects, only these have wrong pixels: {}.\n",
-            names.join(", ")
-        ),
+        1..=3 => format!("Of the objects, only these have wrong pixels: {}.\n", names.join(", ")),
         _ => String::new(),
     }
 }
@@ -75,8 +68,7 @@ fn named_regions(step: Step) -> Vec<(String, InRegion)> {
         vec![("the sky".to_owned(), Box::new(Pixel::is_sky))];
     if step < Step::Diffuse {
         regions.extend((0..scene_of_step(step).objects.len()).map(|k| {
-            let is_object: InRegion =
-                Box::new(move |pixel| pixel.region.object == Some(k as u8));
+            let is_object: InRegion = Box::new(move |pixel| pixel.region.object == Some(k as u8));
             (object_name_with_article(step, k), is_object)
         }));
         return regions;
@@ -93,10 +85,7 @@ fn named_regions(step: Step) -> Vec<(String, InRegion)> {
         (format!("what {} alone reaches{without}", LIGHTS[0]), lit([true, false])),
         (format!("what {} alone reaches{without}", LIGHTS[1]), lit([false, true])),
         (format!("what both lights reach{without}"), lit([true; 2])),
-        (
-            "where highlights may be".to_owned(),
-            Box::new(|pixel| pixel.region.in_highlight),
-        ),
+        ("where highlights may be".to_owned(), Box::new(|pixel| pixel.region.in_highlight)),
     ]);
     regions
 }

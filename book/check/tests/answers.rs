@@ -1,8 +1,8 @@
 //! What is said of pictures, by the lines of an answer.
 
 use crate::{
-    PhongScene, assert_answer_contains, draw_changed_step05, locked,
-    locked_picture, text_of_wrong_picture,
+    PhongScene, assert_answer_contains, draw_changed_step05, locked, locked_picture,
+    text_of_wrong_picture,
 };
 use check::{Step, check_picture, default_camera};
 use glam::DVec3;
@@ -41,11 +41,7 @@ fn picture_with_other_options_names_them() {
     }
     let mut picture = Step::Phong.draw_picture(&default_camera(320, 180), 1);
     picture.put_pixel(9, 9, Rgb([0; 3]));
-    assert_answer_contains(
-        &picture,
-        "step05_phong",
-        &["draw it with the default options"],
-    );
+    assert_answer_contains(&picture, "step05_phong", &["draw it with the default options"]);
 }
 
 #[test]
@@ -68,10 +64,7 @@ fn turned_scaled_or_recoloured_picture_is_named() {
             (mapped(&ours, &|[_, g, _]| [g; 3]), "grey in every pixel"),
             (mapped(&ours, &|_| [7, 8, 9]), "one colour, (7, 8, 9)"),
             (resize(&ours, 240, 135, FilterType::Triangle), "made into 240×135"),
-            (
-                resize(&ours, 1280, 720, FilterType::CatmullRom),
-                "made into 1280×720",
-            ),
+            (resize(&ours, 1280, 720, FilterType::CatmullRom), "made into 1280×720"),
             (crop_imm(&ours, 100, 150, 300, 200).to_image(), "columns 100 to 399"),
             (shot, "from column 30 and row 60 on"),
         ] {
@@ -94,11 +87,7 @@ fn turned_scaled_or_recoloured_picture_is_named() {
 fn screenshot_of_a_flat_picture_is_found() {
     let mut shot = RgbImage::from_pixel(656, 404, Rgb([90; 3]));
     overlay(&mut shot, &locked_picture("step03_nearest"), 8, 36);
-    assert_answer_contains(
-        &shot,
-        "step03_nearest",
-        &["from column 8 and row 36 on"],
-    );
+    assert_answer_contains(&shot, "step03_nearest", &["from column 8 and row 36 on"]);
 }
 
 #[test]
@@ -107,25 +96,15 @@ fn one_wrong_number_is_named_with_its_owner() {
                   −1.12, −5.8)";
     let cases: [(Change, &str); 4] = [
         (&|scene| scene.objects[2].sphere.centre.y = -1.27, golden),
-        (
-            &|scene| scene.objects[0].material.shininess = 41,
-            "n of the red sphere is 41",
-        ),
-        (
-            &|scene| scene.ambient_light.y = 0.23,
-            "L_a of the scene is (0.32, 0.23, ",
-        ),
+        (&|scene| scene.objects[0].material.shininess = 41, "n of the red sphere is 41"),
+        (&|scene| scene.ambient_light.y = 0.23, "L_a of the scene is (0.32, 0.23, "),
         (
             &|scene| scene.lights[0].point_light.attenuation.b = 0.025,
             "(a, b, c) of the warm light is (0.7, 0.025, ",
         ),
     ];
     for (change, words) in cases {
-        assert_answer_contains(
-            &draw_changed_step05(change),
-            "step05_phong",
-            &[words],
-        );
+        assert_answer_contains(&draw_changed_step05(change), "step05_phong", &[words]);
     }
 }
 
@@ -149,9 +128,7 @@ fn answer_names_the_file_or_the_tests() {
             &["picture of step01_rays, not of"],
         ),
         (
-            draw_changed_step05(|scene| {
-                scene.objects[7].sphere.centre += displacement
-            }),
+            draw_changed_step05(|scene| scene.objects[7].sphere.centre += displacement),
             &["pixels of objects show the sky", "-p step03_nearest"],
         ),
     ];
@@ -166,8 +143,7 @@ fn listed_mistake_is_shown_with_its_diff() {
         let v = ray.direction;
         DVec3::new(v.x, v.y, -v.z)
     });
-    let diff =
-        "- 0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)\n  + DVec3::new(v.x, v.y, -v.z)";
+    let diff = "- 0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)\n  + DVec3::new(v.x, v.y, -v.z)";
     assert_answer_contains(&picture, "step01_rays", &[diff]);
     let words = "pixels of step01_rays with a mistake in it, not of step04";
     assert_answer_contains(&picture, "step04_diffuse", &[words]);

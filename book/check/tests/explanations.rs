@@ -1,8 +1,7 @@
 //! What is told of each kind of picture, and that nothing is told of the others.
 
 use crate::{
-    PhongScene, assert_answer_contains, draw_changed_step05, locked_picture,
-    text_of_wrong_picture,
+    PhongScene, assert_answer_contains, draw_changed_step05, locked_picture, text_of_wrong_picture,
 };
 use check::{Step, default_camera};
 use glam::DVec3;
@@ -22,9 +21,7 @@ fn draw_with_sky_and_bytes(
         let ray = camera.ray(i.into(), j.into());
         let hit = step05_phong::visible_point(&scene.objects, &ray).is_some();
         let intensity = match step {
-            Step::Nearest if hit => {
-                step03_nearest::colour(&step05_phong::OBJECTS, &ray)
-            }
+            Step::Nearest if hit => step03_nearest::colour(&step05_phong::OBJECTS, &ray),
             Step::Phong if hit => step05_phong::colour(&scene, &ray),
             _ => sky(&ray),
         };
@@ -55,15 +52,11 @@ fn another_camera_is_read_from_the_sky() {
     let mut slanted = default_camera(640, 360);
     slanted.matrix.y_axis.x = 0.0004;
     for (camera, words) in [
-        (
-            wider,
-            "another camera: x and y of D_u are (0.001988, 0), not (0.001807, 0)",
-        ),
+        (wider, "another camera: x and y of D_u are (0.001988, 0), not (0.001807, 0)"),
         (slanted, "another camera: x and y of D_v are (0.0004, −0.001807)"),
     ] {
         for step in [Step::Rays, Step::Phong] {
-            let picture =
-                draw_with_sky_and_bytes(step, &camera, our_sky, our_bytes);
+            let picture = draw_with_sky_and_bytes(step, &camera, our_sky, our_bytes);
             assert_answer_contains(&picture, step.name(), &[words, "camera.rs"]);
         }
     }
@@ -78,35 +71,20 @@ fn other_sky_colour_is_named() {
     let weak_gradient = |ray: &Ray| 0.55 + 0.2 * ray.direction;
     for step in [Step::Nearest, Step::Phong] {
         let camera = default_camera(640, 360);
-        let picture =
-            draw_with_sky_and_bytes(step, &camera, white_to_blue, our_bytes);
+        let picture = draw_with_sky_and_bytes(step, &camera, white_to_blue, our_bytes);
         assert_answer_contains(
             &picture,
             step.name(),
-            &[
-                "red = 0.75 − 0.25 y",
-                "of V/|V|",
-                "step01_rays/src/direction_colour.rs",
-            ],
+            &["red = 0.75 − 0.25 y", "of V/|V|", "step01_rays/src/direction_colour.rs"],
         );
-        let picture =
-            draw_with_sky_and_bytes(step, &camera, weak_gradient, our_bytes);
+        let picture = draw_with_sky_and_bytes(step, &camera, weak_gradient, our_bytes);
         assert_answer_contains(
             &picture,
             step.name(),
             &["red = 0.55 + 0.20 x", "all else is right"],
         );
-        let picture = draw_with_sky_and_bytes(
-            step,
-            &camera,
-            |_| DVec3::splat(0.4),
-            our_bytes,
-        );
-        assert_answer_contains(
-            &picture,
-            step.name(),
-            &["red = 0.40, green = 0.40"],
-        );
+        let picture = draw_with_sky_and_bytes(step, &camera, |_| DVec3::splat(0.4), our_bytes);
+        assert_answer_contains(&picture, step.name(), &["red = 0.40, green = 0.40"]);
     }
 }
 
@@ -131,11 +109,8 @@ fn other_bytes_are_named() {
 #[test]
 fn shifted_rays_are_named() {
     let mut camera = default_camera(640, 360);
-    camera.matrix.z_axis +=
-        -0.5 * camera.matrix.x_axis + 1.0 * camera.matrix.y_axis;
-    let picture = render(&camera, 1, |ray| {
-        step03_nearest::colour(&step03_nearest::OBJECTS, ray)
-    });
+    camera.matrix.z_axis += -0.5 * camera.matrix.x_axis + 1.0 * camera.matrix.y_axis;
+    let picture = render(&camera, 1, |ray| step03_nearest::colour(&step03_nearest::OBJECTS, ray));
     let words = ["through i − 0.5 and j + 1"];
     assert_answer_contains(&picture, "step03_nearest", &words);
 }
@@ -179,12 +154,8 @@ fn missing_terms_and_objects_are_named() {
         (|scene| scene.objects.truncate(3), "only the first 3 objects"),
     ];
     for (change, words) in changes {
-        let text =
-            text_of_wrong_picture(&draw_changed_step05(change), "step05_phong");
-        assert!(
-            text.contains(words) || text.contains("mistakes that we know"),
-            "{words}: {text}"
-        );
+        let text = text_of_wrong_picture(&draw_changed_step05(change), "step05_phong");
+        assert!(text.contains(words) || text.contains("mistakes that we know"), "{words}: {text}");
     }
     for (name, of, words) in [
         ("step05_phong", "step04_diffuse", "The highlights are missing"),
@@ -192,11 +163,7 @@ fn missing_terms_and_objects_are_named() {
         ("step03_nearest", "step01_rays", "no ray meets one"),
         ("sun", "step04_diffuse", "First ask about step 4's picture"),
     ] {
-        assert_answer_contains(
-            &locked_picture(of),
-            name,
-            &["this is the picture of", words],
-        );
+        assert_answer_contains(&locked_picture(of), name, &["this is the picture of", words]);
     }
 }
 
@@ -206,12 +173,13 @@ fn where_nothing_explains_a_picture_no_file_is_blamed() {
         scene.lights[0].point_light.position *= 1.07;
         scene.objects[4].sphere.radius *= 1.01;
     });
-    let half = map_bytes_of_locked("step05_phong", |k, byte| {
-        if k % 1920 < 960 { byte } else { byte ^ 0x15 }
-    });
-    let waves = RgbImage::from_fn(640, 360, |i, j| {
-        Rgb([(i * j / 64) as u8, (i ^ j) as u8, 255])
-    });
+    let half = map_bytes_of_locked(
+        "step05_phong",
+        |k, byte| {
+            if k % 1920 < 960 { byte } else { byte ^ 0x15 }
+        },
+    );
+    let waves = RgbImage::from_fn(640, 360, |i, j| Rgb([(i * j / 64) as u8, (i ^ j) as u8, 255]));
     for (picture, name) in [
         (&two_mistakes, "step05_phong"),
         (&half, "step05_phong"),
@@ -222,10 +190,7 @@ fn where_nothing_explains_a_picture_no_file_is_blamed() {
         let text = text_of_wrong_picture(picture, name);
         assert!(text.starts_with("Not right yet, compared with "), "{text}");
         assert!(!text.contains("compare with steps"), "{text}");
-        assert!(
-            text.contains("--test by_hand") || text.contains("First ask"),
-            "{text}"
-        );
+        assert!(text.contains("--test by_hand") || text.contains("First ask"), "{text}");
     }
 }
 

@@ -3,16 +3,13 @@
 use check::{Answer, Locked, Step, check_png, default_camera};
 use fastrand::Rng;
 use image::codecs::png::PngEncoder;
-use image::{
-    DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, Rgb, RgbImage, Rgba,
-};
+use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, Rgb, RgbImage, Rgba};
 use std::io::Cursor;
 
 /// Changes a few bytes, or leaves some out, or doubles them.
 fn damage_bytes(file: &mut Vec<u8>, random: &mut Rng) {
     for _ in 0..=random.usize(..3) {
-        let (offset, end) =
-            (random.usize(..file.len()), random.usize(..=file.len()));
+        let (offset, end) = (random.usize(..file.len()), random.usize(..=file.len()));
         match random.u8(..6) {
             0 => file.truncate(offset.max(1)),
             1 if offset < end => drop(file.drain(offset..end.min(offset + 9))),
@@ -43,9 +40,7 @@ fn damaged_files_give_answers_without_panic() {
     let picture = Step::Rays.draw_picture(&default_camera(16, 9), 1);
     let mut undamaged = vec![];
     let encoder = PngEncoder::new(&mut undamaged);
-    encoder
-        .write_image(&picture, 16, 9, ExtendedColorType::Rgb8)
-        .expect("a picture");
+    encoder.write_image(&picture, 16, 9, ExtendedColorType::Rgb8).expect("a picture");
     let ours = [Locked::read("step01_rays").expect("a locked picture")];
     let (mut random, mut codes) = (Rng::with_seed(0x5EED), [0; 3]);
     for k in 0..2000 {
@@ -80,11 +75,7 @@ fn grey_16_bit_and_transparent_png_are_read() {
         (clear.into(), 0, "transparent"),
     ] {
         let answer = check_as_png(picture);
-        assert!(
-            answer.code == code && answer.text.contains(words),
-            "{}",
-            answer.text
-        );
+        assert!(answer.code == code && answer.text.contains(words), "{}", answer.text);
     }
 }
 
@@ -94,8 +85,7 @@ fn other_formats_are_named_by_their_first_bytes() {
     let picture = DynamicImage::from(crate::locked_picture("step02_sphere"));
     picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
     let png = png.into_inner();
-    let text_mode: Vec<u8> =
-        png.iter().copied().filter(|byte| *byte != b'\r').collect();
+    let text_mode: Vec<u8> = png.iter().copied().filter(|byte| *byte != b'\r').collect();
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     for (file, words) in [
         (&b"P3\n2 2\n255\n0 0 0"[..], "in another format, Pnm"),
@@ -122,8 +112,7 @@ fn other_formats_are_named_by_their_first_bytes() {
 
 /// A PNG file with a chunk of this name and these bytes before its pixels.
 fn insert_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
-    let mut chunk =
-        u32::try_from(data.len()).expect("a size").to_be_bytes().to_vec();
+    let mut chunk = u32::try_from(data.len()).expect("a size").to_be_bytes().to_vec();
     chunk.extend(name);
     chunk.extend(data);
     chunk.extend(crc32fast::hash(&chunk[4..]).to_be_bytes());
@@ -141,16 +130,11 @@ fn chunks_that_change_colours_in_a_viewer_are_noted() {
     let png = encode(ours.clone().into());
     let mut clear = DynamicImage::from(ours).into_rgba8();
     clear.pixels_mut().for_each(|pixel| pixel[3] = 0);
-    let exif_turned =
-        b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
+    let exif_turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     for (file, code, words) in [
         (png.clone(), 0, ""),
         (
-            insert_chunk(
-                &png,
-                b"iCCP",
-                b"profile\0\0\x78\x01\x01\x01\0\xfe\xffx\0\x79\0\x79",
-            ),
+            insert_chunk(&png, b"iCCP", b"profile\0\0\x78\x01\x01\x01\0\xfe\xffx\0\x79\0\x79"),
             0,
             "colour profile",
         ),
@@ -158,11 +142,9 @@ fn chunks_that_change_colours_in_a_viewer_are_noted() {
         (insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0]), 0, "an animation"),
         (encode(clear.into()), 1, "Not right: alpha is 0 in every pixel"),
     ] {
-        let answer =
-            check_png(&file, "my.png", Some("step02_sphere"), crate::locked());
+        let answer = check_png(&file, "my.png", Some("step02_sphere"), crate::locked());
         assert_eq!(answer.code, code, "{}", answer.text);
-        let is_noted =
-            answer.text.contains(words) && answer.text.contains("Right: ");
+        let is_noted = answer.text.contains(words) && answer.text.contains("Right: ");
         assert!(is_noted, "{words}: {}", answer.text);
         let lines = answer.text.lines().count();
         assert_eq!(lines, if words.is_empty() { 1 } else { 2 }, "{}", answer.text);

@@ -1,8 +1,6 @@
 //! The list of mistakes; whether the table knows them is asked in `update`.
 
-use check::{
-    Step, TableRow, locked_names, mistakes, source_refs, step_of_exercise,
-};
+use check::{Step, TableRow, locked_names, mistakes, source_refs, step_of_exercise};
 use compare::workspace;
 use std::collections::HashSet;
 use std::fs;
@@ -14,9 +12,7 @@ fn read_in_workspace(path: &str) -> String {
 /// The chapters of a step, one after the other.
 fn read_chapters(step: Step) -> String {
     let chapters = step.chapters().into_iter();
-    chapters
-        .map(|name| read_in_workspace(&format!("book/chapters/{name}.md")))
-        .collect()
+    chapters.map(|name| read_in_workspace(&format!("book/chapters/{name}.md"))).collect()
 }
 
 #[test]
@@ -25,10 +21,7 @@ fn each_listed_mistake_applies_once_and_is_unique() {
     for mistake in mistakes() {
         let applied = mistake.apply_and_unindent(&read_in_workspace(&mistake.file));
         let is_change = mistake.old != mistake.new;
-        if applied.is_none()
-            || !is_change
-            || !seen.insert(TableRow::compute_key(&mistake, ""))
-        {
+        if applied.is_none() || !is_change || !seen.insert(TableRow::compute_key(&mistake, "")) {
             wrong.push(format!(
                 "{}: {}\n{}",
                 mistake.file,
@@ -38,21 +31,14 @@ fn each_listed_mistake_applies_once_and_is_unique() {
         }
     }
     let wrong = wrong.join("\n");
-    assert!(
-        wrong.is_empty(),
-        "there once, and told once, is none of these:\n{wrong}"
-    );
+    assert!(wrong.is_empty(), "there once, and told once, is none of these:\n{wrong}");
 }
 
 #[test]
 fn files_tests_and_sections_of_answers_exist() {
     for place in source_refs() {
         let step = place.step.name();
-        assert!(
-            workspace().join(place.workspace_path()).exists(),
-            "{}",
-            place.workspace_path()
-        );
+        assert!(workspace().join(place.workspace_path()).exists(), "{}", place.workspace_path());
         let tests = read_in_workspace(&format!("steps/{step}/tests/by_hand.rs"));
         for test in place.tests.split(", ") {
             assert!(tests.contains(&format!("fn {test}()")), "{test}: {place:?}");
@@ -60,28 +46,21 @@ fn files_tests_and_sections_of_answers_exist() {
         let heading = format!("# {}\n", place.section);
         assert!(read_chapters(place.step).contains(&heading), "{place:?}");
     }
-    for mistake in mistakes().iter().filter(|one| !one.file.contains("/examples/"))
-    {
+    for mistake in mistakes().iter().filter(|one| !one.file.contains("/examples/")) {
         let file = &mistake.file;
         let is_known = source_refs().any(|place| place.workspace_path() == *file);
         assert!(is_known, "{file} is not in sections_and_tests.txt");
         if let Some(shown) = &mistake.book_entry {
             let step = mistake.step().expect("a step");
             let heading = format!("# {}\n", shown.section);
-            assert!(
-                read_chapters(step).contains(&heading),
-                "{}: {}",
-                mistake.title,
-                shown.section
-            );
+            assert!(read_chapters(step).contains(&heading), "{}: {}", mistake.title, shown.section);
         }
     }
 }
 
 #[test]
 fn the_step_of_each_exercise_is_known() {
-    for name in locked_names().into_iter().filter(|name| !name.starts_with("step"))
-    {
+    for name in locked_names().into_iter().filter(|name| !name.starts_with("step")) {
         let step = step_of_exercise(name).map(Step::name).unwrap_or_default();
         let program = format!("steps/{step}/examples/{name}.rs");
         assert!(workspace().join(&program).exists(), "{program}");

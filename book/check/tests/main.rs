@@ -16,8 +16,7 @@ use step05_phong::{Light, Material, Scene};
 
 /// All pictures that there are to compare with.
 fn locked() -> &'static [Locked] {
-    static LOCKED: LazyLock<Result<Vec<Locked>, String>> =
-        LazyLock::new(Locked::read_all);
+    static LOCKED: LazyLock<Result<Vec<Locked>, String>> = LazyLock::new(Locked::read_all);
     LOCKED.as_ref().expect("locked pictures")
 }
 

@@ -39,12 +39,7 @@ fn exit_code_is_0_right_1_wrong() {
     let (_, panels) = text.trim().rsplit_once("side by side: ").expect("a path");
     let panels = image::open(panels).expect("a picture");
     assert_eq!((panels.width(), panels.height()), (3 * 640, 360));
-    assert!(
-        text.contains(
-            "Column 320, row 180: yours is (0, 0, 0), ours (232, 87, 71)"
-        ),
-        "{text}"
-    );
+    assert!(text.contains("Column 320, row 180: yours is (0, 0, 0), ours (232, 87, 71)"), "{text}");
     assert!(text.contains("1 of 230400 pixels differ"), "{text}");
 }
 
@@ -53,9 +48,7 @@ fn unusable_input_gives_one_line_and_exit_code_2() {
     let folder = create_empty_folder("refused");
     let mut right = vec![];
     let picture = crate::locked_picture("step01_rays");
-    picture
-        .write_with_encoder(image::codecs::png::PngEncoder::new(&mut right))
-        .expect("a picture");
+    picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut right)).expect("a picture");
     let write = |name: &str, bytes: &[u8]| {
         fs::write(folder.join(name), bytes).expect("a file");
     };
@@ -105,8 +98,7 @@ fn without_a_file_each_picture_of_the_course_is_reported() {
     image::imageops::flip_vertical(&locked_picture("glass"))
         .save(folder.join("sun.png"))
         .expect("a file");
-    let (code, text) =
-        run_check(&env::temp_dir(), &["--in", &folder.display().to_string()]);
+    let (code, text) = run_check(&env::temp_dir(), &["--in", &folder.display().to_string()]);
     assert!(code == Some(1) && text.contains("not right: "), "{text}");
     assert!(text.contains(&format!("1 of {count} are right.")), "{text}");
 }
@@ -179,10 +171,7 @@ fn folder_of_folders_gets_one_line_each() {
     let (code, json) = run_check(&folder, &["--json"]);
     assert_eq!(code, Some(1), "{json}");
     let entry = "{\"picture\": \"glass\", \"verdict\": \"right\", \"text\": \"\"}";
-    assert!(
-        json.starts_with("[\n  {\"folder\": \"ada\", ") && json.contains(entry),
-        "{json}"
-    );
+    assert!(json.starts_with("[\n  {\"folder\": \"ada\", ") && json.contains(entry), "{json}");
     let reason = "\"not right\", \"text\": \"Not the scene of bob: ";
     assert!(json.contains(reason), "{json}");
     let count = crate::locked().len() + 1;
@@ -234,10 +223,7 @@ fn scene_of_a_name_is_printed_and_compared() {
     let folder = create_empty_folder("scene");
     let (code, program) = run_check(&folder, &["--scene", "ada"]);
     assert_eq!(code, Some(0), "{program}");
-    assert!(
-        program.starts_with("//! The scene of ada. This draws it:\n"),
-        "{program}"
-    );
+    assert!(program.starts_with("//! The scene of ada. This draws it:\n"), "{program}");
     let command = "\n//! `cargo run -p step05_phong --example scene_of_me`\n";
     assert!(program.contains(command), "{program}");
     let (_, other) = run_check(&folder, &["--scene", " ada\t"]);

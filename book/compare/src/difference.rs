@@ -30,10 +30,7 @@ impl Difference {
         let &((i, j, a), b) = differ.first()?;
         Some(Self::Pixels {
             count: differ.len(),
-            largest: differ
-                .iter()
-                .map(|((_, _, a), b)| largest_channel_difference(a, b))
-                .max()?,
+            largest: differ.iter().map(|((_, _, a), b)| largest_channel_difference(a, b)).max()?,
             first: (i, j),
             colours: (a.0, b.0),
         })
@@ -50,10 +47,7 @@ impl Display for Difference {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::Size((w, h), (new_w, new_h)) => {
-                write!(
-                    f,
-                    "the picture is {new_w}×{new_h} pixels, the locked one {w}×{h}"
-                )
+                write!(f, "the picture is {new_w}×{new_h} pixels, the locked one {w}×{h}")
             }
             Self::Pixels { count, largest, first: (i, j), colours: (a, b) } => {
                 let differ = match count {
@@ -95,8 +89,7 @@ mod tests {
 
     #[test]
     fn sizes_are_compared_first() {
-        let difference =
-            Difference::between(&RgbImage::new(4, 3), &RgbImage::new(2, 3));
+        let difference = Difference::between(&RgbImage::new(4, 3), &RgbImage::new(2, 3));
         assert_eq!(difference, Some(Difference::Size((4, 3), (2, 3))));
     }
 }

@@ -14,9 +14,7 @@ pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
     let mut panels = RgbImage::new(3 * width, height);
-    for (panel, k) in
-        [first, second, &difference_panel(first, second)].into_iter().zip(0..)
-    {
+    for (panel, k) in [first, second, &difference_panel(first, second)].into_iter().zip(0..) {
         // It fits: a panel is as large as the largest of them.
         let _ = panels.copy_from(panel, k * width, 0);
     }
@@ -45,8 +43,7 @@ fn difference_panel(first: &RgbImage, second: &RgbImage) -> RgbImage {
 
 /// The colour that tells how two others differ.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
-    let sum =
-        |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
+    let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;
     let part = |c: u8| (u32::from(c) * strength / 255) as u8;
     match (a == b, sum(a) < sum(b)) {
@@ -67,8 +64,7 @@ fn isolated_difference_places(panel: &RgbImage) -> Vec<(u32, u32)> {
         let rows = j.saturating_sub(5)..(j + 6).min(panel.height());
         let columns = i.saturating_sub(5)..(i + 6).min(panel.width());
         let around = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
-        let mut others =
-            around.filter(|&(i, j)| is_not_grey(panel.get_pixel(i, j)));
+        let mut others = around.filter(|&(i, j)| is_not_grey(panel.get_pixel(i, j)));
         others.nth(3).is_none()
     };
     let places = panel.enumerate_pixels().filter(|(.., pixel)| is_not_grey(pixel));
@@ -106,17 +102,14 @@ mod tests {
             assert_eq!(colour.iter().max(), Some(&colour[most]));
             assert_eq!(panel.pixels().filter(|p| **p == WHITE).count(), 40);
         }
-        assert!(
-            difference_panel(&locked, &locked).pixels().all(|p| *p == Rgb([15; 3]))
-        );
+        assert!(difference_panel(&locked, &locked).pixels().all(|p| *p == Rgb([15; 3])));
     }
 
     #[test]
     fn pixels_of_one_picture_alone_are_marked() {
         let (tall, wide) = (RgbImage::new(2, 3), RgbImage::new(4, 1));
         for (first, second) in [(&tall, &wide), (&wide, &tall)] {
-            for (i, j, pixel) in difference_panel(first, second).enumerate_pixels()
-            {
+            for (i, j, pixel) in difference_panel(first, second).enumerate_pixels() {
                 assert_eq!(is_not_grey(pixel), (i < 2) != (j < 1), "{i}, {j}");
             }
         }

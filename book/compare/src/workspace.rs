@@ -8,8 +8,7 @@ use std::path::{Path, PathBuf};
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
-    let difference =
-        starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
+    let difference = starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
     let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     difference.unwrap_or(compiled).to_owned()
 }
@@ -25,9 +24,7 @@ pub fn target_folder() -> PathBuf {
 
 fn find_workspace_upwards(start: &Path) -> Option<&Path> {
     let has = |folder: &Path| {
-        ["Cargo.toml", "steps", "tests/snapshots"]
-            .iter()
-            .all(|name| folder.join(name).exists())
+        ["Cargo.toml", "steps", "tests/snapshots"].iter().all(|name| folder.join(name).exists())
     };
     start.ancestors().find(|folder| has(folder))
 }

@@ -1,6 +1,5 @@
 use crate::steps::{
-    FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse,
-    step05_phong,
+    FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
 use crate::value::Value;
 use crate::{Expression, Place, all_listed_places};
@@ -40,17 +39,11 @@ pub(crate) fn is_edited(place: usize) -> bool {
 #[inline(never)]
 pub(crate) fn evaluate<T: Value>(variables: &[DVec3]) -> T {
     let expression = EXPRESSION.read().unwrap_or_else(PoisonError::into_inner);
-    T::unpack(
-        expression.as_ref().map_or(DVec3::ZERO, |code| code.evaluate(variables)),
-    )
+    T::unpack(expression.as_ref().map_or(DVec3::ZERO, |code| code.evaluate(variables)))
 }
 
 /// The picture of the step of `place`, with an expression there in place of the book's.
-pub fn draw_edited(
-    place: &Place,
-    expression: Expression,
-    columns: u32,
-) -> RgbImage {
+pub fn draw_edited(place: &Place, expression: Expression, columns: u32) -> RgbImage {
     let _alone = DRAWING.lock();
     let index = all_listed_places().iter().position(|one| one == place);
     set_expression(Some(expression));

@@ -83,12 +83,8 @@ const OPERATORS: &[Function] = &[
     ("+", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_add(unpack_i32(b)))),
     ("-", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_sub(unpack_i32(b)))),
     ("*", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_mul(unpack_i32(b)))),
-    ("/", "www", |[a, b, _]| {
-        pack_i32(unpack_i32(a).checked_div(unpack_i32(b)).unwrap_or(0))
-    }),
-    ("%", "www", |[a, b, _]| {
-        pack_i32(unpack_i32(a).checked_rem(unpack_i32(b)).unwrap_or(0))
-    }),
+    ("/", "www", |[a, b, _]| pack_i32(unpack_i32(a).checked_div(unpack_i32(b)).unwrap_or(0))),
+    ("%", "www", |[a, b, _]| pack_i32(unpack_i32(a).checked_rem(unpack_i32(b)).unwrap_or(0))),
     // Unary operators, by the names that the parser has for them.
     ("-value", "nn vv ww", |[a, ..]| -a),
     ("!value", "tt", |[a, ..]| 1.0 - a),
@@ -116,9 +112,7 @@ const CONSTANTS: &[Function] = &[
 ];
 
 const MIXED: &[Function] = &[
-    (".divisor()", "ann", |[a, d, _]| {
-        DVec3::splat(Attenuation::unpack(a).divisor(d.x))
-    }),
+    (".divisor()", "ann", |[a, d, _]| DVec3::splat(Attenuation::unpack(a).divisor(d.x))),
     (".a", "an", |[a, ..]| DVec3::splat(a.x)),
     (".b", "an", |[a, ..]| DVec3::splat(a.y)),
     (".c", "an", |[a, ..]| DVec3::splat(a.z)),
@@ -141,9 +135,7 @@ const MIXED: &[Function] = &[
     (".signum()", "ww", |[a, ..]| pack_i32(unpack_i32(a).signum())),
     (".min()", "www", |[a, b, _]| a.min(b)),
     (".max()", "www", |[a, b, _]| a.max(b)),
-    (".pow()", "www", |[a, b, _]| {
-        pack_i32(unpack_i32(a).wrapping_pow(unpack_i32(b) as u32))
-    }),
+    (".pow()", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_pow(unpack_i32(b) as u32))),
 ];
 
 /// Rust's clamp, but no number where that panics.
@@ -164,9 +156,7 @@ fn unpack_i32(value: DVec3) -> i32 {
 }
 
 /// The names that begin with `prefix`.
-pub fn function_names_with_prefix(
-    prefix: &str,
-) -> impl Iterator<Item = &'static str> {
+pub fn function_names_with_prefix(prefix: &str) -> impl Iterator<Item = &'static str> {
     let names = TABLE.into_iter().flatten().map(|(name, ..)| *name);
     names.filter(move |name| name.starts_with(prefix))
 }

@@ -18,13 +18,7 @@ macro_rules! editable {
     };
 }
 
-#[allow(
-    clippy::all,
-    missing_docs,
-    dead_code,
-    unused_imports,
-    reason = "copied code"
-)]
+#[allow(clippy::all, missing_docs, dead_code, unused_imports, reason = "copied code")]
 mod steps {
     include!(concat!(env!("OUT_DIR"), "/steps.rs"));
 }

@@ -31,36 +31,25 @@ const LENGTH: usize = 400;
 const DEPTH: usize = 40;
 
 /// Operators between two values, by level, the loosest first.
-const OPERATORS: [&[&str]; 5] = [
-    &["||"],
-    &["&&"],
-    &["==", "!=", "<=", ">=", "<", ">"],
-    &["+", "-"],
-    &["*", "/", "%"],
-];
+const OPERATORS: [&[&str]; 5] =
+    [&["||"], &["&&"], &["==", "!=", "<=", ">=", "<", ">"], &["+", "-"], &["*", "/", "%"]];
 
 /// The precedence level of the comparisons.
 const COMPARISONS: usize = 2;
 
 /// Reads what a reader wrote at a place.
-pub fn parse_expression(
-    place: &Place,
-    text: &str,
-) -> Result<Expression, ParseError> {
+pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, ParseError> {
     let mut parser = Parser { place, text, at: 0, depth: 0 };
     if LENGTH < text.len() {
-        return parser
-            .refuse(0..text.len(), "That's longer than a line should be.");
+        return parser.refuse(0..text.len(), "That's longer than a line should be.");
     }
     let part = parser.parse_operations_of_level(0)?;
     if !parser.skip_blanks_and_peek().is_empty() {
-        return parser
-            .refuse_next_word("Something is missing before this, such as * or +.");
+        return parser.refuse_next_word("Something is missing before this, such as * or +.");
     }
     if !part.kind.is_accepted_as(place.kind) {
         let result = &text[part.range.clone()];
-        let sentence =
-            refusal::explain_wrong_kind_of_result(result, part.kind, place.kind);
+        let sentence = refusal::explain_wrong_kind_of_result(result, part.kind, place.kind);
         return parser.refuse(part.range, sentence);
     }
     Ok(Expression(part.code))
@@ -89,11 +78,7 @@ pub fn is_word_char(c: char) -> bool {
 }
 
 impl<'a> Parser<'a> {
-    fn refuse<T>(
-        &self,
-        range: Range<usize>,
-        sentence: impl Into<String>,
-    ) -> Parsed<T> {
+    fn refuse<T>(&self, range: Range<usize>, sentence: impl Into<String>) -> Parsed<T> {
         Err(ParseError { range, sentence: sentence.into() })
     }
 
@@ -106,12 +91,10 @@ impl<'a> Parser<'a> {
             let range = text.len() - last..text.len();
             return self.refuse(range, "A value is missing behind this.");
         };
-        let word = &remaining
-            [..remaining.find(|c| !is_word_char(c)).unwrap_or(remaining.len())];
-        let word =
-            if word.is_empty() { &remaining[..sign.len_utf8()] } else { word };
-        let sentence = refusal::explain_unexpected_token(word)
-            .unwrap_or(default_sentence.to_owned());
+        let word = &remaining[..remaining.find(|c| !is_word_char(c)).unwrap_or(remaining.len())];
+        let word = if word.is_empty() { &remaining[..sign.len_utf8()] } else { word };
+        let sentence =
+            refusal::explain_unexpected_token(word).unwrap_or(default_sentence.to_owned());
         self.refuse(self.at..self.at + word.len(), sentence)
     }
 
@@ -140,8 +123,7 @@ impl<'a> Parser<'a> {
     /// Reads on while `is_part` holds of the letters.
     fn take_while(&mut self, is_part: impl Fn(char) -> bool) -> &'a str {
         let remaining = &self.text[self.at..];
-        let word = &remaining
-            [..remaining.find(|c| !is_part(c)).unwrap_or(remaining.len())];
+        let word = &remaining[..remaining.find(|c| !is_part(c)).unwrap_or(remaining.len())];
         self.at += word.len();
         word
     }
@@ -155,14 +137,12 @@ impl<'a> Parser<'a> {
         for count in 0.. {
             self.skip_blanks_and_peek();
             let start = self.at;
-            let Some(name) = operators.iter().find(|name| self.skip_if_next(name))
-            else {
+            let Some(name) = operators.iter().find(|name| self.skip_if_next(name)) else {
                 break;
             };
             let sign = start..self.at;
             if level == COMPARISONS && 0 < count {
-                return self
-                    .refuse(sign, "Rust compares two at a time: a < b && b < c.");
+                return self.refuse(sign, "Rust compares two at a time: a < b && b < c.");
             }
             let right = self.parse_operations_of_level(level + 1)?;
             left_value = self.build_call(name, sign, vec![left_value, right])?;
@@ -175,9 +155,7 @@ impl<'a> Parser<'a> {
         let mut part = self.parse_value_with_signs_and_methods()?;
         while self.has_next("as") {
             let start = self.at;
-            let Some(name) = ["as f64", "as i32"]
-                .into_iter()
-                .find(|name| self.skip_if_next(name))
+            let Some(name) = ["as f64", "as i32"].into_iter().find(|name| self.skip_if_next(name))
             else {
                 return self.refuse(start..start + 2, "Behind as: f64 or i32.");
             };
@@ -191,13 +169,11 @@ impl<'a> Parser<'a> {
         self.skip_blanks_and_peek();
         let start = self.at;
         if DEPTH < self.depth {
-            return self
-                .refuse(start..start + 1, "That's too many inside each other.");
+            return self.refuse(start..start + 1, "That's too many inside each other.");
         }
         self.depth += 1;
         let signs = [("-", "-value"), ("!", "!value")];
-        let part = match signs.into_iter().find(|(sign, _)| self.skip_if_next(sign))
-        {
+        let part = match signs.into_iter().find(|(sign, _)| self.skip_if_next(sign)) {
             Some((_, name)) => {
                 let value = self.parse_value_with_signs_and_methods()?;
                 self.build_call(name, start..start + 1, vec![value])?
@@ -221,11 +197,7 @@ impl<'a> Parser<'a> {
 
     /// The call of the name from `start` to here, with what stands in parentheses behind it,
     /// if they come next.
-    fn parse_call_from(
-        &mut self,
-        start: usize,
-        mut arguments: Vec<Part>,
-    ) -> Parsed<Part> {
+    fn parse_call_from(&mut self, start: usize, mut arguments: Vec<Part>) -> Parsed<Part> {
         let name = &self.text[start..self.at];
         if !self.has_next("(") {
             return self.build_call(name, start..start + name.len(), arguments);
@@ -262,9 +234,7 @@ impl<'a> Parser<'a> {
         }
         let variables = self.place.variables.iter().enumerate();
         let variables = variables.filter(|(_, (name, _))| self.has_next(name));
-        if let Some((index, (name, kind))) =
-            variables.max_by_key(|(_, (name, _))| name.len())
-        {
+        if let Some((index, (name, kind))) = variables.max_by_key(|(_, (name, _))| name.len()) {
             self.at += name.len();
             let code = Box::new(move |values: &[DVec3]| values[index]);
             return Ok(Part { code, kind: *kind, range: start..self.at });
@@ -277,9 +247,7 @@ impl<'a> Parser<'a> {
         let first = self.take_while(is_word_char);
         if first.is_empty() || refusal::explain_unexpected_token(first).is_some() {
             self.at = start;
-            return self.refuse_next_word(
-                "A number, a name or a ( is missing before this.",
-            );
+            return self.refuse_next_word("A number, a name or a ( is missing before this.");
         }
         self.take_while(|c| is_word_char(c) || c == ':');
         // What is not known is named whole, but for a method behind it.
@@ -303,30 +271,26 @@ impl<'a> Parser<'a> {
         // A point before a name belongs to a method.
         let remaining = &self.text[self.at..];
         if remaining.starts_with('.')
-            && !remaining[1..]
-                .starts_with(|c| is_word_char(c) && !c.is_ascii_digit())
+            && !remaining[1..].starts_with(|c| is_word_char(c) && !c.is_ascii_digit())
         {
             self.at += 1;
         }
         self.take_while(is_word_char);
-        if self.text[start..self.at].ends_with(['e', 'E']) && self.skip_if_next("-")
-        {
+        if self.text[start..self.at].ends_with(['e', 'E']) && self.skip_if_next("-") {
             self.take_while(is_word_char);
         }
         let text = self.text[start..self.at].replace('_', "");
-        let (digits, kind) =
-            match (text.strip_suffix("f64"), text.strip_suffix("i32")) {
-                (Some(digits), _) => (digits, Kind::Number),
-                (_, Some(digits)) => (digits, Kind::Whole),
-                _ if text.contains(['.', 'e', 'E']) => (&*text, Kind::Literal),
-                _ => (&*text, Kind::Whole),
-            };
+        let (digits, kind) = match (text.strip_suffix("f64"), text.strip_suffix("i32")) {
+            (Some(digits), _) => (digits, Kind::Number),
+            (_, Some(digits)) => (digits, Kind::Whole),
+            _ if text.contains(['.', 'e', 'E']) => (&*text, Kind::Literal),
+            _ => (&*text, Kind::Whole),
+        };
         let value = match (kind, digits.parse::<f64>(), digits.parse::<i32>()) {
             (Kind::Whole, _, Ok(whole)) => whole.into(),
             (Kind::Number | Kind::Literal, Ok(value), _) => value,
             (_, Ok(_), _) => {
-                let sentence =
-                    "That's too large for a whole number: write .0 behind it.";
+                let sentence = "That's too large for a whole number: write .0 behind it.";
                 return self.refuse(start..self.at, sentence);
             }
             _ => return self.refuse(start..self.at, "What number is this?"),
@@ -336,14 +300,8 @@ impl<'a> Parser<'a> {
     }
 
     /// The call of the function `name`, which the words in `range` are.
-    fn build_call(
-        &self,
-        name: &str,
-        range: Range<usize>,
-        arguments: Vec<Part>,
-    ) -> Parsed<Part> {
-        let argument_kinds =
-            arguments.iter().map(|one| (one.kind, &self.text[one.range.clone()]));
+    fn build_call(&self, name: &str, range: Range<usize>, arguments: Vec<Part>) -> Parsed<Part> {
+        let argument_kinds = arguments.iter().map(|one| (one.kind, &self.text[one.range.clone()]));
         let argument_kinds: Vec<_> = argument_kinds.collect();
         let fits = |wanted: &[Kind]| {
             let mut pairs = argument_kinds.iter().zip(wanted);
@@ -351,13 +309,10 @@ impl<'a> Parser<'a> {
                 && pairs.all(|((kind, _), wanted)| kind.is_accepted_as(*wanted))
         };
         let signature = signatures_of(name).find(|(wanted, ..)| fits(wanted));
-        let are_literals =
-            argument_kinds.iter().all(|(kind, _)| *kind == Kind::Literal);
+        let are_literals = argument_kinds.iter().all(|(kind, _)| *kind == Kind::Literal);
         let kind = match &signature {
             // What is computed from numbers of an open type has an open type, and no methods.
-            Some((_, Kind::Number, _)) if are_literals && !name.ends_with(')') => {
-                Kind::Literal
-            }
+            Some((_, Kind::Number, _)) if are_literals && !name.ends_with(')') => Kind::Literal,
             Some((_, kind, _)) => *kind,
             None => Kind::Number,
         };
@@ -366,9 +321,8 @@ impl<'a> Parser<'a> {
             let (argument_index, sentence) =
                 refusal::explain_refused_call(name, &argument_kinds, self.place);
             return self.refuse(
-                argument_index.map_or(range, |argument_index| {
-                    arguments[argument_index].range.clone()
-                }),
+                argument_index
+                    .map_or(range, |argument_index| arguments[argument_index].range.clone()),
                 sentence,
             );
         };
@@ -376,15 +330,9 @@ impl<'a> Parser<'a> {
         let end = self.text[..self.at].trim_end().len();
         let mut codes = arguments.into_iter().map(|one| one.code);
         let code: Code = match (codes.next(), codes.next(), codes.next()) {
-            (Some(a), Some(b), Some(c)) => {
-                Box::new(move |v| apply([a(v), b(v), c(v)]))
-            }
-            (Some(a), Some(b), None) => {
-                Box::new(move |v| apply([a(v), b(v), DVec3::ZERO]))
-            }
-            (Some(a), ..) => {
-                Box::new(move |v| apply([a(v), DVec3::ZERO, DVec3::ZERO]))
-            }
+            (Some(a), Some(b), Some(c)) => Box::new(move |v| apply([a(v), b(v), c(v)])),
+            (Some(a), Some(b), None) => Box::new(move |v| apply([a(v), b(v), DVec3::ZERO])),
+            (Some(a), ..) => Box::new(move |v| apply([a(v), DVec3::ZERO, DVec3::ZERO])),
             _ => Box::new(move |_| apply([DVec3::ZERO; 3])),
         };
         Ok(Part { code, kind, range: start.min(range.start)..end })

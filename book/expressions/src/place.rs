@@ -112,8 +112,7 @@ impl Place {
             let mut parts = variable.split('.');
             let first = parts.next().and_then(|first| first.split('(').next());
             let mut fields = parts.filter(|part| !part.contains(['(', ')']));
-            !has(text, first.unwrap_or_default())
-                || fields.any(|field| !has(sources, field))
+            !has(text, first.unwrap_or_default()) || fields.any(|field| !has(sources, field))
         };
         let mut variables = self.variables.iter().map(|(variable, _)| *variable);
         let unknown = variables.find(is_unknown)?;

@@ -30,14 +30,9 @@ macro_rules! value {
 
 value!(DVec3, |vector| vector, |vector| vector);
 value!(f64, DVec3::splat, |vector: DVec3| vector.x);
-value!(i32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x
-    as i32);
-value!(u32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x
-    as u32);
-value!(bool, |truth| DVec3::splat(f64::from(truth)), |vector: DVec3| vector.x
-    != 0.0);
-value!(
-    Attenuation,
-    |Attenuation { a, b, c }| DVec3::new(a, b, c),
-    |DVec3 { x: a, y: b, z: c }| Attenuation { a, b, c }
-);
+value!(i32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x as i32);
+value!(u32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x as u32);
+value!(bool, |truth| DVec3::splat(f64::from(truth)), |vector: DVec3| vector.x != 0.0);
+value!(Attenuation, |Attenuation { a, b, c }| DVec3::new(a, b, c), |DVec3 { x: a, y: b, z: c }| {
+    Attenuation { a, b, c }
+});

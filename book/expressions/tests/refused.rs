@@ -15,12 +15,7 @@ const REFUSED: [(&str, &str, &str, &str); 51] = [
         "material.shininess",
         "f64::from(material.shininess)",
     ),
-    (
-        "specular",
-        "light.specular * cosine.powi(2.0)",
-        "2.0",
-        "takes a whole number here",
-    ),
+    ("specular", "light.specular * cosine.powi(2.0)", "2.0", "takes a whole number here"),
     ("cosine", "99999999999 as f64", "99999999999", "too large"),
     // Numbers whose type is open.
     ("a", "2.0.sqrt()", "2.0", "2.0_f64"),
@@ -39,12 +34,7 @@ const REFUSED: [(&str, &str, &str, &str); 51] = [
     ("normal", "DVec3::new(1.0, 2.0)", "DVec3::new", "takes 3"),
     ("gate", "0.0 < n.x < 1.0", "<", "a < b && b < c"),
     // Names.
-    (
-        "normal",
-        "(p - sphere.center) / sphere.radius",
-        "sphere.center",
-        "sphere.centre",
-    ),
+    ("normal", "(p - sphere.center) / sphere.radius", "sphere.center", "sphere.centre"),
     ("cosine", "cos(r.x)", "cos", "r.x.cos()"),
     ("cosine", "dot(r, v)", "dot", "r.dot(…)"),
     ("cosine", "r.dot(v).sine()", ".sine", "sin"),
@@ -85,11 +75,7 @@ fn refused_text_has_its_range_and_sentence() {
         };
         let part_and_sentence = (&text[mistake.range.clone()], &*mistake.sentence);
         assert_eq!(part_and_sentence.0, part, "{text}: {}", part_and_sentence.1);
-        assert!(
-            part_and_sentence.1.contains(words),
-            "{text}: {}",
-            part_and_sentence.1
-        );
+        assert!(part_and_sentence.1.contains(words), "{text}: {}", part_and_sentence.1);
     }
 }
 
@@ -138,14 +124,12 @@ fn too_long_or_too_deep_text_is_refused() {
         ("1.0.max(".repeat(48), "inside each other"),
         (format!("v.x{}", " + v.x".repeat(100_000)), "longer than a line"),
     ] {
-        let mistake =
-            parse_expression(&find_place("a"), &text).err().expect("it is refused");
+        let mistake = parse_expression(&find_place("a"), &text).err().expect("it is refused");
         assert!(mistake.sentence.contains(words), "{}", mistake.sentence);
     }
 }
 
 fn find_place(name: &str) -> Place {
-    let found_place =
-        all_listed_places().into_iter().find(|place| place.name == name);
+    let found_place = all_listed_places().into_iter().find(|place| place.name == name);
     found_place.unwrap_or_else(|| panic!("no place {name}"))
 }

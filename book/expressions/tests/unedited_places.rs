@@ -15,10 +15,8 @@ fn no_place_has_a_fault() {
 #[test]
 fn unedited_places_draw_the_locked_pictures() {
     for place in editable_places() {
-        let expression =
-            parse_expression(&place, place.code).expect("it stands in the book");
-        let locked =
-            Locked::read(place.step_name()).expect("a locked picture").picture;
+        let expression = parse_expression(&place, place.code).expect("it stands in the book");
+        let locked = Locked::read(place.step_name()).expect("a locked picture").picture;
         let is_same = draw_edited(&place, expression, 640) == locked;
         assert!(is_same, "{}: {} draws another picture", place.name, place.code);
     }

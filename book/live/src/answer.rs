@@ -14,9 +14,7 @@ pub struct Answer {
 
 impl Answer {
     /// An answer of these fields, which are JSON already.
-    pub fn from_json_fields(
-        fields: impl IntoIterator<Item = (&'static str, String)>,
-    ) -> Self {
+    pub fn from_json_fields(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
 }
@@ -32,9 +30,8 @@ impl Answer {
 ///
 /// A probe leaves the picture as it is: after it was moved, nothing is drawn.
 pub fn answer(request: &str) -> Answer {
-    try_answer(request).unwrap_or_else(|| {
-        error_answer(&format!("There is no answer to {request}."))
-    })
+    try_answer(request)
+        .unwrap_or_else(|| error_answer(&format!("There is no answer to {request}.")))
 }
 
 /// The answer that says, in a sentence, what was wrong with the request.
@@ -124,9 +121,7 @@ fn text_fields(live: &Live, values: &[f64]) -> Vec<(&'static str, String)> {
     let places = live.handles.iter().map(|handle| {
         let rounded = |x: f64| (100.0 * x).round() / 100.0;
         let place = handle.place(values);
-        place.map_or("null".into(), |place| {
-            json::list(place.to_array().map(rounded))
-        })
+        place.map_or("null".into(), |place| json::list(place.to_array().map(rounded)))
     });
     let numbers = (live.numbers)(values);
     let numbers = numbers.iter().map(|(name, text)| (&name[..], json::quote(text)));

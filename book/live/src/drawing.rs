@@ -33,18 +33,13 @@ impl Drawing {
 
     /// A line through all `points`.
     pub fn path(&mut self, class: &str, points: &[DVec2]) {
-        self.body += &format!(
-            r#"<path class="{class}" d="{}"></path>"#,
-            svg_path_commands(points)
-        );
+        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, svg_path_commands(points));
     }
 
     /// The area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: &[DVec2]) {
-        self.body += &format!(
-            r#"<path class="{class} area" d="{}Z"></path>"#,
-            svg_path_commands(points)
-        );
+        self.body +=
+            &format!(r#"<path class="{class} area" d="{}Z"></path>"#, svg_path_commands(points));
     }
 
     /// A rectangle, from its middle to its upper right corner.
@@ -52,8 +47,7 @@ impl Drawing {
         let flip = dvec2(half_diagonal.x, -half_diagonal.y);
         self.area(
             class,
-            &[-half_diagonal, flip, half_diagonal, -flip]
-                .map(|corner| middle + corner),
+            &[-half_diagonal, flip, half_diagonal, -flip].map(|corner| middle + corner),
         );
     }
 
@@ -71,12 +65,7 @@ impl Drawing {
     }
 
     /// A pixel as a disc in its own colour.
-    pub fn pixel(
-        &mut self,
-        centre: DVec2,
-        radius: f64,
-        [red, green, blue]: [u8; 3],
-    ) {
+    pub fn pixel(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let (x, y) = (centre.x, centre.y);
         self.body += &format!(
             r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
@@ -92,13 +81,10 @@ impl Drawing {
         radius: f64,
         [start_radians, end_radians]: [f64; 2],
     ) {
-        let angle = |k: i32| {
-            start_radians + (end_radians - start_radians) * f64::from(k) / 24.0
-        };
+        let angle = |k: i32| start_radians + (end_radians - start_radians) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };
-        let points: Vec<_> = (0..=24)
-            .map(|k| view.to_drawing(DVec2::from_angle(angle(k))))
-            .collect();
+        let points: Vec<_> =
+            (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))).collect();
         self.path(class, &points);
     }
 
@@ -122,11 +108,7 @@ impl Drawing {
         let spans: String = text
             .split('$')
             .enumerate()
-            .map(
-                |(k, part)| {
-                    if k % 2 == 0 { escape(part) } else { symbol_spans(part) }
-                },
-            )
+            .map(|(k, part)| if k % 2 == 0 { escape(part) } else { symbol_spans(part) })
             .collect();
         let (x, y) = (place.x, place.y);
         self.body += &format!(

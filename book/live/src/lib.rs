@@ -42,9 +42,7 @@ pub use parameter::{Kind, Parameter};
 mod figures;
 mod own_scene;
 mod pictures;
-pub use own_scene::{
-    NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene, own_scene,
-};
+pub use own_scene::{NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene, own_scene};
 pub use pictures::short_name;
 
 use std::sync::LazyLock;

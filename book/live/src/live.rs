@@ -54,9 +54,7 @@ impl Output {
     pub fn width_and_height(&self) -> [f64; 2] {
         match self {
             Self::Drawing(drawing) => drawing.width_and_height(),
-            Self::Picture(picture) => {
-                [picture.width(), picture.height()].map(f64::from)
-            }
+            Self::Picture(picture) => [picture.width(), picture.height()].map(f64::from),
         }
     }
 }
@@ -94,12 +92,7 @@ impl Live {
 
     /// The values after a handle was dragged to a place; None if nothing is allowed
     /// there.
-    pub fn drag_handle(
-        &self,
-        values: &[f64],
-        handle: &Handle,
-        place: DVec2,
-    ) -> Option<Vec<f64>> {
+    pub fn drag_handle(&self, values: &[f64], handle: &Handle, place: DVec2) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
         let coordinates = (handle.values_at)(handle, values, place).to_array();
         for (index, value) in handle.parameters.into_iter().zip(coordinates) {
@@ -110,12 +103,7 @@ impl Live {
 
     /// The values after a handle was moved by some steps of its parameters, to the right
     /// and upwards.
-    pub fn step_handle(
-        &self,
-        values: &[f64],
-        handle: &Handle,
-        steps: DVec2,
-    ) -> Option<Vec<f64>> {
+    pub fn step_handle(&self, values: &[f64], handle: &Handle, steps: DVec2) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
         let second = if handle.is_down { -steps.y } else { steps.y };
         for (index, steps) in handle.parameters.into_iter().zip([steps.x, second]) {
@@ -127,12 +115,11 @@ impl Live {
 
     /// The allowed values that are nearest to these; None if there is nothing to draw.
     pub fn snap_if_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let is_complete = values.len() == self.parameters.len()
-            && values.iter().all(|value| value.is_finite());
+        let is_complete =
+            values.len() == self.parameters.len() && values.iter().all(|value| value.is_finite());
         let pairs = self.parameters.iter().zip(values);
-        let values: Vec<_> = pairs
-            .map(|(parameter, value)| parameter.nearest_allowed(*value))
-            .collect();
+        let values: Vec<_> =
+            pairs.map(|(parameter, value)| parameter.nearest_allowed(*value)).collect();
         (is_complete && (self.is_allowed)(&values)).then_some(values)
     }
 }

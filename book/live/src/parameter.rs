@@ -62,11 +62,7 @@ impl Parameter {
     }
 
     /// One of several names.
-    pub fn choice(
-        words: &'static str,
-        default: f64,
-        names: &'static [&'static str],
-    ) -> Self {
+    pub fn choice(words: &'static str, default: f64, names: &'static [&'static str]) -> Self {
         let range = [0.0, (names.len() - 1) as f64];
         let kind = Kind::Choice(names);
         Self { kind, ..Self::new(["", words, ""], default, range, 1.0) }

@@ -27,8 +27,7 @@ pub fn symbol_spans(text: &str) -> String {
 /// The italic letter of mathematics for a Latin or small Greek letter; others stay
 /// as they are.
 pub fn italic_letter(c: char) -> char {
-    let shifted =
-        |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
+    let shifted = |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {
         'h' => Some('ℎ'),
         'a'..='z' => shifted('a', 0x1D44E),
@@ -42,8 +41,5 @@ pub fn italic_letter(c: char) -> char {
 
 /// Escapes `text` for HTML, attributes included.
 pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

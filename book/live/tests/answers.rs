@@ -5,14 +5,10 @@ use live::{Output, find, own_scene};
 #[test]
 fn default_picture_is_that_of_the_program() {
     let mirror: exercises::Picture = exercises::mirror::picture;
-    for (name, picture) in exercises::STEPS.into_iter().chain([("mirror", mirror)])
-    {
+    for (name, picture) in exercises::STEPS.into_iter().chain([("mirror", mirror)]) {
         let output = find(name).expect("a picture").default_output();
         let Output::Picture(default) = output else { panic!("{name} is drawn") };
-        assert!(
-            default == picture(&live::camera(), 1),
-            "{name} is another picture"
-        );
+        assert!(default == picture(&live::camera(), 1), "{name} is another picture");
     }
 }
 
@@ -29,9 +25,7 @@ fn own_scene_with_shadows_and_mirrors_is_that_of_the_example() {
     let mut parameters = live.parameters.iter();
     let switch = parameters.position(|p| p.words == "shadows and mirrors");
     values[switch.expect("a switch")] = 1.0;
-    let Output::Picture(picture) = (live.draw)(&values) else {
-        panic!("the scene is drawn")
-    };
+    let Output::Picture(picture) = (live.draw)(&values) else { panic!("the scene is drawn") };
     assert!(picture == exercises::mirror::picture(&live::camera(), 1));
 }
 

@@ -22,8 +22,7 @@ fn parse_vector(live: &Live, values: &[f64], name: &str) -> DVec3 {
 #[test]
 fn dragged_handle_of_a_picture_is_near_the_pointer() {
     let pictures = LIVE.iter().filter(|live| live.name.starts_with("step"));
-    let handles = pictures
-        .flat_map(|live| live.handles.iter().map(move |handle| (live, handle)));
+    let handles = pictures.flat_map(|live| live.handles.iter().map(move |handle| (live, handle)));
     let pointer = dvec2(400.0, 150.0);
     let count = handles
         .map(|(live, handle)| {
@@ -44,9 +43,7 @@ fn light_that_is_moved_by_keys_stays_inside_the_picture() {
     let mut values = live.default_values();
     values[3..6].copy_from_slice(&[0.0, 0.5, -4.0]);
     for _ in 0..100 {
-        values = live
-            .step_handle(&values, warm, dvec2(1.0, 0.0))
-            .expect("allowed values");
+        values = live.step_handle(&values, warm, dvec2(1.0, 0.0)).expect("allowed values");
     }
     let place = warm.place(&values).expect("a place");
     assert_eq!(place, place.clamp(DVec2::ZERO, dvec2(640.0, 360.0)));
@@ -66,16 +63,13 @@ fn light_behind_the_eye_has_no_place() {
 }
 
 /// The values of the own scene at an address, and its handle of the red sphere.
-fn own_scene_and_handle(
-    address: &str,
-) -> (&'static Live, Vec<f64>, &'static Handle) {
+fn own_scene_and_handle(address: &str) -> (&'static Live, Vec<f64>, &'static Handle) {
     let live = find_live("own_scene");
     let mut values = live.default_values();
     for part in address.split(',') {
         let (name, value) = part.split_once(':').expect("a value");
-        let is_named = |parameter: &Parameter| {
-            format!("{} {}", parameter.group, parameter.words) == name
-        };
+        let is_named =
+            |parameter: &Parameter| format!("{} {}", parameter.group, parameter.words) == name;
         let index = live.parameters.iter().position(is_named).expect(name);
         values[index] = value.parse().expect("a number");
     }
@@ -161,8 +155,7 @@ fn material_controls_are_those_of_the_sphere_at_the_probe() {
             let parameter = &live.parameters[*k];
             (parameter.has_control)(parameter, &values)
         };
-        let controls: Vec<_> =
-            (6..live.parameters.len()).filter(has_control).collect();
+        let controls: Vec<_> = (6..live.parameters.len()).filter(has_control).collect();
         let [n, r_s] = controls[..] else { panic!("{colour}: {controls:?}") };
         assert!(live.parameters[n].words.contains(colour));
         let specular = parse_vector(live, &values, "specular");
@@ -209,8 +202,7 @@ fn ratio_of_an_oval_is_as_the_chapter_derives() {
         assert_eq!(parse_number(live, &[theta], "phi"), [phi]);
         let phi = phi.to_radians();
         let length = (phi + alpha).tan() - (phi - alpha).tan();
-        let width =
-            2.0 * alpha.sin() / (phi.cos().powi(2) - alpha.sin().powi(2)).sqrt();
+        let width = 2.0 * alpha.sin() / (phi.cos().powi(2) - alpha.sin().powi(2)).sqrt();
         let ratio = parse_number(live, &[theta], "times")[0];
         assert!((ratio - length / width).abs() <= 0.051, "{ratio}");
     }
@@ -232,11 +224,7 @@ fn drag_in_flat_world(handle: usize, by: DVec2) -> Option<(Vec<f64>, String)> {
 fn path_in_the_flat_world_follows_what_is_dragged() {
     let [eye, end, light, ball_2, ball_3] = [0, 1, 2, 4, 5];
     for (handle, by, expected) in [
-        (
-            ball_2,
-            dvec2(-90.0, 0.0),
-            "ball 1 at t = 2.84, in the light; then ball 3",
-        ),
+        (ball_2, dvec2(-90.0, 0.0), "ball 1 at t = 2.84, in the light; then ball 3"),
         (light, dvec2(100.0, 0.0), "ball 1 at t = 2.84, in the light; then ball 3"),
         (ball_3, dvec2(-96.0, 0.0), "ball 1 at t = 2.84, in shadow; then nothing"),
         // V is twice as long.
@@ -256,11 +244,8 @@ fn path_in_the_flat_world_follows_what_is_dragged() {
 fn flat_world_draws_what_its_caption_says() {
     let live = find_live("flat-world");
     for (handle, by) in [(0, DVec2::ZERO), (4, dvec2(-90.0, 0.0)), (1, DVec2::X)] {
-        let (values, path) =
-            drag_in_flat_world(handle, by).expect("allowed values");
-        let live::Output::Drawing(drawing) = (live.draw)(&values) else {
-            panic!("a picture")
-        };
+        let (values, path) = drag_in_flat_world(handle, by).expect("allowed values");
+        let live::Output::Drawing(drawing) = (live.draw)(&values) else { panic!("a picture") };
         let count = |class: &str| drawing.svg_elements().matches(class).count();
         assert_eq!(count("\"light\""), path.matches("in the light").count());
         assert_eq!(count("\"guide\""), path.matches("in shadow").count());
@@ -268,13 +253,8 @@ fn flat_world_draws_what_its_caption_says() {
         assert_eq!(count("\"hit dot\""), path.matches("ball").count());
         assert_eq!(count("\"object seen\""), path.matches("ball").count());
         // The first hit is at S + tV.
-        let t: f64 = path
-            .split(['=', ','])
-            .nth(1)
-            .and_then(|t| t.trim().parse().ok())
-            .expect("t");
-        let [s, end] =
-            [0, 1].map(|k| live.handles[k].place(&values).expect("a place"));
+        let t: f64 = path.split(['=', ',']).nth(1).and_then(|t| t.trim().parse().ok()).expect("t");
+        let [s, end] = [0, 1].map(|k| live.handles[k].place(&values).expect("a place"));
         let p = s + t * (end - s);
         let dots = drawing.svg_elements().split("\"hit dot\" cx=\"").nth(1);
         let coordinates: Vec<f64> = dots
@@ -284,9 +264,6 @@ fn flat_world_draws_what_its_caption_says() {
             .take(2)
             .filter_map(|number| number.parse().ok())
             .collect();
-        assert!(
-            DVec2::from_slice(&coordinates).distance(p) < 0.5,
-            "{coordinates:?}, {p}"
-        );
+        assert!(DVec2::from_slice(&coordinates).distance(p) < 0.5, "{coordinates:?}, {p}");
     }
 }

@@ -23,9 +23,7 @@ fn mirrors_with(changes: &[(usize, f64)]) -> (&'static Live, Vec<f64>) {
 
 fn draw(changes: &[(usize, f64)]) -> RgbImage {
     let (live, values) = mirrors_with(changes);
-    let Output::Picture(picture) = (live.draw)(&values) else {
-        panic!("a drawing")
-    };
+    let Output::Picture(picture) = (live.draw)(&values) else { panic!("a drawing") };
     picture
 }
 
@@ -41,12 +39,8 @@ fn depth_and_k_draw_the_example_at_that_depth_with_that_k() {
         let mut scene = mirror::mirrors();
         scene.objects[1].material.k = k_of_ground;
         let colour = |ray: &Ray| mirror::colour(&scene, ray, depth);
-        let changes =
-            [columns, (DEPTH, f64::from(depth)), (FIRST_K + 1, k_of_ground)];
-        assert!(
-            draw(&changes) == render(&camera, 1, colour),
-            "depth {depth}, k {k_of_ground}"
-        );
+        let changes = [columns, (DEPTH, f64::from(depth)), (FIRST_K + 1, k_of_ground)];
+        assert!(draw(&changes) == render(&camera, 1, colour), "depth {depth}, k {k_of_ground}");
     }
 }
 
@@ -70,12 +64,7 @@ fn table_leads_to_the_bytes_of_the_pixel() {
         ([600, 20], 10, 8, 1),
     ] {
         let [i, j] = pixel.map(f64::from);
-        let changes = [
-            (0, i),
-            (1, j),
-            (DEPTH, f64::from(depth)),
-            (OFFSET, f64::from(offset)),
-        ];
+        let changes = [(0, i), (1, j), (DEPTH, f64::from(depth)), (OFFSET, f64::from(offset))];
         let (live, values) = mirrors_with(&changes);
         let numbers = (live.numbers)(&values);
         let text = |name: &str, k: usize| &numbers[&format!("{name}{k}")];
@@ -84,8 +73,7 @@ fn table_leads_to_the_bytes_of_the_pixel() {
         // From the last row up, as the colours come back.
         let last = parse_vector(text("I", rows - 1));
         let colour = (0..rows - 1).rev().fold(last, |mirrored, k| {
-            let [own, shine] =
-                ["matte", "specular"].map(|name| parse_vector(text(name, k)));
+            let [own, shine] = ["matte", "specular"].map(|name| parse_vector(text(name, k)));
             let share: f64 = text("k", k).parse().expect("k");
             let colour = (1.0 - share) * own + share * mirrored + shine;
             assert!(colour.abs_diff_eq(parse_vector(text("I", k)), 2e-4));
@@ -101,7 +89,6 @@ fn table_leads_to_the_bytes_of_the_pixel() {
 
 fn parse_vector(text: &str) -> DVec3 {
     let entries = text.trim_matches(['(', ')']).split(", ");
-    let entries: Vec<f64> =
-        entries.filter_map(|entry| entry.parse().ok()).collect();
+    let entries: Vec<f64> = entries.filter_map(|entry| entry.parse().ok()).collect();
     DVec3::from_slice(&entries)
 }

@@ -54,16 +54,12 @@ pub fn draw_mistakes<'a>(
         }
         // What is left is compiled again, without those.
         if faulty.is_empty() {
-            let finished_count =
-                run_and_read_pictures(&mistakes[..count], &mut finish)?;
+            let finished_count = run_and_read_pictures(&mistakes[..count], &mut finish)?;
             mistakes.drain(..finished_count);
         }
         let done_count = all - mistakes.len();
         let time_left = start.elapsed() * mistakes.len() as u32 / done_count as u32;
-        println!(
-            "{done_count} of {all} done, about {} s left",
-            time_left.as_secs()
-        );
+        println!("{done_count} of {all} done, about {} s left", time_left.as_secs());
     }
     Ok(())
 }
@@ -105,8 +101,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
         let source = folder.join(format!("src/m{k}"));
         let own_step = mistake.step().map_or("", Step::name);
         let names = mistake.affected_picture_names();
-        let text: String =
-            names.iter().map(|name| format!("pub mod {name};\n")).collect();
+        let text: String = names.iter().map(|name| format!("pub mod {name};\n")).collect();
         write_with_folders(&source.join("mod.rs"), &text)?;
         modules.push(format!("mod m{k};"));
         for name in names {
@@ -116,19 +111,15 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
                 write_step(&source.join(&name), mistake, &name, k)?;
             } else {
                 // An example may have the module of another in it.
-                let folder = format!(
-                    "#[path = \"{}/steps/{own_step}/examples/",
-                    quotable_workspace_path()
-                );
-                let text = unindented_text_with_mistake(mistake)?
-                    .replace("#[path = \"", &folder);
+                let folder =
+                    format!("#[path = \"{}/steps/{own_step}/examples/", quotable_workspace_path());
+                let text = unindented_text_with_mistake(mistake)?.replace("#[path = \"", &folder);
                 write_with_folders(&source.join(format!("{name}.rs")), &text)?;
             }
             let camera = if is_step { &path } else { own_step };
             pictures.push(match &*name {
                 _ if is_cli_file(&mistake.file) => {
-                    programs
-                        .push(format!("|| {path}::run(\"\", {path}::picture),"));
+                    programs.push(format!("|| {path}::run(\"\", {path}::picture),"));
                     format!("|| draw_with_program({}),", programs.len() - 1)
                 }
                 "gradient" => format!("{path}::picture,"),
@@ -136,8 +127,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
             });
         }
     }
-    let [modules, pictures, programs] =
-        [modules, pictures, programs].map(|lines| lines.join("\n"));
+    let [modules, pictures, programs] = [modules, pictures, programs].map(|lines| lines.join("\n"));
     let main = format!(
         "{MAIN}\n{modules}\n\nconst PICTURES: &[fn() -> RgbImage] = &[\n{pictures}\n];\n\n\
          const PROGRAMS: &[fn()] = &[\n{programs}\n];\n"
@@ -149,25 +139,19 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
 fn manifest_text() -> io::Result<String> {
     let section = |path: &str, name: &str| {
         let text = read_in_workspace(path)?;
-        let section_text =
-            text.split("\n[").find(|section| section.starts_with(name));
+        let section_text = text.split("\n[").find(|section| section.starts_with(name));
         Ok::<_, io::Error>(section_text.unwrap_or_default().to_owned())
     };
     let versions = section("Cargo.toml", "workspace.dependencies]")?;
-    let versions = versions
-        .replace("path = \"", &format!("path = \"{}/", quotable_workspace_path()));
+    let versions =
+        versions.replace("path = \"", &format!("path = \"{}/", quotable_workspace_path()));
     let dependencies = section("book/exercises/Cargo.toml", "dependencies]")?;
     Ok(format!("{MANIFEST}\n[{versions}\n[{dependencies}\nclap.workspace = true\n"))
 }
 
 /// Writes the library of a step, with the mistake, as a part of module `k`. The program
 /// around the picture is that of the course, unless the mistake is there.
-fn write_step(
-    folder: &Path,
-    mistake: &Mistake,
-    step: &str,
-    k: usize,
-) -> io::Result<()> {
+fn write_step(folder: &Path, mistake: &Mistake, step: &str, k: usize) -> io::Result<()> {
     let is_left_out = |path: &str| is_cli_file(path) && !is_cli_file(&mistake.file);
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
@@ -182,18 +166,10 @@ fn write_step(
         };
         text = text.replace("crate::", &format!("crate::m{k}::{step}::"));
         for name in mistake.affected_picture_names() {
-            text = text.replace(
-                &format!("use {name}"),
-                &format!("use crate::m{k}::{name}"),
-            );
+            text = text.replace(&format!("use {name}"), &format!("use crate::m{k}::{name}"));
         }
-        for name in
-            CLI_MODULES.iter().filter(|name| is_left_out(&format!("/{name}.rs")))
-        {
-            text = text.replace(
-                &format!("mod {name};"),
-                &format!("use ::{step} as {name};"),
-            );
+        for name in CLI_MODULES.iter().filter(|name| is_left_out(&format!("/{name}.rs"))) {
+            text = text.replace(&format!("mod {name};"), &format!("use ::{step} as {name};"));
         }
         let file = if file == "lib.rs" { "mod.rs" } else { &file };
         write_with_folders(&folder.join(file), &text)?;
@@ -208,20 +184,16 @@ fn is_cli_file(path: &str) -> bool {
 
 /// Compiles the program, and returns the numbers of the modules that have errors.
 fn find_modules_with_errors() -> io::Result<BTreeSet<usize>> {
-    let output =
-        cargo_command("build").args(["--message-format", "short"]).output()?;
+    let output = cargo_command("build").args(["--message-format", "short"]).output()?;
     if output.status.success() {
         return Ok(BTreeSet::new());
     }
     let text = String::from_utf8_lossy(&output.stderr).replace('\\', "/");
     let errors = text.lines().filter(|line| line.contains(": error"));
-    let module =
-        |line: &str| line.strip_prefix("src/m")?.split('/').next()?.parse().ok();
+    let module = |line: &str| line.strip_prefix("src/m")?.split('/').next()?.parse().ok();
     let faulty: BTreeSet<_> = errors.filter_map(module).collect();
     if faulty.is_empty() {
-        return Err(io::Error::other(format!(
-            "the mistakes do not compile:\n{text}"
-        )));
+        return Err(io::Error::other(format!("the mistakes do not compile:\n{text}")));
     }
     Ok(faulty)
 }
@@ -229,9 +201,7 @@ fn find_modules_with_errors() -> io::Result<BTreeSet<usize>> {
 fn cargo_command(command: &str) -> Command {
     let folder = target_folder().join("mistakes");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo
-        .args([command, "--quiet", "--offline", "--target-dir"])
-        .arg(folder.join("target"));
+    cargo.args([command, "--quiet", "--offline", "--target-dir"]).arg(folder.join("target"));
     cargo.current_dir(folder).env_remove("CARGO_BUILD_TARGET");
     cargo
 }
@@ -258,14 +228,10 @@ fn quotable_workspace_path() -> String {
 
 /// The text of a mistake's file, with the mistake in it.
 fn unindented_text_with_mistake(mistake: &Mistake) -> io::Result<String> {
-    mistake.apply_and_unindent(&read_in_workspace(&mistake.file)?).ok_or_else(
-        || {
-            let mistake = title_and_file(mistake);
-            io::Error::other(format!(
-                "the text is not there, or not once: {mistake}"
-            ))
-        },
-    )
+    mistake.apply_and_unindent(&read_in_workspace(&mistake.file)?).ok_or_else(|| {
+        let mistake = title_and_file(mistake);
+        io::Error::other(format!("the text is not there, or not once: {mistake}"))
+    })
 }
 
 fn read_in_workspace(path: &str) -> io::Result<String> {

@@ -43,9 +43,7 @@ fn update_checked_in_files(options: &Options) -> Result<(), Box<dyn Error>> {
     // Minutes would be lost if this were told after the mistakes.
     modules::fail_without_wasm_target()?;
     mistakes::draw_outdated_and_chosen(|mistake| {
-        let is_in = |word: &String| {
-            mistake.title.contains(word) || mistake.file.contains(word)
-        };
+        let is_in = |word: &String| mistake.title.contains(word) || mistake.file.contains(word);
         options.all || options.words.iter().any(is_in)
     })?;
     modules::compile_modules()

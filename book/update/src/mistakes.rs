@@ -1,8 +1,5 @@
 use crate::batch::{self, Pictures, title_and_file};
-use check::{
-    Locked, Mistake, Step, TableRow, hash_picture, locked_hashes, mistakes,
-    table_rows,
-};
+use check::{Locked, Mistake, Step, TableRow, hash_picture, locked_hashes, mistakes, table_rows};
 use compare::workspace;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
@@ -17,21 +14,15 @@ pub fn draw_outdated_and_chosen(
     is_chosen: impl Fn(&Mistake) -> bool,
 ) -> Result<(), Box<dyn Error>> {
     let (locked, all) = (read_all_locked()?, mistakes());
-    let rows_with_hash =
-        table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
-    let mut table: HashMap<u32, TableRow> =
-        rows_with_hash.map(|row| (row.key, row)).collect();
+    let rows_with_hash = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+    let mut table: HashMap<u32, TableRow> = rows_with_hash.map(|row| (row.key, row)).collect();
     // Where a locked picture has changed, its mistakes are drawn anew.
     let right: HashMap<_, _> = locked_hashes().collect();
-    let is_new =
-        |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
+    let is_new = |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
     let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
     let is_current = |mistake: &Mistake| {
         table.contains_key(&compute_table_key(mistake))
-            && !mistake
-                .affected_picture_names()
-                .iter()
-                .any(|name| new.contains(&name))
+            && !mistake.affected_picture_names().iter().any(|name| new.contains(&name))
             && small_picture_paths(mistake).all(|(path, _)| path.exists())
     };
     let selected = all.iter().filter(|one| is_chosen(one) || !is_current(one));
@@ -80,44 +71,30 @@ fn compute_table_key(mistake: &Mistake) -> u32 {
 /// All locked pictures that somebody may draw.
 fn read_all_locked() -> Result<Vec<Locked>, String> {
     let exercises = exercises::PICTURES.iter().map(|(name, _)| *name);
-    Step::ALL
-        .map(Step::name)
-        .into_iter()
-        .chain(exercises)
-        .map(Locked::read)
-        .collect()
+    Step::ALL.map(Step::name).into_iter().chain(exercises).map(Locked::read).collect()
 }
 
 /// The paths of a mistake's small pictures, each with the name of what is drawn.
-fn small_picture_paths(
-    mistake: &Mistake,
-) -> impl Iterator<Item = (PathBuf, &'static str)> {
+fn small_picture_paths(mistake: &Mistake) -> impl Iterator<Item = (PathBuf, &'static str)> {
     let pictures = mistake.book_entry.iter().flat_map(|shown| &shown.pictures);
     let path = |name: &str| mistakes_folder().join(format!("pictures/{name}.png"));
     pictures.map(move |(name, step)| (path(name), step.name()))
 }
 
 /// A mistake's row of the table.
-fn table_row(
-    mistake: &Mistake,
-    pictures: &Pictures,
-    locked: &[Locked],
-) -> TableRow {
-    let sums =
-        mistake.affected_picture_names().into_iter().zip(0..).map(|(name, k)| {
-            let picture = pictures.get(k)?.as_ref()?;
-            let is_right =
-                |one: &Locked| one.name == name && one.picture == *picture;
-            (!locked.iter().any(is_right)).then(|| hash_picture(picture))
-        });
+fn table_row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> TableRow {
+    let sums = mistake.affected_picture_names().into_iter().zip(0..).map(|(name, k)| {
+        let picture = pictures.get(k)?.as_ref()?;
+        let is_right = |one: &Locked| one.name == name && one.picture == *picture;
+        (!locked.iter().any(is_right)).then(|| hash_picture(picture))
+    });
     TableRow { key: compute_table_key(mistake), hashes: sums.collect() }
 }
 
 fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
     for (path, step) in small_picture_paths(mistake) {
         let names = mistake.affected_picture_names().into_iter();
-        let mut pictures_of_step =
-            names.zip(pictures).filter(|(name, _)| *name == step);
+        let mut pictures_of_step = names.zip(pictures).filter(|(name, _)| *name == step);
         let Some((_, Some(picture))) = pictures_of_step.next() else {
             println!("not drawn: {}", path.display());
             continue;

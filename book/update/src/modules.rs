@@ -22,19 +22,15 @@ pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
     if output.status.success() && fs::exists(folder.trim())? {
         return Ok(());
     }
-    Err(format!(
-        "Rust's target for the browser is missing: `rustup target add {TARGET}`"
-    )
-    .into())
+    Err(format!("Rust's target for the browser is missing: `rustup target add {TARGET}`").into())
 }
 
 /// Compiles all modules; Cargo knows what has changed.
 pub fn compile_modules() -> Result<(), Box<dyn Error>> {
     // No path of this machine stands in what is checked in.
     let paths = registry_source_folders().into_iter().chain([target_folder()]);
-    let paths: Vec<_> = paths
-        .map(|path| format!("--remap-path-prefix={}=", path.display()))
-        .collect();
+    let paths: Vec<_> =
+        paths.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     for feature in MODULES {
         let folder = target_folder().join("wasm");
         let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
@@ -42,13 +38,7 @@ pub fn compile_modules() -> Result<(), Box<dyn Error>> {
             .args(["--no-default-features", "--features", feature])
             .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
             .arg(&folder)
-            .args([
-                "--",
-                "-C",
-                "strip=symbols",
-                "-C",
-                "link-arg=--compress-relocations",
-            ])
+            .args(["--", "-C", "strip=symbols", "-C", "link-arg=--compress-relocations"])
             .env("CARGO_ENCODED_RUSTFLAGS", paths.join("\x1f"))
             .current_dir(workspace())
             .status()?;
@@ -57,16 +47,11 @@ pub fn compile_modules() -> Result<(), Box<dyn Error>> {
         }
         let path = format!("book/wasm/{feature}.wasm");
         let module = fs::read(folder.join(TARGET).join("wasm/wasm.wasm"))?;
-        let is_new =
-            fs::read(workspace().join(&path)).ok().as_ref() != Some(&module);
+        let is_new = fs::read(workspace().join(&path)).ok().as_ref() != Some(&module);
         if is_new {
             fs::write(workspace().join(&path), &module)?;
         }
-        println!(
-            "{path}: {} bytes{}",
-            module.len(),
-            if is_new { ", new" } else { "" }
-        );
+        println!("{path}: {} bytes{}", module.len(), if is_new { ", new" } else { "" });
     }
     Ok(())
 }

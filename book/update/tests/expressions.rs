@@ -29,8 +29,7 @@ fn expressions_wasm_is_up_to_date() {
 /// set. A mistake that the table does not know yet is left out.
 #[test]
 fn listed_mistakes_are_drawn_by_an_edited_line() {
-    let edits: Vec<_> =
-        editable_places().iter().flat_map(edits_of_known_mistakes).collect();
+    let edits: Vec<_> = editable_places().iter().flat_map(edits_of_known_mistakes).collect();
     let step = if tries_all_cases() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for (place, text, expected) in edits.iter().step_by(step) {
@@ -38,26 +37,16 @@ fn listed_mistakes_are_drawn_by_an_edited_line() {
         match parse_expression(place, text) {
             Ok(expression) => {
                 let sum = hash_picture(&draw_edited(place, expression, 640));
-                assert_eq!(
-                    sum, *expected,
-                    "{}: {text} draws another picture",
-                    place.name
-                );
+                assert_eq!(sum, *expected, "{}: {text} draws another picture", place.name);
             }
             Err(mistake) => {
-                refusals.push(format!(
-                    "{}: {text}: {}\n",
-                    place.name, mistake.sentence
-                ));
+                refusals.push(format!("{}: {text}: {}\n", place.name, mistake.sentence));
             }
         }
     }
     let refused_count = refusals.len();
     let refusals = refusals.concat();
-    assert!(
-        10 * refused_count < count,
-        "of {count}, these are refused:\n{refusals}"
-    );
+    assert!(10 * refused_count < count, "of {count}, these are refused:\n{refusals}");
 }
 
 /// The mistakes that change `place` alone: what is written there, and the sum of the picture.
@@ -71,13 +60,10 @@ fn edits_of_known_mistakes(place: &Place) -> Vec<(Place, String, u64)> {
     let right = locked_hashes().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
     let edit = |(mistake, row): (Mistake, TableRow)| {
-        let edited =
-            mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
+        let edited = mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         let is_known = row.key == TableRow::compute_key(&mistake, &text);
-        is_known.then(|| {
-            (place.clone(), new.to_owned(), row.hashes[0].unwrap_or(right))
-        })
+        is_known.then(|| (place.clone(), new.to_owned(), row.hashes[0].unwrap_or(right)))
     };
     mistakes().into_iter().zip(table_rows()).filter_map(edit).collect()
 }

@@ -13,12 +13,7 @@ use wasm::answer;
 
 /// Fails if the module `name` answers otherwise than our code.
 #[track_caller]
-pub fn assert_same(
-    name: &str,
-    request: &str,
-    ours: &Answer,
-    theirs: Option<Answer>,
-) {
+pub fn assert_same(name: &str, request: &str, ours: &Answer, theirs: Option<Answer>) {
     let is_same = theirs.as_ref() == Some(ours);
     assert!(
         is_same,
@@ -36,20 +31,11 @@ fn live_wasm_is_up_to_date() {
     for live in LIVE.iter() {
         let mut all = vec![
             format!("about {}", live.name),
-            format!(
-                "show {}{}",
-                live.name,
-                join_words(&default_values_as_printed(live))
-            ),
-            format!(
-                "tell {}{}",
-                live.name,
-                join_words(&default_values_as_printed(live))
-            ),
+            format!("show {}{}", live.name, join_words(&default_values_as_printed(live))),
+            format!("tell {}{}", live.name, join_words(&default_values_as_printed(live))),
         ];
         for _ in 0..if tries_all_cases() { 2 } else { 1 } {
-            let tree =
-                random_live_requests(live).new_tree(&mut runner).expect("requests");
+            let tree = random_live_requests(live).new_tree(&mut runner).expect("requests");
             all.extend(tree.current());
         }
         for request in all {
@@ -71,10 +57,7 @@ fn check_wasm_draws_the_pictures() {
         assert_same("check", &request, &ours, module.answer(&request, b""));
     }
     let ours = answer("draw step05_phong", b"");
-    assert!(
-        ours.pixels == *read_locked_picture("step05_phong"),
-        "it is not the locked picture"
-    );
+    assert!(ours.pixels == *read_locked_picture("step05_phong"), "it is not the locked picture");
 }
 
 #[test]
@@ -83,25 +66,18 @@ fn check_wasm_is_up_to_date() {
     // As book/theme/live.js does, keep the pictures that it asks for.
     let steps = locked_names().into_iter().filter(|name| name.starts_with("step"));
     for name in steps.chain(["gradient"]) {
-        let (request, pixels) =
-            (format!("drawn {name}"), read_locked_picture(name).into_raw());
+        let (request, pixels) = (format!("drawn {name}"), read_locked_picture(name).into_raw());
         answer(&request, &pixels);
         module.answer(&request, &pixels);
     }
     // The modules contain these files, byte by byte.
-    let lists =
-        fs::read_dir(workspace().join("book/check/mistakes")).expect("lists");
+    let lists = fs::read_dir(workspace().join("book/check/mistakes")).expect("lists");
     let lists = lists.map(|file| file.expect("a list").path());
-    let lists: Vec<_> = lists
-        .filter(|path| path.extension().is_some_and(|end| end == "txt"))
-        .collect();
-    let source_files =
-        ["book/check/sections_and_tests.txt", "book/exercises/lib.rs"];
-    let source_files: Vec<_> =
-        source_files.iter().map(|path| workspace().join(path)).collect();
-    for (name, paths) in
-        [("check", &lists), ("expressions", &lists), ("check", &source_files)]
-    {
+    let lists: Vec<_> =
+        lists.filter(|path| path.extension().is_some_and(|end| end == "txt")).collect();
+    let source_files = ["book/check/sections_and_tests.txt", "book/exercises/lib.rs"];
+    let source_files: Vec<_> = source_files.iter().map(|path| workspace().join(path)).collect();
+    for (name, paths) in [("check", &lists), ("expressions", &lists), ("check", &source_files)] {
         let bytes = page_module::read_module(name);
         for path in paths {
             let text = fs::read(path).expect("a list");
@@ -122,11 +98,7 @@ fn check_wasm_is_up_to_date() {
     ];
     if tries_all_cases() {
         // A whole picture takes seconds here.
-        requests_with_words.push((
-            "check gradient a.png",
-            &right,
-            "Right: this is the picture",
-        ));
+        requests_with_words.push(("check gradient a.png", &right, "Right: this is the picture"));
     }
     for (request, file, says) in requests_with_words {
         let ours = answer(request, file);

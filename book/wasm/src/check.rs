@@ -22,27 +22,21 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
         "*" => check::find_name_in_file_name(file_name, locked_names().into_iter()),
         name => Some(name),
     };
-    let hash =
-        check::read_png(file).map(|picture| check::hash_picture(&picture.pixels));
+    let hash = check::read_png(file).map(|picture| check::hash_picture(&picture.pixels));
     let has_hash = |(_, locked): &(_, u64)| hash.as_ref() == Ok(locked);
     let same = check::locked_hashes().find(has_hash).map(|(name, _)| name);
     let is_needed = |known: &str| {
         let is_expected = name.or(same).is_none_or(|name| name == known);
         is_expected || same == Some(known) || Step::from_name(known).is_some()
     };
-    for known in
-        locked_names().into_iter().filter(|known| hash.is_ok() && is_needed(known))
-    {
-        let is_kept = LOCKED.with_borrow(|locked| {
-            locked.iter().any(|picture| picture.name == known)
-        });
+    for known in locked_names().into_iter().filter(|known| hash.is_ok() && is_needed(known)) {
+        let is_kept =
+            LOCKED.with_borrow(|locked| locked.iter().any(|picture| picture.name == known));
         if !is_kept && let Some(picture) = draw_picture(known, SIZE[0]) {
             insert(known, picture);
         }
     }
-    LOCKED.with_borrow(|locked| {
-        page_answer(check::check_png(file, file_name, name, locked))
-    })
+    LOCKED.with_borrow(|locked| page_answer(check::check_png(file, file_name, name, locked)))
 }
 
 /// Keeps a locked picture that was drawn elsewhere: red, green and blue of each pixel.
@@ -67,10 +61,7 @@ fn insert(name: &str, picture: RgbImage) {
 
 /// The answer of `check` as one for the page.
 fn page_answer(answer: check::Answer) -> Answer {
-    let mut fields = vec![
-        ("code", answer.code.to_string()),
-        ("text", json::quote(&answer.text)),
-    ];
+    let mut fields = vec![("code", answer.code.to_string()), ("text", json::quote(&answer.text))];
     let mut pixels = vec![];
     if let Some(difference) = answer.difference {
         let (width, height) = difference.dimensions();

@@ -12,10 +12,7 @@ pub fn draw(words: &str) -> live::Answer {
         return live::Answer::default();
     };
     let size = live::json::list([picture.width(), picture.height()]);
-    live::Answer {
-        pixels: picture.into_raw(),
-        ..live::Answer::from_json_fields([("size", size)])
-    }
+    live::Answer { pixels: picture.into_raw(), ..live::Answer::from_json_fields([("size", size)]) }
 }
 
 /// The picture of this name with so many columns; None if there is none.

@@ -1,7 +1,5 @@
 use ::check::{Mistake, find_mistakes_with_hash, hash_picture, locked_hashes};
-use expressions::{
-    ParseError, Place, draw_edited, editable_places, parse_expression,
-};
+use expressions::{ParseError, Place, draw_edited, editable_places, parse_expression};
 use image::RgbImage;
 use live::{Answer, json};
 
@@ -26,14 +24,9 @@ pub fn edit(words: &str) -> Answer {
         Ok(expression) => {
             let picture = draw_edited(&place, expression, columns);
             let size = json::list([picture.width(), picture.height()]);
-            let known = if columns == 640 {
-                describe(&place, text, &picture)
-            } else {
-                None
-            };
+            let known = if columns == 640 { describe(&place, text, &picture) } else { None };
             let known = json::quote(&known.unwrap_or_default());
-            let answer =
-                Answer::from_json_fields([("size", size), ("known", known)]);
+            let answer = Answer::from_json_fields([("size", size), ("known", known)]);
             Answer { pixels: live::rgba_bytes(&picture), ..answer }
         }
         Err(ParseError { range, sentence }) => {
@@ -58,8 +51,7 @@ fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
     mistakes.retain(|(_, name)| name == step);
     // What was written here comes before what gives the same pixels elsewhere.
     let file = format!("steps/{}", place.file);
-    let is_here =
-        |mistake: &Mistake| text.contains(&mistake.new) && mistake.file == file;
+    let is_here = |mistake: &Mistake| text.contains(&mistake.new) && mistake.file == file;
     mistakes.sort_by_key(|(mistake, _)| (!is_here(mistake), mistake.file != file));
     let (mistake, _) = mistakes.first()?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))

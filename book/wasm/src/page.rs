@@ -34,9 +34,8 @@ extern "C" fn live_file(length: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 extern "C" fn live_answer() {
     let file = FILE.take();
-    let answer = REQUEST.with_borrow(|request| {
-        answer(str::from_utf8(request).unwrap_or_default(), &file)
-    });
+    let answer =
+        REQUEST.with_borrow(|request| answer(str::from_utf8(request).unwrap_or_default(), &file));
     ANSWER.set(answer);
 }
 

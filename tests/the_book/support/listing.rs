@@ -25,15 +25,12 @@ impl<'a> Listing<'a> {
     pub fn from_figure(page: &'a Page, figure: ElementRef<'a>) -> Self {
         let location = page.address_for_fault(figure);
         let elements = select_all(figure, "code");
-        let [element] = elements[..] else {
-            panic!("{location} needs one code element")
-        };
+        let [element] = elements[..] else { panic!("{location} needs one code element") };
         let lines = figure.attr("data-lines").and_then(|lines| {
             let (first, last) = lines.split_once('-')?;
             Some((first.parse().ok()?, last.parse().ok()?))
         });
-        let is_rust =
-            element.attr("class").is_some_and(|class| class.contains("rust"));
+        let is_rust = element.attr("class").is_some_and(|class| class.contains("rust"));
         let mut code = inner_text(element);
         // mdBook ends the last line of all code but Rust.
         if !is_rust && code.ends_with('\n') {

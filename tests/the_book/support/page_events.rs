@@ -44,20 +44,14 @@ pub fn page_events(page: &Page) -> Vec<Event<'_>> {
             }
             (Some("console"), Some("ours")) => {}
             (Some("console"), folder) => {
-                let code: String = select_all(element, "code")
-                    .into_iter()
-                    .map(inner_text)
-                    .collect();
+                let code: String =
+                    select_all(element, "code").into_iter().map(inner_text).collect();
                 let exit_code = match folder {
                     Some("yours refused") => INVALID_ARGUMENT_EXIT_CODE,
                     Some("yours fails") => FAILED_TEST_EXIT_CODE,
                     _ => 0,
                 };
-                let commands = parse_commands(
-                    &page.address_for_fault(element),
-                    &code,
-                    exit_code,
-                );
+                let commands = parse_commands(&page.address_for_fault(element), &code, exit_code);
                 events.extend(commands.into_iter().map(Event::Command));
             }
             _ => events.push(Event::Heading),
@@ -67,20 +61,14 @@ pub fn page_events(page: &Page) -> Vec<Event<'_>> {
 }
 
 /// Parses the text of a console: commands, each after `$ `, and the output below them.
-fn parse_commands(
-    location: &str,
-    console: &str,
-    exit_code: i32,
-) -> Vec<PageCommand> {
+fn parse_commands(location: &str, console: &str, exit_code: i32) -> Vec<PageCommand> {
     let mut commands: Vec<PageCommand> = vec![];
     for line in console.lines() {
         if let Some(command) = line.strip_prefix("$ ") {
-            let (environment, arguments) =
-                command.split_at(command.find("cargo").unwrap_or(0));
+            let (environment, arguments) = command.split_at(command.find("cargo").unwrap_or(0));
             let variables = environment.split_whitespace();
             let variables = variables.filter_map(|word| word.split_once('='));
-            let variables =
-                variables.map(|(name, value)| (name.to_owned(), value.to_owned()));
+            let variables = variables.map(|(name, value)| (name.to_owned(), value.to_owned()));
             let arguments = arguments.split_whitespace().map(str::to_owned);
             commands.push(PageCommand {
                 location: location.to_owned(),
@@ -107,8 +95,7 @@ impl PageCommand {
     /// before it.
     pub fn first_missing_line(&self, output: &str) -> Option<&str> {
         let mut lines = output.lines();
-        let is_missing =
-            |pattern: &&String| !lines.any(|line| matches_pattern(line, pattern));
+        let is_missing = |pattern: &&String| !lines.any(|line| matches_pattern(line, pattern));
         self.expected_output.iter().find(is_missing).map(String::as_str)
     }
 }
@@ -118,8 +105,8 @@ fn matches_pattern(line: &str, pattern: &str) -> bool {
     match pattern.split_once('…') {
         None => line == pattern,
         Some((start, "")) => line.starts_with(start),
-        Some((start, end)) => line.strip_prefix(start).is_some_and(|line| {
-            line.char_indices().any(|(i, _)| matches_pattern(&line[i..], end))
-        }),
+        Some((start, end)) => line
+            .strip_prefix(start)
+            .is_some_and(|line| line.char_indices().any(|(i, _)| matches_pattern(&line[i..], end))),
     }
 }

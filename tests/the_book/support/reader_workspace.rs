@@ -78,12 +78,7 @@ impl ReaderWorkspace {
 
     /// Runs an example of a step with these options, and reads the picture that it draws;
     /// a warning is an error.
-    pub fn draw_example(
-        &self,
-        step: &str,
-        example: &str,
-        options: &str,
-    ) -> Result<RgbImage> {
+    pub fn draw_example(&self, step: &str, example: &str, options: &str) -> Result<RgbImage> {
         let mut cargo = self.cargo(&["run", "-p", step, "--example", example]);
         let output = cargo.arg("--").args(options.split_whitespace()).output()?;
         let message = String::from_utf8_lossy(&output.stderr);
@@ -136,7 +131,6 @@ fn move_file(from: &Path, to: &Path) -> Result<()> {
 /// The first line with an error in Cargo's output, and the line after it.
 pub fn first_cargo_error(output: &str) -> String {
     let mut lines = output.lines().skip_while(|line| !line.contains("error"));
-    let [first, second] =
-        [lines.next().unwrap_or(output), lines.next().unwrap_or("")];
+    let [first, second] = [lines.next().unwrap_or(output), lines.next().unwrap_or("")];
     format!("Cargo says: {first} {}", second.trim())
 }

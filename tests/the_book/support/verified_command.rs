@@ -11,8 +11,7 @@ pub fn run_and_verify_command(
     reader: &ReaderWorkspace,
     command: &PageCommand,
 ) -> Result<Vec<String>> {
-    let package =
-        command.option_value("-p").context("the command names no package")?;
+    let package = command.option_value("-p").context("the command names no package")?;
     let subcommand = command.arguments[1].as_str();
     if subcommand == "bench" {
         reader.build(&["-p", package, "--bench", "*"])?;
@@ -47,8 +46,7 @@ pub fn run_and_verify_command(
     ensure!(should_draw || paths.is_empty(), "it draws");
     ensure!(!should_draw || !paths.is_empty(), "it draws nothing");
     let names = paths.iter().filter_map(|path| path.file_stem()?.to_str());
-    let names: Vec<_> =
-        names.filter(|name| has_snapshot(name) && !is_small).collect();
+    let names: Vec<_> = names.filter(|name| has_snapshot(name) && !is_small).collect();
     for name in &names {
         ensure_is_locked_picture(reader, name)?;
     }

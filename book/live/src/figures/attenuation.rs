@@ -23,11 +23,7 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 100.0) };
     let mut drawing = Drawing::new(480.0, 280.0);
     for share in [0.5, 1.0, 1.5, 2.0] {
-        drawing.line(
-            "grid",
-            view.xy_to_drawing(0.0, share),
-            view.xy_to_drawing(14.0, share),
-        );
+        drawing.line("grid", view.xy_to_drawing(0.0, share), view.xy_to_drawing(14.0, share));
         drawing.label_ending_at(
             "quiet",
             view.xy_to_drawing(0.0, share) + dvec2(-8.0, 5.0),
@@ -43,11 +39,8 @@ fn draw(reader_attenuation: &Attenuation) -> Drawing {
     let from_1 = |b, c| Attenuation { a: 1.0, b, c };
     let is_warm = *reader_attenuation == WARM.attenuation;
     // The name stands beside the curve, or where every curve begins.
-    let (name, name_d, shift) = if is_warm {
-        ("the warm light", 4.2, -10.0)
-    } else {
-        ("your curve", 0.3, -8.0)
-    };
+    let (name, name_d, shift) =
+        if is_warm { ("the warm light", 4.2, -10.0) } else { ("your curve", 0.3, -8.0) };
     let curves = [
         (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
         (from_1(0.2, 0.0), 6.0, -8.0, "$a$ = 1, $b$ = 0.2"),
@@ -78,27 +71,16 @@ pub fn figure() -> Live {
                   alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
                   but far away it fades most. The curve of the warm light<span class='move'>, until you change it,</span> \
                   has some of each, and begins above 1; at $d = 6$ it gives {{#number attenuation:share}}.",
-        parameters: [
-            ("a", a, 2.0, 20.0),
-            ("b", b, 1.0, 100.0),
-            ("c", c, 0.5, 200.0),
-        ]
-        .map(|(symbol, default, max, steps)| {
-            let min = if symbol == "a" { SMALLEST_A } else { 0.0 };
-            Parameter::new(
-                [symbol, "of your curve", ""],
-                default,
-                [min, max],
-                steps,
-            )
-        })
-        .into(),
+        parameters: [("a", a, 2.0, 20.0), ("b", b, 1.0, 100.0), ("c", c, 0.5, 200.0)]
+            .map(|(symbol, default, max, steps)| {
+                let min = if symbol == "a" { SMALLEST_A } else { 0.0 };
+                Parameter::new([symbol, "of your curve", ""], default, [min, max], steps)
+            })
+            .into(),
         numbers: |values| {
             let share = light_share(&reader_attenuation(values), 6.0);
             collect_numbers([("share", format_number(share))])
         },
-        ..Live::new("attenuation", |values| {
-            Output::Drawing(draw(&reader_attenuation(values)))
-        })
+        ..Live::new("attenuation", |values| Output::Drawing(draw(&reader_attenuation(values))))
     }
 }

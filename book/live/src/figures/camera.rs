@@ -2,9 +2,7 @@ use super::shared::view_pyramid::{draw_steps, draw_view_pyramid};
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
-use crate::{
-    Drawing, Handle, Live, Output, Parameter, format_number, format_vector,
-};
+use crate::{Drawing, Handle, Live, Output, Parameter, format_number, format_vector};
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};
 
@@ -41,8 +39,7 @@ impl CameraFigure {
     fn pixel_at(&self, place: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);
-        let steps =
-            DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
+        let steps = DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
         nearest_pixel(&self.camera, steps.inverse() * (place - first))
     }
 }
@@ -68,8 +65,7 @@ fn draw(figure: &CameraFigure) -> Drawing {
     if tip.x < 380.0 {
         drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
     } else {
-        let end =
-            (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
+        let end = (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
         drawing.label_ending_at("quiet over", end, &label);
     }
     let corner = dvec2(44.0, 286.0);
@@ -119,8 +115,6 @@ pub fn figure() -> Live {
                 ("V", format_vector(figure.ray().direction)),
             ])
         },
-        ..Live::new("camera", |values| {
-            Output::Drawing(draw(&CameraFigure::new(values)))
-        })
+        ..Live::new("camera", |values| Output::Drawing(draw(&CameraFigure::new(values))))
     }
 }

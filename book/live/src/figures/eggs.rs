@@ -27,11 +27,7 @@ fn draw(degrees: f64) -> Drawing {
     for k in -3..=3 {
         draw_ball(&mut drawing, [picture, above], k, tan);
     }
-    drawing.line(
-        "plane",
-        above.xy_to_drawing(-tan, 1.0),
-        above.xy_to_drawing(tan, 1.0),
-    );
+    drawing.line("plane", above.xy_to_drawing(-tan, 1.0), above.xy_to_drawing(tan, 1.0));
     draw_cone(&mut drawing, [picture, above], outermost_ball(degrees));
     for side in [-tan, tan] {
         drawing.line("ray faint", c, above.xy_to_drawing(side, 1.0));
@@ -53,8 +49,7 @@ fn draw_ball(drawing: &mut Drawing, [picture, above]: [View; 2], k: i32, tan: f6
     drawing.circle(class, centre, above.scale.x * ball.radius);
     if is_visible {
         let cut = |point: &DVec2| dvec2(point.x.clamp(-tan, tan), point.y);
-        let points: Vec<_> =
-            outline.iter().map(|point| picture.to_drawing(cut(point))).collect();
+        let points: Vec<_> = outline.iter().map(|point| picture.to_drawing(cut(point))).collect();
         drawing.area("object", &points);
     }
 }
@@ -80,12 +75,7 @@ pub fn figure() -> Live {
         caption: "Equal balls, all at the same distance from the eye: from above and, over it, in the picture, with $\\theta = {{#number eggs:angle}}°$. \
                   The last ball that's whole in the picture is {{#number eggs:phi}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
                   The dashed ray goes through its centre: on the image plane, the outer part of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>",
-        parameters: vec![Parameter::new(
-            ["θ", "field of view", "°"],
-            100.0,
-            [60.0, 140.0],
-            1.0,
-        )],
+        parameters: vec![Parameter::new(["θ", "field of view", "°"], 100.0, [60.0, 140.0], 1.0)],
         numbers: |values| {
             let [degrees] = array(values);
             let k = outermost_ball(degrees);

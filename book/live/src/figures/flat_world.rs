@@ -2,9 +2,7 @@ use crate::live::collect_numbers;
 use crate::{Drawing, Handle, Live, Mark, Output, Parameter, View, format_fixed};
 use exercises::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};
-use step05_phong::{
-    Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point,
-};
+use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point};
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
@@ -49,11 +47,8 @@ impl World {
         let points: Vec<_> = points.map(|point| point.extend(0.0)).collect();
         let spheres = points[3..].iter().zip(RADII);
         let spheres = spheres.map(|(&centre, radius)| Sphere { centre, radius });
-        let balls = spheres.zip(1..).map(|(sphere, material)| Object {
-            name: "ball",
-            sphere,
-            material,
-        });
+        let balls =
+            spheres.zip(1..).map(|(sphere, material)| Object { name: "ball", sphere, material });
         let ray = Ray { start: points[0], direction: points[1] - points[0] };
         Self { ray, q: points[2], balls: balls.collect() }
     }
@@ -134,8 +129,7 @@ fn draw(world: &World) -> Drawing {
     drawing.dot("eye", s);
     drawing.circle("light head", q, 7.0);
     let above = dvec2(0.0, -19.0);
-    let mut labels =
-        vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
+    let mut labels = vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
     if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
         let [inside, outside] = [-0.4, 0.95].map(|length| place(p + length * n));
         let down = dvec2(0.0, 5.0);
@@ -172,11 +166,7 @@ pub fn figure() -> Live {
         parameters: parameters.collect(),
         handles: handles.collect(),
         is_allowed: |values| World::new(values).is_allowed(),
-        numbers: |values| {
-            collect_numbers([("path", World::new(values).path_words())])
-        },
-        ..Live::new("flat-world", |values| {
-            Output::Drawing(draw(&World::new(values)))
-        })
+        numbers: |values| collect_numbers([("path", World::new(values).path_words())]),
+        ..Live::new("flat-world", |values| Output::Drawing(draw(&World::new(values))))
     }
 }

@@ -14,12 +14,8 @@ fn place(point: DVec3) -> DVec2 {
 
 /// The three balls: near, in the middle and far away.
 fn spheres() -> [Sphere; 3] {
-    [[-0.19, 0.85, 0.12], [0.45, 2.35, 0.33], [-0.25, 4.72, 0.42]].map(
-        |[height, depth, radius]| Sphere {
-            centre: DVec3::new(0.0, height, -depth),
-            radius,
-        },
-    )
+    [[-0.19, 0.85, 0.12], [0.45, 2.35, 0.33], [-0.25, 4.72, 0.42]]
+        .map(|[height, depth, radius]| Sphere { centre: DVec3::new(0.0, height, -depth), radius })
 }
 
 /// The rays along the upper and the lower side of the view.
@@ -49,10 +45,9 @@ fn draw(values: &[f64]) -> Drawing {
     for ray in sides {
         drawing.line("guide", place(ray.start), place(ray.at(5.4)));
     }
-    for (name, upper, lower) in [
-        ("near plane", upper_near, lower_near),
-        ("far plane", upper_far, lower_far),
-    ] {
+    for (name, upper, lower) in
+        [("near plane", upper_near, lower_near), ("far plane", upper_far, lower_far)]
+    {
         drawing.line("ground", upper, lower);
         drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
     }
@@ -95,10 +90,7 @@ pub fn figure() -> Live {
             Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
             Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
         ],
-        handles: vec![
-            plane_handle("the near plane", 0),
-            plane_handle("the far plane", 1),
-        ],
+        handles: vec![plane_handle("the near plane", 0), plane_handle("the far plane", 1)],
         ..Live::new("frustum", |values| Output::Drawing(draw(values)))
     }
 }

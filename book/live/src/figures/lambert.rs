@@ -1,8 +1,7 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_number,
-    format_rounded,
+    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_number, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -70,8 +69,7 @@ fn draw(degrees: f64) -> Drawing {
         }
         let [cosine_label, strip_label] = labels(degrees, cosine, share);
         // A light from below needs the room below the ground.
-        let shift =
-            if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
+        let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
         drawing.label("", ground + shift, &cosine_label);
         drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &strip_label);
     }
@@ -136,7 +134,6 @@ pub fn figure() -> Live {
 /// The step's diffuse term of a white light in the direction `l`; n is up.
 fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
-    let light =
-        PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };
+    let light = PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };
     diffuse(DVec3::Y, l.extend(0.0), 1.0, &Matte::of(DVec3::ONE), &light).x
 }

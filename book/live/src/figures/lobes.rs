@@ -28,27 +28,12 @@ fn draw(reader_n: i32, r: DVec2) -> Drawing {
     drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
     drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
     drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
-    drawing.label_ending_at(
-        "strong",
-        VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0),
-        "$l$",
-    );
-    drawing.label(
-        "strong",
-        VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0),
-        "$n$",
-    );
-    drawing.label_starting_at(
-        "strong",
-        VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0),
-        "$r$",
-    );
-    for (n, angle, y) in [
-        (1, 0.12, 226.0),
-        (10, 0.44, 190.0),
-        (40, 0.6, 154.0),
-        (reader_n, 0.7, 118.0),
-    ] {
+    drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
+    drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
+    drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
+    for (n, angle, y) in
+        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)]
+    {
         // The leader ends beside r, on the side of the labels, and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let place = VIEW.to_drawing(highlight(r, v, n) * v);
@@ -71,12 +56,7 @@ pub fn figure() -> Live {
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
         parameters: vec![
-            Parameter::new(
-                ["n", "of the first lobe", ""],
-                150.0,
-                [1.0, 300.0],
-                1.0,
-            ),
+            Parameter::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
             Parameter::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
         ],
         handles: vec![Handle::new(
@@ -101,8 +81,7 @@ fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
     let matte = Matte::of(DVec3::ZERO);
     let material = Material { matte, specular: DVec3::ONE, shininess };
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
-    let point_light =
-        PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };
+    let point_light = PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };
     let light = Light { point_light, specular: DVec3::ONE };
     specular(r.extend(0.0), v.extend(0.0), 1.0, &material, &light).x
 }

@@ -1,8 +1,7 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, View, camera, degrees_left_of_up,
-    format_rounded,
+    Drawing, Handle, Live, Output, Parameter, View, camera, degrees_left_of_up, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};
@@ -55,8 +54,8 @@ fn draw(vectors: &Vectors) -> Drawing {
     let p = VIEW.origin;
     let radius = 300.0;
     drawing.circle("object", p + dvec2(0.0, radius), radius);
-    let [n, l, r, v] = [vectors.n, vectors.l, vectors.r(), vectors.v]
-        .map(|vector| vectors.project(vector));
+    let [n, l, r, v] =
+        [vectors.n, vectors.l, vectors.r(), vectors.v].map(|vector| vectors.project(vector));
     drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
     drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
     // The names of l and r stand on different sides of n, wherever the light is.
@@ -83,12 +82,7 @@ pub fn figure() -> Live {
         caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
                   make the same angle with $n$, {{#number phong-vectors:angle}}°. All four are one unit long; $v$ is drawn shorter because it \
                   leans out of the plane of the other three. <span class='move'>Turn the light until it is behind the surface.</span>",
-        parameters: vec![Parameter::new(
-            ["", "turn of the light", "°"],
-            0.0,
-            [-30.0, 80.0],
-            1.0,
-        )],
+        parameters: vec![Parameter::new(["", "turn of the light", "°"], 0.0, [-30.0, 80.0], 1.0)],
         handles: vec![Handle::new(
             "the light l",
             [0, 0],
@@ -99,9 +93,7 @@ pub fn figure() -> Live {
             },
             |_, _, place| {
                 let angle_without_turn = Vectors::new(0.0).angle();
-                DVec2::splat(
-                    degrees_left_of_up(VIEW.origin, place) - angle_without_turn,
-                )
+                DVec2::splat(degrees_left_of_up(VIEW.origin, place) - angle_without_turn)
             },
         )],
         numbers: |values| {

@@ -4,8 +4,8 @@ use step01_rays::Ray;
 
 fn draw() -> Drawing {
     let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
-    let [top, bottom] = [0.34, -0.2]
-        .map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
+    let [top, bottom] =
+        [0.34, -0.2].map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
     let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
     let (film, plane, object) = (-1.0, 1.0, 2.3);
     let c = view.xy_to_drawing(0.0, 0.0);
@@ -25,9 +25,7 @@ fn draw() -> Drawing {
         drawing.arrow("second", place(&bottom, t), place(&top, t));
     }
     let label = |t: f64, y: f64| dvec2(view.xy_to_drawing(t, 0.0).x, y);
-    for (t, name) in
-        [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")]
-    {
+    for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")] {
         drawing.label("quiet", label(t, 198.0), name);
     }
     for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {

@@ -1,8 +1,6 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
-use crate::{
-    Drawing, Handle, Live, Output, Parameter, View, format_number, format_rounded,
-};
+use crate::{Drawing, Handle, Live, Output, Parameter, View, format_number, format_rounded};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
 

@@ -5,8 +5,7 @@ use step01_rays::Camera;
 fn draw() -> Drawing {
     let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
     // The z axis, towards the reader, runs to the lower left.
-    let project =
-        |p: DVec3| view.to_drawing(p.truncate() + p.z * dvec2(-0.55, -0.42));
+    let project = |p: DVec3| view.to_drawing(p.truncate() + p.z * dvec2(-0.55, -0.42));
     let c = project(DVec3::ZERO);
     let forward = Camera::new(3, 3, 1.0).ray(1.0, 1.0).direction;
     let mut drawing = Drawing::new(480.0, 208.0);
@@ -22,11 +21,7 @@ fn draw() -> Drawing {
         ("accent", DVec3::Z, "$z$", "middle finger", dvec2(14.0, 12.0)),
     ] {
         drawing.arrow(class, c, project(axis));
-        drawing.label_starting_at(
-            "",
-            project(axis) + shift,
-            &format!("{label}: {finger}"),
-        );
+        drawing.label_starting_at("", project(axis) + shift, &format!("{label}: {finger}"));
     }
     drawing.dot("eye", c);
     drawing.label_ending_at("strong", c + dvec2(-12.0, -6.0), "$C$");

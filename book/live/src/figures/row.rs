@@ -1,8 +1,7 @@
 use crate::live::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, Row, View, degrees_left_of_up,
-    format_number,
+    Drawing, Handle, Live, Output, Parameter, Row, View, degrees_left_of_up, format_number,
 };
 use glam::{DVec2, dvec2};
 
@@ -37,16 +36,11 @@ fn draw(figure: &RowFigure) -> Drawing {
     let (row, view) = (&figure.row, figure.view());
     let last = figure.rays as usize - 1;
     let c = ORIGIN;
-    let directions: Vec<DVec2> =
-        (0..=last).map(|i| row.direction(i as f64)).collect();
+    let directions: Vec<DVec2> = (0..=last).map(|i| row.direction(i as f64)).collect();
     let mut drawing = Drawing::new(480.0, 332.0);
     let tan = -directions[0].x;
     let side = (1.02 * tan).max(0.86);
-    drawing.line(
-        "plane",
-        view.xy_to_drawing(-side, 1.0),
-        view.xy_to_drawing(side, 1.0),
-    );
+    drawing.line("plane", view.xy_to_drawing(-side, 1.0), view.xy_to_drawing(side, 1.0));
     drawing.line("guide", c, view.xy_to_drawing(0.0, 1.0));
     for &v in &directions[1..] {
         drawing.line("ray faint", c, view.to_drawing(1.28 * v));
@@ -59,9 +53,7 @@ fn draw(figure: &RowFigure) -> Drawing {
     drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, view.to_drawing(v_0));
-    let step = |i: usize| {
-        [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])]
-    };
+    let step = |i: usize| [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])];
     for i in 0..last.min(2) {
         let [start, tip] = step(i);
         drawing.arrow("accent", start, tip);
@@ -72,8 +64,7 @@ fn draw(figure: &RowFigure) -> Drawing {
     drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
     let [start, tip] = step(0);
     let has_room = 36.0 < tip.x - start.x;
-    let labelled =
-        (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
+    let labelled = (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
     for i in labelled {
         let end = view.to_drawing(1.28 * directions[i]);
         let label = format!("$i$ = {i}");
@@ -90,8 +81,7 @@ fn draw(figure: &RowFigure) -> Drawing {
     drawing.line("guide", c, corner);
     let label = view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0);
     drawing.label_starting_at("quiet", label, "1");
-    let label = (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0))
-        .max(c + dvec2(46.0, 0.0));
+    let label = (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
     drawing.label("quiet", label, "tan($θ$/2)");
     drawing
 }

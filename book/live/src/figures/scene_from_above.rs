@@ -88,8 +88,6 @@ pub fn figure() -> Live {
         title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
         caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
                   every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
-        ..Live::new("from-above", |_| {
-            Output::Drawing(draw(&step03::picture().default_values()))
-        })
+        ..Live::new("from-above", |_| Output::Drawing(draw(&step03::picture().default_values())))
     }
 }

@@ -1,6 +1,4 @@
-use crate::{
-    Drawing, Handle, Live, Output, Parameter, View, discriminant, format_rounded,
-};
+use crate::{Drawing, Handle, Live, Output, Parameter, View, discriminant, format_rounded};
 use glam::{DVec2, DVec3, dvec2};
 use step02_sphere::{Ray, Roots, Sphere};
 
@@ -96,11 +94,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
         drawing.dot(class, on_ray(t));
         drawing.dot(class, parabola_view.xy_to_drawing(t, 0.0));
     }
-    drawing.label(
-        "quiet",
-        parabola_view.xy_to_drawing(last + 0.1, 0.0) + dvec2(-2.0, 18.0),
-        "$t$",
-    );
+    drawing.label("quiet", parabola_view.xy_to_drawing(last + 0.1, 0.0) + dvec2(-2.0, 18.0), "$t$");
 }
 
 /// Three rays and a circle, each above its parabola at² + bt + c.
@@ -118,11 +112,7 @@ pub fn figure() -> Live {
                 [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
             })
             .collect(),
-        handles: ["left", "middle", "right"]
-            .into_iter()
-            .enumerate()
-            .map(start_handle)
-            .collect(),
+        handles: ["left", "middle", "right"].into_iter().enumerate().map(start_handle).collect(),
         ..Live::new("three-cases", |values| {
             Output::Drawing(draw(values.chunks_exact(2).map(DVec2::from_slice)))
         })

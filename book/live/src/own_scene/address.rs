@@ -7,9 +7,8 @@ use crate::{Live, Parameter};
 pub fn format_address(parameters: &[Parameter], values: &[f64]) -> String {
     let pairs = parameters.iter().zip(values);
     let different = pairs.filter(|(parameter, value)| parameter.default != **value);
-    let parts = different.filter_map(|(parameter, value)| {
-        Some(format!("{}:{value}", key(parameter)?))
-    });
+    let parts =
+        different.filter_map(|(parameter, value)| Some(format!("{}:{value}", key(parameter)?)));
     parts.collect::<Vec<_>>().join(",")
 }
 
@@ -19,14 +18,11 @@ pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
     for part in address.split(',').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
         // The sentence repeats only the beginning of a long address.
-        let [name, value] =
-            [name, value].map(|text| text.chars().take(40).collect::<String>());
+        let [name, value] = [name, value].map(|text| text.chars().take(40).collect::<String>());
         let mut keys = live.parameters.iter().map(key);
         let index = keys.position(|key| key.as_ref() == Some(&name));
         let index = index.ok_or_else(|| {
-            format!(
-                "The address speaks of “{name}”, and nothing here is called so."
-            )
+            format!("The address speaks of “{name}”, and nothing here is called so.")
         })?;
         let [min, max] = live.parameters[index].range;
         values[index] = match value.parse() {
@@ -38,8 +34,7 @@ pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
             }
         };
     }
-    live.snap_if_allowed(&values)
-        .ok_or("There is nothing to show at this address.".into())
+    live.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
 }
 
 /// The name of a parameter in an address; None for the columns of the picture.

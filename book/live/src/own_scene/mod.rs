@@ -56,8 +56,7 @@ fn object_handle(first: usize) -> Handle {
         |handle, values, place| {
             let z = values[handle.parameters[1] + 1];
             let inside = place.clamp(DVec2::ZERO, SIZE);
-            point_at_place(&camera(values), inside, z)
-                .unwrap_or_else(|| handle.coordinates(values))
+            point_at_place(&camera(values), inside, z).unwrap_or_else(|| handle.coordinates(values))
         },
     )
 }
@@ -67,8 +66,7 @@ pub fn picture() -> Live {
     let first_light = SETTINGS + SPHERES * SPHERE;
     let spheres = (SETTINGS..first_light).step_by(SPHERE).map(object_handle);
     let lights = (first_light..PARAMETERS.len()).step_by(LIGHT);
-    let lights =
-        lights.map(|first| Handle { mark: Mark::Light, ..object_handle(first) });
+    let lights = lights.map(|first| Handle { mark: Mark::Light, ..object_handle(first) });
     Live {
         parameters: PARAMETERS.clone(),
         handles: spheres.chain(lights).collect(),

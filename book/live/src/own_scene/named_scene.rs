@@ -30,10 +30,8 @@ pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
 }
 
 /// The names of the objects in the order of `OBJECTS`, as their colours are chosen.
-const NAMES: [&str; OBJECTS.len()] = [
-    "ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7",
-    "ball 8",
-];
+const NAMES: [&str; OBJECTS.len()] =
+    ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
 /// The course's scene or its mirror image, with other sizes, colours, highlights and
 /// light, chosen by a hash of the name.
@@ -72,8 +70,7 @@ pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
     for light in &mut scene.lights {
         light.point_light.position *= side;
     }
-    let tints =
-        [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
+    let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
     scene.lights[0].point_light.diffuse = tints[choose(4)].into();
     scene
 }

@@ -9,9 +9,7 @@ use exercises::mirror::{Mirror, mirrors};
 use glam::DVec3;
 use std::slice::ChunksExact;
 use std::sync::LazyLock;
-use step05_phong::{
-    Attenuation, Light, OBJECTS, Object, PointLight, Scene, Sphere,
-};
+use step05_phong::{Attenuation, Light, OBJECTS, Object, PointLight, Scene, Sphere};
 
 /// The number of parameters of the settings, of a sphere, and of a light.
 pub const SETTINGS: usize = 13;
@@ -22,9 +20,7 @@ pub const LIGHT: usize = 13;
 pub const SPHERES: usize = OBJECTS.len() + 3;
 
 /// The parameters, or their values, of the settings, of each sphere, and of each light.
-pub fn split_parameters<T>(
-    parameters: &[T],
-) -> (&[T], ChunksExact<'_, T>, ChunksExact<'_, T>) {
+pub fn split_parameters<T>(parameters: &[T]) -> (&[T], ChunksExact<'_, T>, ChunksExact<'_, T>) {
     let (settings, objects) = parameters.split_at(SETTINGS);
     let (spheres, lights) = objects.split_at(SPHERES * SPHERE);
     (settings, spheres.chunks_exact(SPHERE), lights.chunks_exact(LIGHT))
@@ -47,8 +43,7 @@ pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
         let shine = [material.specular.x, material.shininess.into()];
         add_group(name, sphere_parameters(true, sphere, colour, shine, k));
     }
-    let sphere_at =
-        |x, y, z, radius| Sphere { centre: DVec3::new(x, y, z), radius };
+    let sphere_at = |x, y, z, radius| Sphere { centre: DVec3::new(x, y, z), radius };
     let sphere = sphere_at(1.25, -1.1, -5.0, 0.35);
     let more = sphere_parameters(false, sphere, [0.45, 0.2, 0.6], [0.8, 80.0], 0.5);
     add_group("tenth sphere", more);
@@ -56,8 +51,7 @@ pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
     let more = sphere_parameters(false, sphere, [0.1, 0.3, 0.75], [0.6, 60.0], 0.3);
     add_group("eleventh sphere", more);
     let sphere = sphere_at(1.6, 1.7, -8.0, 0.45);
-    let more =
-        sphere_parameters(false, sphere, [0.85, 0.15, 0.35], [0.3, 20.0], 0.1);
+    let more = sphere_parameters(false, sphere, [0.85, 0.15, 0.35], [0.3, 20.0], 0.1);
     add_group("twelfth sphere", more);
     for (name, light) in ["warm light", "cool light"].into_iter().zip(lights) {
         add_group(name, light_parameters(&light, true));
@@ -78,9 +72,8 @@ const ROSE: Light = Light {
 
 /// The parameters of the camera.
 fn camera_parameters() -> Vec<Parameter> {
-    let number = |symbol, words, default, range| {
-        Parameter::new([symbol, words, ""], default, range, 100.0)
-    };
+    let number =
+        |symbol, words, default, range| Parameter::new([symbol, words, ""], default, range, 100.0);
     vec![
         Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
         number("x", "position sideways", 0.0, [-12.0, 12.0]),

@@ -6,8 +6,7 @@ use glam::DVec3;
 use step05_phong::{Attenuation, Light, Object, Scene};
 
 /// The text of the exercise `look_at`.
-const LOOK_AT: &str =
-    include_str!("../../../../steps/step01_rays/examples/look_at.rs");
+const LOOK_AT: &str = include_str!("../../../../steps/step01_rays/examples/look_at.rs");
 
 /// The program that draws the scene with these settings.
 pub fn program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
@@ -38,10 +37,7 @@ use glam::"#,
     ),
     ("use step05_phong::", "use mirror::{Mirror, colour};\nuse step05_phong::"),
     ("    colour, render,", "    render,"),
-    (
-        "is its shininess.",
-        "is its shininess, and\n/// `k` the part of its colour that it mirrors.",
-    ),
+    ("is its shininess.", "is its shininess, and\n/// `k` the part of its colour that it mirrors."),
     ("    n: i32,\n", "    n: i32,\n    k: f64,\n"),
     ("Object<Material>", "Object<Mirror>"),
     ("    Object {", "    let material = Mirror { material, k };\n    Object {"),
@@ -82,8 +78,7 @@ fn plain_program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
     let ball_attribute = dead_code_attribute(scene.objects.is_empty());
     let lamp_attribute = dead_code_attribute(scene.lights.is_empty());
     let objects = scene.objects.iter();
-    let objects =
-        lines(objects.map(|object| ball_call(object, settings.has_mirrors)));
+    let objects = lines(objects.map(|object| ball_call(object, settings.has_mirrors)));
     let lights = lines(scene.lights.iter().map(lamp_call));
     let ambient_light = vector_call(scene.ambient_light);
     format!(
@@ -152,16 +147,14 @@ fn dead_code_attribute(is_unused: bool) -> &'static str {
 
 /// Each item in a line of its own.
 fn lines(items: impl Iterator<Item = String>) -> String {
-    let lines: String =
-        items.map(|item| format!("\n            {item},")).collect();
+    let lines: String = items.map(|item| format!("\n            {item},")).collect();
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
 
 /// A call of `ball`, with its k where there are mirrors.
 fn ball_call(object: &Object<Mirror>, has_mirrors: bool) -> String {
     let Object { name, sphere, material: Mirror { material, k } } = object;
-    let (centre, colour) =
-        (array_literal(sphere.centre), array_literal(material.matte.diffuse));
+    let (centre, colour) = (array_literal(sphere.centre), array_literal(material.matte.diffuse));
     let (radius, r_s, n) = (sphere.radius, material.specular.x, material.shininess);
     let k = if has_mirrors { format!(", {k:?}") } else { String::new() };
     format!("ball({name:?}, {centre}, {radius:?}, {colour}, {r_s:?}, {n}{k})")
@@ -170,10 +163,8 @@ fn ball_call(object: &Object<Mirror>, has_mirrors: bool) -> String {
 /// A call of `lamp`, with a line for each of its arguments.
 fn lamp_call(Light { point_light, specular }: &Light) -> String {
     let Attenuation { a, b, c } = point_light.attenuation;
-    let vectors =
-        [point_light.position, point_light.diffuse, *specular, DVec3::new(a, b, c)];
-    let lines = vectors
-        .map(|vector| format!("\n                {},", array_literal(vector)));
+    let vectors = [point_light.position, point_light.diffuse, *specular, DVec3::new(a, b, c)];
+    let lines = vectors.map(|vector| format!("\n                {},", array_literal(vector)));
     format!("lamp({}\n            )", lines.concat())
 }
 

@@ -4,9 +4,7 @@ use crate::parameter::array;
 use exercises::mirror::Mirror;
 use glam::DVec3;
 use std::iter::zip;
-use step05_phong::{
-    Attenuation, Light, Material, Matte, Object, PointLight, Scene, Sphere,
-};
+use step05_phong::{Attenuation, Light, Material, Matte, Object, PointLight, Scene, Sphere};
 
 /// The reader's own scene of these values, as step 5 has it.
 pub fn own_scene(values: &[f64]) -> Scene<Material, Light> {
@@ -29,9 +27,7 @@ pub fn mirror_scene(values: &[f64]) -> Scene<Mirror, Light> {
     let (_, sphere_parameters, _) = split_parameters(&PARAMETERS);
     let names = sphere_parameters.map(|parameters| parameters[0].group);
     Scene {
-        objects: zip(names, spheres)
-            .filter_map(|(name, values)| object(name, values))
-            .collect(),
+        objects: zip(names, spheres).filter_map(|(name, values)| object(name, values)).collect(),
         ambient_light: Settings::from_values(values).ambient_light,
         lights: lights.filter_map(light).collect(),
     }

@@ -28,8 +28,7 @@ impl Settings {
     pub fn from_values(values: &[f64]) -> Self {
         let (settings, _, _) = split_parameters(values);
         let (camera, others) = settings.split_at(9);
-        let [columns, fov_degrees, x, y, z, target @ .., roll_degrees] =
-            array::<9>(camera);
+        let [columns, fov_degrees, x, y, z, target @ .., roll_degrees] = array::<9>(camera);
         let [red, green, blue, mirrors] = array(others);
         Self {
             columns,

@@ -39,8 +39,8 @@ impl Mul<DVec3> for Offset {
 
 /// The offsets, written as in the listing.
 const OFFSETS: &[&str] = &[
-    "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9",
-    "1e-8", "1e-7", "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
+    "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9", "1e-8", "1e-7",
+    "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
 ];
 
 /// The largest depth, that of the example.
@@ -50,8 +50,7 @@ const MAX_DEPTH: u32 = 10;
 type Row = Vec<(&'static str, String)>;
 
 /// The columns of the table of what a ray meets.
-const COLUMNS: [&str; 9] =
-    ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
+const COLUMNS: [&str; 9] = ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
 
 /// The probe and the scene of these values.
 struct Mirrors {
@@ -89,8 +88,7 @@ impl Mirrors {
             return (vec![("object", "sky".into()), ("I", intensity)], None);
         };
         let SurfacePoint { p, n, material: Mirror { material, k } } = point;
-        let is_hidden =
-            |light: &Light| hidden(objects, &point, light.point_light.position);
+        let is_hidden = |light: &Light| hidden(objects, &point, light.point_light.position);
         let named_lights = lights.iter().zip(["warm", "cool"]);
         let hidden_lights = named_lights.filter(|(light, _)| is_hidden(light));
         let hidden_lights: Vec<_> = hidden_lights.map(|(_, name)| name).collect();
@@ -128,8 +126,7 @@ impl Mirrors {
             numbers.extend(empty);
             let Some(incident) = ray else { continue };
             let (row, mirrored) = self.trace_hit(&incident, self.depth - k);
-            let row =
-                row.into_iter().map(|(name, text)| (format!("{name}{k}"), text));
+            let row = row.into_iter().map(|(name, text)| (format!("{name}{k}"), text));
             numbers.extend(row);
             ray = mirrored;
         }

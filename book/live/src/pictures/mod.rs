@@ -34,8 +34,7 @@ pub fn short_name(name: &str) -> &str {
 /// it, as a dragged picture has to follow; the tests compare it with `colour`.
 pub fn render_scene(camera: &Camera, scene: &Scene<Material, Light>) -> Output {
     #[cfg(target_arch = "wasm32")]
-    let picture =
-        exercises::fast::draw(fearless_simd::Level::new(), camera, 1, scene);
+    let picture = exercises::fast::draw(fearless_simd::Level::new(), camera, 1, scene);
     #[cfg(not(target_arch = "wasm32"))]
     let picture = render(camera, 1, |ray| colour(scene, ray));
     Output::Picture(picture)

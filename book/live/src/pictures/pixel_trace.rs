@@ -7,8 +7,7 @@ use crate::{Numbers, discriminant, format_number, format_vector};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step05_phong::{
-    Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect,
-    visible_point,
+    Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect, visible_point,
 };
 
 /// The trace of the probe's pixel; `trace_shading` adds what lies between the nearest hit
@@ -45,9 +44,7 @@ pub fn trace_pixel<M>(
     // A ray has either a nearest hit or a colour of the sky; the other is empty.
     let empty = String::new();
     let [object, t, sky] = match nearest(objects, &ray) {
-        Some(Hit { object, t }) => {
-            [short_name(object.name).into(), format_number(t), empty]
-        }
+        Some(Hit { object, t }) => [short_name(object.name).into(), format_number(t), empty],
         None => [empty.clone(), empty, format_vector(direction_colour(&ray))],
     };
     numbers.extend(collect_numbers([("object", object), ("t", t), ("sky", sky)]));
@@ -90,9 +87,7 @@ pub fn trace_shading(scene: &Scene<Material, Light>, ray: &Ray) -> Numbers {
             ("power", format_number(power)),
             ("specular", format_vector(terms.specular)),
         ];
-        numbers.extend(
-            column.map(|(name, text)| (format!("{name} {name_of_light}"), text)),
-        );
+        numbers.extend(column.map(|(name, text)| (format!("{name} {name_of_light}"), text)));
     }
     numbers
 }

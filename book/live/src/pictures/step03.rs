@@ -14,10 +14,7 @@ pub fn picture() -> Live {
             let colour = |ray: &_| colour(&OBJECTS, ray);
             trace_pixel(&probe, &OBJECTS, |_| Numbers::new(), colour)
         },
-        companion: Some(Companion {
-            name: "from-above",
-            draw: draw_scene_from_above,
-        }),
+        companion: Some(Companion { name: "from-above", draw: draw_scene_from_above }),
         ..Live::new("step03_nearest", |values| {
             let (probe, _) = Probe::split_values(values);
             let colour = |ray: &_| colour(&OBJECTS, ray);

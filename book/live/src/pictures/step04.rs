@@ -46,9 +46,7 @@ fn phong_scene(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     Scene {
         objects: objects.collect(),
         ambient_light: scene.ambient_light,
-        lights: lights
-            .map(|&point_light| Light { point_light, specular })
-            .collect(),
+        lights: lights.map(|&point_light| Light { point_light, specular }).collect(),
     }
 }
 
@@ -66,9 +64,7 @@ pub fn picture() -> Live {
         (["z", "of the cool light", ""], cool.z, [-16.0, -11.0]),
     ];
     parameters
-        .extend(coordinates.map(|(words, value, range)| {
-            Parameter::new(words, value, range, 10.0)
-        }));
+        .extend(coordinates.map(|(words, value, range)| Parameter::new(words, value, range, 10.0)));
     Live {
         parameters,
         handles: vec![
@@ -78,8 +74,7 @@ pub fn picture() -> Live {
         ],
         numbers: |values| {
             let (probe, scene) = probe_and_scene(values);
-            let trace_shading =
-                |ray: &Ray| trace_shading(&phong_scene(&scene), ray);
+            let trace_shading = |ray: &Ray| trace_shading(&phong_scene(&scene), ray);
             let colour = |ray: &Ray| colour(&scene, ray);
             trace_pixel(&probe, &scene.objects, trace_shading, colour)
         },

@@ -2,8 +2,7 @@ use compare::workspace;
 use live::Answer;
 use std::fs;
 use wasmi::{
-    CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams,
-    WasmResults,
+    CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams, WasmResults,
 };
 
 /// The bytes of the module `name`, as it is checked in.
@@ -26,11 +25,9 @@ impl Module {
         // Most functions are called by few tests.
         config.compilation_mode(CompilationMode::Lazy);
         let engine = Engine::new(&config);
-        let module =
-            wasmi::Module::new(&engine, read_module(name)).expect("a module");
+        let module = wasmi::Module::new(&engine, read_module(name)).expect("a module");
         let mut store = Store::new(&engine, ());
-        let instance =
-            Linker::new(&engine).instantiate_and_start(&mut store, &module);
+        let instance = Linker::new(&engine).instantiate_and_start(&mut store, &module);
         let instance = instance.expect("it starts");
         let memory = instance.get_memory(&store, "memory").expect("it has memory");
         Self { store, instance, memory }
@@ -39,9 +36,7 @@ impl Module {
     /// Asks it as book/theme/live.js does, by a request about a file; none where
     /// it fails.
     pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Answer> {
-        for (room, bytes) in
-            [("live_request", request.as_bytes()), ("live_file", file)]
-        {
+        for (room, bytes) in [("live_request", request.as_bytes()), ("live_file", file)] {
             let address: u32 = self.call(room, bytes.len() as u32)?;
             self.memory.write(&mut self.store, address as usize, bytes).ok()?;
         }
@@ -51,27 +46,14 @@ impl Module {
         Some(Answer { text: String::from_utf8(text).ok()?, pixels })
     }
 
-    fn read_memory(
-        &mut self,
-        address_export: &str,
-        length_export: &str,
-    ) -> Option<Vec<u8>> {
+    fn read_memory(&mut self, address_export: &str, length_export: &str) -> Option<Vec<u8>> {
         let address_export: u32 = self.call(address_export, ())?;
         let length_export: u32 = self.call(length_export, ())?;
         let memory = self.memory.data(&self.store);
-        Some(
-            memory
-                .get(address_export as usize..)?
-                .get(..length_export as usize)?
-                .to_vec(),
-        )
+        Some(memory.get(address_export as usize..)?.get(..length_export as usize)?.to_vec())
     }
 
-    fn call<P: WasmParams, R: WasmResults>(
-        &mut self,
-        name: &str,
-        parameters: P,
-    ) -> Option<R> {
+    fn call<P: WasmParams, R: WasmResults>(&mut self, name: &str, parameters: P) -> Option<R> {
         let function = self.instance.get_typed_func(&self.store, name).ok()?;
         function.call(&mut self.store, parameters).ok()
     }

@@ -3,11 +3,7 @@ use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Camera, direction_colour, render};
 
 /// The image plane with a dot for each pixel, and the rays through its corners.
-pub fn draw_view_pyramid(
-    drawing: &mut Drawing,
-    camera: &Camera,
-    project: impl Fn(DVec3) -> DVec2,
-) {
+pub fn draw_view_pyramid(drawing: &mut Drawing, camera: &Camera, project: impl Fn(DVec3) -> DVec2) {
     let c = project(camera.centre);
     let [right, bottom] = [camera.h_res, camera.v_res].map(|n| f64::from(n - 1));
     let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
@@ -33,8 +29,7 @@ pub fn draw_steps(
     pixel: DVec2,
     project: impl Fn(DVec3) -> DVec2,
 ) {
-    let (d_u, d_v, v_0) =
-        (camera.matrix.x_axis, camera.matrix.y_axis, camera.matrix.z_axis);
+    let (d_u, d_v, v_0) = (camera.matrix.x_axis, camera.matrix.y_axis, camera.matrix.z_axis);
     let (c, first) = (project(camera.centre), project(v_0));
     let above = project(camera.ray(pixel.x, 0.0).at(1.0));
     drawing.line("way", first, above);
