@@ -1,6 +1,6 @@
 //! Step 1: rays, the camera, and the program around the picture.
 
-use exercises::row::Row;
+use course::examples::row::Row;
 use glam::DVec3;
 use step01_rays::{AspectRatio, Camera, render, sub_pixels};
 use tests::{StepProgram, assert_program_works, camera};

@@ -1,6 +1,6 @@
 //! `fast` draws the same bytes as `render` with `colour`.
 
-use exercises::fast::draw;
+use super::fast_example::draw;
 use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};

@@ -1,14 +1,18 @@
 //! The mathematics of the exercises' solutions, and their places in the book.
 
 mod fast;
+#[allow(dead_code, reason = "it is a program of its own, too")]
+#[rustfmt::skip]
+#[path = "../../steps/step05_phong/examples/fast.rs"]
+mod fast_example;
 mod step01;
 mod step02;
 mod step03;
 mod step04;
 mod step05;
 
-use compare::{Difference, workspace};
-use exercises::*;
+use course::examples::*;
+use course::{Difference, Picture, workspace};
 use glam::DMat3;
 use std::fs;
 use step01_rays::Camera;
@@ -29,7 +33,7 @@ fn starters_and_fast_draw_the_pictures_of_their_steps() {
         ("step03_nearest", step03_starter::picture),
         ("step04_diffuse", step04_starter::picture),
         ("step05_phong", step05_starter::picture),
-        ("step05_phong", exercises::fast::picture),
+        ("step05_phong", fast_example::picture),
     ];
     for (name, draw) in pictures {
         let difference = Difference::between(&read_snapshot(name), &draw(&camera(), 1));
@@ -84,7 +88,7 @@ fn assert_pictures_survive_perturbed_cameras(is_selected: fn(&str) -> bool) {
 #[test]
 fn every_example_is_an_exercise_and_is_listed_in_the_book() {
     let read = |path: &str| fs::read_to_string(workspace().join(path)).expect(path);
-    let chapter = |name: &str| read(&format!("book/chapters/{name}.md"));
+    let chapter = |name: &str| read(&format!("book/src/{name}.md"));
     let pages_of_all_steps =
         ["step01_program", "way_back", "faster", "solutions"].map(chapter).concat();
     let mut faults = vec![];
@@ -96,7 +100,7 @@ fn every_example_is_an_exercise_and_is_listed_in_the_book() {
             // The others draw the picture of a step or a part of it, or print.
             let is_exercise = name.ends_with("_starter")
                 || ["directions", "fast", "row", "terms"].contains(&name)
-                || exercises::PICTURES.iter().any(|(exercise, _)| *exercise == name);
+                || course::PICTURES.iter().any(|(exercise, _)| *exercise == name);
             if !is_exercise {
                 faults.push(format!("{folder}/{file} is not in book/exercises"));
             }

@@ -1,6 +1,6 @@
-use exercises::look_at::look_at;
-use exercises::panorama::direction;
-use exercises::*;
+use course::examples::look_at::look_at;
+use course::examples::panorama::direction;
+use course::examples::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
-use exercises::lens::{Interval, inside_all};
-use exercises::plane::Plane;
-use exercises::quadric::Quadric;
-use exercises::*;
+use course::examples::lens::{Interval, inside_all};
+use course::examples::plane::Plane;
+use course::examples::quadric::Quadric;
+use course::examples::*;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere};

@@ -1,5 +1,5 @@
-use exercises::many::Tree;
-use exercises::*;
+use course::examples::many::Tree;
+use course::examples::*;
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;

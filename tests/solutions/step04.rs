@@ -1,4 +1,4 @@
-use exercises::*;
+use course::examples::*;
 use glam::DVec3;
 use image::Rgb;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
     for (pixel, linear_pixel) in picture.pixels().zip(linear_picture.pixels()) {
         let mean = DVec3::from(linear_pixel.0.map(f64::from)) / 255.0;
         // The mean was rounded to a byte: where it is dark, the curve makes 6 of it.
-        assert!(compare::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
+        assert!(course::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
     }
 }
 
@@ -43,9 +43,9 @@ fn sphere_hides_lights_behind_it_and_not_before_it() {
     let sphere = objects[0].sphere;
     let position = |radii: f64| sphere.centre + radii * sphere.radius * DVec3::Z;
     let point = SurfacePoint { p: position(4.0), n: DVec3::Z, material: &0 };
-    assert!(shadows::hidden(&objects, &point, position(-1.1)));
-    assert!(shadows::hidden(&objects, &point, position(0.9)));
-    assert!(!shadows::hidden(&objects, &point, position(2.0)));
+    assert!(shadows::hidden(&objects, &point, position(-1.1), shadows::OFFSET));
+    assert!(shadows::hidden(&objects, &point, position(0.9), shadows::OFFSET));
+    assert!(!shadows::hidden(&objects, &point, position(2.0), shadows::OFFSET));
 }
 
 #[test]
@@ -64,7 +64,11 @@ fn surface_facing_a_light_is_hidden_by_other_objects_only() {
             let index = *point.material;
             let mut others = objects.iter().filter(|object| object.material != index);
             let is_hidden = others.any(hides);
-            assert_eq!(shadows::hidden(&objects, &point, q), is_hidden, "{point:?}");
+            assert_eq!(
+                shadows::hidden(&objects, &point, q, shadows::OFFSET),
+                is_hidden,
+                "{point:?}"
+            );
             self_hits += u32::from(hides(&objects[index]));
         }
     }

@@ -1,6 +1,6 @@
-use exercises::glass::Glass;
-use exercises::mirror::Mirror;
-use exercises::*;
+use course::examples::glass::Glass;
+use course::examples::mirror::Mirror;
+use course::examples::*;
 use glam::DVec3;
 use proptest::prelude::*;
 use step05_phong::*;
@@ -26,11 +26,11 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
         (scene(), scene_without_mirrors(), scene_with_opaque_spheres());
     for ray in primary_rays() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
-        let is_hidden = |q: DVec3| shadows::hidden(&scene.objects, &point, q);
+        let is_hidden = |q: DVec3| shadows::hidden(&scene.objects, &point, q, shadows::OFFSET);
         let mut lights = scene.lights.clone();
         lights.retain(|light| !is_hidden(light.point_light.position));
         let expected = phong(&point, &ray, scene.ambient_light, &lights).sum();
-        assert_eq!(mirror::colour(&opaque_mirrors, &ray, 10), expected, "{ray:?}");
+        assert_eq!(mirror::colour(&opaque_mirrors, &ray, 10, mirror::OFFSET), expected, "{ray:?}");
         assert_eq!(glass::colour(&opaque_glass, &ray, 10), expected, "{ray:?}");
     }
 }
@@ -40,7 +40,7 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
 #[test]
 fn mirror_with_depth_100_draws_the_locked_picture() {
     let scene = mirror::mirrors();
-    let picture = render(&camera(), 1, |ray| mirror::colour(&scene, ray, 100));
+    let picture = render(&camera(), 1, |ray| mirror::colour(&scene, ray, 100, mirror::OFFSET));
     assert!(picture == read_snapshot("mirror"));
 }
 
@@ -54,7 +54,7 @@ fn mirror_does_not_reflect_itself() {
             let Some(point) = visible_point(&scene.objects, &ray) else { continue };
             let direction = reflect(point.n, -ray.direction);
             let sky = direction_colour(&Ray { direction, ..ray });
-            assert_eq!(mirror::colour(&scene, &ray, 1), sky, "{ray:?}");
+            assert_eq!(mirror::colour(&scene, &ray, 1, mirror::OFFSET), sky, "{ray:?}");
         }
     }
 }

@@ -1,4 +1,4 @@
-use compare::{Difference, draw_panels, target_folder, workspace};
+use course::{Difference, draw_panels, target_folder, workspace};
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use insta::{Settings, assert_binary_snapshot};

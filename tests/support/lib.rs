@@ -8,7 +8,7 @@ mod random_inputs;
 mod step_program;
 
 pub use assert_snapshot::{assert_matches_snapshot, read_snapshot};
-pub use exercises::camera;
+pub use course::camera;
 pub use picture_list::{LockedPicture, locked_pictures};
 pub use random_inputs::{
     primary_rays, random_point, random_sphere, random_sphere_and_ray, random_unit_vector,

@@ -1,4 +1,5 @@
-use exercises::{Picture, camera, checkerboard, mirror, terms};
+use course::examples::{checkerboard, mirror, terms};
+use course::{Picture, camera};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -10,19 +11,19 @@ pub type LockedPicture = (&'static str, Camera, Picture);
 
 /// The locked pictures: of the steps, the exercises, the chapters and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
-    let exercises = exercises::STEPS.iter().chain(exercises::PICTURES);
+    let exercises = course::PICTURES.iter();
     let mut pictures: Vec<LockedPicture> =
         exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
     let large_camera = Camera::new(1280, 720, 60_f64.to_radians());
     pictures.extend([
-        ("slide_matrix", exercises::slide_matrix(), step05_phong::picture as Picture),
+        ("slide_matrix", course::slide_matrix(), step05_phong::picture as Picture),
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
         ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
         ("one_ray", tile_camera(), |camera, _| draw_large_pixels(camera, 1)),
         ("sixteen_rays", tile_camera(), |camera, _| draw_large_pixels(camera, 4)),
-        ("speckled", camera_without_tan(), draw_shadows_without_offset),
-        ("shadowed", camera(), draw_shadows_without_mirrors),
+        ("speckled", camera_without_tan(), |camera, _| draw_shadows(camera, 0.0)),
+        ("shadowed", camera(), |camera, _| draw_shadows(camera, mirror::OFFSET)),
         ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
         ("cover", large_camera, |camera, _| step05_phong::picture(camera, 4)),
         ("goodbye", large_camera, |camera, _| mirror::picture(camera, 2)),
@@ -42,28 +43,11 @@ fn camera_without_tan() -> Camera {
     Camera { matrix, ..camera() }
 }
 
-/// Draws the shadows of rays that start on the surface itself, speckled with its own.
-fn draw_shadows_without_offset(camera: &Camera, samples: u32) -> RgbImage {
-    let scene = scene();
-    render(camera, samples, |ray| {
-        let Some(point) = visible_point(&scene.objects, ray) else {
-            return direction_colour(ray);
-        };
-        // `hidden` starts its ray at an offset along the normal: zero is no offset.
-        let without_normal = SurfacePoint { n: DVec3::ZERO, ..point };
-        let mut lights = scene.lights.clone();
-        lights.retain(|light| {
-            let position = light.point_light.position;
-            !mirror::hidden(&scene.objects, &without_normal, position)
-        });
-        phong(&point, ray, scene.ambient_light, &lights).sum()
-    })
-}
-
-/// Draws the scene of the mirrors before they reflect anything: shadows alone.
-fn draw_shadows_without_mirrors(camera: &Camera, samples: u32) -> RgbImage {
+/// Draws the scene of the mirrors before they reflect anything: shadows alone, of rays that start
+/// `offset` above a surface.
+fn draw_shadows(camera: &Camera, offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
-    render(camera, samples, |ray| mirror::colour(&scene, ray, 0))
+    render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
 /// The camera of 40×30 pixels of the course's picture, from column 366 and row 264 on:

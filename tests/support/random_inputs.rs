@@ -1,4 +1,4 @@
-use exercises::camera;
+use course::camera;
 use glam::DVec3;
 use proptest::prelude::*;
 use step01_rays::Ray;

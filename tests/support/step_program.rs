@@ -1,6 +1,6 @@
 use crate::invalid_arguments::assert_rejects_invalid_arguments;
 use crate::read_snapshot;
-use compare::{Difference, target_folder, workspace};
+use course::{Difference, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;

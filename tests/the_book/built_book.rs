@@ -1,7 +1,7 @@
 use super::assert_no_faults;
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
-use book::{Files, Site, inner_text};
-use compare::{target_folder, workspace};
+use builder::{Files, Site, inner_text};
+use course::{target_folder, workspace};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::{fs, process};
 
@@ -9,7 +9,7 @@ use std::{fs, process};
 pub fn built_book() -> MutexGuard<'static, Site> {
     static BOOK: LazyLock<Result<Mutex<Site>, String>> = LazyLock::new(|| {
         let folder = target_folder().join(format!("tests/book-{}", process::id()));
-        let site = book::build(&workspace(), &folder);
+        let site = builder::build(&workspace(), &folder);
         let _ = fs::remove_dir_all(folder);
         site.map(Mutex::new).map_err(|error| format!("{error:#}"))
     });

@@ -4,7 +4,7 @@
 use super::assert_no_faults;
 use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
-use book::inner_text;
+use builder::inner_text;
 use std::collections::HashSet;
 
 /// The text of an example of any step.

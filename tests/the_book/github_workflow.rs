@@ -2,7 +2,7 @@
 
 use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
-use compare::{target_folder, workspace};
+use course::{target_folder, workspace};
 use std::fs;
 use std::process::Command;
 

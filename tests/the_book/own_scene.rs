@@ -4,9 +4,9 @@
 use super::assert_no_faults;
 use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
-use compare::Difference;
+use course::Difference;
+use figures::{Kind, Live, Output, Parameter, find};
 use image::RgbImage;
-use live::{Kind, Live, Output, Parameter, find};
 use std::collections::HashSet;
 use step05_phong::Object;
 use tests::primary_rays;
@@ -127,7 +127,7 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_named_scene_draws_its_picture() {
     let reader = typed_workspace();
-    let scenes = ["ada", "Grace Hopper", "\"\n é"].map(live::draw_named_scene);
+    let scenes = ["ada", "Grace Hopper", "\"\n é"].map(course::draw_named_scene);
     let faults =
         scenes.iter().filter_map(|(program, picture)| program_fault(&reader, program, picture));
     assert_no_faults(&faults.collect::<Vec<_>>());
@@ -136,7 +136,7 @@ fn program_of_a_named_scene_draws_its_picture() {
 #[test]
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
     for name in ["ada", "bob", "cleo", "dan", "eve", ""] {
-        let objects = live::named_scene(name).objects;
+        let objects = course::named_scene(name).objects;
         // They touch the ground, as in the course's scene, to two digits.
         for (k, a) in objects.iter().enumerate() {
             for b in &objects[..k] {
@@ -158,7 +158,7 @@ fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
 #[test]
 fn names_have_scenes_of_their_own() {
     let scene_text = |name: &str| {
-        let scene = live::named_scene(name);
+        let scene = course::named_scene(name);
         let objects = scene.objects.iter();
         let parts = objects.map(|one| (one.sphere, one.material.material));
         format!("{:?} {:?}", parts.collect::<Vec<_>>(), scene.lights)

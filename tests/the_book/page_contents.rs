@@ -3,7 +3,7 @@
 
 use super::assert_no_faults;
 use super::built_book::built_book;
-use book::{inner_text, select_all};
+use builder::{inner_text, select_all};
 
 /// Text that is on a page only if a directive or a formula was not expanded.
 const UNEXPANDED_MARKS: [&str; 4] = ["{{#", "$$", r"\frac", r"\begin{"];
@@ -22,7 +22,7 @@ fn directives_and_formulas_are_expanded() {
 #[test]
 fn pages_tell_their_version() {
     let version = format!("Version {},", env!("CARGO_PKG_VERSION"));
-    let is_chapter = |page: &&book::Page| page.name != "toc.html";
+    let is_chapter = |page: &&builder::Page| page.name != "toc.html";
     let mut faults = vec![];
     for page in built_book().pages.values().filter(is_chapter) {
         let footer: String = page.select_all("footer").into_iter().map(inner_text).collect();

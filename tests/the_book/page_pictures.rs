@@ -4,16 +4,16 @@
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
-use book::{effect_and_step_of_picture, inner_text, select_all};
+use builder::{effect_and_step_of_picture, inner_text, select_all};
+use figures::{LIVE, Output};
 use image::RgbImage;
 use image::imageops::thumbnail;
-use live::{LIVE, Output};
 use std::collections::HashMap;
 use tests::camera;
 
 /// The pictures that the book may show, by the name of their file.
 fn expected_pictures() -> HashMap<String, RgbImage> {
-    let small_pictures = exercises::STEPS.into_iter().map(|(name, draw)| {
+    let small_pictures = course::PICTURES[..5].iter().map(|(name, draw)| {
         let picture = thumbnail(&draw(&camera(), 1), 320, 180);
         (format!("{name}-small"), picture)
     });
@@ -22,7 +22,7 @@ fn expected_pictures() -> HashMap<String, RgbImage> {
         Output::Drawing(_) => None,
     });
     let mut pictures: HashMap<_, _> = small_pictures.chain(live_pictures).collect();
-    for (file, png) in read_folder("book/check/mistakes/pictures").0 {
+    for (file, png) in read_folder("book/crates/course/mistakes/pictures").0 {
         let name = file.strip_suffix(".png").map(|name| format!("mistake-{name}"));
         pictures.extend(name.zip(decode_png(&png)));
     }

@@ -73,13 +73,13 @@ fn materials_have_the_shininess_of_the_table() {
 /// "All six of the balls that mirror show it", the green sphere behind the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
-    let objects = exercises::mirror::mirrors().objects;
+    let objects = course::examples::mirror::mirrors().objects;
     let mut names: Vec<_> = primary_rays()
         .filter_map(|ray| {
             let point = step05_phong::visible_point(&objects, &ray)?;
             let name = nearest(&objects, &ray)?.object.name;
             let direction = step05_phong::reflect(point.n, -ray.direction);
-            let start = point.p + exercises::mirror::OFFSET * point.n;
+            let start = point.p + course::examples::mirror::OFFSET * point.n;
             let mirrored = nearest(&objects, &Ray { start, direction })?;
             let is_mirror = 0.0 < point.material.k && name != "ground";
             (is_mirror && mirrored.object.name == "green sphere").then_some(name)
@@ -105,7 +105,7 @@ fn sphere_behind_the_eye_is_on_the_lines_of_the_lower_left_rays() {
 /// "Add a ball with its centre at the eye and a radius of 100."
 #[test]
 fn ball_around_the_scene_colours_its_sky() {
-    let (objects, sky) = (exercises::my_scene::objects(), DVec3::splat(0.2));
+    let (objects, sky) = (course::examples::my_scene::objects(), DVec3::splat(0.2));
     let sphere = Sphere { centre: DVec3::ZERO, radius: 100.0 };
     let ball = Object { name: "ball", sphere, material: sky };
     let objects_and_ball = [&objects[..], &[ball]].concat();

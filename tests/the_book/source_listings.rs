@@ -5,8 +5,8 @@ use super::built_book::{built_book, read_folder};
 use super::own_scene;
 use super::support::listing::{Listing, page_listings};
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
-use book::{Files, Site};
-use compare::workspace;
+use builder::{Files, Site};
+use course::workspace;
 use std::fs;
 use std::sync::LazyLock;
 

@@ -8,7 +8,7 @@ use super::support::page_events::{Event, PageCommand, page_events};
 use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
 use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
-use book::Page;
+use builder::Page;
 
 /// Types the listings of a page, and runs its commands between them. Fails unless they do
 /// what the page says, and the program of a step has drawn its picture in the end.

@@ -15,9 +15,15 @@ pub const OFFSET: f64 = 1e-9;
 
 /// Says whether one of the `objects` stands between `point` and a light at `q`.
 ///
-/// V leads from the start to the light, so the light is at t = 1.
-pub fn hidden<M>(objects: &[Object<M>], point: &SurfacePoint<M>, q: DVec3) -> bool {
-    let start = point.p + OFFSET * point.n;
+/// The ray starts `offset` above the surface. V leads from the start to the light, so
+/// the light is at t = 1.
+pub fn hidden<M>(
+    objects: &[Object<M>],
+    point: &SurfacePoint<M>,
+    q: DVec3,
+    offset: f64,
+) -> bool {
+    let start = point.p + offset * point.n;
     let to_light = Ray { start, direction: q - start };
     nearest(objects, &to_light).is_some_and(|hit| hit.t < 1.0)
 }
@@ -29,7 +35,7 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     };
     let mut intensity = ambient(point.material, scene.ambient_light);
     for light in &scene.lights {
-        if hidden(&scene.objects, &point, light.position) {
+        if hidden(&scene.objects, &point, light.position, OFFSET) {
             continue;
         }
         let (l, d) = light.direction_from(point.p);

@@ -6,7 +6,7 @@ mod mirror;
 
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use mirror::{Mirror, colour, mirrors};
+use mirror::{Mirror, OFFSET, colour, mirrors};
 use step05_phong::{Camera, Light, Object, Scene, Sphere, render, run};
 
 /// The centre of a ball of this radius that lies on `ground`, above or below `place`.
@@ -52,7 +52,7 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let centre = DVec3::new(0.0, 2.4, 1.0);
     let matrix = DMat3::from_rotation_x(-0.28) * camera.matrix;
     let camera = Camera { centre, matrix, ..*camera };
-    render(&camera, samples, |ray| colour(&scene, ray, 10))
+    render(&camera, samples, |ray| colour(&scene, ray, 10, OFFSET))
 }
 
 fn main() {

@@ -61,7 +61,7 @@ pub fn hidden_by_opaque(
 ) -> bool {
     let mut opaque =
         objects.iter().filter(|object| object.material.index.is_none());
-    opaque.any(|object| hidden(slice::from_ref(object), point, q))
+    opaque.any(|object| hidden(slice::from_ref(object), point, q, OFFSET))
 }
 
 /// The colour that `ray` sees by way of at most `depth` surfaces of glass.

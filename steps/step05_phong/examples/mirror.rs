@@ -58,22 +58,29 @@ pub fn mirrors() -> Scene<Mirror, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// The colour that `ray` sees by way of at most `depth` mirrors.
-pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
+/// The colour that `ray` sees by way of at most `depth` mirrors, where rays start
+/// `offset` above a surface.
+pub fn colour(
+    scene: &Scene<Mirror, Light>,
+    ray: &Ray,
+    depth: u32,
+    offset: f64,
+) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let is_hidden =
-        |light: &Light| hidden(&scene.objects, &point, light.point_light.position);
+    let is_hidden = |light: &Light| {
+        hidden(&scene.objects, &point, light.point_light.position, offset)
+    };
     let SurfacePoint { p, n, material: Mirror { material, k } } = point;
     let point = SurfacePoint { p, n, material };
     let (l_a, lights) = (scene.ambient_light, &scene.lights);
     let terms = shadowed_phong(&point, ray, l_a, lights, is_hidden);
     if 0.0 < *k && 0 < depth {
         let direction = reflect(n, -ray.direction);
-        let mirrored = Ray { start: p + OFFSET * n, direction };
+        let mirrored = Ray { start: p + offset * n, direction };
         return (1.0 - k) * (terms.ambient + terms.diffuse)
-            + k * colour(scene, &mirrored, depth - 1)
+            + k * colour(scene, &mirrored, depth - 1, offset)
             + terms.specular;
     }
     terms.sum()
@@ -82,7 +89,7 @@ pub fn colour(scene: &Scene<Mirror, Light>, ray: &Ray, depth: u32) -> DVec3 {
 /// The picture: a ray may meet ten mirrors, one after the other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = mirrors();
-    render(camera, samples, |ray| colour(&scene, ray, 10))
+    render(camera, samples, |ray| colour(&scene, ray, 10, OFFSET))
 }
 
 fn main() {

@@ -1,4 +1,4 @@
-use book::{Page, inner_text, select_all};
+use builder::{Page, inner_text, select_all};
 use scraper::ElementRef;
 
 /// A listing: contiguous lines of a file.

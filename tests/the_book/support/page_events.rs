@@ -1,5 +1,5 @@
 use super::listing::Listing;
-use book::{Page, inner_text, select_all};
+use builder::{Page, inner_text, select_all};
 
 /// The exit code of a program that rejects its arguments.
 pub const INVALID_ARGUMENT_EXIT_CODE: i32 = 2;

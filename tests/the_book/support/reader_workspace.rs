@@ -1,7 +1,7 @@
 use super::listing::{Listing, join_listings};
 use anyhow::{Result, ensure};
-use book::Files;
-use compare::{target_folder, workspace};
+use builder::Files;
+use course::{Step, target_folder, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -9,10 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The names of the five crates, in the order in which a reader writes them.
-pub const STEP_NAMES: [&str; 5] = {
-    let [rays, sphere, nearest, diffuse, phong] = exercises::STEPS;
-    [rays.0, sphere.0, nearest.0, diffuse.0, phong.0]
-};
+pub const STEP_NAMES: [&str; 5] = Step::NAMES;
 
 /// The step of a page, such as `step01_program.html`: the first word of its name says which.
 pub fn step_of_page(page: &str) -> Option<&'static str> {

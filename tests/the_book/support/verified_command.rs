@@ -1,7 +1,7 @@
 use super::page_events::{FAILED_TEST_EXIT_CODE, PageCommand};
 use super::reader_workspace::{ReaderWorkspace, first_cargo_error};
 use anyhow::{Context, Result, bail, ensure};
-use compare::{Difference, workspace};
+use course::{Difference, workspace};
 use std::fs;
 use tests::read_snapshot;
 

@@ -1,0 +1,25 @@
+use crate::controls;
+use crate::markdown::inline_html;
+use figures::{LIVE, Live, Output};
+
+/// The HTML of the figure called `name`.
+pub fn html(name: &str) -> Result<String, String> {
+    let Some((figure, Output::Drawing(drawing))) =
+        figures::find(name).map(|figure| (figure, figure.default_output()))
+    else {
+        return Err(format!("there is no figure {name}"));
+    };
+    let has_companion =
+        |live: &&Live| live.companion.is_some_and(|companion| companion.name == name);
+    let (live, controls) = match LIVE.iter().find(has_companion) {
+        Some(live) => (format!(" data-companion=\"{}\"", live.name), String::new()),
+        None if figure.parameters.is_empty() => Default::default(),
+        None => (format!(" data-live=\"{name}\""), controls::html(figure)),
+    };
+    Ok(format!(
+        "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\
+         <figcaption>{}</figcaption></figure>\n",
+        drawing.html(figure.title),
+        inline_html(figure.caption)?
+    ))
+}

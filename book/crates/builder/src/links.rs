@@ -1,0 +1,128 @@
+//! Every link, anchor and picture leads to something in the book, and nothing is
+//! fetched from elsewhere.
+
+use crate::files::{CHAPTERS, resolve_path};
+use crate::{Files, Page, Site, inner_text};
+use scraper::ElementRef;
+use std::collections::BTreeSet;
+
+/// Each link that leads nowhere, and all that would be fetched from elsewhere: told with
+/// its line in the `chapters`, by their paths, where it stands in one.
+///
+/// The pages that repeat the chapters are looked at where these have no fault.
+pub fn find_faults(site: &Site, chapters: &Files) -> Vec<String> {
+    let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
+    let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
+    let faults = find_page_faults(site, chapters, &pages);
+    if faults.is_empty() { find_page_faults(site, chapters, &copies) } else { faults }
+}
+
+fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
+    let with_id = site.pages.values().flat_map(|page| {
+        page.select_all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
+    });
+    let ids = with_id.collect();
+    let mut faults = vec![];
+    for page in pages {
+        for element in page.html.root_element().descendent_elements() {
+            for address in addresses_in(element) {
+                let fault = find_address_fault(site, &ids, &page.name, &address);
+                let is_external_link = element.value().name() == "a" && is_outside_book(&address);
+                let fault = fault.filter(|_| !is_external_link);
+                let place = || {
+                    source_position_of_link(chapters, &page.name, &address)
+                        .unwrap_or_else(|| page.address_for_fault(element))
+                };
+                faults.extend(fault.map(|fault| format!("{} {fault}", place())));
+            }
+        }
+    }
+    faults
+}
+
+/// The file and the line of the chapter of a page in which an address stands.
+fn source_position_of_link(chapters: &Files, page: &str, address: &str) -> Option<String> {
+    let file = page.replace(".html", ".md");
+    let written = [address.replace(".html", ".md"), address.to_owned()];
+    let is_there = |line: &str| {
+        written.iter().any(|one| line.contains(&format!("({one}")))
+            || line.contains(&format!("\"{address}\""))
+    };
+    let line = 1 + chapters.text(&file)?.lines().position(is_there)?;
+    Some(format!("{CHAPTERS}{file}:{line}: the link"))
+}
+
+/// Everything that an element leads to or loads.
+fn addresses_in(element: ElementRef) -> Vec<String> {
+    if element.value().name() == "base" {
+        // Says where the book is, and fetches nothing.
+        return vec![];
+    }
+    let mut addresses = vec![];
+    for (name, value) in element.value().attrs() {
+        match name {
+            "href" | "src" => addresses.push(value.into()),
+            "srcset" => {
+                let sets = value.split(',').flat_map(|set| set.split_whitespace().next());
+                addresses.extend(sets.map(str::to_owned));
+            }
+            _ => {}
+        }
+    }
+    if element.value().name() == "style" {
+        addresses.extend(style_urls(&inner_text(element)).map(str::to_owned));
+    }
+    addresses
+}
+
+/// Whether an address names another place than the book.
+fn is_outside_book(address: &str) -> bool {
+    let scheme = address.split(['/', '#', '?']).next().unwrap_or_default();
+    address.starts_with('/') || scheme.contains(':')
+}
+
+/// The fault of an address in the file `page_path`; None where it leads to something in the
+/// book.
+fn find_address_fault(
+    site: &Site,
+    ids: &BTreeSet<(&str, Option<&str>)>,
+    page_path: &str,
+    address: &str,
+) -> Option<String> {
+    if address.starts_with("data:") {
+        return None;
+    }
+    if is_outside_book(address) {
+        return Some(format!("fetches {address} from outside the book"));
+    }
+    let (path, id) = address.split_once('#').unwrap_or((address, ""));
+    let path = match path.split('?').next().unwrap_or_default() {
+        "" => page_path.to_string(),
+        path => resolve_path(page_path, path),
+    };
+    if !site.files.0.contains_key(&path) {
+        return Some(format!("leads to {path}, which is not in the book"));
+    }
+    let is_there =
+        id.is_empty() || ids.contains(&(&path, Some(id))) || is_pixel_link(site, &path, id);
+    (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
+}
+
+/// Whether an address ends in a pixel, such as `pixel=470,120`, of a picture on the page whose
+/// pixels can be asked.
+fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
+    let camera = figures::camera();
+    let is_inside = |(i, j): (&str, &str)| {
+        let is_below = |text: &str, count| text.parse().is_ok_and(|k: u32| k < count);
+        is_below(i, camera.h_res) && is_below(j, camera.v_res)
+    };
+    let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
+    let pixel = id.strip_prefix("pixel=").and_then(|pixel| pixel.split_once(','));
+    pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
+}
+
+/// The address of everything that a style fetches: what is in `url(…)`.
+fn style_urls(css: &str) -> impl Iterator<Item = &str> {
+    let inside = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
+    inside.map(|url| url.trim().trim_matches(['"', '\'']))
+}

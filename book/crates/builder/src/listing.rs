@@ -1,0 +1,133 @@
+use crate::files::{CHAPTERS, resolve_path};
+use crate::numbers;
+use figures::escape;
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+
+/// The listing for `{{#include path}}` or a part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
+/// caption that says which file it is from; what it goes after, the chapter says.
+///
+/// A path is relative to the chapters; what is in `book/reader` is of the reader's own
+/// folder. The first listing of a file on a page has an
+/// id for links to it, such as `listing-step01_rays-src-ray.rs`; `ids` holds those.
+pub fn html(
+    language: &str,
+    include: &str,
+    workspace: &Path,
+    ids: &mut Vec<String>,
+) -> Result<String, String> {
+    let target = include
+        .trim()
+        .strip_prefix("{{#include ")
+        .and_then(|rest| rest.strip_suffix("}}"))
+        .filter(|rest| !rest.contains(['\n', '{', '}']))
+        .ok_or("a listing is one {{#include path}} and nothing else")?;
+    let (target, part) = target.split_once(':').unwrap_or((target, ".."));
+    let path = resolve_path(CHAPTERS, target.trim());
+    let text = fs::read_to_string(workspace.join(&path))
+        .map_err(|_| format!("there is no file {target}"))?;
+    let path = path.strip_prefix("book/reader/").unwrap_or(&path);
+    let lines: Vec<&str> = text.lines().collect();
+    let range = part_lines(part, &lines)?;
+    let (first, last) = (range.start + 1, range.end);
+    let is_whole = range.len() == lines.len();
+    let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
+    let code = lines[range].join("\n");
+    let attributes = format!("data-lines=\"{first}-{last}\"{}", places_attribute(path, &code));
+    Ok(figure_markdown(path, &attributes, part, language, &code, ids))
+}
+
+/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
+/// a file whose text is a number that moves.
+pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
+    let (number_name, path) =
+        words.split_once(' ').ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
+    let code = numbers::default_text_of_number(number_name)?;
+    let lines = code.lines().count();
+    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
+    Ok(figure_markdown(path, &attributes, "", "rust", code, ids))
+}
+
+/// The attribute that says where a reader may edit the code: for each place its name, and its
+/// start and length in letters as JavaScript counts them. See book/theme/line_editor.js.
+fn places_attribute(path: &str, code: &str) -> String {
+    let letters = |text: &str| text.encode_utf16().count();
+    let mut places = course::all_listed_places();
+    places.retain(|place| path.strip_prefix("steps/") == Some(place.file));
+    let entries = places.iter().filter_map(|place| match &place.find_ranges(code)[..] {
+        [range] => Some(format!(
+            "{}:{}:{}",
+            place.name,
+            letters(&code[..range.start]),
+            letters(&code[range.clone()])
+        )),
+        _ => None,
+    });
+    match entries.collect::<Vec<_>>().join(" ") {
+        none if none.is_empty() => none,
+        places => format!(" data-places=\"{places}\""),
+    }
+}
+
+/// Code from the file `path` under its caption; `part` says which of it.
+fn figure_markdown(
+    path: &str,
+    attributes: &str,
+    part: &str,
+    language: &str,
+    code: &str,
+    ids: &mut Vec<String>,
+) -> String {
+    let short_path = path.strip_prefix("steps/").unwrap_or(path);
+    let name_start = short_path.rfind('/').map_or(0, |name_start| name_start + 1);
+    let (folder, file) = (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
+    let new = Some(format!("listing-{}", short_path.replace('/', "-")));
+    let new = new.filter(|id| !ids.contains(id));
+    ids.extend(new.clone());
+    let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
+    let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(3.max(ticks + 1));
+    format!(
+        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}\">\
+         <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
+         {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
+        escape(path),
+        code.lines().count(),
+    )
+}
+
+/// The lines of a part such as `use..impl Ray`, which begins and ends before what
+/// begins with these words.
+fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
+    let (begin_words, end_words) = part
+        .split_once("..")
+        .ok_or(format!("a part is ..how its end begins, or how it begins.., not {part}"))?;
+    let start =
+        if begin_words.is_empty() { 0 } else { find_line_or_attributes(begin_words, lines, 0)? };
+    let end = if end_words.is_empty() {
+        lines.len()
+    } else {
+        find_line_or_attributes(end_words, lines, start + 1)?
+    };
+    Ok(start..end)
+}
+
+/// The place of the first line, not before `first_line`, that begins with these words, or
+/// that of the comments and attributes above it.
+fn find_line_or_attributes(
+    words: &str,
+    lines: &[&str],
+    first_line: usize,
+) -> Result<usize, String> {
+    let mut lines_from = lines.iter().skip(first_line);
+    let mut line_index = first_line
+        + lines_from
+            .position(|line| line.trim_start().starts_with(words))
+            .ok_or(format!("no line there begins with {words:?}"))?;
+    while first_line < line_index && lines[line_index - 1].trim_start().starts_with(['#', '/']) {
+        line_index -= 1;
+    }
+    Ok(line_index)
+}

@@ -1,0 +1,79 @@
+//! Builds the book, and opens it with `--open`.
+
+use anyhow::Result;
+use builder::Course;
+use clap::{Parser, Subcommand};
+use course::{target_folder, workspace};
+use mdbook_preprocessor::Preprocessor;
+use std::io::{Write, stderr, stdin, stdout};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+/// Builds the book from its chapters, the five crates and the locked pictures.
+#[derive(Parser)]
+#[command(name = "cargo run --")]
+struct Options {
+    /// Open the book in the browser
+    #[arg(long)]
+    open: bool,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Expand the chapters that mdBook writes to standard input: see book/book.toml
+    Preprocess {
+        /// Words with which mdBook asks first: `supports`, and a renderer
+        #[arg(hide = true)]
+        question: Vec<String>,
+    },
+}
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    let result = match &options.command {
+        Some(Command::Preprocess { question }) if question.is_empty() => preprocess_stdin(),
+        Some(Command::Preprocess { .. }) => Ok(()),
+        None => build_and_report(options.open),
+    };
+    let Err(error) = result else { return ExitCode::SUCCESS };
+    let _ = writeln!(stderr(), "{error:#}");
+    ExitCode::FAILURE
+}
+
+/// Reads the book that mdBook hands over, and writes it with its chapters expanded.
+fn preprocess_stdin() -> Result<()> {
+    let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
+    let book = Course.run(&context, book)?;
+    Ok(serde_json::to_writer(stdout(), &book)?)
+}
+
+/// Builds the book, says what was built and where, and opens it if that is asked for.
+fn build_and_report(opens_browser: bool) -> Result<()> {
+    let start = Instant::now();
+    print_line("Building the book …");
+    let folder = target_folder().join("book");
+    let site = builder::build(&workspace(), &folder)?;
+    print_line(&format!(
+        "Built {} chapters with {} listings, {} figures, {} pictures and {} formulas in {:.1} s.",
+        site.chapters_in_order().len(),
+        site.count_in_chapters(".listing"),
+        site.count_in_chapters(".drawing"),
+        site.count_in_chapters("img"),
+        site.count_in_chapters("math"),
+        start.elapsed().as_secs_f64(),
+    ));
+    let index = folder.join("index.html");
+    print_line(&format!("It begins at {}", index.display()));
+    let patience = Duration::from_secs(2);
+    if opens_browser && open::that_detached_with_timeout(&index, patience).is_err() {
+        print_line("There is no browser here to open it with.");
+    }
+    Ok(())
+}
+
+/// Writes a line. Where nobody listens any more, the book is built all the same.
+fn print_line(line: &str) {
+    let _ = writeln!(stdout(), "{line}");
+}

@@ -1,0 +1,73 @@
+//! The numbers in a text: values, computed when the book is built, and those that move
+//! when a reader moves what answers.
+
+use crate::values;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// Each number that moves as it is printed, by the name of what it belongs to and its
+/// own, such as `row:hRes`.
+static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
+    let all = figures::LIVE.iter().flat_map(|live| {
+        let numbers = (live.numbers)(&live.default_values()).into_iter();
+        numbers.map(|(name, text)| (format!("{}:{name}", live.name), text))
+    });
+    all.collect()
+});
+
+/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
+/// `minus` in the values: − in a text, a hyphen in code.
+pub fn fill_in_text(text: &str, minus: &str) -> Result<String, String> {
+    replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
+        Some(("value", name)) => Ok(values::value_text(name)?.replace('−', minus)),
+        Some(("number", number_name)) => moving_number_html("span", number_name),
+        _ => Err(format!(
+            "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
+             or is none of the directives"
+        )),
+    })
+}
+
+/// The same for a formula: `convert` gets it with a mark where a number moves.
+pub fn fill_in_formula(
+    latex: &str,
+    to_mathml: impl FnOnce(&str) -> Result<String, String>,
+) -> Result<String, String> {
+    let marked =
+        replace_between(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
+            Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
+            Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
+            _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
+        })?;
+    replace_between(&to_mathml(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
+        moving_number_html("mn", number_name)
+    })
+}
+
+fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
+    let default_text = default_text_of_number(number_name)?;
+    Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
+}
+
+/// A number that moves as it is printed.
+pub fn default_text_of_number(number_name: &str) -> Result<&'static str, String> {
+    let default_text = PRINTED.get(number_name).map(String::as_str);
+    default_text.ok_or(format!("there is no number {number_name}"))
+}
+
+/// Replaces each part between `begin` and `end`.
+fn replace_between(
+    text: &str,
+    begin: &str,
+    end: &str,
+    replacement: impl Fn(&str) -> Result<String, String>,
+) -> Result<String, String> {
+    let mut parts = text.split(begin);
+    let mut replaced = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (inside, tail) = part.split_once(end).ok_or(format!("{begin}{part} has no {end}"))?;
+        replaced += &replacement(inside)?;
+        replaced += tail;
+    }
+    Ok(replaced)
+}

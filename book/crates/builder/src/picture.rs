@@ -1,0 +1,116 @@
+use crate::files::CHAPTERS;
+use crate::generated_files::HALF_SUFFIX;
+use crate::markdown::inline_html;
+use crate::mistakes::effect_and_step_of_picture;
+use crate::{controls, pixel_panel};
+use figures::{Live, escape};
+use image::image_dimensions;
+use std::path::Path;
+
+/// Attribute that makes a picture load when it comes into view.
+pub const LAZY: &str = r#" loading="lazy""#;
+
+/// About how wide a picture is in the page: a little less on a phone, so that the half is
+/// enough for one of 640 pixels.
+const SIZES: &str = "(max-width: 950px) 88vw, 882px";
+
+/// A picture as a chapter asks for it: `![what it shows](generated/name.png
+/// "Caption")`.
+#[derive(Debug)]
+pub struct Picture {
+    alt: String,
+    source: String,
+    caption: String,
+}
+
+impl Picture {
+    /// Takes the alt text from the Markdown of the picture; a mistake's picture has none
+    /// there, as the list of mistakes says what it shows.
+    pub fn from_markdown(markdown: &str, source: &str, caption: &str) -> Self {
+        // The caption may hold links of its own; the alt text ends before the first.
+        let end = format!("]({source}");
+        let alt = markdown.trim_start_matches("![").split(&end);
+        let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
+        let effect = effect_and_step_of_picture(source).map(|(effect, _)| effect);
+        let alt = match (alt.join(" "), effect) {
+            (alt, Some(effect)) if alt.is_empty() => effect,
+            (alt, _) => alt,
+        };
+        let (source, caption) = (source.to_string(), caption.to_string());
+        Self { alt, source, caption }
+    }
+
+    /// A picture without a caption.
+    pub fn without_caption(alt: &str, source: &str) -> Self {
+        let (alt, source) = (alt.to_owned(), source.to_owned());
+        Self { alt, source, caption: String::new() }
+    }
+
+    /// Finds the live figure that answers in this picture: by `name`, or by the name of
+    /// its file.
+    fn find_live(&self, name: &str) -> Result<&'static Live, String> {
+        let file = Path::new(&self.source).file_stem().and_then(|name| name.to_str());
+        let name = if name.is_empty() { file } else { Some(name) };
+        name.and_then(figures::find)
+            .ok_or(format!("nothing answers for the picture {}", self.source))
+    }
+
+    /// The picture alone, in its size; it loads when it comes into view.
+    pub fn html(&self, workspace: &Path) -> Result<String, String> {
+        let Self { alt, source, .. } = self;
+        if alt.is_empty() {
+            return Err(format!("the picture {source} has no alt text: say what it shows"));
+        }
+        let path = workspace.join(CHAPTERS).join(source);
+        let (width, height) =
+            image_dimensions(path).map_err(|_| format!("there is no picture {source}"))?;
+        let half = source.replace(".png", HALF_SUFFIX);
+        let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
+            true => {
+                format!(r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#, width / 2)
+            }
+            false => String::new(),
+        };
+        Ok(format!(
+            r#"<img src="{}"{smaller} alt="{}" width="{width}" height="{height}"{LAZY}>"#,
+            escape(source),
+            escape(alt)
+        ))
+    }
+}
+
+/// A figure of the pictures of a paragraph, side by side if there are several. Where
+/// they are `live`, by a name or by that of their files, what is said of a pixel stands
+/// below each.
+pub fn figures_html(
+    pictures: &[Picture],
+    live: Option<&str>,
+    workspace: &Path,
+) -> Result<String, String> {
+    let mut figures = String::new();
+    for picture in pictures {
+        let image = picture.html(workspace)?;
+        let (mut data, mut controls_html, mut below) = Default::default();
+        if let Some(name) = live {
+            let answers = picture.find_live(name)?;
+            data = format!(" data-live=\"{}\"", answers.name);
+            controls_html = controls::html(answers);
+            if answers.has_probe() {
+                below = pixel_panel::html(answers, workspace)?;
+            }
+        }
+        let caption = match picture.caption.as_str() {
+            "" => String::new(),
+            markdown => {
+                format!("<figcaption>{}</figcaption>", inline_html(markdown)?)
+            }
+        };
+        figures += &format!(
+            "<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n{below}"
+        );
+    }
+    Ok(match pictures {
+        [_] => figures,
+        _ => format!("<div class=\"pictures\">\n{figures}</div>\n"),
+    })
+}

@@ -1,0 +1,70 @@
+use crate::chapter::expand_directives;
+use figures::Live;
+use std::path::Path;
+use step03_nearest::OBJECTS;
+
+/// The text about a pixel, with a number for each `{{#number name}}`. A line that
+/// begins with `2-4` is for the pictures of these steps.
+pub const TEXT: &str = include_str!("pixel_trace_template.md");
+
+/// The same for the picture with mirrors.
+const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");
+
+/// The numbers of a sphere, in the columns of its row.
+const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
+
+/// The numbers of a hit of a mirrored ray, in the columns of its row.
+const MIRROR_COLUMNS: [&str; 9] =
+    ["object", "t", "k", "I", "hidden", "matte", "specular", "p", "n"];
+
+/// The rows of what a ray meets: the example `mirror` allows ten mirrors.
+const MIRROR_ROWS: usize = 11;
+
+/// The box below a picture whose pixels can be asked: everything on the way from a
+/// pixel to its three bytes, of the one that the reader of the page asks.
+///
+/// Hidden until the first is asked; see book/theme/live.js.
+pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
+    let name = live.name;
+    let (text, rows): (_, Vec<_>) = if name == "mirror" {
+        let rows = (0..MIRROR_ROWS).map(|k| row_markdown(&MIRROR_COLUMNS, k));
+        (MIRROR_TEXT.to_owned(), rows.collect())
+    } else {
+        let lines = TEXT.lines().filter_map(|line| line_for_step(name, line));
+        let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
+        let spheres = OBJECTS.iter().take(count).enumerate().map(|(k, object)| {
+            let name = figures::short_name(object.name);
+            format!("| {name} {}", row_markdown(&COLUMNS, k))
+        });
+        (lines.collect::<Vec<_>>().join("\n"), spheres.collect())
+    };
+    let text = text.replace("{{#rows}}", &rows.join("\n"));
+    let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
+    let text = text.replace("NAME:", &format!("{name}:"));
+    let (markdown, faults) = expand_directives(&text, workspace);
+    if let Some((_, what)) = faults.first() {
+        return Err(format!("this pixel of {name}: {what}"));
+    }
+    Ok(format!(
+        "<details data-panel=\"{name}\" class=\"aside\" open hidden>\
+         <summary><span class=\"kind\">This pixel</span></summary>\n\n{markdown}\n</details>\n"
+    ))
+}
+
+/// A line as it is for the picture of a step; None where it is for other steps.
+fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
+    let steps = line.split_once(' ').and_then(|(steps, rest)| {
+        let (first, last) = steps.split_once('-')?;
+        Some((first.parse::<u32>().ok()?..=last.parse().ok()?, rest))
+    });
+    let Some((steps, rest)) = steps else { return Some(line) };
+    let step = name.strip_prefix("step")?.get(..2)?.parse().ok()?;
+    steps.contains(&step).then_some(rest)
+}
+
+/// A row of these numbers, number `k` of the table.
+fn row_markdown(columns: &[&str], k: usize) -> String {
+    let cells: Vec<_> =
+        columns.iter().map(|column| format!("{{{{#number {column}{k}}}}}")).collect();
+    format!("| {} |", cells.join(" | "))
+}

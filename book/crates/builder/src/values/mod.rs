@@ -1,0 +1,111 @@
+//! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
+//!
+//! - `LIVE:NAME` is a number of a figure at its defaults, such as `row:D`;
+//! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
+//! - `NAME X` is a function of a number, such as `half-angle 40`;
+//! - `NAME` is any other.
+//!
+//! A minus is one (−); code and formulas get a hyphen where it is put in.
+
+mod problems;
+mod rays;
+mod slips;
+mod step01;
+mod step02;
+mod step03;
+mod step04;
+mod step05;
+mod way_back;
+
+use figures::{format_fixed, format_number, format_vector};
+use glam::DVec3;
+
+/// A number with the way it is written.
+pub enum Value {
+    /// At most four digits after the point.
+    Number(f64),
+    /// A fixed count of digits after the point.
+    Fixed(usize, f64),
+    /// A comma between thousands.
+    Count(usize),
+    /// (x, y, z).
+    Vector(DVec3),
+    /// A vector as a column of a formula.
+    Column(DVec3),
+}
+
+/// The value of a name with the numbers behind it; None if it is of another chapter.
+type ChapterValue = fn(&str, &[f64]) -> Option<Value>;
+
+const CHAPTERS: [ChapterValue; 8] = [
+    step01::value,
+    step02::value,
+    step03::value,
+    step04::value,
+    step05::value,
+    slips::value,
+    way_back::value,
+    problems::value,
+];
+
+/// The text of `{{#value …}}`.
+pub fn value_text(text: &str) -> Result<String, String> {
+    let number = match text.split_once(':') {
+        Some((live, number)) => live_number_text(live, number),
+        None => chapter_value_text(text),
+    };
+    number.ok_or_else(|| format!("there is no value {text}"))
+}
+
+/// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
+/// picture with a probe.
+fn live_number_text(live: &str, number: &str) -> Option<String> {
+    let live = figures::find(live)?;
+    let mut values = live.default_values();
+    let mut name = number;
+    if let Some((pixel, traced)) = number.split_once(':')
+        && live.has_probe()
+    {
+        let (i, j) = pixel.split_once(',')?;
+        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
+        name = traced;
+    }
+    let is_allowed = live.snap_if_allowed(&values)? == values;
+    is_allowed.then(|| (live.numbers)(&values).remove(name))?
+}
+
+/// Whether a value is a count of something, and so a whole number.
+pub fn is_count(text: &str) -> bool {
+    matches!(chapter_value(text), Some(Value::Count(_)))
+}
+
+/// A value such as `camera-tan`, or such as `half-angle 40`.
+fn chapter_value(text: &str) -> Option<Value> {
+    let mut words = text.split(' ');
+    let name = words.next()?;
+    let arguments: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
+    let arguments = arguments?;
+    CHAPTERS.iter().find_map(|value| value(name, &arguments))
+}
+
+fn chapter_value_text(text: &str) -> Option<String> {
+    Some(match chapter_value(text)? {
+        Value::Number(number) => format_number(number),
+        Value::Fixed(digits, number) => format_fixed(number, digits),
+        Value::Count(count) => format_with_thousands_commas(count),
+        Value::Vector(vector) => format_vector(vector),
+        Value::Column(vector) => format_column_latex(vector),
+    })
+}
+
+fn format_with_thousands_commas(count: usize) -> String {
+    let digits = count.to_string();
+    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
+    let digits = digits.char_indices();
+    digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
+}
+
+fn format_column_latex(vector: DVec3) -> String {
+    let [x, y, z] = vector.to_array().map(format_number);
+    format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
+}

@@ -1,0 +1,44 @@
+use crate::Locked;
+use course::Step;
+use image::RgbImage;
+use image::imageops::thumbnail;
+
+/// The one of `names` that a file's own name tells: `step03_nearest.png`,
+/// `my_lens-2.png`, `step3.png`.
+pub fn find_name_in_file_name<'a>(
+    file_name: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+) -> Option<&'a str> {
+    let lower = file_name.to_ascii_lowercase();
+    let file_name = lower.rsplit(['/', '\\']).next()?;
+    let named = names.clone().filter(|name| contains_whole_word(file_name, name));
+    named.max_by_key(|name| name.len()).or_else(|| {
+        let is_named = |step: &Step| {
+            let number = step.number();
+            let words = [format!("step{number}"), format!("step0{number}")];
+            words.iter().any(|word| contains_whole_word(file_name, word))
+        };
+        let step = Step::ALL.into_iter().find(is_named)?;
+        names.clone().find(|name| *name == step.name())
+    })
+}
+
+/// Whether `word` is in `text` with no letter or digit before it or after it.
+fn contains_whole_word(text: &str, word: &str) -> bool {
+    let is_end = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric());
+    text.match_indices(word).any(|(k, _)| {
+        let (text_before, text_after) = (&text[..k], &text[k + word.len()..]);
+        is_end(text_before.chars().next_back()) && is_end(text_after.chars().next())
+    })
+}
+
+/// The picture that is most like yours, whatever its size.
+pub(crate) fn find_most_similar<'a>(yours: &RgbImage, candidates: &[&'a Locked]) -> &'a Locked {
+    let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
+    let yours = small(yours);
+    let distance = |candidate: &&&Locked| {
+        let pairs = yours.iter().zip(small(&candidate.picture));
+        pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
+    };
+    candidates.iter().min_by_key(distance).unwrap_or(&candidates[0])
+}

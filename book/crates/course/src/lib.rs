@@ -1,0 +1,44 @@
+//! What all crates of the book share.
+//!
+//! - The five *steps* as a list, with the course's camera; the *examples* of the steps as a
+//!   library, and a list of the pictures that they draw.
+//! - The list of *mistakes* that readers make, each a diff, and the *table* of hashes of the
+//!   pictures that they give; the *places* of the listings that a reader may edit.
+//! - A *scene* as a program, and the scene that belongs to a *name*.
+//! - Two pictures *compared*, in a sentence and side by side.
+//! - The folders of the *workspace*, and JSON.
+
+mod step;
+pub use step::{Step, camera, camera_with_fov, camera_with_size, slide_matrix};
+
+pub mod examples;
+pub use examples::{PICTURES, Picture, find_picture, step_of_example};
+
+mod mistake;
+mod mistake_table;
+pub use mistake::{BookEntry, Mistake, mistakes};
+pub use mistake_table::{
+    TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names, table_rows,
+};
+
+mod place;
+pub use place::{Kind, Place, all_listed_places};
+
+mod hash;
+
+mod named_scene;
+mod scene_program;
+mod scene_settings;
+pub use named_scene::{NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene};
+pub use scene_program::{format_scene_program, without_mirrors};
+pub use scene_settings::Settings;
+
+mod difference;
+mod panels;
+pub use difference::{Difference, largest_channel_difference};
+pub use panels::draw_panels;
+
+mod workspace;
+pub use workspace::{target_folder, workspace};
+
+pub mod json;

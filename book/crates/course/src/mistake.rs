@@ -1,0 +1,122 @@
+//! The list of mistakes, and the marks in its files. A block of lines is a mistake: its
+//! title, `-` what stands there, `+` what is written instead. `@` names the file of those
+//! below. Where the book shows it: `!` the name of its picture (and of a step, if that is
+//! another than the file's), `?` why it is wrong, `/` the section to go back to, `"` what
+//! one sees.
+
+use crate::Step;
+
+/// Mistake that a reader may make: a place of a file, and the text written there instead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mistake {
+    /// Short description.
+    pub title: &'static str,
+    /// The file, seen from the root of the workspace.
+    pub file: String,
+    /// Right text; blanks at the beginning of a line do not count.
+    pub old: String,
+    /// Text that is written instead.
+    pub new: String,
+    /// Words and pictures of the book, where it shows the mistake.
+    pub book_entry: Option<BookEntry>,
+}
+
+/// Words and pictures with which the book shows a mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BookEntry {
+    /// The name of each picture, lower-case words with `-` between them, and the step
+    /// that is drawn with the mistake in it: after `! name`, or else that of its file.
+    pub pictures: Vec<(&'static str, Step)>,
+    /// How it comes about or what is right, in one sentence.
+    pub reason: &'static str,
+    /// The heading of its section, in a chapter of its step.
+    pub section: &'static str,
+    /// Sentence about what its picture shows.
+    pub effect: &'static str,
+}
+
+/// The lists, and the folder of the files in each, if it is one.
+const LISTS: [(&str, &str); 5] = [
+    ("steps/step01_rays/src/", include_str!("../mistakes/step01_rays.txt")),
+    ("steps/step02_sphere/src/", include_str!("../mistakes/step02_sphere.txt")),
+    ("steps/step03_nearest/src/", include_str!("../mistakes/step03_nearest.txt")),
+    ("steps/step04_diffuse/src/", include_str!("../mistakes/step04_diffuse.txt")),
+    ("steps/step05_phong/src/", include_str!("../mistakes/step05_phong.txt")),
+];
+
+/// All mistakes, in the order of the lists.
+pub fn mistakes() -> Vec<Mistake> {
+    let mut mistakes = vec![];
+    for (folder, list) in LISTS {
+        let mut file = String::new();
+        for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
+            match block.strip_prefix("@ ") {
+                Some(path) => file = format!("{folder}{path}"),
+                None => mistakes.extend(parse_mistake(&file, block)),
+            }
+        }
+    }
+    mistakes
+}
+
+/// The mistake that a block of a list tells.
+fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
+    let (title, marked_lines) = block.split_once('\n')?;
+    let marked = |mark: char| {
+        let lines = marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
+        lines.map(|line| line.strip_prefix(' ').unwrap_or(line))
+    };
+    let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
+    let first_marked = |mark| marked(mark).next().unwrap_or_default();
+    let step_of_file = Step::from_path(file);
+    let pictures = marked('!').filter_map(|picture| match picture.split_once(' ') {
+        Some((name, step)) => Some((name, Step::from_path(step)?)),
+        None => Some((picture, step_of_file?)),
+    });
+    let pictures: Vec<_> = pictures.collect();
+    let book_entry = (!pictures.is_empty()).then(|| BookEntry {
+        pictures,
+        reason: first_marked('?'),
+        section: first_marked('/'),
+        effect: first_marked('"'),
+    });
+    let file = file.to_owned();
+    Some(Mistake { title, file, old: text('-'), new: text('+'), book_entry })
+}
+
+impl Mistake {
+    /// The first step whose program it is in.
+    pub fn step(&self) -> Option<Step> {
+        Step::from_path(&self.file)
+    }
+
+    /// The names of the pictures that it may spoil, in their order.
+    pub fn affected_picture_names(&self) -> Vec<String> {
+        let exercise = self.file.split("/examples/").nth(1);
+        if let Some(name) = exercise.and_then(|file| file.strip_suffix(".rs")) {
+            return vec![name.to_owned()];
+        }
+        let steps = Step::ALL.into_iter();
+        let later = steps.filter(|step| self.step() <= Some(*step));
+        later.map(|step| step.name().to_owned()).collect()
+    }
+
+    /// Lines of the right text, each after a `-`, and those written instead, after `+`.
+    pub fn old_and_new_lines(&self) -> String {
+        let old = self.old.lines().map(|line| format!("- {line}"));
+        let new = self.new.lines().map(|line| format!("+ {line}"));
+        old.chain(new).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The text of its file with the mistake in it and no line indented, if its place is there
+    /// once.
+    pub fn apply_and_unindent(&self, file_text: &str) -> Option<String> {
+        let bare = |file_text: &str| {
+            let lines: Vec<_> = file_text.split('\n').map(str::trim_start).collect();
+            lines.join("\n")
+        };
+        let (file_text, old) = (bare(file_text), bare(&self.old));
+        let is_once = file_text.matches(&old).count() == 1;
+        is_once.then(|| file_text.replace(&old, &self.new))
+    }
+}

@@ -1,0 +1,80 @@
+use crate::examples::mirror::{Mirror, mirrors};
+use crate::hash::fnv_1a;
+use crate::scene_program::{format_scene_program, without_mirrors};
+use crate::scene_settings::Settings;
+use glam::DVec3;
+use image::RgbImage;
+use step05_phong::{Light, Matte, OBJECTS, Scene, colour, render};
+
+/// The example of step 5 as which the program of a named scene is saved. No example of the
+/// course has this name, so no other program draws a picture of it.
+pub const NAMED_SCENE_EXAMPLE: &str = "scene_of_me";
+
+/// The program of the scene that belongs to a name, for an example of step 5, and the
+/// picture that it draws.
+pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
+    let name = join_words(name);
+    let settings = Settings::default();
+    let scene = named_scene(&name);
+    let title = format!("The scene of {}.", name.escape_debug());
+    let program = format_scene_program(&settings, &scene);
+    let program = program.replacen("A scene of your own.", &title, 1).replacen(
+        "--example my_scene",
+        &format!("--example {NAMED_SCENE_EXAMPLE}"),
+        1,
+    );
+    let scene = without_mirrors(scene);
+    let camera = settings.camera(settings.columns);
+    (program, render(&camera, 1, |ray| colour(&scene, ray)))
+}
+
+/// The names of the objects in the order of `OBJECTS`, as their colours are chosen.
+const NAMES: [&str; OBJECTS.len()] =
+    ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
+
+/// The course's scene or its mirror image, with other sizes, colours, highlights and
+/// light, chosen by a hash of the name.
+///
+/// Each sphere lies inside the one of the course and on the same ground, so none meet.
+/// Blanks around the name, and how many there are between its words, make no difference.
+pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
+    let name = join_words(name);
+    let mut choices = 0;
+    let mut choose = |count: usize| {
+        choices += 1;
+        // Four more rounds bring the last letter to all bits.
+        let bytes = [choices].into_iter().chain(name.bytes()).chain([0; 4]);
+        (fnv_1a(bytes) >> 32) as usize % count
+    };
+    let mut scene = mirrors();
+    let side = DVec3::new([1.0, -1.0][choose(2)], 1.0, 1.0);
+    for (object, name) in scene.objects.iter_mut().zip(NAMES) {
+        object.name = name;
+        if name == "ground" {
+            continue;
+        }
+        object.sphere.centre *= side;
+        let smaller = [0.0, 0.1, 0.2, 0.3][choose(4)] * object.sphere.radius;
+        let smaller = (100.0 * smaller).round();
+        for length in [&mut object.sphere.centre.y, &mut object.sphere.radius] {
+            *length = ((100.0 * *length).round() - smaller) / 100.0;
+        }
+        let colours = OBJECTS.map(|object| object.material);
+        let colour = [0, 2, 3, 5, 6, 7, 8][choose(7)];
+        let material = &mut object.material.material;
+        material.matte = Matte::of(colours[colour]);
+        material.specular = DVec3::splat([0.2, 0.4, 0.6, 0.8][choose(4)]);
+        material.shininess = [10, 20, 40, 80, 160][choose(5)];
+    }
+    for light in &mut scene.lights {
+        light.point_light.position *= side;
+    }
+    let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
+    scene.lights[0].point_light.diffuse = tints[choose(4)].into();
+    scene
+}
+
+/// The words of a name, with one blank between them.
+fn join_words(name: &str) -> String {
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
+}

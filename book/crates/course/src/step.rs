@@ -1,0 +1,88 @@
+use crate::{PICTURES, Picture};
+use step01_rays::{AspectRatio, Camera};
+
+/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
+pub fn camera() -> Camera {
+    camera_with_size(640, 360)
+}
+
+/// The camera of the course with so many columns and rows. Its 60 degrees are turned into
+/// radians, as by the programs: π/3 is another number in its last digit.
+pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
+    Camera::new(columns, rows, 60_f64.to_radians())
+}
+
+/// The camera with this field of view, in degrees, and so many columns, 16:9.
+pub fn camera_with_fov(fov_degrees: f64, columns: f64) -> Camera {
+    let h_res = columns as u32;
+    let aspect_ratio = AspectRatio { width: 16.0, height: 9.0 };
+    Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
+}
+
+/// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.
+pub fn slide_matrix() -> Camera {
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
+}
+
+/// One of the five steps; they are in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Step {
+    /// step01_rays.
+    Rays,
+    /// step02_sphere.
+    Sphere,
+    /// step03_nearest.
+    Nearest,
+    /// step04_diffuse.
+    Diffuse,
+    /// step05_phong.
+    Phong,
+}
+
+impl Step {
+    /// All five.
+    pub const ALL: [Self; 5] =
+        [Self::Rays, Self::Sphere, Self::Nearest, Self::Diffuse, Self::Phong];
+
+    /// The names of all five.
+    pub const NAMES: [&str; 5] =
+        ["step01_rays", "step02_sphere", "step03_nearest", "step04_diffuse", "step05_phong"];
+
+    /// Number from 1 to 5.
+    pub fn number(self) -> usize {
+        self as usize + 1
+    }
+
+    /// The name of its crate, its first chapter and its locked picture.
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+
+    /// The names of its chapters, in the order of the book.
+    pub fn chapters(self) -> Vec<&'static str> {
+        match self {
+            Self::Rays => vec![self.name(), "step01_program"],
+            _ => vec![self.name()],
+        }
+    }
+
+    /// The step whose name `name` is.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|step| step.name() == name)
+    }
+
+    /// The step whose folder or file a path leads to.
+    pub fn from_path(path: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|step| path.contains(step.name()))
+    }
+
+    /// The function that draws its picture.
+    pub fn picture(self) -> Picture {
+        PICTURES[self as usize].1
+    }
+}

@@ -1,0 +1,30 @@
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The folder of the course, even if it was moved since this program was built.
+///
+/// Searched upwards from the package that Cargo runs, then from the current
+/// folder and from the program.
+pub fn workspace() -> PathBuf {
+    let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
+    let found = starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
+    let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../.."));
+    found.unwrap_or(compiled).to_owned()
+}
+
+/// The target folder, marked by Cargo, in which this program lies; that of the workspace
+/// where the program was taken elsewhere.
+pub fn target_folder() -> PathBuf {
+    let program = env::current_exe().unwrap_or_default();
+    let mut around = program.ancestors();
+    let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
+    target.map_or_else(|| workspace().join("target"), Path::to_owned)
+}
+
+fn find_workspace_upwards(start: &Path) -> Option<&Path> {
+    let has = |folder: &Path| {
+        ["Cargo.toml", "steps", "tests/snapshots"].iter().all(|name| folder.join(name).exists())
+    };
+    start.ancestors().find(|folder| has(folder))
+}

@@ -1,0 +1,131 @@
+use super::short_name;
+use super::step05::object_parameters;
+use crate::live::collect_numbers;
+use crate::parameter::array;
+use crate::probe::Probe;
+use crate::{Live, Numbers, Output, Parameter, format_number, format_vector};
+use course::examples::mirror::{Mirror, colour, hidden, mirrors, shadowed_phong};
+use glam::DVec3;
+use step05_phong::{
+    Light, Ray, Scene, SurfacePoint, nearest, reflect, render, rgb8, visible_point,
+};
+
+/// The offsets, written as in the listing.
+const OFFSETS: &[&str] = &[
+    "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9", "1e-8", "1e-7",
+    "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
+];
+
+/// The largest depth, that of the example.
+const MAX_DEPTH: u32 = 10;
+
+/// Texts by the names of the columns of a table.
+type Row = Vec<(&'static str, String)>;
+
+/// The columns of the table of what a ray meets.
+const COLUMNS: [&str; 9] = ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
+
+/// The probe and the scene of these values.
+struct Mirrors {
+    probe: Probe,
+    depth: u32,
+    offset: f64,
+    scene: Scene<Mirror, Light>,
+}
+
+impl Mirrors {
+    fn new(values: &[f64]) -> Self {
+        let (probe, others) = Probe::split_values(values);
+        let (first, ks) = others.split_at(2);
+        let [depth, choice] = array(first);
+        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
+        let mut scene = mirrors();
+        for (object, k) in scene.objects.iter_mut().zip(ks) {
+            object.material.k = *k;
+        }
+        Self { probe, depth: depth as u32, offset, scene }
+    }
+
+    /// The colour that `ray` sees by way of at most `depth` mirrors.
+    fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
+        colour(&self.scene, ray, depth, self.offset)
+    }
+
+    /// The row of what `ray` meets, and the mirrored ray.
+    fn trace_hit(&self, ray: &Ray, depth: u32) -> (Row, Option<Ray>) {
+        let Scene { objects, ambient_light, lights } = &self.scene;
+        let intensity = format_vector(self.colour(ray, depth));
+        let hit = nearest(objects, ray).zip(visible_point(objects, ray));
+        let Some((hit, point)) = hit else {
+            return (vec![("object", "sky".into()), ("I", intensity)], None);
+        };
+        let SurfacePoint { p, n, material: Mirror { material, k } } = point;
+        let is_hidden =
+            |light: &Light| hidden(objects, &point, light.point_light.position, self.offset);
+        let named_lights = lights.iter().zip(["warm", "cool"]);
+        let hidden_lights = named_lights.filter(|(light, _)| is_hidden(light));
+        let hidden_lights: Vec<_> = hidden_lights.map(|(_, name)| name).collect();
+        let shaded = SurfacePoint { p, n, material };
+        let terms = shadowed_phong(&shaded, ray, *ambient_light, lights, is_hidden);
+        let direction = reflect(n, -ray.direction);
+        let mirrored = Ray { start: p + self.offset * n, direction };
+        let is_mirror = 0.0 < *k && 0 < depth;
+        let row = vec![
+            ("object", short_name(hit.object.name).into()),
+            ("t", format_number(hit.t)),
+            ("p", format_vector(p)),
+            ("n", format_vector(n)),
+            ("hidden", hidden_lights.join(", ")),
+            ("matte", format_vector(terms.ambient + terms.diffuse)),
+            ("specular", format_vector(terms.specular)),
+            ("k", if is_mirror { format_number(*k) } else { "0".into() }),
+            ("I", intensity),
+        ];
+        (row, is_mirror.then_some(mirrored))
+    }
+
+    /// The way of the probe's ray, row by row; the numbers of rows that it does not have
+    /// are empty.
+    fn numbers(&self) -> Numbers {
+        let mut ray = Some(self.probe.ray());
+        let bytes = rgb8(self.colour(&self.probe.ray(), self.depth)).0;
+        let mut numbers = collect_numbers([
+            ("i", format_number(self.probe.i)),
+            ("j", format_number(self.probe.j)),
+            ("bytes", format_vector(bytes.map(f64::from))),
+        ]);
+        for k in 0..=MAX_DEPTH {
+            let empty = COLUMNS.map(|name| (format!("{name}{k}"), String::new()));
+            numbers.extend(empty);
+            let Some(incident) = ray else { continue };
+            let (row, mirrored) = self.trace_hit(&incident, self.depth - k);
+            let row = row.into_iter().map(|(name, text)| (format!("{name}{k}"), text));
+            numbers.extend(row);
+            ray = mirrored;
+        }
+        numbers
+    }
+}
+
+/// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
+/// the object at the probe to set.
+pub fn picture() -> Live {
+    let mut parameters = Probe::parameters(168.0, 295.0);
+    let depth = f64::from(MAX_DEPTH);
+    parameters.extend([
+        Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0),
+        Parameter::choice("offset", 8.0, OFFSETS),
+    ]);
+    let ks = mirrors().objects.into_iter().map(|object| object.material.k);
+    parameters.extend(object_parameters("k", ks, [0.0, 1.0], 20.0));
+    Live {
+        parameters,
+        handles: vec![Probe::handle()],
+        numbers: |values| Mirrors::new(values).numbers(),
+        ..Live::new("mirror", |values| {
+            let mirrors = Mirrors::new(values);
+            let colour = |ray: &Ray| mirrors.colour(ray, mirrors.depth);
+            Output::Picture(render(&mirrors.probe.camera(), 1, colour))
+        })
+    }
+}

@@ -1,0 +1,67 @@
+//! Writes the five steps anew, as modules in which each place asks for the reader's expression.
+
+#[path = "../course/src/place.rs"]
+#[allow(dead_code, reason = "used in the library")]
+mod place;
+
+use place::all_listed_places;
+use std::cmp::Reverse;
+use std::error::Error;
+use std::fs::{create_dir_all, read_dir, read_to_string, write};
+use std::{collections::BTreeMap, env, path::Path};
+
+const STEPS: &str = "../../../steps";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-changed={STEPS}");
+    println!("cargo::rerun-if-changed=../course/places.txt");
+    println!("cargo::rerun-if-changed=../course/src/place.rs");
+    let mut files = BTreeMap::new();
+    for step in read_dir(STEPS)? {
+        let step = step?;
+        if !step.file_type()?.is_dir() {
+            continue;
+        }
+        let step = step.file_name().display().to_string();
+        for file in read_dir(Path::new(STEPS).join(&step).join("src"))? {
+            let file = file?;
+            let name = format!("{step}/src/{}", file.file_name().display());
+            files.insert(name, read_to_string(file.path())?.replace('\r', ""));
+        }
+    }
+    let sources: String = files.values().map(String::as_str).collect();
+    let (mut faults, mut edits) = (vec![], vec![]);
+    for (index, place) in all_listed_places().into_iter().enumerate() {
+        let text = files.get(place.file).map_or("", String::as_str);
+        match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
+            (None, [range]) => edits.push((range.clone(), index, place)),
+            (fault, _) => faults.push((place.name, fault.unwrap_or_default())),
+        }
+    }
+    // From the end of a file to its start, as each edit moves what comes behind it.
+    edits.sort_by_key(|(range, ..)| Reverse(range.start));
+    for (range, index, place) in edits {
+        let Some(text) = files.get_mut(place.file) else { continue };
+        let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
+        let (code, variables) = (&text[range.clone()], variables.join(", "));
+        let question = format!("editable!({index}, {code}, [{variables}])");
+        text.replace_range(range, &question);
+    }
+    let out = env::var("OUT_DIR")?;
+    let mut modules = format!("pub const FAULTS: &[(&str, &str)] = &{faults:?};\n");
+    for (name, text) in &files {
+        let path = Path::new(&out).join(name);
+        create_dir_all(path.parent().unwrap_or(&path))?;
+        let step = name.split('/').next().unwrap_or_default();
+        // What was a crate is a module.
+        let text = text.replace("use crate", &format!("use crate::expressions::steps::{step}"));
+        write(
+            &path,
+            text.replace("use step0", "use crate::expressions::steps::step0").replace("//!", "//"),
+        )?;
+        if name.ends_with("/lib.rs") {
+            modules += &format!("#[path = {name:?}]\npub mod {step};\n");
+        }
+    }
+    Ok(write(Path::new(&out).join("steps.rs"), modules)?)
+}

@@ -1,0 +1,54 @@
+//! The modules that the pages of the book call, compiled for the browser: `live`, `check` with
+//! the pictures that it compares with, and `expressions`, the lines that a reader edits; few
+//! readers of a page drop a picture into it, or edit a line.
+
+#[cfg(feature = "check")]
+mod check;
+#[cfg(feature = "check")]
+mod draw_picture;
+#[cfg(feature = "check")]
+pub use check::{check, keep_drawn_pixels};
+#[cfg(feature = "check")]
+pub use draw_picture::draw;
+
+#[cfg(feature = "expressions")]
+mod edit;
+#[cfg(feature = "expressions")]
+pub mod expressions;
+#[cfg(feature = "expressions")]
+pub use edit::{edit, variables};
+
+// `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
+#[allow(unsafe_code)]
+mod page;
+
+use figures::Answer;
+
+/// Answers a request.
+///
+/// - `check NAME FILE` is about the file whose bytes came with it: see
+///   [`check`](check()).
+/// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
+/// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep_drawn_pixels`].
+/// - `variables PLACE` gives the names that a line may use: see [`variables`].
+/// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
+/// - [`figures::answer`] gets all others.
+#[cfg_attr(not(feature = "check"), expect(unused_variables))]
+pub fn answer(request: &str, file: &[u8]) -> Answer {
+    match request.split_once(' ') {
+        #[cfg(feature = "check")]
+        Some(("check", words)) => check(words, file),
+        #[cfg(feature = "check")]
+        Some(("drawn", name)) => keep_drawn_pixels(name, file),
+        #[cfg(feature = "check")]
+        Some(("draw", name)) => draw(name),
+        #[cfg(feature = "expressions")]
+        Some(("variables", name)) => variables(name),
+        #[cfg(feature = "expressions")]
+        Some(("edit", words)) => edit(words),
+        #[cfg(feature = "live")]
+        _ => figures::answer(request),
+        #[cfg(not(feature = "live"))]
+        _ => Answer::default(),
+    }
+}

@@ -1,0 +1,23 @@
+use check::Locked;
+use page::expressions::{draw_edited, editable_places, parse_expression, place_faults};
+
+#[test]
+fn no_place_has_a_fault() {
+    let faults = place_faults();
+    assert!(
+        faults.is_empty(),
+        "The steps have changed; mend book/crates/course/places.txt:\n{}",
+        faults.join("\n")
+    );
+    assert_eq!(editable_places().len(), 30);
+}
+
+#[test]
+fn unedited_places_draw_the_locked_pictures() {
+    for place in editable_places() {
+        let expression = parse_expression(&place, place.code).expect("it stands in the book");
+        let locked = Locked::read(place.step_name()).expect("a locked picture").picture;
+        let is_same = draw_edited(&place, expression, 640) == locked;
+        assert!(is_same, "{}: {} draws another picture", place.name, place.code);
+    }
+}
