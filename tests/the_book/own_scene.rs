@@ -160,7 +160,7 @@ fn names_have_scenes_of_their_own() {
     let scene_text = |name: &str| {
         let scene = course::named_scene(name);
         let objects = scene.objects.iter();
-        let parts = objects.map(|one| (one.sphere, one.material.material));
+        let parts = objects.map(|one| (one.sphere, one.material));
         format!("{:?} {:?}", parts.collect::<Vec<_>>(), scene.lights)
     };
     let names = (0..1000).map(|k| format!("student {k}"));

@@ -27,11 +27,13 @@ pub use place::{Kind, Place, all_listed_places};
 mod hash;
 
 mod named_scene;
+mod own_scene;
 mod scene_program;
-mod scene_settings;
+mod scene_quantity;
 pub use named_scene::{NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene};
-pub use scene_program::{format_scene_program, without_mirrors};
-pub use scene_settings::Settings;
+pub use own_scene::OwnScene;
+pub use scene_program::format_scene_program;
+pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
 
 mod difference;
 mod panels;

@@ -1,10 +1,8 @@
-use crate::examples::mirror::{Mirror, mirrors};
 use crate::hash::fnv_1a;
-use crate::scene_program::{format_scene_program, without_mirrors};
-use crate::scene_settings::Settings;
+use crate::{OwnScene, format_scene_program};
 use glam::DVec3;
 use image::RgbImage;
-use step05_phong::{Light, Matte, OBJECTS, Scene, colour, render};
+use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 
 /// The example of step 5 as which the program of a named scene is saved. No example of the
 /// course has this name, so no other program draws a picture of it.
@@ -14,18 +12,15 @@ pub const NAMED_SCENE_EXAMPLE: &str = "scene_of_me";
 /// picture that it draws.
 pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
     let name = join_words(name);
-    let settings = Settings::default();
-    let scene = named_scene(&name);
+    let own = OwnScene::new(named_scene(&name));
     let title = format!("The scene of {}.", name.escape_debug());
-    let program = format_scene_program(&settings, &scene);
+    let program = format_scene_program(&own);
     let program = program.replacen("A scene of your own.", &title, 1).replacen(
         "--example my_scene",
         &format!("--example {NAMED_SCENE_EXAMPLE}"),
         1,
     );
-    let scene = without_mirrors(scene);
-    let camera = settings.camera(settings.columns);
-    (program, render(&camera, 1, |ray| colour(&scene, ray)))
+    (program, own.picture(640.0))
 }
 
 /// The names of the objects in the order of `OBJECTS`, as their colours are chosen.
@@ -37,7 +32,7 @@ const NAMES: [&str; OBJECTS.len()] =
 ///
 /// Each sphere lies inside the one of the course and on the same ground, so none meet.
 /// Blanks around the name, and how many there are between its words, make no difference.
-pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
+pub fn named_scene(name: &str) -> Scene<Material, Light> {
     let name = join_words(name);
     let mut choices = 0;
     let mut choose = |count: usize| {
@@ -46,7 +41,7 @@ pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
         let bytes = [choices].into_iter().chain(name.bytes()).chain([0; 4]);
         (fnv_1a(bytes) >> 32) as usize % count
     };
-    let mut scene = mirrors();
+    let mut scene = scene();
     let side = DVec3::new([1.0, -1.0][choose(2)], 1.0, 1.0);
     for (object, name) in scene.objects.iter_mut().zip(NAMES) {
         object.name = name;
@@ -61,7 +56,7 @@ pub fn named_scene(name: &str) -> Scene<Mirror, Light> {
         }
         let colours = OBJECTS.map(|object| object.material);
         let colour = [0, 2, 3, 5, 6, 7, 8][choose(7)];
-        let material = &mut object.material.material;
+        let material = &mut object.material;
         material.matte = Matte::of(colours[colour]);
         material.specular = DVec3::splat([0.2, 0.4, 0.6, 0.8][choose(4)]);
         material.shininess = [10, 20, 40, 80, 160][choose(5)];

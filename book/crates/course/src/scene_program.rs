@@ -1,21 +1,21 @@
 //! A scene as a Rust program, which the reader saves as an example of step 5.
 
-use crate::examples::mirror::Mirror;
-use crate::scene_settings::Settings;
+use crate::OwnScene;
 use glam::DVec3;
-use step05_phong::{Attenuation, Light, Material, Object, Scene};
+use std::iter::zip;
+use step05_phong::{Attenuation, Light, Material, Object};
 
 /// The text of the exercise `look_at`.
 const LOOK_AT: &str = include_str!("../../../../steps/step01_rays/examples/look_at.rs");
 
-/// The program that draws the scene with these settings.
-pub fn format_scene_program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
-    let mut program = plain_program(settings, scene);
-    if settings.has_mirrors {
+/// The program that draws the scene with these own.
+pub fn format_scene_program(own: &OwnScene) -> String {
+    let mut program = plain_program(own);
+    if own.has_mirrors {
         program = apply_edits(program, &MIRROR_EDITS);
     }
-    if settings.has_moved_camera() {
-        program = apply_edits(program, &camera_edits(settings));
+    if own.has_moved_camera() {
+        program = apply_edits(program, &camera_edits(own));
     }
     program
 }
@@ -47,18 +47,18 @@ use glam::"#,
 ];
 
 /// The edits that a moved camera asks for: `look_at` moves it.
-fn camera_edits(settings: &Settings) -> [(&'static str, String); 4] {
+fn camera_edits(own: &OwnScene) -> [(&'static str, String); 4] {
     let mut items = LOOK_AT.split("\n\n");
     let function = items.find(|item| item.contains("pub fn look_at("));
     let function = function.expect("the exercise has it");
-    let [position, target] = [settings.position, settings.target].map(vector_call);
+    let [position, target] = [own.position, own.target].map(vector_call);
     let call = format!(
         "    let position = {position};
     let target = {target};
     let roll = f64::to_radians({:?});
     let camera = look_at(camera, position, target, roll);
     let scene =",
-        settings.roll_degrees
+        own.roll_degrees
     );
     [
         ("use glam::DVec3;", "use glam::{DMat3, DVec3};".into()),
@@ -70,17 +70,18 @@ fn camera_edits(settings: &Settings) -> [(&'static str, String); 4] {
 
 /// The program with the camera of the five steps, and without shadows and mirrors; the
 /// calls of `ball` have a k where there are mirrors.
-fn plain_program(settings: &Settings, scene: &Scene<Mirror, Light>) -> String {
-    let options = match settings.fov_degrees {
+fn plain_program(own: &OwnScene) -> String {
+    let options = match own.fov_degrees {
         60.0 => String::new(),
         degrees => format!(" -- --fov {degrees}"),
     };
-    let ball_attribute = dead_code_attribute(scene.objects.is_empty());
-    let lamp_attribute = dead_code_attribute(scene.lights.is_empty());
-    let objects = scene.objects.iter();
-    let objects = lines(objects.map(|object| ball_call(object, settings.has_mirrors)));
-    let lights = lines(scene.lights.iter().map(lamp_call));
-    let ambient_light = vector_call(scene.ambient_light);
+    let ball_attribute = dead_code_attribute(own.scene.objects.is_empty());
+    let lamp_attribute = dead_code_attribute(own.scene.lights.is_empty());
+    let objects = zip(&own.scene.objects, &own.mirror_parts);
+    let objects =
+        lines(objects.map(|(object, k)| ball_call(object, own.has_mirrors.then_some(*k))));
+    let lights = lines(own.scene.lights.iter().map(lamp_call));
+    let ambient_light = vector_call(own.scene.ambient_light);
     format!(
         r#"//! A scene of your own. This draws it:
 //! `cargo run -p step05_phong --example my_scene{options}`
@@ -152,11 +153,11 @@ fn lines(items: impl Iterator<Item = String>) -> String {
 }
 
 /// A call of `ball`, with its k where there are mirrors.
-fn ball_call(object: &Object<Mirror>, has_mirrors: bool) -> String {
-    let Object { name, sphere, material: Mirror { material, k } } = object;
+fn ball_call(object: &Object<Material>, k: Option<f64>) -> String {
+    let Object { name, sphere, material } = object;
     let (centre, colour) = (array_literal(sphere.centre), array_literal(material.matte.diffuse));
     let (radius, r_s, n) = (sphere.radius, material.specular.x, material.shininess);
-    let k = if has_mirrors { format!(", {k:?}") } else { String::new() };
+    let k = k.map_or(String::new(), |k| format!(", {k:?}"));
     format!("ball({name:?}, {centre}, {radius:?}, {colour}, {r_s:?}, {n}{k})")
 }
 
@@ -175,14 +176,4 @@ fn array_literal(vector: DVec3) -> String {
 /// A call of `DVec3::new`.
 fn vector_call(DVec3 { x, y, z }: DVec3) -> String {
     format!("DVec3::new({x:?}, {y:?}, {z:?})")
-}
-
-/// The scene as step 5 has it, in which nothing mirrors.
-pub fn without_mirrors(scene: Scene<Mirror, Light>) -> Scene<Material, Light> {
-    let Scene { objects, ambient_light, lights } = scene;
-    let objects = objects.into_iter().map(|object| {
-        let Object { name, sphere, material: Mirror { material, .. } } = object;
-        Object { name, sphere, material }
-    });
-    Scene { objects: objects.collect(), ambient_light, lights }
 }

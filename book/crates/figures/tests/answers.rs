@@ -15,7 +15,7 @@ fn default_picture_is_that_of_the_program() {
 #[test]
 fn default_own_scene_is_that_of_step_5() {
     let values = find("own_scene").expect("a picture").default_values();
-    assert_eq!(own_scene(&values), step05_phong::scene());
+    assert_eq!(own_scene(&values).scene, step05_phong::scene());
 }
 
 #[test]

@@ -4,8 +4,11 @@
 use crate::{Live, Parameter};
 
 /// The address of these values.
-pub fn format_address(parameters: &[Parameter], values: &[f64]) -> String {
-    let pairs = parameters.iter().zip(values);
+pub fn format_address<'a>(
+    parameters: impl Iterator<Item = &'a Parameter>,
+    values: &[f64],
+) -> String {
+    let pairs = parameters.zip(values);
     let different = pairs.filter(|(parameter, value)| parameter.default != **value);
     let parts =
         different.filter_map(|(parameter, value)| Some(format!("{}:{value}", key(parameter)?)));

@@ -3,44 +3,29 @@
 
 mod address;
 mod parameters;
-mod scene;
 
 pub use address::parse_address;
-pub use scene::own_scene;
+pub use parameters::own_scene;
 
 use crate::live::collect_numbers;
-use crate::pictures::render_scene;
 use crate::probe::{SIZE, place_of_point, point_at_place};
-use crate::{Handle, Live, Mark, Output};
-use course::examples::mirror;
-use course::{Settings, format_scene_program};
+use crate::{Handle, Live, Mark, Output, Parameter};
+use course::{Owner, format_scene_program};
 use glam::{DVec2, DVec3};
-use parameters::{LIGHT, PARAMETERS, SETTINGS, SPHERE, SPHERES, settings};
-use scene::mirror_scene;
-use step05_phong::{Camera, render};
+use parameters::{PARAMETERS, Target};
+use step05_phong::Camera;
 
 /// The camera of the whole picture.
 fn camera(values: &[f64]) -> Camera {
-    settings(values).camera(SIZE.x)
-}
-
-/// The picture of these values: by step 5, or by the example `mirror`, in which a ray may
-/// meet ten mirrors.
-fn draw(values: &[f64]) -> Output {
-    let settings = settings(values);
-    let camera = settings.camera(settings.columns);
-    if !settings.has_mirrors {
-        return render_scene(&camera, &own_scene(values));
-    }
-    let scene = mirror_scene(values);
-    Output::Picture(render(&camera, 1, |ray| mirror::colour(&scene, ray, 10, mirror::OFFSET)))
+    own_scene(values).camera(SIZE.x)
 }
 
 /// The handle of a sphere or light whose first parameter, its switch, is number `first`;
 /// x, y and z follow. It sets x and y, and leaves them where no point at this z is ahead.
 fn object_handle(first: usize) -> Handle {
+    let (_, parameter) = &PARAMETERS[first];
     Handle::new(
-        PARAMETERS[first].group,
+        parameter.group,
         [first + 1, first + 2],
         |handle, values| {
             let x = handle.parameters[0];
@@ -59,23 +44,28 @@ fn object_handle(first: usize) -> Handle {
 
 /// The picture of the scene.
 pub fn picture() -> Live {
-    let first_light = SETTINGS + SPHERES * SPHERE;
-    let spheres = (SETTINGS..first_light).step_by(SPHERE).map(object_handle);
-    let lights = (first_light..PARAMETERS.len()).step_by(LIGHT);
-    let lights = lights.map(|first| Handle { mark: Mark::Light, ..object_handle(first) });
+    let (targets, parameters): (Vec<Target>, Vec<Parameter>) = PARAMETERS.iter().cloned().unzip();
+    let handles = targets.into_iter().enumerate().filter_map(|(first, target)| match target {
+        Target::Presence(Owner::Light, _) => {
+            Some(Handle { mark: Mark::Light, ..object_handle(first) })
+        }
+        Target::Presence(..) => Some(object_handle(first)),
+        _ => None,
+    });
     Live {
-        parameters: PARAMETERS.clone(),
-        handles: spheres.chain(lights).collect(),
+        handles: handles.collect(),
+        parameters,
         is_allowed: |values| {
-            let Settings { position, target, .. } = settings(values);
-            position != target
+            let own = own_scene(values);
+            own.position != own.target
         },
         numbers: |values| {
+            let parameters = PARAMETERS.iter().map(|(_, parameter)| parameter);
             collect_numbers([
-                ("rust", format_scene_program(&settings(values), &mirror_scene(values))),
-                ("address", address::format_address(&PARAMETERS, values)),
+                ("rust", format_scene_program(&own_scene(values))),
+                ("address", address::format_address(parameters, values)),
             ])
         },
-        ..Live::new("own_scene", draw)
+        ..Live::new("own_scene", |values| Output::Picture(own_scene(values).picture(values[0])))
     }
 }

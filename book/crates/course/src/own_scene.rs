@@ -1,0 +1,71 @@
+use crate::camera_with_fov;
+use crate::examples::look_at::look_at;
+use crate::examples::mirror::{self, Mirror};
+use glam::DVec3;
+use image::RgbImage;
+use std::iter::zip;
+use step05_phong::{Camera, Light, Material, Scene, colour, render};
+
+/// A scene of one's own with its camera: all that a picture is made from but its size.
+pub struct OwnScene {
+    /// The camera's field of view, in degrees.
+    pub fov_degrees: f64,
+    /// The camera's position.
+    pub position: DVec3,
+    /// The point that the camera looks at.
+    pub target: DVec3,
+    /// The camera's roll, in degrees.
+    pub roll_degrees: f64,
+    /// The objects and the light.
+    pub scene: Scene<Material, Light>,
+    /// Whether rays go on from the surfaces, for shadows and mirrors.
+    pub has_mirrors: bool,
+    /// The k of each object, the part of its colour that it mirrors.
+    pub mirror_parts: Vec<f64>,
+}
+
+impl OwnScene {
+    /// The scene as the camera of the five steps sees it, without shadows and mirrors.
+    pub fn new(scene: Scene<Material, Light>) -> Self {
+        Self {
+            fov_degrees: 60.0,
+            position: DVec3::ZERO,
+            target: DVec3::NEG_Z,
+            roll_degrees: 0.0,
+            mirror_parts: vec![0.0; scene.objects.len()],
+            scene,
+            has_mirrors: false,
+        }
+    }
+
+    /// The camera of a picture with so many columns.
+    pub fn camera(&self, columns: f64) -> Camera {
+        let camera = camera_with_fov(self.fov_degrees, columns);
+        look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
+    }
+
+    /// Whether the camera is elsewhere than in the five steps, or turned.
+    pub fn has_moved_camera(&self) -> bool {
+        let Self { position, target, roll_degrees, .. } = *self;
+        (position, target, roll_degrees) != (DVec3::ZERO, DVec3::NEG_Z, 0.0)
+    }
+
+    /// The picture with so many columns: by step 5, or by the example `mirror`, in which a
+    /// ray may meet ten mirrors.
+    pub fn picture(&self, columns: f64) -> RgbImage {
+        let camera = self.camera(columns);
+        if !self.has_mirrors {
+            return render(&camera, 1, |ray| colour(&self.scene, ray));
+        }
+        let objects = zip(&self.scene.objects, &self.mirror_parts).map(|(object, &k)| {
+            let material = object.material;
+            object.with_material(Mirror { material, k })
+        });
+        let scene = Scene {
+            objects: objects.collect(),
+            ambient_light: self.scene.ambient_light,
+            lights: self.scene.lights.clone(),
+        };
+        render(&camera, 1, |ray| mirror::colour(&scene, ray, 10, mirror::OFFSET))
+    }
+}
