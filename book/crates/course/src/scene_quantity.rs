@@ -2,6 +2,7 @@
 //! "A scene of your own", and the numbers that `check` looks for.
 
 use crate::{OwnScene, Step};
+use glam::DVec3;
 use step05_phong::{Attenuation, Matte};
 
 /// One number of a scene or three: a radius, a position, a colour.
@@ -10,18 +11,44 @@ pub struct Quantity {
     pub name: &'static str,
     /// The kind of thing that has it.
     pub owner: Owner,
-    /// The place in the steps where it is typed, if they have it.
+    /// What a reader of the steps types, if they have it.
     pub typed: Option<Typed>,
-    /// Whether it is seen only with shadows and mirrors.
-    pub needs_mirrors: bool,
     /// The one number or the three.
     pub numbers: &'static [Number],
-    /// The ranges of these numbers for the ground, the largest sphere.
+    /// The ranges of these numbers for the ground, the largest sphere, where they differ.
     pub ground_ranges: Option<&'static [[f64; 2]]>,
+    /// Whether it is seen only with shadows and mirrors.
+    pub needs_mirrors: bool,
     /// Reads that of owner k, from 0; one number comes three times.
     pub get: fn(&OwnScene, usize) -> [f64; 3],
-    /// Changes it; of one number, the first of the three counts.
+    /// Changes it; one number comes three times.
     pub set: fn(&mut OwnScene, usize, [f64; 3]),
+}
+
+/// A kind of thing that has quantities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// The camera.
+    Camera,
+    /// The scene as a whole.
+    Scene,
+    /// An object.
+    Object,
+    /// A light.
+    Light,
+}
+
+/// What a reader types of a quantity.
+#[derive(Clone, Copy)]
+pub struct Typed {
+    /// The first step that has it.
+    pub since: Step,
+    /// The file in which it is typed.
+    pub file: &'static str,
+    /// The smallest and the largest number that somebody may have typed, wrong ones too.
+    pub range: [i32; 2],
+    /// The number of such numbers from one whole number to the next.
+    pub steps_per_unit: i32,
 }
 
 /// One number of a quantity, as a page has a control for it.
@@ -38,30 +65,153 @@ pub struct Number {
     pub steps_per_unit: f64,
 }
 
-/// What a reader types of a quantity.
-#[derive(Clone, Copy)]
-pub struct Typed {
-    /// The first step that has it.
-    pub since: Step,
-    /// The file in which it is typed, such as `step03_nearest/objects.rs`.
-    pub file: &'static str,
-    /// The smallest and the largest number that somebody may have typed, wrong ones too.
-    pub range: [i32; 2],
-    /// The number of such numbers from one whole number to the next.
-    pub steps_per_unit: i32,
+/// What a number or three of them stand for.
+trait FromNumbers {
+    fn from_numbers(numbers: [f64; 3]) -> Self;
+    fn to_numbers(&self) -> [f64; 3];
 }
 
-/// A kind of thing that has quantities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Owner {
-    /// The camera.
-    Camera,
-    /// The scene as a whole.
-    Scene,
-    /// An object.
-    Object,
-    /// A light.
-    Light,
+macro_rules! from_numbers {
+    ($($type:ty: |$numbers:pat_param| $from:expr, |$value:ident| $to:expr;)*) => {$(
+        impl FromNumbers for $type {
+            fn from_numbers($numbers: [f64; 3]) -> Self { $from }
+            fn to_numbers(&self) -> [f64; 3] { let $value = self; $to }
+        }
+    )*};
+}
+
+from_numbers! {
+    f64: |[number, ..]| number, |number| [*number; 3];
+    i32: |[number, ..]| number as i32, |number| [f64::from(*number); 3];
+    DVec3: |numbers| numbers.into(), |vector| vector.to_array();
+    Matte: |rgb| Matte::of(rgb.into()), |matte| matte.diffuse.into();
+    Attenuation: |[a, b, c]| Attenuation { a, b, c }, |one| [one.a, one.b, one.c];
+}
+
+/// A row of the table, whose last entry is the place in the scene.
+macro_rules! quantity {
+    ($owner:ident, $name:literal, $typed:expr, $numbers:expr, |$own:ident, $k:pat_param| $place:expr) => {
+        Quantity {
+            name: $name,
+            owner: Owner::$owner,
+            typed: $typed,
+            numbers: &$numbers,
+            ground_ranges: None,
+            needs_mirrors: false,
+            get: |$own, $k| $place.to_numbers(),
+            set: |$own, $k, numbers| $place = FromNumbers::from_numbers(numbers),
+        }
+    };
+}
+
+/// All quantities of a scene, those of one owner after each other.
+pub const QUANTITIES: &[Quantity] = &[
+    quantity!(Camera, "the field of view", None, [FIELD_OF_VIEW], |own, _| own.fov_degrees),
+    quantity!(Camera, "the position", None, POSITION_OF_CAMERA, |own, _| own.position),
+    quantity!(Camera, "the target", None, TARGET, |own, _| own.target),
+    quantity!(Camera, "the roll", None, [ROLL], |own, _| own.roll_degrees),
+    quantity!(Scene, "L_a", LAMP, rgb(RGB, 1.0), |own, _| own.scene.ambient_light),
+    Quantity {
+        ground_ranges: Some(&[[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]]),
+        ..quantity!(
+            Object,
+            "the position",
+            typed(Step::Sphere, OBJECTS_FILE, [-50, 50], 100),
+            xyz(XYZ, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
+            |own, k| own.scene.objects[k].sphere.centre
+        )
+    },
+    Quantity {
+        ground_ranges: Some(&[[10.0, 60.0]]),
+        ..quantity!(
+            Object,
+            "the radius",
+            typed(Step::Sphere, OBJECTS_FILE, [0, 60], 100),
+            [number("r", "radius", [0.05, 3.0], 100.0)],
+            |own, k| own.scene.objects[k].sphere.radius
+        )
+    },
+    quantity!(
+        Object,
+        "R_s",
+        HIGHLIGHT,
+        [number("Rₛ", "mirrored", [0.0, 1.0], 100.0)],
+        |own, k| own.scene.objects[k].material.specular
+    ),
+    quantity!(
+        Object,
+        "n",
+        typed(Step::Phong, HIGHLIGHT_FILE, [0, 1000], 1),
+        [number("n", "shininess", [1.0, 300.0], 1.0)],
+        |own, k| own.scene.objects[k].material.shininess
+    ),
+    quantity!(
+        Object,
+        "the colour",
+        typed(Step::Nearest, OBJECTS_FILE, [0, 5], 100),
+        rgb(RGB, 1.0),
+        |own, k| own.scene.objects[k].material.matte
+    ),
+    Quantity {
+        needs_mirrors: true,
+        ..quantity!(Object, "k", None, [MIRROR_PART], |own, k| own.mirror_parts[k])
+    },
+    quantity!(
+        Light,
+        "the position",
+        typed(Step::Diffuse, LAMP_FILE, [-20, 20], 100),
+        xyz(XYZ, [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]]),
+        |own, k| own.scene.lights[k].point_light.position
+    ),
+    quantity!(Light, "L_d", LAMP, rgb(RGB, 2.0), |own, k| own.scene.lights[k].point_light.diffuse),
+    quantity!(
+        Light,
+        "L_s",
+        HIGHLIGHT,
+        rgb(["red in highlights", "green in highlights", "blue in highlights"], 2.0),
+        |own, k| own.scene.lights[k].specular
+    ),
+    quantity!(
+        Light,
+        "(a, b, c)",
+        typed(Step::Diffuse, LAMP_FILE, [0, 20], 1000),
+        FADING,
+        |own, k| own.scene.lights[k].point_light.attenuation
+    ),
+];
+
+const FIELD_OF_VIEW: Number =
+    Number { unit: "°", ..number("θ", "field of view", [1.0, 179.0], 1.0) };
+const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
+const POSITION_OF_CAMERA: [Number; 3] =
+    xyz(["position sideways", "position upwards", "position backwards"], CAMERA_RANGES);
+const TARGET: [Number; 3] =
+    xyz(["target sideways", "target upwards", "target backwards"], CAMERA_RANGES);
+const ROLL: Number = Number { unit: "°", ..number("", "roll", [-180.0, 180.0], 1.0) };
+const MIRROR_PART: Number = number("k", "mirror image", [0.0, 1.0], 100.0);
+/// The first is above 0, so that a + bd + cd² is.
+const FADING: [Number; 3] = [
+    number("a", "constant fading", [0.1, 2.0], 100.0),
+    number("b", "linear fading", [0.0, 1.0], 1000.0),
+    number("c", "quadratic fading", [0.0, 1.0], 1000.0),
+];
+
+const XYZ: [&str; 3] = ["sideways", "upwards", "towards you"];
+const RGB: [&str; 3] = ["red", "green", "blue"];
+
+const OBJECTS_FILE: &str = "step03_nearest/objects.rs";
+const LAMP_FILE: &str = "step04_diffuse/scene.rs";
+const HIGHLIGHT_FILE: &str = "step05_phong/scene.rs";
+const LAMP: Option<Typed> = typed(Step::Diffuse, LAMP_FILE, [0, 5], 100);
+const HIGHLIGHT: Option<Typed> = typed(Step::Phong, HIGHLIGHT_FILE, [0, 5], 100);
+
+const fn typed(
+    since: Step,
+    file: &'static str,
+    range: [i32; 2],
+    steps_per_unit: i32,
+) -> Option<Typed> {
+    Some(Typed { since, file, range, steps_per_unit })
 }
 
 const fn number(
@@ -73,201 +223,13 @@ const fn number(
     Number { symbol, words, unit: "", range, steps_per_unit }
 }
 
-const fn degrees(symbol: &'static str, words: &'static str, range: [f64; 2]) -> Number {
-    Number { unit: "°", ..number(symbol, words, range, 1.0) }
-}
-
-/// What is typed in step 2 and again, for each object, in step 3.
-const fn typed_shape(range: [i32; 2]) -> Option<Typed> {
-    Some(Typed { since: Step::Sphere, file: OBJECTS_FILE, range, steps_per_unit: 100 })
-}
-
-const fn typed_light(range: [i32; 2], steps_per_unit: i32) -> Option<Typed> {
-    let file = "step04_diffuse/scene.rs";
-    Some(Typed { since: Step::Diffuse, file, range, steps_per_unit })
-}
-
-const fn typed_highlight(range: [i32; 2], steps_per_unit: i32) -> Option<Typed> {
-    Some(Typed { since: Step::Phong, file: "step05_phong/scene.rs", range, steps_per_unit })
-}
-
-const OBJECTS_FILE: &str = "step03_nearest/objects.rs";
-
 /// The three coordinates of a position, in hundredths.
-const fn coordinates(words: [&'static str; 3], [x, y, z]: [[f64; 2]; 3]) -> [Number; 3] {
-    let [right, up, back] = words;
+const fn xyz([right, up, back]: [&'static str; 3], [x, y, z]: [[f64; 2]; 3]) -> [Number; 3] {
     [number("x", right, x, 100.0), number("y", up, y, 100.0), number("z", back, z, 100.0)]
 }
 
 /// The three channels of a colour, each from 0 to `max`, in hundredths.
-const fn channels([red, green, blue]: [&'static str; 3], max: f64) -> [Number; 3] {
-    [
-        number("", red, [0.0, max], 100.0),
-        number("", green, [0.0, max], 100.0),
-        number("", blue, [0.0, max], 100.0),
-    ]
+const fn rgb([red, green, blue]: [&'static str; 3], max: f64) -> [Number; 3] {
+    let range = [0.0, max];
+    [number("", red, range, 100.0), number("", green, range, 100.0), number("", blue, range, 100.0)]
 }
-
-const RGB: [&str; 3] = ["red", "green", "blue"];
-
-const XYZ: [&str; 3] = ["sideways", "upwards", "towards you"];
-
-/// A colour of an object; most of the others differ from it in little.
-const COLOUR: Quantity = Quantity {
-    name: "the colour",
-    owner: Owner::Object,
-    typed: Some(Typed {
-        since: Step::Nearest,
-        file: OBJECTS_FILE,
-        range: [0, 5],
-        steps_per_unit: 100,
-    }),
-    needs_mirrors: false,
-    numbers: &channels(RGB, 1.0),
-    ground_ranges: None,
-    get: |own, k| own.scene.objects[k].material.matte.diffuse.into(),
-    set: |own, k, rgb| own.scene.objects[k].material.matte = Matte::of(rgb.into()),
-};
-
-/// A colour of a light; most quantities of lights differ from it in little.
-const DIFFUSE: Quantity = Quantity {
-    name: "L_d",
-    owner: Owner::Light,
-    typed: typed_light([0, 5], 100),
-    numbers: &channels(RGB, 2.0),
-    get: |own, k| own.scene.lights[k].point_light.diffuse.into(),
-    set: |own, k, rgb| own.scene.lights[k].point_light.diffuse = rgb.into(),
-    ..COLOUR
-};
-
-/// The camera's field of view, which nobody types: it is an option.
-const FIELD_OF_VIEW: Quantity = Quantity {
-    name: "the field of view",
-    owner: Owner::Camera,
-    typed: None,
-    numbers: &[degrees("θ", "field of view", [1.0, 179.0])],
-    get: |own, _| [own.fov_degrees; 3],
-    set: |own, _, [fov, ..]| own.fov_degrees = fov,
-    ..COLOUR
-};
-
-const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
-
-/// All quantities of a scene, those of one owner after each other.
-pub const QUANTITIES: &[Quantity] = &[
-    FIELD_OF_VIEW,
-    Quantity {
-        name: "the position",
-        numbers: &coordinates(
-            ["position sideways", "position upwards", "position backwards"],
-            CAMERA_RANGES,
-        ),
-        get: |own, _| own.position.into(),
-        set: |own, _, xyz| own.position = xyz.into(),
-        ..FIELD_OF_VIEW
-    },
-    Quantity {
-        name: "the target",
-        numbers: &coordinates(
-            ["target sideways", "target upwards", "target backwards"],
-            CAMERA_RANGES,
-        ),
-        get: |own, _| own.target.into(),
-        set: |own, _, xyz| own.target = xyz.into(),
-        ..FIELD_OF_VIEW
-    },
-    Quantity {
-        name: "the roll",
-        numbers: &[degrees("", "roll", [-180.0, 180.0])],
-        get: |own, _| [own.roll_degrees; 3],
-        set: |own, _, [roll, ..]| own.roll_degrees = roll,
-        ..FIELD_OF_VIEW
-    },
-    Quantity {
-        name: "L_a",
-        owner: Owner::Scene,
-        numbers: &channels(RGB, 1.0),
-        get: |own, _| own.scene.ambient_light.into(),
-        set: |own, _, rgb| own.scene.ambient_light = rgb.into(),
-        ..DIFFUSE
-    },
-    Quantity {
-        name: "the position",
-        typed: typed_shape([-50, 50]),
-        numbers: &coordinates(XYZ, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
-        ground_ranges: Some(&[[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]]),
-        get: |own, k| own.scene.objects[k].sphere.centre.into(),
-        set: |own, k, xyz| own.scene.objects[k].sphere.centre = xyz.into(),
-        ..COLOUR
-    },
-    Quantity {
-        name: "the radius",
-        typed: typed_shape([0, 60]),
-        numbers: &[number("r", "radius", [0.05, 3.0], 100.0)],
-        ground_ranges: Some(&[[10.0, 60.0]]),
-        get: |own, k| [own.scene.objects[k].sphere.radius; 3],
-        set: |own, k, [r, ..]| own.scene.objects[k].sphere.radius = r,
-        ..COLOUR
-    },
-    Quantity {
-        name: "R_s",
-        typed: typed_highlight([0, 5], 100),
-        numbers: &[number("Rₛ", "mirrored", [0.0, 1.0], 100.0)],
-        get: |own, k| own.scene.objects[k].material.specular.into(),
-        set: |own, k, [r_s, ..]| own.scene.objects[k].material.specular = [r_s; 3].into(),
-        ..COLOUR
-    },
-    Quantity {
-        name: "n",
-        typed: typed_highlight([0, 1000], 1),
-        numbers: &[number("n", "shininess", [1.0, 300.0], 1.0)],
-        get: |own, k| [own.scene.objects[k].material.shininess.into(); 3],
-        set: |own, k, [n, ..]| own.scene.objects[k].material.shininess = n as i32,
-        ..COLOUR
-    },
-    COLOUR,
-    Quantity {
-        name: "k",
-        typed: None,
-        needs_mirrors: true,
-        numbers: &[number("k", "mirror image", [0.0, 1.0], 100.0)],
-        get: |own, k| [own.mirror_parts[k]; 3],
-        set: |own, k, [part, ..]| own.mirror_parts[k] = part,
-        ..COLOUR
-    },
-    Quantity {
-        name: "the position",
-        typed: typed_light([-20, 20], 100),
-        numbers: &coordinates(XYZ, [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]]),
-        get: |own, k| own.scene.lights[k].point_light.position.into(),
-        set: |own, k, xyz| own.scene.lights[k].point_light.position = xyz.into(),
-        ..DIFFUSE
-    },
-    DIFFUSE,
-    Quantity {
-        name: "L_s",
-        typed: typed_highlight([0, 5], 100),
-        numbers: &channels(["red in highlights", "green in highlights", "blue in highlights"], 2.0),
-        get: |own, k| own.scene.lights[k].specular.into(),
-        set: |own, k, rgb| own.scene.lights[k].specular = rgb.into(),
-        ..DIFFUSE
-    },
-    Quantity {
-        name: "(a, b, c)",
-        typed: typed_light([0, 20], 1000),
-        numbers: &[
-            // Above 0, so that a + bd + cd² is.
-            number("a", "constant fading", [0.1, 2.0], 100.0),
-            number("b", "linear fading", [0.0, 1.0], 1000.0),
-            number("c", "quadratic fading", [0.0, 1.0], 1000.0),
-        ],
-        get: |own, k| {
-            let Attenuation { a, b, c } = own.scene.lights[k].point_light.attenuation;
-            [a, b, c]
-        },
-        set: |own, k, [a, b, c]| {
-            own.scene.lights[k].point_light.attenuation = Attenuation { a, b, c };
-        },
-        ..DIFFUSE
-    },
-];

@@ -84,7 +84,10 @@ pub fn own_scene(values: &[f64]) -> OwnScene {
             Target::Presence(owner, k) if value == 0.0 => absent.push((owner, k)),
             Target::Presence(..) => {}
             Target::Number(quantity, k, place) => {
-                let mut numbers = (quantity.get)(&own, k);
+                let mut numbers = match quantity.numbers {
+                    [_] => [value; 3],
+                    _ => (quantity.get)(&own, k),
+                };
                 numbers[place] = value;
                 (quantity.set)(&mut own, k, numbers);
             }
