@@ -11,9 +11,6 @@ use std::collections::HashSet;
 use step05_phong::Object;
 use tests::primary_rays;
 
-/// The file of the reader's workspace in which the page has the program saved.
-pub const EXAMPLE_PATH: &str = "steps/step05_phong/examples/my_scene.rs";
-
 /// The scene of the page, with its parameters.
 fn own_scene() -> &'static Live {
     find("own_scene").expect("the page has it")
@@ -22,11 +19,6 @@ fn own_scene() -> &'static Live {
 /// The program that the page writes for the scene of these values.
 fn write_program(values: &[f64]) -> String {
     (own_scene().numbers)(values).remove("rust").expect("it has Rust")
-}
-
-/// The program of the scene as the page is printed.
-pub fn default_program() -> String {
-    write_program(&own_scene().default_values())
 }
 
 /// The picture on the page for the scene of these values.

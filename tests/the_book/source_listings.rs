@@ -2,7 +2,6 @@
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
-use super::own_scene;
 use super::support::listing::{Listing, page_listings};
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use builder::{Files, Site};
@@ -17,8 +16,6 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
     let mut files: Files = Files(steps.collect());
     files.0.extend(read_folder("book/reader").0);
-    let program = own_scene::default_program().into_bytes();
-    files.0.insert(own_scene::EXAMPLE_PATH.to_owned(), program);
     files
 });
 

@@ -39,7 +39,7 @@ pub fn html(
     Ok(figure_markdown(path, &attributes, part, language, &code, ids))
 }
 
-/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/my_scene.rs}}`:
+/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/own_scene.rs}}`:
 /// a file whose text is a number that moves.
 pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
     let (number_name, path) =

@@ -16,7 +16,7 @@ pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
     let title = format!("The scene of {}.", name.escape_debug());
     let program = format_scene_program(&own);
     let program = program.replacen("A scene of your own.", &title, 1).replacen(
-        "--example my_scene",
+        "--example own_scene",
         &format!("--example {NAMED_SCENE_EXAMPLE}"),
         1,
     );
