@@ -1,5 +1,5 @@
 use crate::View;
-use crate::symbol::{escape, symbol_spans};
+use crate::text_markup::{escape, symbol_spans};
 use glam::{DVec2, dvec2};
 
 /// A drawing in SVG: x runs right and y down, and a line of text is about 20 high.

@@ -21,22 +21,22 @@ mod format;
 pub use format::{format_fixed, format_number, format_rounded, format_vector};
 
 mod drawing;
-mod symbol;
+mod text_markup;
 mod view;
 pub use drawing::Drawing;
-pub use symbol::{escape, italic_letter};
+pub use text_markup::{escape, italic_letter};
 pub use view::{View, degrees_left_of_up};
 
 mod discriminant;
 pub use course::{camera, examples::row::Row};
 pub use discriminant::discriminant;
 
+mod figure;
 mod handle;
-mod live;
 mod parameter;
 mod probe;
+pub use figure::{Companion, Live, Numbers, Output};
 pub use handle::{Handle, Mark};
-pub use live::{Companion, Live, Numbers, Output};
 pub use parameter::{Kind, Parameter};
 
 mod figures;
@@ -58,5 +58,5 @@ pub fn find(name: &str) -> Option<&'static Live> {
     LIVE.iter().find(|live| live.name == name)
 }
 
-mod answer;
-pub use answer::{Answer, answer, rgba_bytes};
+mod reply;
+pub use reply::{Answer, answer, rgba_bytes};

@@ -1,5 +1,5 @@
-use super::shared::view_pyramid::{draw_steps, draw_view_pyramid};
-use crate::live::collect_numbers;
+use super::view_pyramid::{draw_steps, draw_view_pyramid};
+use crate::figure::collect_numbers;
 use crate::parameter::array;
 use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
 use crate::{Drawing, Handle, Live, Output, Parameter, format_number, format_vector};

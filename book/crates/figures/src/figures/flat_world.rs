@@ -1,4 +1,4 @@
-use crate::live::collect_numbers;
+use crate::figure::collect_numbers;
 use crate::{Drawing, Handle, Live, Mark, Output, Parameter, View, format_fixed};
 use course::examples::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};

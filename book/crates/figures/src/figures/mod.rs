@@ -2,11 +2,12 @@
 
 mod aspect_ratios;
 mod attenuation;
+mod ball_outlines;
+mod ball_outlines_figure;
 mod camera;
-mod eggs;
 mod flat_world;
 mod frustum;
-mod hits;
+mod hits_along_a_ray;
 mod lambert;
 mod lobes;
 mod phong_vectors;
@@ -15,8 +16,9 @@ mod ray;
 mod right_hand;
 mod row;
 mod scene_from_above;
-mod shared;
+
 mod three_cases;
+mod view_pyramid;
 
 pub use scene_from_above::draw as draw_scene_from_above;
 
@@ -33,9 +35,9 @@ pub fn all() -> Vec<Live> {
         camera::figure(),
         aspect_ratios::figure(),
         three_cases::figure(),
-        hits::figure(),
+        hits_along_a_ray::figure(),
         scene_from_above::figure(),
-        eggs::figure(),
+        ball_outlines_figure::figure(),
         lambert::figure(),
         attenuation::figure(),
         phong_vectors::figure(),

@@ -1,4 +1,4 @@
-use crate::live::collect_numbers;
+use crate::figure::collect_numbers;
 use crate::parameter::array;
 use crate::{Drawing, Handle, Live, Output, Parameter, View, format_number, format_rounded};
 use glam::{DVec2, dvec2};

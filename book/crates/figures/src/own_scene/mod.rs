@@ -7,7 +7,7 @@ mod parameters;
 pub use address::parse_address;
 pub use parameters::own_scene;
 
-use crate::live::collect_numbers;
+use crate::figure::collect_numbers;
 use crate::probe::{SIZE, place_of_point, point_at_place};
 use crate::{Handle, Live, Mark, Output, Parameter};
 use course::{Owner, format_scene_program};

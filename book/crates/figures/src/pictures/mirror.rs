@@ -1,6 +1,6 @@
 use super::short_name;
 use super::step05::object_parameters;
-use crate::live::collect_numbers;
+use crate::figure::collect_numbers;
 use crate::parameter::array;
 use crate::probe::Probe;
 use crate::{Live, Numbers, Output, Parameter, format_number, format_vector};

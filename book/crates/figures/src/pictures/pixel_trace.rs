@@ -1,7 +1,7 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
 use super::short_name;
-use crate::live::collect_numbers;
+use crate::figure::collect_numbers;
 use crate::probe::Probe;
 use crate::{Numbers, discriminant, format_number, format_vector};
 use glam::DVec3;

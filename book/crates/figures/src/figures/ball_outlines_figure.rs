@@ -1,7 +1,5 @@
-use super::shared::ball_outlines::{
-    HALF_ANGLE, SPACING, ball, image_of_centre, outline, outline_size,
-};
-use crate::live::collect_numbers;
+use super::ball_outlines::{HALF_ANGLE, SPACING, ball, image_of_centre, outline, outline_size};
+use crate::figure::collect_numbers;
 use crate::parameter::array;
 use crate::{Drawing, Live, Output, Parameter, View, format_fixed, format_number};
 use glam::{DVec2, dvec2};
