@@ -7,9 +7,9 @@
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
 
+mod lecture_slips;
 mod problems;
 mod rays;
-mod slips;
 mod step01;
 mod step02;
 mod step03;
@@ -34,18 +34,29 @@ pub enum Value {
     Column(DVec3),
 }
 
-/// The value of a name with the numbers behind it; None if it is of another chapter.
-type ChapterValue = fn(&str, &[f64]) -> Option<Value>;
+/// Values of a chapter, by name.
+type Values = [(&'static str, fn() -> Value)];
 
-const CHAPTERS: [ChapterValue; 8] = [
-    step01::value,
-    step02::value,
-    step03::value,
-    step04::value,
-    step05::value,
-    slips::value,
-    way_back::value,
-    problems::value,
+/// Values of a chapter that are functions of a number, by name.
+type Functions = [(&'static str, fn(f64) -> Value)];
+
+const VALUES: [&Values; 8] = [
+    step01::VALUES,
+    step02::VALUES,
+    step03::VALUES,
+    step04::VALUES,
+    step05::VALUES,
+    lecture_slips::VALUES,
+    way_back::VALUES,
+    problems::VALUES,
+];
+
+const FUNCTIONS: [&Functions; 5] = [
+    step02::FUNCTIONS,
+    step03::FUNCTIONS,
+    step05::FUNCTIONS,
+    lecture_slips::FUNCTIONS,
+    way_back::FUNCTIONS,
 ];
 
 /// The text of `{{#value …}}`.
@@ -81,11 +92,19 @@ pub fn is_count(text: &str) -> bool {
 
 /// A value such as `camera-tan`, or such as `half-angle 40`.
 fn chapter_value(text: &str) -> Option<Value> {
-    let mut words = text.split(' ');
-    let name = words.next()?;
-    let arguments: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
-    let arguments = arguments?;
-    CHAPTERS.iter().find_map(|value| value(name, &arguments))
+    let Some((name, number)) = text.split_once(' ') else {
+        let (_, value) = VALUES.into_iter().flatten().find(|(name, _)| *name == text)?;
+        return Some(value());
+    };
+    let (_, function) = FUNCTIONS.into_iter().flatten().find(|(known, _)| *known == name)?;
+    Some(function(number.parse().ok()?))
+}
+
+/// The names of all of them.
+#[cfg(test)]
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let values = VALUES.into_iter().flatten().map(|(name, _)| *name);
+    values.chain(FUNCTIONS.into_iter().flatten().map(|(name, _)| *name))
 }
 
 fn chapter_value_text(text: &str) -> Option<String> {

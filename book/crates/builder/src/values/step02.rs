@@ -1,54 +1,48 @@
 //! The numbers of chapter 2.
 
-use super::Value::{self, Count, Fixed, Number, Vector};
-use super::rays::{camera, count_rays, discriminant, length_in_pixels, pixel_ray};
+use super::Value::{Count, Fixed, Number, Vector};
+use super::rays::{
+    camera, count_rays, discriminant, first_hit, length_in_pixels, pixel_ray, unit_ray,
+};
+use super::{Functions, Values};
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
 
-/// The value of this name.
-pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
-    Some(match (name, arguments) {
-        ("axis-b", &[z]) => Number(SPHERE.coefficients(&axis_ray(z)).1),
-        ("axis-c", &[z]) => Number(SPHERE.coefficients(&axis_ray(z)).2),
-        ("axis-D", &[z]) => Number(discriminant(&SPHERE, &axis_ray(z))),
-        ("axis-near", &[z]) => Number(axis_roots(z).0),
-        ("axis-far", &[z]) => Number(axis_roots(z).1),
-        ("step02-point", []) => Vector(hit_point()),
-        ("step02-long", []) => Number(pixel_ray(PIXEL).direction.length()),
-        ("step02-distance", []) => Number(hit_point().length()),
-        ("step02-rays", []) => Count(count_rays(|_| true)),
-        ("step02-touches", []) => Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0)),
-        ("step02-edge", []) => Number(image_radius()),
-        ("step02-edge-pixels", []) => Fixed(1, length_in_pixels(image_radius())),
-        ("step02-fifth-pixels", []) => Fixed(1, length_in_pixels(0.2)),
-        ("step02-rim-radius", []) => Fixed(2, rim_radius_and_distance().0),
-        ("step02-rim-depth", []) => Number(rim_radius_and_distance().1),
-        ("step02-rim-narrower", []) => {
-            let (radius, _) = rim_radius_and_distance();
-            Fixed(0, 100.0 * (1.0 - radius / SPHERE.radius))
-        }
-        ("step02-rim-nearer", []) => {
-            let (_, distance) = rim_radius_and_distance();
-            Fixed(0, 100.0 * (1.0 - distance / SPHERE.centre.length()))
-        }
-        ("step02-columns", []) => {
-            let columns = 0..camera().h_res;
-            Count(columns.filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
-        }
-        ("step02-without-a", []) => Count(count_rays(|ray| {
+pub const VALUES: &Values = &[
+    ("step02-point", || Vector(hit_point())),
+    ("step02-long", || Number(pixel_ray(PIXEL).direction.length())),
+    ("step02-distance", || Number(hit_point().length())),
+    ("step02-rays", || Count(count_rays(|_| true))),
+    ("step02-touches", || Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0))),
+    ("step02-edge", || Number(image_radius())),
+    ("step02-edge-pixels", || Fixed(1, length_in_pixels(image_radius()))),
+    ("step02-fifth-pixels", || Fixed(1, length_in_pixels(0.2))),
+    ("step02-rim-radius", || Fixed(2, rim().radius)),
+    ("step02-rim-depth", || Number(rim().distance)),
+    ("step02-rim-narrower", || Fixed(0, 100.0 - 100.0 * rim().radius / SPHERE.radius)),
+    ("step02-rim-nearer", || Fixed(0, 100.0 - 100.0 * rim().distance / SPHERE.centre.length())),
+    ("step02-columns", || {
+        Count((0..camera().h_res).filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
+    }),
+    ("step02-without-a", || {
+        Count(count_rays(|ray| {
             let (_, b, c) = SPHERE.coefficients(ray);
             quadratic(1.0, b, c) != Roots::Zero
-        })),
-        ("step02-normalised", []) => Count(count_rays(|ray| {
-            let unit = Ray { direction: ray.direction.normalize(), ..*ray };
-            has_hit(ray) != has_hit(&unit)
-        })),
-        ("step02-edge-misses", []) => Count(count_edge_rays(|d| d < 0.0)),
-        ("step02-edge-touches", []) => Count(count_edge_rays(|d| d == 0.0)),
-        ("step02-edge-crosses", []) => Count(count_edge_rays(|d| 0.0 < d)),
-        _ => return None,
-    })
-}
+        }))
+    }),
+    ("step02-normalised", || Count(count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray))))),
+    ("step02-edge-misses", || Count(count_edge_rays(|d| d < 0.0))),
+    ("step02-edge-touches", || Count(count_edge_rays(|d| d == 0.0))),
+    ("step02-edge-crosses", || Count(count_edge_rays(|d| 0.0 < d))),
+];
+
+pub const FUNCTIONS: &Functions = &[
+    ("axis-b", |z| Number(SPHERE.coefficients(&axis_ray(z)).1)),
+    ("axis-c", |z| Number(SPHERE.coefficients(&axis_ray(z)).2)),
+    ("axis-D", |z| Number(discriminant(&SPHERE, &axis_ray(z)))),
+    ("axis-near", |z| Number(axis_roots(z).0)),
+    ("axis-far", |z| Number(axis_roots(z).1)),
+];
 
 /// The pixel of the worked example.
 const PIXEL: [u32; 2] = [300, 150];
@@ -69,7 +63,7 @@ fn axis_roots(z: f64) -> (f64, f64) {
 /// The point where the ray of the worked example meets the sphere.
 fn hit_point() -> DVec3 {
     let ray = pixel_ray(PIXEL);
-    ray.at(SPHERE.intersect(&ray).first_hit().expect("a hit"))
+    ray.at(first_hit(&SPHERE, &ray))
 }
 
 fn has_hit(ray: &Ray) -> bool {
@@ -81,12 +75,17 @@ fn image_radius() -> f64 {
     (1.0_f64 / 24.0).sqrt()
 }
 
-/// The radius of the circle of the tangent points, and its
-/// distance from the eye.
-fn rim_radius_and_distance() -> (f64, f64) {
+/// The circle of the tangent points, at a distance from the eye.
+struct Rim {
+    radius: f64,
+    distance: f64,
+}
+
+fn rim() -> Rim {
     let Sphere { centre, radius } = SPHERE;
     let square_of_cosine = 1.0 - radius * radius / centre.length_squared();
-    (radius * square_of_cosine.sqrt(), centre.length() * square_of_cosine)
+    let distance = centre.length() * square_of_cosine;
+    Rim { radius: radius * square_of_cosine.sqrt(), distance }
 }
 
 /// The number of those of 360 rays of whose discriminant the predicate holds; in real

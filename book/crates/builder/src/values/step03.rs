@@ -1,65 +1,58 @@
 //! The numbers of chapter 3.
 
-use super::Value::{self, Count, Fixed, Number, Vector};
+use super::Value::{Count, Fixed, Number, Vector};
 use super::rays::{camera, count_rays, length_in_pixels, pixel_ray, sum_over_rays};
+use super::{Functions, Values};
 use glam::DVec3;
 use step02_sphere::Roots;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
-/// The value of this name.
-pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
-    Some(match (name, arguments) {
-        ("step03-tests", []) => Count(sum_over_rays(|_| OBJECTS.len())),
-        ("step03-hits", []) => Count(sum_over_rays(|ray| first_hits(ray).count())),
-        ("step03-wins", []) => Count(count_rays(|ray| first_hits(ray).next().is_some())),
-        ("step03-last", []) => Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray))),
-        ("step03-first", []) => Count(count_rays(|ray| first_hits(ray).next() != nearest_hit(ray))),
-        ("step03-ties", []) => Count(sum_over_rays(|ray| {
+pub const VALUES: &Values = &[
+    ("step03-tests", || Count(sum_over_rays(|_| OBJECTS.len()))),
+    ("step03-hits", || Count(sum_over_rays(|ray| first_hits(ray).count()))),
+    ("step03-wins", || Count(count_rays(|ray| first_hits(ray).next().is_some()))),
+    ("step03-last", || Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray)))),
+    ("step03-first", || Count(count_rays(|ray| first_hits(ray).next() != nearest_hit(ray)))),
+    ("step03-ties", || {
+        Count(sum_over_rays(|ray| {
             let least = nearest_hit(ray).map(|(_, t)| t);
             let ties = first_hits(ray).filter(|(_, t)| Some(*t) == least);
             ties.count().saturating_sub(1)
-        })),
-        ("step03-behind", []) => Count(count_rays(|ray| line_meets(ray, &OBJECTS[4]))),
-        ("step03-meets", []) => {
-            let ray = pixel_ray([195, 237]);
-            Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
-        }
-        ("step03-check-centre", []) => Vector(weighted_sum(|o| o.sphere.centre)),
-        ("step03-check-radius", []) => Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x),
-        ("step03-check-colour", []) => Vector(weighted_sum(|o| o.material)),
-        ("step03-gap", []) => {
-            let ground = OBJECTS[1].sphere;
-            let gaps = [0, 2, 3, 5, 6, 7].map(|k| {
-                let Sphere { centre, radius } = OBJECTS[k].sphere;
-                (centre.distance(ground.centre) - ground.radius - radius).abs()
-            });
-            Number(gaps.into_iter().fold(0.0, f64::max))
-        }
-        ("step03-horizon", []) => {
-            let Sphere { centre, radius } = OBJECTS[1].sphere;
-            Fixed(1, (centre.length_squared() - radius * radius).sqrt())
-        }
-        ("ground-row", &[column]) => Count(first_ground_row(column)),
-        ("step03-phi", []) => Fixed(1, WHITE.angle_off_axis().to_degrees()),
-        ("step03-alpha", []) => Fixed(1, WHITE.half_angle_of_cone().to_degrees()),
-        ("step03-inner", []) => {
-            Fixed(2, length_in_pixels(WHITE.angle_off_axis().tan() - WHITE.near_end()))
-        }
-        ("step03-outer", []) => {
-            Fixed(2, length_in_pixels(WHITE.far_end() - WHITE.angle_off_axis().tan()))
-        }
-        ("step03-off", []) => {
-            let middle = (WHITE.near_end() + WHITE.far_end()) / 2.0;
-            Fixed(1, length_in_pixels(middle - WHITE.angle_off_axis().tan()))
-        }
-        ("step03-long", []) => Fixed(2, length_in_pixels(WHITE.length())),
-        ("step03-wide", []) => Fixed(2, length_in_pixels(WHITE.width())),
-        ("step03-red-long", []) => Fixed(2, length_in_pixels(RED.length())),
-        ("step03-red-wide", []) => Fixed(2, length_in_pixels(RED.width())),
-        ("step03-eye", []) => Fixed(2, -0.5 / camera().matrix.z_axis.x),
-        _ => return None,
-    })
-}
+        }))
+    }),
+    ("step03-behind", || Count(count_rays(|ray| line_meets(ray, &OBJECTS[4])))),
+    ("step03-meets", || {
+        let ray = pixel_ray([195, 237]);
+        Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
+    }),
+    ("step03-check-centre", || Vector(weighted_sum(|o| o.sphere.centre))),
+    ("step03-check-radius", || Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x)),
+    ("step03-check-colour", || Vector(weighted_sum(|o| o.material))),
+    ("step03-gap", || {
+        let ground = OBJECTS[1].sphere;
+        let gaps = [0, 2, 3, 5, 6, 7].map(|k| {
+            let Sphere { centre, radius } = OBJECTS[k].sphere;
+            (centre.distance(ground.centre) - ground.radius - radius).abs()
+        });
+        Number(gaps.into_iter().fold(0.0, f64::max))
+    }),
+    ("step03-horizon", || {
+        let Sphere { centre, radius } = OBJECTS[1].sphere;
+        Fixed(1, (centre.length_squared() - radius * radius).sqrt())
+    }),
+    ("step03-phi", || Fixed(1, WHITE.angle_off_axis().to_degrees())),
+    ("step03-alpha", || Fixed(1, WHITE.half_angle_of_cone().to_degrees())),
+    ("step03-inner", || Fixed(2, length_in_pixels(WHITE.centre() - WHITE.near_end()))),
+    ("step03-outer", || Fixed(2, length_in_pixels(WHITE.far_end() - WHITE.centre()))),
+    ("step03-off", || Fixed(1, length_in_pixels(WHITE.middle() - WHITE.centre()))),
+    ("step03-long", || Fixed(2, length_in_pixels(WHITE.length()))),
+    ("step03-wide", || Fixed(2, length_in_pixels(WHITE.width()))),
+    ("step03-red-long", || Fixed(2, length_in_pixels(RED.length()))),
+    ("step03-red-wide", || Fixed(2, length_in_pixels(RED.width()))),
+    ("step03-eye", || Fixed(2, -0.5 / camera().matrix.z_axis.x)),
+];
+
+pub const FUNCTIONS: &Functions = &[("ground-row", |column| Count(first_ground_row(column)))];
 
 /// The first hit of a ray with each object, and its t, in the order of the list.
 fn first_hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
@@ -115,6 +108,15 @@ impl Oval {
     /// The distance from the middle of the picture to the far end.
     fn far_end(&self) -> f64 {
         (self.angle_off_axis() + self.half_angle_of_cone()).tan()
+    }
+
+    /// The distance from the middle of the picture to where the sphere's centre is seen.
+    fn centre(&self) -> f64 {
+        self.angle_off_axis().tan()
+    }
+
+    fn middle(&self) -> f64 {
+        (self.near_end() + self.far_end()) / 2.0
     }
 
     fn length(&self) -> f64 {

@@ -1,36 +1,33 @@
 //! The numbers of chapter 4 that are not in the trace of a pixel.
 
-use super::Value::{self, Column, Count, Fixed, Number, Vector};
+use super::Value::{Column, Count, Fixed, Number, Vector};
+use super::Values;
 use super::rays::{count_rays, object_of_pixel, pixel_ray};
 use glam::DVec3;
 use step02_sphere::quadratic;
 use step04_diffuse::{AMBIENT, Attenuation, COOL, WARM, colour, nearest, scene, visible_point};
 
-/// The value of this name.
-pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
-    Some(match (name, arguments) {
-        ("step04-p-column", []) => Column(point_and_normal(PIXEL).0),
-        ("step04-centre", []) => Vector(object_of_pixel(PIXEL).sphere.centre),
-        ("step04-centre-column", []) => Column(object_of_pixel(PIXEL).sphere.centre),
-        ("step04-radius", []) => Number(object_of_pixel(PIXEL).sphere.radius),
-        ("step04-n-column", []) => Column(point_and_normal(PIXEL).1),
-        ("step04-surface", []) => Vector(object_of_pixel(PIXEL).material.matte.diffuse),
-        ("step04-warm-a", []) => Number(WARM.attenuation.a),
-        ("step04-cool-a", []) => Number(COOL.attenuation.a),
-        ("step04-warm-brighter", []) => Number(distance_of_full_light(&WARM.attenuation)),
-        ("step04-cool-brighter", []) => Number(distance_of_full_light(&COOL.attenuation)),
-        ("step04-peach", []) => Number(blue_per_red(WARM.diffuse)),
-        ("step04-orange", []) => Fixed(2, blue_per_red(plaster_light())),
-        ("step04-clipped", []) => {
-            let scene = scene();
-            Count(count_rays(|ray| {
-                let is_clipped = 1.0 < colour(&scene, ray).max_element();
-                is_clipped && nearest(&scene.objects, ray).is_some()
-            }))
-        }
-        _ => return None,
-    })
-}
+pub const VALUES: &Values = &[
+    ("step04-p-column", || Column(point_and_normal(PIXEL).0)),
+    ("step04-centre", || Vector(object_of_pixel(PIXEL).sphere.centre)),
+    ("step04-centre-column", || Column(object_of_pixel(PIXEL).sphere.centre)),
+    ("step04-radius", || Number(object_of_pixel(PIXEL).sphere.radius)),
+    ("step04-n-column", || Column(point_and_normal(PIXEL).1)),
+    ("step04-surface", || Vector(object_of_pixel(PIXEL).material.matte.diffuse)),
+    ("step04-warm-a", || Number(WARM.attenuation.a)),
+    ("step04-cool-a", || Number(COOL.attenuation.a)),
+    ("step04-warm-brighter", || Number(distance_of_full_light(&WARM.attenuation))),
+    ("step04-cool-brighter", || Number(distance_of_full_light(&COOL.attenuation))),
+    ("step04-peach", || Number(blue_per_red(WARM.diffuse))),
+    ("step04-orange", || Fixed(2, blue_per_red(plaster_light()))),
+    ("step04-clipped", || {
+        let scene = scene();
+        Count(count_rays(|ray| {
+            let is_clipped = 1.0 < colour(&scene, ray).max_element();
+            is_clipped && nearest(&scene.objects, ray).is_some()
+        }))
+    }),
+];
 
 /// The pixel of the worked example.
 const PIXEL: [u32; 2] = [470, 120];

@@ -1,7 +1,8 @@
 //! The numbers of chapter 5 that are not in the trace of a pixel.
 
-use super::Value::{self, Count, Fixed, Number};
-use super::rays::{camera, object_of_pixel, pixel_ray};
+use super::Value::{Count, Fixed, Number};
+use super::rays::{camera, half_angle, object_of_pixel, pixel_ray};
+use super::{Functions, Values};
 use course::Difference;
 use std::sync::LazyLock;
 use step05_phong::{
@@ -9,36 +10,33 @@ use step05_phong::{
     visible_point,
 };
 
-/// The value of this name.
-pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
-    Some(match (name, arguments) {
-        ("step05-v-length", []) => Number(pixel_ray(PIXEL).direction.length()),
-        ("step05-cool-angle", []) => {
-            let (objects, ray) = (scene().objects, pixel_ray(PIXEL));
-            let point = visible_point(&objects, &ray).expect("an object");
-            let (l, _) = COOL.direction_from(point.p);
-            Fixed(1, reflect(point.n, l).angle_between(-ray.direction).to_degrees())
-        }
-        ("step05-r-s", []) => Number(object_of_pixel(PIXEL).material.specular.x),
-        ("half-angle", &[n]) => Fixed(1, 0.5_f64.powf(1.0 / n).acos().to_degrees()),
-        ("step05-gate-pixels", []) => Count(UNGATED.0),
-        ("step05-gate-most", []) => Count(UNGATED.1.into()),
-        ("step05-teal-v-length", []) => Number(pixel_ray(TEAL).direction.length()),
-        ("step05-teal-power", []) => {
-            let shininess = object_of_pixel(TEAL).material.shininess;
-            Number(pixel_ray(TEAL).direction.length().powi(shininess))
-        }
-        ("step05-check-r-s", []) => {
-            let objects = (1..).zip(scene().objects);
-            Number(objects.map(|(k, o)| f64::from(k) * o.material.specular.x).sum())
-        }
-        ("step05-check-n", []) => {
-            let objects = (1..).zip(scene().objects);
-            Number(objects.map(|(k, o)| f64::from(k * o.material.shininess)).sum())
-        }
-        _ => return None,
-    })
-}
+pub const VALUES: &Values = &[
+    ("step05-v-length", || Number(pixel_ray(PIXEL).direction.length())),
+    ("step05-cool-angle", || {
+        let (objects, ray) = (scene().objects, pixel_ray(PIXEL));
+        let point = visible_point(&objects, &ray).expect("an object");
+        let (l, _) = COOL.direction_from(point.p);
+        Fixed(1, reflect(point.n, l).angle_between(-ray.direction).to_degrees())
+    }),
+    ("step05-r-s", || Number(object_of_pixel(PIXEL).material.specular.x)),
+    ("step05-gate-pixels", || Count(UNGATED.0)),
+    ("step05-gate-most", || Count(UNGATED.1.into())),
+    ("step05-teal-v-length", || Number(pixel_ray(TEAL).direction.length())),
+    ("step05-teal-power", || {
+        let shininess = object_of_pixel(TEAL).material.shininess;
+        Number(pixel_ray(TEAL).direction.length().powi(shininess))
+    }),
+    ("step05-check-r-s", || {
+        let objects = (1..).zip(scene().objects);
+        Number(objects.map(|(k, o)| f64::from(k) * o.material.specular.x).sum())
+    }),
+    ("step05-check-n", || {
+        let objects = (1..).zip(scene().objects);
+        Number(objects.map(|(k, o)| f64::from(k * o.material.shininess)).sum())
+    }),
+];
+
+pub const FUNCTIONS: &Functions = &[("half-angle", |n| Fixed(1, half_angle(n).to_degrees()))];
 
 /// The pixel of the worked example.
 const PIXEL: [u32; 2] = [470, 120];

@@ -1,32 +1,30 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
-use super::Value::{self, Count, Fixed, Number, Vector};
+use super::Value::{Count, Fixed, Number, Vector};
 use super::rays::{camera, sum_over_rays};
+use super::{Functions, Values};
 use course::examples::{crowd::crowd, gamma::srgb, look_at::look_at};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{Camera, OBJECTS, Object, Ray};
 
-/// The value of this name.
-pub fn value(name: &str, arguments: &[f64]) -> Option<Value> {
-    Some(match (name, arguments) {
-        ("next-basis-x", []) => Vector(look_at_basis().x_axis),
-        ("next-basis-y", []) => Vector(look_at_basis().y_axis),
-        ("next-basis-z", []) => Vector(look_at_basis().z_axis),
-        ("crowd-objects", []) => Count(crowd().objects.len()),
-        ("crowd-marbles", []) => Count(crowd().objects.len() - OBJECTS.len()),
-        ("mirror-depth", &[k]) => Count(mirror_depth(k)),
-        ("next-critical", []) => Fixed(0, (1.0_f64 / 1.5).asin().to_degrees()),
-        ("next-tests-many", []) => Count(sum_over_rays(|_| 1000)),
-        ("next-wasted", []) => {
-            let tests = sum_over_rays(|_| OBJECTS.len()) as f64;
-            Fixed(0, 100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests))
-        }
-        ("next-half-byte", []) => Number(decode_srgb(128.0 / 255.0)),
-        ("next-byte-of-half", []) => Fixed(0, 255.0 * srgb(0.5)),
-        _ => return None,
-    })
-}
+pub const VALUES: &Values = &[
+    ("next-basis-x", || Vector(look_at_basis().x_axis)),
+    ("next-basis-y", || Vector(look_at_basis().y_axis)),
+    ("next-basis-z", || Vector(look_at_basis().z_axis)),
+    ("crowd-objects", || Count(crowd().objects.len())),
+    ("crowd-marbles", || Count(crowd().objects.len() - OBJECTS.len())),
+    ("next-critical", || Fixed(0, (1.0_f64 / 1.5).asin().to_degrees())),
+    ("next-tests-many", || Count(sum_over_rays(|_| 1000))),
+    ("next-wasted", || {
+        let tests = sum_over_rays(|_| OBJECTS.len()) as f64;
+        Fixed(0, 100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests))
+    }),
+    ("next-half-byte", || Number(decode_srgb(128.0 / 255.0))),
+    ("next-byte-of-half", || Fixed(0, 255.0 * srgb(0.5))),
+];
+
+pub const FUNCTIONS: &Functions = &[("mirror-depth", |k| Count(mirror_depth(k)))];
 
 /// The number of mirrors in a row, each of which leaves the share k, after which less than
 /// one step of 8 bits is left.
