@@ -1,53 +1,56 @@
 use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, fail_with_faults};
+use crate::sources::{GENERATED, Sources};
 use crate::{Files, Page, Site, inline_stylesheets, links, paper_page, search};
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scraper::Html;
-use std::path::{Path, PathBuf};
-use std::{fs, process};
+use std::fs::{self, File};
+use std::path::Path;
+use std::sync::Arc;
 
-/// Builds the book of a workspace into `folder`; returns what is in it.
+/// Builds the book of a workspace into `folder`, one at a time; returns what is in it.
 ///
 /// Writes it beside the folder and puts it in place when it is complete, so that a fault
 /// leaves the book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
-    let draft = own_sibling_folder(folder, "draft");
+    let around = folder.parent().context("the book has a folder of its own")?;
+    fs::create_dir_all(around).with_context(|| format!("{} can't be made", around.display()))?;
+    let lock = File::create(around.join("book.lock"))
+        .with_context(|| format!("{} can't be written", around.display()))?;
+    lock.lock()?;
+    let draft = around.join("book.draft");
+    // What a killed build left.
+    let _ = fs::remove_dir_all(&draft);
     let built = write_and_check_pages(workspace, &draft);
-    let placed = built.and_then(|site| replace_folder(folder, &draft).map(|()| site));
+    let placed = built
+        .and_then(|site| replace_folder(folder, &draft, &around.join("book.old")).map(|()| site));
     let _ = fs::remove_dir_all(&draft);
     placed
 }
 
-/// The name of a folder beside `folder` that no other process takes.
-fn own_sibling_folder(folder: &Path, what: &str) -> PathBuf {
-    folder.with_extension(format!("{what}-{}", process::id()))
-}
-
 /// Moves the folder `new` to `folder`, and removes the one that was there once it is.
-fn replace_folder(folder: &Path, new: &Path) -> Result<()> {
-    let old = own_sibling_folder(folder, "old");
-    for _ in 0..10 {
-        // Another process may put its own in place between these two.
-        let _ = fs::rename(folder, &old);
-        if fs::rename(new, folder).is_ok() {
-            let _ = fs::remove_dir_all(&old);
-            return Ok(());
-        }
-        let _ = fs::rename(&old, folder);
+fn replace_folder(folder: &Path, new: &Path, old: &Path) -> Result<()> {
+    let _ = fs::rename(folder, old);
+    let moved = fs::rename(new, folder);
+    if moved.is_err() {
+        let _ = fs::rename(old, folder);
     }
-    bail!("{} can't be replaced", folder.display())
+    let _ = fs::remove_dir_all(old);
+    moved.with_context(|| format!("{} can't be replaced", folder.display()))
 }
 
 /// Writes all pages into `folder`. A fault in a chapter stops it before any page is
 /// written; a link that leads nowhere is found when all are.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
+    let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = folder.to_owned();
-    book.with_preprocessor(Course);
+    book.with_preprocessor(Course(sources.clone()));
     book.build()?;
     let folder = book.build_dir_for("html");
+    sources.generated.write(&folder.join(GENERATED))?;
     let mut files = Files::read(&folder)?;
     let html: Vec<_> = files.texts_with_suffix(".html").collect();
     let pages = html.into_par_iter().map(|(name, html)| {

@@ -1,35 +1,41 @@
-use crate::markdown::{self, parse_directive};
+use crate::edits::{Edits, Fault};
+use crate::markdown::{self, leading_directive, parse_directive};
+use crate::picture::{self, Picture};
 use crate::{
-    check_form, figure, folded_box, formula, listing, mistakes, numbers, picture, problem,
+    Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
+    pixel_panel, problem,
 };
-use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+use figures::Live;
+use mdbook_markdown::pulldown_cmark::{BrokenLink, CodeBlockKind, Event, LinkType, Parser, Tag};
 use std::ops::Range;
-use std::path::Path;
 
-/// A fault in a chapter: where it is, and a sentence about it.
-type Fault = (usize, String);
+/// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
+const MAX_NESTING: usize = 20;
 
 /// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
-/// chapter: gives Markdown as mdBook renders it, and what is wrong on which line.
-pub fn expand_directives(text: &str, workspace: &Path) -> (String, Vec<Fault>) {
-    let (edits, faults, code, listings) = Default::default();
-    let (open_box, open_problem) = (None, None);
+/// chapter: gives Markdown as mdBook renders it, and what is wrong on which line. The
+/// problems of all chapters are there already, in Markdown.
+pub fn expand_directives(
+    text: &str,
+    sources: &Sources,
+    problem_sheet: &str,
+) -> (String, Vec<Fault>) {
+    let (code, listings, open_box, open_problem) = Default::default();
+    let edits = Edits::new(text);
     let mut chapter =
-        Chapter { text, workspace, edits, faults, code, listings, open_box, open_problem };
+        Chapter { edits, sources, problem_sheet, code, listings, open_box, open_problem };
     chapter.expand_blocks();
     chapter.fill_placeholders();
-    let (markdown, faults) = chapter.apply_edits();
+    let (markdown, faults) = chapter.edits.apply();
     // The first picture does not wait until it is near.
     (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), faults)
 }
 
 /// A chapter as it is read once, from top to bottom.
 struct Chapter<'a> {
-    text: &'a str,
-    workspace: &'a Path,
-    /// The parts to replace, and the text to put there.
-    edits: Vec<(Range<usize>, String)>,
-    faults: Vec<Fault>,
+    edits: Edits<'a>,
+    sources: &'a Sources,
+    problem_sheet: &'a str,
     /// The parts that are code, where a minus stays a hyphen.
     code: Vec<Range<usize>>,
     /// The ids of the listings so far.
@@ -52,40 +58,55 @@ enum Part {
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
-impl Chapter<'_> {
+impl<'a> Chapter<'a> {
     fn expand_blocks(&mut self) {
-        let events = Parser::new_ext(self.text, markdown::markdown_options());
-        let events: Vec<_> = events.into_offset_iter().collect();
-        let mut end_of_last = 0;
+        let (mut end_of_last, mut nesting) = (0, 0);
+        let events = self.parse_events();
         for (index, (event, range)) in events.iter().enumerate() {
+            match event {
+                Event::Start(_) => nesting += 1,
+                Event::End(_) => nesting -= 1,
+                _ => {}
+            }
+            if MAX_NESTING < nesting {
+                self.edits.add_fault(range.start, "this is nested too deeply");
+                return;
+            }
             if range.start < end_of_last {
                 continue;
             }
             match self.expand_event(event, &events[index..], range) {
                 Part::Plain => continue,
                 Part::Code => self.code.push(range.clone()),
-                Part::Replaced(text) => {
-                    let text = self.text_or_record_fault(range.start, text);
-                    self.edits.push((range.clone(), text));
-                }
+                Part::Replaced(text) => self.edits.replace(range.clone(), text),
             }
             end_of_last = range.end;
         }
         if let Some(position) = self.open_problem.or(self.open_box) {
-            self.faults.push((position, "the box has no {{#end}}".to_owned()));
+            self.edits.add_fault(position, "the box has no {{#end}}");
         }
     }
 
-    /// The text for a place; an empty one, and a fault, for an error.
-    fn text_or_record_fault(&mut self, position: usize, text: Result<String, String>) -> String {
-        text.unwrap_or_else(|fault| {
-            self.faults.push((position, fault));
-            String::new()
-        })
+    /// The chapter's Markdown. A link such as `[words][name]` to nothing is a fault.
+    fn parse_events(&mut self) -> Vec<(Event<'a>, Range<usize>)> {
+        let (text, edits) = (self.edits.text, &mut self.edits);
+        let mut add_fault = |link: BrokenLink| {
+            if let LinkType::Reference | LinkType::Collapsed = link.link_type {
+                edits.add_fault(
+                    link.span.start,
+                    format!("no line says where [{}] leads", link.reference),
+                );
+            }
+            None
+        };
+        let options = markdown::markdown_options();
+        Parser::new_with_broken_link_callback(text, options, Some(&mut add_fault))
+            .into_offset_iter()
+            .collect()
     }
 
     fn expand_event(&mut self, event: &Event, events: &Events, range: &Range<usize>) -> Part {
-        let source = &self.text[range.clone()];
+        let source = &self.edits.text[range.clone()];
         Part::Replaced(match event {
             Event::Start(Tag::CodeBlock(kind)) => {
                 return self.expand_code_block(kind, source);
@@ -95,8 +116,7 @@ impl Chapter<'_> {
                 None => return Part::Plain,
             },
             Event::Start(Tag::Image { dest_url, title, .. }) => {
-                let picture = picture::Picture::from_markdown(source, dest_url, title);
-                picture.html(self.workspace)
+                Picture::from_markdown(source, dest_url, title).html(self.sources)
             }
             Event::InlineMath(latex) => formula::formula_html(latex, false),
             Event::DisplayMath(latex) => formula::formula_html(latex, true),
@@ -105,17 +125,23 @@ impl Chapter<'_> {
             }
             Event::Code(_) => return Part::Code,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
-                if let Some(position) = source.find('$')
-                    && !self.text[..range.start + position].ends_with(['\\', '$'])
-                {
-                    let fault = "a $ that is no formula is written \\$, and a formula \
-                                has its end, pairs of braces, and no HTML around it";
-                    self.faults.push((range.start + position, fault.to_owned()));
-                }
+                self.find_lone_dollar(source, range.start);
                 return Part::Plain;
             }
             _ => return Part::Plain,
         })
+    }
+
+    /// Finds a $ in the `source` at this position, which is text or HTML.
+    fn find_lone_dollar(&mut self, source: &str, start: usize) {
+        let Some(position) = source.find('$').map(|position| start + position) else { return };
+        if !self.edits.text[..position].ends_with(['\\', '$']) {
+            self.edits.add_fault(
+                position,
+                "a $ that is no formula is written \\$, and a formula has its end, pairs of \
+                 braces, and no HTML around it",
+            );
+        }
     }
 
     /// A fence: an include becomes a listing, commands get a caption.
@@ -125,9 +151,9 @@ impl Chapter<'_> {
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let html = if content.trim_start().starts_with("{{#include") {
-            listing::html(language, &content, self.workspace, &mut self.listings)
+            listing::html(language, &content, self.sources, &mut self.listings)
         } else if language == "console" {
-            console_figure_markdown(folder, &content)
+            console::figure_markdown(folder, &content)
         } else {
             return Part::Code;
         };
@@ -140,14 +166,14 @@ impl Chapter<'_> {
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
-        let source = self.text[range.clone()].trim();
+        let source = self.edits.text[range.clone()].trim();
         let (kind, words) = parse_directive(source).unwrap_or_default();
         Some(match (kind, words.trim()) {
             ("figure", name) => figure::html(name),
-            ("check", name) => check_form::html(name, self.workspace),
-            ("mistakes", step) => mistakes::html(step, self.workspace),
+            ("check", name) => check_form::html(name, self.sources),
+            ("mistakes", step) => mistake_gallery::html(step, self.sources),
             ("listing", words) => listing::moving_listing_html(words, &mut self.listings),
-            ("by-hand", test) => Ok(by_hand_note_html(test)),
+            ("by-hand", test) => Ok(console::by_hand_note_html(test)),
             ("rust", words) => markdown::inline_html(words)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
@@ -157,6 +183,7 @@ impl Chapter<'_> {
                 self.open_problem = Some(range.start);
                 problem::opening_html(words)
             }
+            ("problem-sheet", _) => Ok(self.problem_sheet.to_owned()),
             ("end", _) => self.end_box(),
             (kind, words) => match folded_box::opening_html(kind, words) {
                 Some(_) if self.open_box.is_some() => {
@@ -189,64 +216,55 @@ impl Chapter<'_> {
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
         let mut pictures = vec![];
-        let mut remaining = self.text[range.clone()].to_string();
+        let mut remaining = self.edits.text[range.clone()].to_string();
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
                 && inner.start < range.end
             {
-                let markdown = &self.text[inner.clone()];
-                pictures.push(picture::Picture::from_markdown(markdown, dest_url, title));
+                let markdown = &self.edits.text[inner.clone()];
+                pictures.push(Picture::from_markdown(markdown, dest_url, title));
                 remaining = remaining.replacen(markdown, "", 1);
             }
         }
         let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         let live = live.map(|(_, name)| name);
+        let panel = |live: &Live| self.pixel_panel_html(live);
         (is_whole && !pictures.is_empty())
-            .then(|| picture::figures_html(&pictures, live, self.workspace))
+            .then(|| picture::figures_html(&pictures, live, self.sources, &panel))
+    }
+
+    /// What is said of a pixel of a picture, below it.
+    fn pixel_panel_html(&self, live: &Live) -> Result<String, String> {
+        let (markdown, faults) =
+            expand_directives(&pixel_panel::panel_markdown(live), self.sources, "");
+        match faults.first() {
+            None => Ok(pixel_panel::panel_html(live, &markdown)),
+            Some((_, what)) => Err(format!("this pixel of {}: {what}", live.name)),
+        }
     }
 
     /// Puts numbers in place, and finds directives that are left.
     fn fill_placeholders(&mut self) {
-        let text = self.text;
-        let replaced: Vec<_> = self.edits.iter().map(|(range, _)| range.clone()).collect();
+        let text = self.edits.text;
+        let mut replaced = self.edits.replaced_ranges();
+        replaced.sort_by_key(|range| range.start);
         let inside =
             |ranges: &[Range<usize>], position| ranges.iter().any(|one| one.contains(&position));
         for (position, _) in text.match_indices("{{#") {
             if inside(&replaced, position) {
                 continue;
             }
-            let end = text[position..].find("}}").map_or(text.len(), |end| position + end + 2);
+            let next = replaced.iter().map(|range| range.start).find(|start| position < *start);
+            let directive = leading_directive(&text[position..next.unwrap_or(text.len())]);
+            let Some(directive) = directive else {
+                self.edits.add_fault(position, "{{# is without its }} in the same line");
+                continue;
+            };
             let minus = if inside(&self.code, position) { "-" } else { "−" };
-            let number = numbers::fill_in_text(&text[position..end], minus);
-            let number = self.text_or_record_fault(position, number);
-            self.edits.push((position..end, number));
+            let number = numbers::fill_in_text(directive, minus);
+            self.edits.replace(position..position + directive.len(), number);
         }
-    }
-
-    /// The chapter, with every edit made.
-    fn apply_edits(mut self) -> (String, Vec<Fault>) {
-        self.edits.sort_by_key(|(range, _)| range.start);
-        let mut markdown = String::new();
-        let mut copied_end = 0;
-        for (range, replacement) in &self.edits {
-            markdown += &self.text[copied_end..range.start];
-            copied_end = range.end;
-            // A comma stays on the line of the formula before it.
-            let mark = self.text[copied_end..].chars().next();
-            match mark.filter(|mark| ",.;:?)".contains(*mark)) {
-                Some(mark) if replacement.ends_with("</math>") => {
-                    markdown += &format!("<span class=\"tight\">{replacement}{mark}</span>");
-                    copied_end += mark.len_utf8();
-                }
-                _ => markdown += replacement,
-            }
-        }
-        markdown += &self.text[copied_end..];
-        self.faults.sort();
-        let line = |position: usize| 1 + self.text[..position].matches('\n').count();
-        let faults = self.faults.into_iter().map(|(position, what)| (line(position), what));
-        (markdown, faults.collect())
     }
 }
 
@@ -254,27 +272,4 @@ impl Chapter<'_> {
 fn is_name_with_break(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
-}
-
-/// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
-fn by_hand_note_html(test: &str) -> String {
-    let name = markdown::code_with_break_hints(test);
-    format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
-}
-
-/// Commands, under a caption that says in folder folder they are meant, the reader's
-/// or ours.
-fn console_figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
-    let (folder, caption) = match folder {
-        "yours" => ("yours", "in your folder"),
-        "yours,refused" => ("yours refused", "in your folder"),
-        "yours,fails" => ("yours fails", "in your folder"),
-        "ours" => ("ours", "in <a href=\"how.html#two-folders\">our folder</a>"),
-        _ => return Err("a console is console,yours or console,ours".to_string()),
-    };
-    Ok(format!(
-        "<figure class=\"console\" data-folder=\"{folder}\">\
-         <figcaption>{caption}</figcaption>\n\n\
-         ```console\n{commands}\n```\n\n</figure>\n"
-    ))
 }

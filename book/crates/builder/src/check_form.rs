@@ -1,11 +1,10 @@
-use std::path::Path;
+use crate::Sources;
 
 /// The form into which a reader drops a picture to ask whether it is right, for
 /// `{{#check name}}`; without a name, the file's own tells which picture it should be.
 ///
 /// Hidden where no script can answer; see book/theme/live.js.
-pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
-    let locked = workspace.join(format!("tests/snapshots/{name}.snap.png"));
+pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let (name, words) = match name {
         "" => (
             "*",
@@ -13,7 +12,7 @@ pub fn html(name: &str, workspace: &Path) -> Result<String, String> {
              whose name tells which it should be."
                 .to_owned(),
         ),
-        name if locked.exists() => {
+        name if sources.generated.0.contains_key(&format!("{name}.png")) => {
             (name, format!("Drop your <code>{name}.png</code> here, or choose it."))
         }
         name => return Err(format!("there is no locked picture {name}")),

@@ -1,6 +1,7 @@
+use anyhow::{Context, Result};
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
 /// The folder of the chapters, as seen from the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
@@ -25,21 +26,40 @@ pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
 impl Files {
     /// Reads every file in `folder` and in the folders in it.
-    pub fn read(folder: &Path) -> io::Result<Self> {
+    pub fn read(folder: &Path) -> Result<Self> {
         let mut files = Self::default();
         files.read_into("", folder)?;
         Ok(files)
     }
 
-    fn read_into(&mut self, prefix: &str, folder: &Path) -> io::Result<()> {
-        for entry in fs::read_dir(folder)? {
-            let entry = entry?;
-            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-            if entry.file_type()?.is_dir() {
-                self.read_into(&format!("{name}/"), &entry.path())?;
+    fn read_into(&mut self, prefix: &str, folder: &Path) -> Result<()> {
+        let unreadable = |path: &Path| format!("{} can't be read", path.display());
+        for entry in fs::read_dir(folder).with_context(|| unreadable(folder))? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let name = format!("{prefix}{name}");
+            if path.is_dir() {
+                self.read_into(&format!("{name}/"), &path)?;
             } else {
-                self.0.insert(name, fs::read(entry.path())?);
+                self.0.insert(name, fs::read(&path).with_context(|| unreadable(&path))?);
             }
+        }
+        Ok(())
+    }
+
+    /// Writes the files into a folder that holds nothing else then. A file that is there as it
+    /// should be is not touched, since `mdbook serve` would see a change.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        fs::create_dir_all(folder)
+            .with_context(|| format!("{} can't be made", folder.display()))?;
+        let old = Self::read(folder)?.0;
+        for (name, bytes) in self.0.iter().filter(|(name, bytes)| old.get(*name) != Some(bytes)) {
+            let path = folder.join(name);
+            fs::write(&path, bytes)
+                .with_context(|| format!("{} can't be written", path.display()))?;
+        }
+        for stale in old.keys().filter(|name| !self.0.contains_key(*name)) {
+            let _ = fs::remove_file(folder.join(stale));
         }
         Ok(())
     }

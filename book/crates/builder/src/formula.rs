@@ -1,21 +1,40 @@
 use crate::numbers;
 use math_core::{LatexToMathML, MathDisplay};
+use std::thread;
+
+/// Commands and braces that a formula may have: the parser takes up to 60 kB of the stack for
+/// each that is inside another.
+const MAX_MARKS: usize = 100;
+const STACK_BYTES: usize = 16 << 20;
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
 pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = numbers::fill_in_formula(latex, |latex| {
-        let converted = LatexToMathML::default().convert_with_local_state(latex, style);
-        converted
-            .map(|converted| converted.mathml)
-            .map_err(|error| format!("the formula {} does not parse: {error}", latex.trim()))
-    })?;
+    let mathml = numbers::fill_in_formula(latex, |latex| convert(latex, style))?;
     let mathml = escape_markdown(&mathml);
     Ok(if is_display {
         format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)
     } else {
         mathml
     })
+}
+
+/// The MathML of a formula without numbers that are still to be filled in.
+fn convert(latex: &str, style: MathDisplay) -> Result<String, String> {
+    let latex = latex.trim();
+    if MAX_MARKS < latex.matches(['\\', '{']).count() {
+        return Err(format!("a formula has at most {MAX_MARKS} commands and braces"));
+    }
+    let convert = || LatexToMathML::default().convert_with_local_state(latex, style);
+    let converted = thread::scope(|scope| {
+        let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, convert);
+        thread.ok()?.join().ok()
+    });
+    match converted {
+        Some(Ok(converted)) => Ok(converted.mathml),
+        Some(Err(error)) => Err(format!("the formula {latex} does not parse: {error}")),
+        None => Err(format!("the formula {latex} does not parse")),
+    }
 }
 
 /// Writes as entities what Markdown would read as markup between the tags of

@@ -25,8 +25,11 @@
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 
 mod built_site;
+mod edits;
 mod files;
+mod mistake_list;
 mod page;
+mod sources;
 
 mod formula;
 mod markdown;
@@ -34,18 +37,18 @@ mod numbers;
 mod values;
 
 mod check_form;
+mod console;
 mod controls;
 mod figure;
 mod folded_box;
 mod listing;
-mod mistakes;
+mod mistake_gallery;
 mod picture;
 mod pixel_panel;
 mod problem;
 
 mod chapter;
 
-mod generated_files;
 mod preprocessor;
 
 mod inline_stylesheets;
@@ -61,6 +64,7 @@ mod tests;
 pub use build::build;
 pub use built_site::Site;
 pub use files::Files;
-pub use mistakes::effect_and_step_of_picture;
+pub use mistake_list::effect_and_step_of_picture;
 pub use page::{Page, inner_text, select_all};
 pub use preprocessor::Course;
+pub use sources::Sources;

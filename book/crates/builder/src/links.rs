@@ -2,7 +2,7 @@
 //! fetched from elsewhere.
 
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Files, Page, Site, inner_text};
+use crate::{Files, Page, Site};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
@@ -25,12 +25,14 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
     let mut faults = vec![];
     for page in pages {
         for element in page.html.root_element().descendent_elements() {
-            for address in addresses_in(element) {
-                let fault = find_address_fault(site, &ids, &page.name, &address);
-                let is_external_link = element.value().name() == "a" && is_outside_book(&address);
-                let fault = fault.filter(|_| !is_external_link);
+            for (attribute, address) in addresses_in(element) {
+                let is_link = (element.value().name(), attribute) == ("a", "href");
+                if is_link && is_outside_book(address) {
+                    continue;
+                }
+                let fault = find_address_fault(site, &ids, &page.name, address);
                 let place = || {
-                    source_position_of_link(chapters, &page.name, &address)
+                    source_position_of_link(chapters, &page.name, address)
                         .unwrap_or_else(|| page.address_for_fault(element))
                 };
                 faults.extend(fault.map(|fault| format!("{} {fault}", place())));
@@ -52,25 +54,30 @@ fn source_position_of_link(chapters: &Files, page: &str, address: &str) -> Optio
     Some(format!("{CHAPTERS}{file}:{line}: the link"))
 }
 
-/// Everything that an element leads to or loads.
-fn addresses_in(element: ElementRef) -> Vec<String> {
-    if element.value().name() == "base" {
-        // Says where the book is, and fetches nothing.
-        return vec![];
-    }
+/// Everything that an element leads to or loads, with the attribute that says so; a style
+/// has none.
+fn addresses_in(element: ElementRef<'_>) -> Vec<(&str, &str)> {
     let mut addresses = vec![];
     for (name, value) in element.value().attrs() {
         match name {
-            "href" | "src" => addresses.push(value.into()),
-            "srcset" => {
-                let sets = value.split(',').flat_map(|set| set.split_whitespace().next());
-                addresses.extend(sets.map(str::to_owned));
+            // Says where the book is, and fetches nothing.
+            "href" if element.value().name() == "base" => {}
+            "href" | "src" | "data" | "poster" | "action" | "formaction" | "background" => {
+                addresses.push((name, value));
             }
-            _ => {}
+            "srcset" | "imagesrcset" => {
+                let sets = value.split(',').filter_map(|set| set.split_whitespace().next());
+                addresses.extend(sets.map(|address| (name, address)));
+            }
+            // Words for readers.
+            "alt" | "title" | "aria-label" => {}
+            _ if value.contains("//") => addresses.push((name, value)),
+            _ => addresses.extend(style_urls(value).map(|address| (name, address))),
         }
     }
     if element.value().name() == "style" {
-        addresses.extend(style_urls(&inner_text(element)).map(str::to_owned));
+        let urls = element.text().flat_map(style_urls);
+        addresses.extend(urls.map(|address| ("", address)));
     }
     addresses
 }
@@ -121,8 +128,9 @@ fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
     pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
 }
 
-/// The address of everything that a style fetches: what is in `url(…)`.
+/// The address of everything that a style fetches: what is in `url(…)`, or after `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
-    let inside = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
-    inside.map(|url| url.trim().trim_matches(['"', '\'']))
+    let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
+    let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());
+    urls.chain(imports).map(|url| url.trim().trim_matches(['"', '\'']))
 }

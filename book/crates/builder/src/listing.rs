@@ -1,9 +1,12 @@
 use crate::files::{CHAPTERS, resolve_path};
-use crate::numbers;
+use crate::{Sources, numbers};
+use course::Place;
 use figures::escape;
 use std::fs;
 use std::ops::Range;
-use std::path::Path;
+use std::sync::LazyLock;
+
+static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
 /// The listing for `{{#include path}}` or a part of a file, such as
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
@@ -15,7 +18,7 @@ use std::path::Path;
 pub fn html(
     language: &str,
     include: &str,
-    workspace: &Path,
+    sources: &Sources,
     ids: &mut Vec<String>,
 ) -> Result<String, String> {
     let target = include
@@ -26,8 +29,8 @@ pub fn html(
         .ok_or("a listing is one {{#include path}} and nothing else")?;
     let (target, part) = target.split_once(':').unwrap_or((target, ".."));
     let path = resolve_path(CHAPTERS, target.trim());
-    let text = fs::read_to_string(workspace.join(&path))
-        .map_err(|_| format!("there is no file {target}"))?;
+    let text = fs::read_to_string(sources.workspace.join(&path))
+        .map_err(|_| format!("there is no file {target} that can be read"))?;
     let path = path.strip_prefix("book/reader/").unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
@@ -54,9 +57,9 @@ pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String,
 /// start and length in letters as JavaScript counts them. See book/theme/line_editor.js.
 fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
-    let mut places = course::all_listed_places();
-    places.retain(|place| path.strip_prefix("steps/") == Some(place.file));
-    let entries = places.iter().filter_map(|place| match &place.find_ranges(code)[..] {
+    let file = path.strip_prefix("steps/");
+    let places = PLACES.iter().filter(|place| file == Some(place.file));
+    let entries = places.filter_map(|place| match &place.find_ranges(code)[..] {
         [range] => Some(format!(
             "{}:{}:{}",
             place.name,

@@ -45,7 +45,7 @@ fn main() -> ExitCode {
 /// Reads the book that mdBook hands over, and writes it with its chapters expanded.
 fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
-    let book = Course.run(&context, book)?;
+    let book = Course::beside_chapters(&workspace())?.run(&context, book)?;
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 

@@ -1,10 +1,8 @@
-use crate::files::CHAPTERS;
-use crate::generated_files::HALF_SUFFIX;
+use crate::controls;
 use crate::markdown::inline_html;
-use crate::mistakes::effect_and_step_of_picture;
-use crate::{controls, pixel_panel};
+use crate::mistake_list::effect_and_step_of_picture;
+use crate::sources::{HALF_SUFFIX, Sources};
 use figures::{Live, escape};
-use image::image_dimensions;
 use std::path::Path;
 
 /// Attribute that makes a picture load when it comes into view.
@@ -56,20 +54,22 @@ impl Picture {
     }
 
     /// The picture alone, in its size; it loads when it comes into view.
-    pub fn html(&self, workspace: &Path) -> Result<String, String> {
+    pub fn html(&self, sources: &Sources) -> Result<String, String> {
         let Self { alt, source, .. } = self;
         if alt.is_empty() {
             return Err(format!("the picture {source} has no alt text: say what it shows"));
         }
-        let path = workspace.join(CHAPTERS).join(source);
+        if alt.contains("{{#") {
+            return Err(format!("the alt text of {source} is words alone, without directives"));
+        }
         let (width, height) =
-            image_dimensions(path).map_err(|_| format!("there is no picture {source}"))?;
+            sources.picture_size(source).ok_or(format!("there is no picture {source}"))?;
         let half = source.replace(".png", HALF_SUFFIX);
-        let smaller = match workspace.join(CHAPTERS).join(&half).is_file() {
-            true => {
-                format!(r#" srcset="{half} {}w, {source} {width}w" sizes="{SIZES}""#, width / 2)
+        let smaller = match sources.picture_size(&half) {
+            Some((half_width, _)) if half != *source => {
+                format!(r#" srcset="{half} {half_width}w, {source} {width}w" sizes="{SIZES}""#)
             }
-            false => String::new(),
+            _ => String::new(),
         };
         Ok(format!(
             r#"<img src="{}"{smaller} alt="{}" width="{width}" height="{height}"{LAZY}>"#,
@@ -80,23 +80,24 @@ impl Picture {
 }
 
 /// A figure of the pictures of a paragraph, side by side if there are several. Where
-/// they are `live`, by a name or by that of their files, what is said of a pixel stands
-/// below each.
+/// they are `live`, by a name or by that of their files, what `panel_html` says of a pixel
+/// stands below each.
 pub fn figures_html(
     pictures: &[Picture],
     live: Option<&str>,
-    workspace: &Path,
+    sources: &Sources,
+    panel_html: &dyn Fn(&Live) -> Result<String, String>,
 ) -> Result<String, String> {
     let mut figures = String::new();
     for picture in pictures {
-        let image = picture.html(workspace)?;
+        let image = picture.html(sources)?;
         let (mut data, mut controls_html, mut below) = Default::default();
         if let Some(name) = live {
             let answers = picture.find_live(name)?;
             data = format!(" data-live=\"{}\"", answers.name);
             controls_html = controls::html(answers);
             if answers.has_probe() {
-                below = pixel_panel::html(answers, workspace)?;
+                below = panel_html(answers)?;
             }
         }
         let caption = match picture.caption.as_str() {

@@ -1,6 +1,4 @@
-use crate::chapter::expand_directives;
 use figures::Live;
-use std::path::Path;
 use step03_nearest::OBJECTS;
 
 /// The text about a pixel, with a number for each `{{#number name}}`. A line that
@@ -20,11 +18,9 @@ const MIRROR_COLUMNS: [&str; 9] =
 /// The rows of what a ray meets: the example `mirror` allows ten mirrors.
 const MIRROR_ROWS: usize = 11;
 
-/// The box below a picture whose pixels can be asked: everything on the way from a
-/// pixel to its three bytes, of the one that the reader of the page asks.
-///
-/// Hidden until the first is asked; see book/theme/live.js.
-pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
+/// Markdown of everything on the way from a pixel to its three bytes, of the one that the
+/// reader of the page asks.
+pub fn panel_markdown(live: &Live) -> String {
     let name = live.name;
     let (text, rows): (_, Vec<_>) = if name == "mirror" {
         let rows = (0..MIRROR_ROWS).map(|k| row_markdown(&MIRROR_COLUMNS, k));
@@ -40,15 +36,18 @@ pub fn html(live: &Live, workspace: &Path) -> Result<String, String> {
     };
     let text = text.replace("{{#rows}}", &rows.join("\n"));
     let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
-    let text = text.replace("NAME:", &format!("{name}:"));
-    let (markdown, faults) = expand_directives(&text, workspace);
-    if let Some((_, what)) = faults.first() {
-        return Err(format!("this pixel of {name}: {what}"));
-    }
-    Ok(format!(
-        "<details data-panel=\"{name}\" class=\"aside\" open hidden>\
-         <summary><span class=\"kind\">This pixel</span></summary>\n\n{markdown}\n</details>\n"
-    ))
+    text.replace("NAME:", &format!("{name}:"))
+}
+
+/// The box with that text below a picture whose pixels can be asked.
+///
+/// Hidden until the first is asked; see book/theme/live.js.
+pub fn panel_html(live: &Live, text: &str) -> String {
+    format!(
+        "<details data-panel=\"{}\" class=\"aside\" open hidden>\
+         <summary><span class=\"kind\">This pixel</span></summary>\n\n{text}\n</details>\n",
+        live.name
+    )
 }
 
 /// A line as it is for the picture of a step; None where it is for other steps.

@@ -1,13 +1,25 @@
-use crate::{chapter, generated_files, problem};
-use anyhow::{Context, Result, bail};
+use crate::files::CHAPTERS;
+use crate::sources::{GENERATED, Sources};
+use crate::{chapter, problem};
+use anyhow::{Result, bail};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::Path;
+use std::sync::Arc;
 
-/// The preprocessor of the chapters: expands directives, and writes what they show beside
-/// the chapters.
-pub struct Course;
+/// The preprocessor of the chapters: expands directives.
+pub struct Course(pub Arc<Sources>);
+
+impl Course {
+    /// Reads what the chapters of a workspace show, and writes beside them what mdBook copies
+    /// from there.
+    pub fn beside_chapters(workspace: &Path) -> Result<Self> {
+        let sources = Sources::read(workspace)?;
+        sources.generated.write(&workspace.join(CHAPTERS).join(GENERATED))?;
+        Ok(Self(sources.into()))
+    }
+}
 
 impl Preprocessor for Course {
     /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
@@ -17,23 +29,23 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let workspace = context.root.parent().context("the book is in a workspace")?;
-        generated_files::write_generated_files(workspace)?;
         let url = context.config.get::<String>("output.html.git-repository-url")?;
-        expand_chapters(&mut book, workspace, &our_folder_markdown(workspace, url.as_deref()))?;
+        let our_folder = our_folder_markdown(&self.0.workspace, url.as_deref());
+        expand_chapters(&mut book, &self.0, &our_folder)?;
         Ok(book)
     }
 }
 
 /// Turns the chapters as they are written into plain Markdown.
-fn expand_chapters(book: &mut Book, workspace: &Path, our_folder: &str) -> Result<()> {
+fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Result<()> {
     let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
+    // A fault of a problem is told in its chapter.
     let sheet = problem::sheet_markdown(chapters);
+    let (sheet, _) = chapter::expand_directives(&sheet, sources, "");
     let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
     let expanded = texts.par_iter().map(|text| {
         let text = text.replace("{{#our-folder}}", our_folder);
-        let text = text.replace("{{#problem-sheet}}", &sheet);
-        chapter::expand_directives(&text, workspace)
+        chapter::expand_directives(&text, sources, &sheet)
     });
     let expanded: Vec<_> = expanded.collect();
     let mut expanded = expanded.into_iter();
@@ -43,7 +55,7 @@ fn expand_chapters(book: &mut Book, workspace: &Path, our_folder: &str) -> Resul
         chapter.content = markdown;
         let file = chapter.source_path.clone().unwrap_or_default();
         faults.extend(
-            wrong.iter().map(|(line, what)| format!("book/src/{}:{line}: {what}", file.display())),
+            wrong.iter().map(|(line, what)| format!("{CHAPTERS}{}:{line}: {what}", file.display())),
         );
     });
     fail_with_faults(&faults)

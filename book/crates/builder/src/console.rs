@@ -1,0 +1,23 @@
+use crate::markdown;
+
+/// Commands, under a caption that says in which folder they are meant, the reader's or ours.
+pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
+    let (folder, caption) = match folder {
+        "yours" => ("yours", "in your folder"),
+        "yours,refused" => ("yours refused", "in your folder"),
+        "yours,fails" => ("yours fails", "in your folder"),
+        "ours" => ("ours", "in <a href=\"how.html#two-folders\">our folder</a>"),
+        _ => return Err("a console is console,yours or console,ours".to_string()),
+    };
+    Ok(format!(
+        "<figure class=\"console\" data-folder=\"{folder}\">\
+         <figcaption>{caption}</figcaption>\n\n\
+         ```console\n{commands}\n```\n\n</figure>\n"
+    ))
+}
+
+/// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
+pub fn by_hand_note_html(test: &str) -> String {
+    let name = markdown::code_with_break_hints(test);
+    format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
+}
