@@ -23,3 +23,17 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     let [x, y, z] = vector.into().map(format_number);
     format!("({x}, {y}, {z})")
 }
+
+/// Three numbers as a column of a formula, in LaTeX.
+pub fn format_column(vector: impl Into<[f64; 3]>) -> String {
+    let [x, y, z] = vector.into().map(format_number);
+    format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
+}
+
+/// A count, with a comma between thousands.
+pub fn format_count(count: usize) -> String {
+    let digits = count.to_string();
+    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
+    let digits = digits.char_indices();
+    digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
+}

@@ -18,7 +18,9 @@
 //! - a figure or picture that has parameters is *live*. `LIVE` lists all.
 
 mod format;
-pub use format::{format_fixed, format_number, format_rounded, format_vector};
+pub use format::{
+    format_column, format_count, format_fixed, format_number, format_rounded, format_vector,
+};
 
 mod drawing;
 mod text_markup;

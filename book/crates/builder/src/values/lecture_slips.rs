@@ -1,8 +1,11 @@
 //! The numbers of the chapter on the slips of the lecture.
 
-use super::Value::{Fixed, Number};
 use super::rays::{camera, discriminant, length_in_pixels, row};
-use super::{Functions, Values};
+use super::value::{
+    Functions,
+    Value::{Fixed, Number},
+    Values,
+};
 use course::slide_matrix;
 use glam::{DVec2, DVec3};
 use step01_rays::Camera;

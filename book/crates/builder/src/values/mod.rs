@@ -15,30 +15,10 @@ mod step02;
 mod step03;
 mod step04;
 mod step05;
+mod value;
 mod way_back;
 
-use figures::{format_fixed, format_number, format_vector};
-use glam::DVec3;
-
-/// A number with the way it is written.
-pub enum Value {
-    /// At most four digits after the point.
-    Number(f64),
-    /// A fixed count of digits after the point.
-    Fixed(usize, f64),
-    /// A comma between thousands.
-    Count(usize),
-    /// (x, y, z).
-    Vector(DVec3),
-    /// A vector as a column of a formula.
-    Column(DVec3),
-}
-
-/// Values of a chapter, by name.
-type Values = [(&'static str, fn() -> Value)];
-
-/// Values of a chapter that are functions of a number, by name.
-type Functions = [(&'static str, fn(f64) -> Value)];
+use value::{Functions, Value, Values};
 
 const VALUES: [&Values; 8] = [
     step01::VALUES,
@@ -63,7 +43,7 @@ const FUNCTIONS: [&Functions; 5] = [
 pub fn value_text(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
         Some((live, number)) => live_number_text(live, number),
-        None => chapter_value_text(text),
+        None => chapter_value(text).map(|value| value.text()),
     };
     number.ok_or_else(|| format!("there is no value {text}"))
 }
@@ -105,26 +85,4 @@ fn chapter_value(text: &str) -> Option<Value> {
 pub fn names() -> impl Iterator<Item = &'static str> {
     let values = VALUES.into_iter().flatten().map(|(name, _)| *name);
     values.chain(FUNCTIONS.into_iter().flatten().map(|(name, _)| *name))
-}
-
-fn chapter_value_text(text: &str) -> Option<String> {
-    Some(match chapter_value(text)? {
-        Value::Number(number) => format_number(number),
-        Value::Fixed(digits, number) => format_fixed(number, digits),
-        Value::Count(count) => format_with_thousands_commas(count),
-        Value::Vector(vector) => format_vector(vector),
-        Value::Column(vector) => format_column_latex(vector),
-    })
-}
-
-fn format_with_thousands_commas(count: usize) -> String {
-    let digits = count.to_string();
-    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
-    let digits = digits.char_indices();
-    digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
-}
-
-fn format_column_latex(vector: DVec3) -> String {
-    let [x, y, z] = vector.to_array().map(format_number);
-    format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
 }

@@ -1,8 +1,10 @@
 //! The answers to the problems on paper, by the steps.
 
-use super::Value::{Count, Fixed, Number};
-use super::Values;
 use super::rays::{first_hit, half_angle, pixel_ray};
+use super::value::{
+    Value::{Count, Fixed, Number},
+    Values,
+};
 use glam::DVec3;
 use step01_rays::{AspectRatio, Camera};
 use step02_sphere::{Ray, Sphere};

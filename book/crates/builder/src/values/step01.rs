@@ -1,8 +1,10 @@
 //! The numbers of the introduction and of the chapters of step 1.
 
-use super::Value::{Fixed, Number, Vector};
-use super::Values;
 use super::rays::{camera, pixel_ray, row, unit_ray};
+use super::value::{
+    Value::{Fixed, Number, Vector},
+    Values,
+};
 use glam::DVec3;
 use step01_rays::{AspectRatio, direction_colour, picture};
 

@@ -1,10 +1,13 @@
 //! The numbers of chapter 2.
 
-use super::Value::{Count, Fixed, Number, Vector};
 use super::rays::{
     camera, count_rays, discriminant, first_hit, length_in_pixels, pixel_ray, unit_ray,
 };
-use super::{Functions, Values};
+use super::value::{
+    Functions,
+    Value::{Count, Fixed, Number, Vector},
+    Values,
+};
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
 

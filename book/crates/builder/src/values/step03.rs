@@ -1,8 +1,11 @@
 //! The numbers of chapter 3.
 
-use super::Value::{Count, Fixed, Number, Vector};
 use super::rays::{camera, count_rays, length_in_pixels, pixel_ray, sum_over_rays};
-use super::{Functions, Values};
+use super::value::{
+    Functions,
+    Value::{Count, Fixed, Number, Vector},
+    Values,
+};
 use glam::DVec3;
 use step02_sphere::Roots;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};

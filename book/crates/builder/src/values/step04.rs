@@ -1,8 +1,10 @@
 //! The numbers of chapter 4 that are not in the trace of a pixel.
 
-use super::Value::{Column, Count, Fixed, Number, Vector};
-use super::Values;
 use super::rays::{count_rays, object_of_pixel, pixel_ray};
+use super::value::{
+    Value::{Column, Count, Fixed, Number, Vector},
+    Values,
+};
 use glam::DVec3;
 use step02_sphere::quadratic;
 use step04_diffuse::{AMBIENT, Attenuation, COOL, WARM, colour, nearest, scene, visible_point};

@@ -1,8 +1,11 @@
 //! The numbers of chapter 5 that are not in the trace of a pixel.
 
-use super::Value::{Count, Fixed, Number};
 use super::rays::{camera, half_angle, object_of_pixel, pixel_ray};
-use super::{Functions, Values};
+use super::value::{
+    Functions,
+    Value::{Count, Fixed, Number},
+    Values,
+};
 use course::Difference;
 use std::sync::LazyLock;
 use step05_phong::{

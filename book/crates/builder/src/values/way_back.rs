@@ -1,8 +1,11 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
-use super::Value::{Count, Fixed, Number, Vector};
 use super::rays::{camera, sum_over_rays};
-use super::{Functions, Values};
+use super::value::{
+    Functions,
+    Value::{Count, Fixed, Number, Vector},
+    Values,
+};
 use course::examples::{crowd::crowd, gamma::srgb, look_at::look_at};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
