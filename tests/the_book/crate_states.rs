@@ -6,6 +6,7 @@ use super::support::page_events::{Event, page_events};
 use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page};
 use super::typed_book::typed_workspace;
 use anyhow::{Result, ensure};
+use course::crate_as_module;
 use std::collections::BTreeMap;
 
 /// The crate of a step, as far as its chapters have shown it at some heading or command.
@@ -65,7 +66,7 @@ fn compile_states(reader: &ReaderWorkspace, states: &[CrateState]) -> Result<()>
         ensure!(files.contains_key("lib.rs"), "{name} has no lib.rs");
         for (file, text) in files {
             let file = if file == "lib.rs" { "mod.rs" } else { file };
-            let text = text.replace("crate::", &format!("crate::{name}::"));
+            let text = crate_as_module(text, name, []);
             let path = format!("steps/states/src/{name}/{file}");
             reader.write_if_changed(&path, &text)?;
         }

@@ -1,9 +1,12 @@
 //! Writes the five steps anew, as modules in which each place asks for the reader's expression.
 
+#[path = "../course/src/crate_as_module.rs"]
+mod crate_as_module;
 #[path = "../course/src/place.rs"]
 #[allow(dead_code, reason = "used in the library")]
 mod place;
 
+use crate_as_module::crate_as_module;
 use place::all_listed_places;
 use std::cmp::Reverse;
 use std::error::Error;
@@ -15,6 +18,7 @@ const STEPS: &str = "../../../steps";
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={STEPS}");
     println!("cargo::rerun-if-changed=../course/places.txt");
+    println!("cargo::rerun-if-changed=../course/src/crate_as_module.rs");
     println!("cargo::rerun-if-changed=../course/src/place.rs");
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
@@ -53,12 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = Path::new(&out).join(name);
         create_dir_all(path.parent().unwrap_or(&path))?;
         let step = name.split('/').next().unwrap_or_default();
-        // What was a crate is a module.
-        let text = text.replace("use crate", &format!("use crate::expressions::steps::{step}"));
-        write(
-            &path,
-            text.replace("use step0", "use crate::expressions::steps::step0").replace("//!", "//"),
-        )?;
+        let module = format!("expressions::steps::{step}");
+        write(&path, crate_as_module(text, &module, ["step0"]))?;
         if name.ends_with("/lib.rs") {
             modules += &format!("#[path = {name:?}]\npub mod {step};\n");
         }

@@ -6,6 +6,7 @@
 //!   pictures that they give; the *places* of the listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - Two pictures *compared*, in a sentence and side by side.
+//! - The source of a crate as that of a *module*.
 //! - The folders of the *workspace*, and JSON.
 
 mod step;
@@ -23,6 +24,9 @@ pub use mistake_table::{
 
 mod place;
 pub use place::{Kind, Place, all_listed_places};
+
+mod crate_as_module;
+pub use crate_as_module::crate_as_module;
 
 mod hash;
 
