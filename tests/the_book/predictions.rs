@@ -14,7 +14,7 @@ fn sphere_is_not_hit_when_directions_are_moved_too() {
     assert!(rays.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));
 }
 
-/// "You put the centre of `SPHERE` at the eye."
+/// "Let $s$ be `ray.start` alone …, which puts the centre at your eye."
 #[test]
 fn sphere_around_the_eye_is_hit_by_every_ray() {
     let sphere = Sphere { centre: DVec3::ZERO, ..SPHERE };
