@@ -23,7 +23,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let draft = around.join("book.draft");
     // What a killed build left.
     let _ = fs::remove_dir_all(&draft);
-    let built = write_and_check_pages(workspace, &draft);
+    let built = write_and_check_pages(workspace, folder, &draft);
     let placed = built
         .and_then(|site| replace_folder(folder, &draft, &around.join("book.old")).map(|()| site));
     let _ = fs::remove_dir_all(&draft);
@@ -41,10 +41,10 @@ fn replace_folder(folder: &Path, new: &Path, old: &Path) -> Result<()> {
     moved.with_context(|| format!("{} can't be replaced", folder.display()))
 }
 
-/// Writes all pages into `folder`. A fault in a chapter stops it before any page is
-/// written; a link that leads nowhere is found when all are.
-fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
-    let sources = Arc::new(Sources::read(workspace)?);
+/// Writes all pages into `folder`, with the help of the `old` ones. A fault in a chapter stops
+/// it before any page is written; a link that leads nowhere is found when all are.
+fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<Site> {
+    let sources = Arc::new(Sources::read(workspace, &old.join(GENERATED))?);
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = folder.to_owned();
     book.with_preprocessor(Course(sources.clone()));

@@ -15,8 +15,9 @@ impl Course {
     /// Reads what the chapters of a workspace show, and writes beside them what mdBook copies
     /// from there.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
-        let sources = Sources::read(workspace)?;
-        sources.generated.write(&workspace.join(CHAPTERS).join(GENERATED))?;
+        let folder = workspace.join(CHAPTERS).join(GENERATED);
+        let sources = Sources::read(workspace, &folder)?;
+        sources.generated.write(&folder)?;
         Ok(Self(sources.into()))
     }
 }

@@ -37,7 +37,8 @@ pub struct Sources {
 
 impl Sources {
     /// Takes the locked snapshots as they are, the pictures of the mistakes, and the modules.
-    pub fn read(workspace: &Path) -> Result<Self> {
+    /// A smaller picture is taken from the folder `old`, if it is there with its original.
+    pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
         for (name, bytes) in Files::read(&workspace.join("book/crates/course/mistakes/pictures"))?.0
@@ -46,8 +47,15 @@ impl Sources {
         }
         for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
             let Some(name) = name.strip_suffix(".snap.png") else { continue };
-            files.extend(named_smaller_picture(name, &bytes).with_context(|| name.to_owned())?);
-            files.insert(format!("{name}.png"), bytes);
+            let whole = format!("{name}.png");
+            let small = name_smaller_picture(name, &bytes).with_context(|| whole.clone())?;
+            if let Some((small, part)) = small {
+                let is_old = fs::read(old.join(&whole)).is_ok_and(|old| old == bytes);
+                let old = fs::read(old.join(&small)).ok().filter(|_| is_old);
+                let small_bytes = old.map_or_else(|| shrink_picture(&bytes, part), Ok)?;
+                files.insert(small, small_bytes);
+            }
+            files.insert(whole, bytes);
         }
         for name in MODULES {
             // A page that was opened from a folder may load scripts, and nothing else.
@@ -70,18 +78,21 @@ impl Sources {
     }
 }
 
-/// The smaller pictures that go with the locked picture `name`: half of a wide one, and a
-/// step's beside those of its mistakes.
-fn named_smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, Vec<u8>)>> {
-    let (width, height) = parse_size(file)?;
-    let (end, part) = match Step::from_name(name) {
-        _ if MIN_WIDTH_OF_HALF <= width => (HALF_SUFFIX, 2),
-        Some(_) => (THUMBNAIL_SUFFIX, width / 320),
-        None => return Ok(None),
-    };
+/// The smaller picture that goes with the locked picture `name`, and which part of it that is:
+/// half of a wide one, and a step's beside those of its mistakes.
+fn name_smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, u32)>> {
+    let (width, _) = parse_size(file)?;
+    Ok(match Step::from_name(name) {
+        _ if MIN_WIDTH_OF_HALF <= width => Some((format!("{name}{HALF_SUFFIX}"), 2)),
+        Some(_) => Some((format!("{name}{THUMBNAIL_SUFFIX}"), width / 320)),
+        None => None,
+    })
+}
+
+/// The PNG file of a picture with a width and a height so many times smaller.
+fn shrink_picture(file: &[u8], part: u32) -> Result<Vec<u8>> {
     let picture = image::load_from_memory(file)?.into_rgb8();
-    let small = thumbnail(&picture, width / part, height / part);
-    Ok(Some((format!("{name}{end}"), encode_png(&small)?)))
+    encode_png(&thumbnail(&picture, picture.width() / part, picture.height() / part))
 }
 
 /// Width and height that a PNG file names.

@@ -6,7 +6,7 @@ use course::workspace;
 use std::sync::LazyLock;
 
 static SOURCES: LazyLock<Sources> =
-    LazyLock::new(|| Sources::read(&workspace()).expect("the sources"));
+    LazyLock::new(|| Sources::read(&workspace(), &workspace()).expect("the sources"));
 
 /// One of each directive, a line each where that is enough.
 const CHAPTER: &str = include_str!("tests/one_of_each.md");
