@@ -1,124 +1,129 @@
 use figures::{Handle, Kind, Live, Parameter, escape, italic_letter};
 use glam::DVec2;
 
+const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
+                    the arrow keys, to ask a pixel. The answer is below.</span>";
+
+const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
+
 /// The controls below a figure or picture: one for each parameter that has a name, and a
 /// number field for each that a handle sets.
 ///
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
 pub fn html(live: &Live) -> String {
-    let handles = visible_handles(live);
-    let controls = |is_included: fn(&Parameter) -> bool| -> String {
-        let parameters = live.parameters.iter().enumerate();
-        let included = parameters.filter(|(_, parameter)| is_included(parameter));
-        included
-            .map(|(k, parameter)| parameter_control_html(live, &handles, k, parameter))
-            .collect()
-    };
+    let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
+    groups.dedup();
+    groups.retain(|group| !group.is_empty());
+    let (mut switches, mut others) = (String::new(), String::new());
+    for control in visible_controls(live) {
+        let is_above = groups.is_empty() || control.parameter.kind == Kind::Switch;
+        *if is_above { &mut switches } else { &mut others } += &control.html(live);
+    }
     let hint = if live.has_probe() { HINT } else { "" };
-    let content = match group_select_html(live) {
-        None => format!("{}{RESET}", controls(|_| true)),
-        Some(choice) => format!(
-            "<div class=\"choice\">{choice}{}{RESET}</div>{}",
-            controls(|parameter| parameter.kind == Kind::Switch),
-            controls(|parameter| parameter.kind != Kind::Switch)
-        ),
+    let content = if groups.is_empty() {
+        format!("{switches}{RESET}")
+    } else {
+        let options = groups.iter().map(|group| format!("<option>{}</option>", escape(group)));
+        let options: String = options.collect();
+        format!(
+            "<div class=\"choice\"><label>Change <select>{options}</select></label>\
+             {switches}{RESET}</div>{others}"
+        )
     };
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
-const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
-                    the arrow keys, to ask a pixel. The answer is below.</span>";
+/// A parameter, its number, and the handle that sets it.
+struct Control<'a> {
+    k: usize,
+    parameter: &'a Parameter,
+    handle: Option<&'a Handle>,
+}
 
-const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
-
-/// The handles that are inside the printed output.
-fn visible_handles(live: &Live) -> Vec<&Handle> {
+/// The controls of a figure. A handle that is outside the printed output sets nothing there,
+/// and what has a group is in its fields alone.
+fn visible_controls(live: &Live) -> impl Iterator<Item = Control<'_>> {
     let values = live.default_values();
     let size = DVec2::from(live.default_output().width_and_height());
-    let is_inside = |place: DVec2| place == place.clamp(DVec2::ZERO, size);
-    let handles = live.handles.iter();
-    handles.filter(|handle| handle.place(&values).is_some_and(is_inside)).collect()
+    let is_inside = move |place: DVec2| place == place.clamp(DVec2::ZERO, size);
+    let mut handles: Vec<_> = live.handles.iter().collect();
+    handles.retain(|handle| handle.place(&values).is_some_and(is_inside));
+    let parameters = live.parameters.iter().enumerate();
+    parameters.filter(|(_, parameter)| parameter.kind != Kind::Columns).map(
+        move |(k, parameter)| {
+            let mut handles = handles.iter().copied().filter(|_| parameter.group.is_empty());
+            Control { k, parameter, handle: handles.find(|handle| handle.parameters.contains(&k)) }
+        },
+    )
 }
 
-/// The choice of the group whose controls are visible; None without groups.
-fn group_select_html(live: &Live) -> Option<String> {
-    let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
-    groups.dedup();
-    groups.retain(|group| !group.is_empty());
-    let options: String = groups.iter().map(|group| format!("<option>{group}</option>")).collect();
-    let choice = format!("<label>Change <select>{options}</select></label>");
-    (!groups.is_empty()).then_some(choice)
-}
+impl Control<'_> {
+    /// The control at its default. What a handle sets has no range beside its number field.
+    fn html(&self, live: &Live) -> String {
+        let (symbol, words) = self.symbol_and_words();
+        let (class, content) = self.class_and_content(symbol, &words);
+        let Self { k, parameter, .. } = self;
+        let first_group = live.handles.first().map_or("", |handle| {
+            let [first, _] = handle.parameters;
+            live.parameters[first].group
+        });
+        let has_control = (parameter.has_control)(parameter, &live.default_values());
+        let is_visible = has_control && parameter.group == first_group;
+        let hidden = if is_visible { "" } else { " hidden" };
+        let group = match parameter.group {
+            "" => String::new(),
+            group => format!(" data-group=\"{}\"", escape(group)),
+        };
+        format!("<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>")
+    }
 
-/// The control of the parameter number `k`, at its default. What a visible handle sets has
-/// no range beside its number field, unless it has a group.
-fn parameter_control_html(
-    live: &Live,
-    visible_handles: &[&Handle],
-    k: usize,
-    parameter: &Parameter,
-) -> String {
-    let handle = visible_handles.iter().copied();
-    let handle =
-        handle.filter(|_| parameter.group.is_empty()).find(|handle| handle.parameters.contains(&k));
-    let (symbol, words) = symbol_and_words(k, parameter, handle);
-    let label = label_html(symbol, &words);
-    let default = escape(&parameter.format(parameter.default));
-    let (class, content) = match parameter.kind {
-        Kind::Columns => return String::new(),
-        Kind::Switch => ("switch", format!("<label>{label}{}</label>", checkbox_html(parameter))),
-        Kind::Choice(names) if names.len() < 4 => {
-            ("field", format!("<label>{label} {}</label>", select_html(parameter, names)))
+    /// The class of the control, and its label with its fields.
+    fn class_and_content(&self, symbol: &str, words: &str) -> (&'static str, String) {
+        let Parameter { range: [min, max], steps_per_unit, default, .. } = self.parameter;
+        let step = 1.0 / steps_per_unit;
+        let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
+        let slider = format!("<input type=\"range\" {range}>");
+        let label = label_html(symbol, words);
+        match self.parameter.kind {
+            Kind::Columns => Default::default(),
+            Kind::Switch => {
+                let checked = if *default == 1.0 { " checked" } else { "" };
+                let field = format!("<input type=\"checkbox\"{checked}>");
+                ("switch", format!("<label>{label}{field}</label>"))
+            }
+            Kind::Choice(names) if names.len() < 4 => {
+                let field = select_html(names, *default);
+                ("field", format!("<label>{label} {field}</label>"))
+            }
+            Kind::Choice(_) => {
+                let text = escape(&self.parameter.format(*default));
+                let text = format!("<b aria-hidden=\"true\">{text}</b>");
+                ("range", format!("<label>{label}{slider}</label>{text}"))
+            }
+            Kind::Number(unit) if self.handle.is_some() => {
+                let field = format!("<input type=\"number\" {range}>");
+                ("field", format!("<label>{label} {field}{}</label>", escape(unit)))
+            }
+            Kind::Number(unit) => {
+                let name = escape(&format!("{symbol} {words}"));
+                let field = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
+                let field = format!("<span>{field}{}</span>", escape(unit));
+                ("range", format!("<label>{label}{slider}</label>{field}"))
+            }
         }
-        Kind::Choice(_) => (
-            "range",
-            format!(
-                "<label>{label}{}</label><b aria-hidden=\"true\">{default}</b>",
-                range_input_html(parameter)
-            ),
-        ),
-        Kind::Number(unit) if handle.is_some() => {
-            let field = number_input_html(parameter, "");
-            ("field", format!("<label>{label} {field}{unit}</label>"))
-        }
-        Kind::Number(unit) => {
-            let name = format!(" aria-label=\"{} {words}\"", escape(symbol));
-            let (range, field) = (range_input_html(parameter), number_input_html(parameter, &name));
-            ("range", format!("<label>{label}{range}</label><span>{field}{unit}</span>"))
-        }
-    };
-    let first_group = live.handles.first().map_or("", |handle| {
-        let [first, _] = handle.parameters;
-        live.parameters[first].group
-    });
-    let has_control = (parameter.has_control)(parameter, &live.default_values());
-    let is_visible = has_control && parameter.group == first_group;
-    let hidden = if is_visible { "" } else { " hidden" };
-    let group = match parameter.group {
-        "" => String::new(),
-        group => format!(" data-group=\"{group}\""),
-    };
-    format!("<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>")
-}
+    }
 
-/// The symbol and the words of a parameter; a coordinate of a handle is called by it.
-fn symbol_and_words(
-    k: usize,
-    parameter: &Parameter,
-    handle: Option<&Handle>,
-) -> (&'static str, String) {
-    match handle {
-        Some(handle) if parameter.words.is_empty() => {
-            let symbol = match handle.parameters {
-                [first, second] if first == second => "",
-                [first, _] if first == k => "x",
-                _ => "y",
-            };
-            let of = if symbol.is_empty() { "" } else { "of " };
-            (symbol, format!("{of}{}", handle.words))
+    /// The symbol and the words of the parameter; a coordinate of a handle is called by it.
+    fn symbol_and_words(&self) -> (&'static str, String) {
+        match self.handle {
+            Some(handle) if self.parameter.words.is_empty() => match handle.parameters {
+                [first, second] if first == second => ("", handle.words.to_string()),
+                [first, _] if first == self.k => ("x", format!("of {}", handle.words)),
+                _ => ("y", format!("of {}", handle.words)),
+            },
+            _ => (self.parameter.symbol, self.parameter.words.clone()),
         }
-        _ => (parameter.symbol, parameter.words.clone()),
     }
 }
 
@@ -132,35 +137,10 @@ fn label_html(symbol: &str, words: &str) -> String {
     format!("<span>{symbol}{}</span>", escape(words))
 }
 
-/// The attributes of a range or number field.
-fn range_attributes(parameter: &Parameter) -> String {
-    let Parameter { range: [min, max], steps_per_unit, default, .. } = parameter;
-    let step = 1.0 / steps_per_unit;
-    format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"")
-}
-
-fn range_input_html(parameter: &Parameter) -> String {
-    format!("<input type=\"range\" {}>", range_attributes(parameter))
-}
-
-fn number_input_html(parameter: &Parameter, name: &str) -> String {
-    format!("<input type=\"number\"{name} {}>", range_attributes(parameter))
-}
-
-fn checkbox_html(parameter: &Parameter) -> String {
-    let checked = if parameter.default == 1.0 { " checked" } else { "" };
-    format!("<input type=\"checkbox\"{checked}>")
-}
-
-fn select_html(parameter: &Parameter, names: &[&str]) -> String {
-    let options: String = names
-        .iter()
-        .enumerate()
-        .map(|(k, name)| {
-            let is_default = k as f64 == parameter.default;
-            let selected = if is_default { " selected" } else { "" };
-            format!("<option value=\"{k}\"{selected}>{}</option>", escape(name))
-        })
-        .collect();
-    format!("<select>{options}</select>")
+fn select_html(names: &[&str], default: f64) -> String {
+    let options = names.iter().enumerate().map(|(k, name)| {
+        let selected = if k as f64 == default { " selected" } else { "" };
+        format!("<option value=\"{k}\"{selected}>{}</option>", escape(name))
+    });
+    format!("<select>{}</select>", options.collect::<String>())
 }
