@@ -1,18 +1,19 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! `Course` is an mdBook preprocessor: it expands the chapters, for `mdbook serve` as for
-//! `cargo run`. `build` has mdBook write its pages and finishes those: styles inside, the
+//! `Sources` are what the chapters show: the workspace, and the pictures and scripts that pages
+//! find in `generated/`. `Course` is an mdBook preprocessor: it expands the chapters, for
+//! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages and finishes those: styles inside, the
 //! first picture at once, the index of the search, the whole book arranged for paper. A
 //! page is read and changed as a tree. At the end each link is followed.
 //!
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
 //! - a *listing* is a file of a step or a part of it (`include` in a fence), or a number
-//!   that moves (`listing`); it says where a reader may edit it (`expressions`);
+//!   that moves (`listing`); it says where a reader may edit it (`course::Place`);
 //! - a *value* is computed from the steps when the book is built, a *number* moves on the
 //!   page with what answers;
-//! - a *figure* is a drawing of the crate `live`, and a *picture* a PNG file, locked or made
-//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters of `live`,
+//! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made
+//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters,
 //!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
 //! - a *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader;
 //! - a `problem` is to be solved on paper: its answer is a value, and `answer` holds the way

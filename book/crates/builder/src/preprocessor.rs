@@ -40,9 +40,8 @@ impl Preprocessor for Course {
 /// Turns the chapters as they are written into plain Markdown.
 fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Result<()> {
     let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
-    // A fault of a problem is told in its chapter.
     let sheet = problem::sheet_markdown(chapters);
-    let (sheet, _) = chapter::expand_directives(&sheet, sources, "");
+    let (sheet, sheet_faults) = chapter::expand_directives(&sheet, sources, "");
     let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
     let expanded = texts.par_iter().map(|text| {
         let text = text.replace("{{#our-folder}}", our_folder);
@@ -59,6 +58,10 @@ fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Resu
             wrong.iter().map(|(line, what)| format!("{CHAPTERS}{}:{line}: {what}", file.display())),
         );
     });
+    // A fault of a problem is told in its chapter alone.
+    if faults.is_empty() {
+        faults.extend(sheet_faults.iter().map(|(_, what)| format!("the problem sheet: {what}")));
+    }
     fail_with_faults(&faults)
 }
 
