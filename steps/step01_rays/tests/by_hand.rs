@@ -27,24 +27,28 @@ fn camera_ray_of_a_pixel() {
 
 #[test]
 fn rgb8_of_intensities() {
-    assert_eq!(rgb8(DVec3::new(0.33, 0.5, 1.5)).0, [84, 128, 255]);
+    assert_eq!(rgb8(DVec3::new(0.33, 0.1, 1.5)).0, [84, 26, 255]);
 }
 
 #[test]
 fn render_of_places() {
     let camera = Camera { matrix: DMat3::IDENTITY, ..Camera::new(3, 2, 1.0) };
     let image = render(&camera, 2, |ray| {
-        let offset = (ray.direction - ray.direction.round()).abs();
-        assert_eq!(offset, DVec3::new(0.25, 0.25, 0.0));
-        DVec3::new(0.2, 0.4, 1.0) * ray.direction
+        let v = ray.direction;
+        assert_eq!((v - v.round()).abs(), DVec3::new(0.25, 0.25, 0.0));
+        let lamp = if 2.0 < v.x && 1.0 < v.y { 2.0 } else { 0.0 };
+        DVec3::new(0.2 * v.x, 0.4 * v.y, lamp)
     });
-    assert_eq!(image[(2, 1)].0, [102, 102, 255]);
+    assert_eq!(image[(2, 1)].0, [102, 102, 128]);
 }
 
 #[test]
 fn picture_of_a_pixel() {
     near(direction_colour(&camera().ray(480.0, 90.0)), [0.787, 0.7485, 1.0]);
-    assert_eq!(picture(&camera(), 1)[(480, 90)].0, [201, 191, 255]);
+    let picture = picture(&camera(), 1);
+    assert_eq!(picture[(480, 90)].0, [201, 191, 255]);
+    assert_eq!(picture[(159, 269)].0, [156, 166, 255]);
+    assert!(picture.pixels().all(|pixel| pixel.0[2] == 255));
 }
 
 #[test]

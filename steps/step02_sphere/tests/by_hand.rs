@@ -47,6 +47,18 @@ fn intersect_at_a_pixel() {
 }
 
 #[test]
+fn intersect_near_the_edge() {
+    for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y] {
+        let roots = |x: f64| {
+            let direction = DVec3::NEG_Z + x * side;
+            SPHERE.intersect(&Ray { start: DVec3::ZERO, direction })
+        };
+        near(roots(0.2).first_hit().unwrap(), 60.0 / 13.0);
+        assert_eq!(roots(0.21), Roots::Zero);
+    }
+}
+
+#[test]
 fn first_hit_of_five_starts() {
     let hit = |z: f64| SPHERE.intersect(&ahead(0.0, z)).first_hit();
     assert_eq!([0.0, -4.0, -5.0].map(hit), [Some(4.0), Some(2.0), Some(1.0)]);
@@ -57,7 +69,9 @@ fn first_hit_of_five_starts() {
 fn picture_of_a_disc() {
     let picture = picture(&camera(), 1);
     assert_eq!(picture[(300, 150)].0, [232, 87, 71]);
-    let sky = ahead(2.0, 0.0);
+    let is_red = |&i: &u32| picture[(i, 180)].0 == [232, 87, 71];
+    assert_eq!((0..640).filter(is_red).count(), 226);
+    let sky = camera().ray(0.0, 0.0);
     assert_eq!(colour(&SPHERE, &sky), direction_colour(&sky));
 }
 

@@ -50,8 +50,27 @@ fn nearest_in_a_crowd() {
 }
 
 #[test]
+fn nearest_of_three_fronts() {
+    let ball = |centre: f64, radius| Object {
+        name: "ball",
+        sphere: Sphere { centre: DVec3::new(0.0, 0.0, -centre), radius },
+        material: centre,
+    };
+    let ahead = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
+    let mut balls = [ball(5.3, 1.0), ball(14.25, 10.0), ball(5.35, 1.0)];
+    for _ in balls {
+        balls.rotate_left(1);
+        let hit = nearest(&balls, &ahead).unwrap();
+        near([hit.t, hit.object.material, 0.0], [4.25, 14.25, 0.0]);
+    }
+}
+
+#[test]
 fn picture_of_a_crowd() {
-    assert_eq!(picture(&camera(), 1)[(195, 237)].0, [232, 87, 71]);
+    let picture = picture(&camera(), 1);
+    assert_eq!(picture[(195, 237)].0, [232, 87, 71]);
+    assert_eq!(picture[(197, 46)].0, [252, 222, 158]);
+    assert_eq!(picture[(464, 238)].0, [204, 194, 209]);
     // Without the red sphere in front, the ray sees the blue one.
     near(colour(&OBJECTS[1..], &through_the_crowd()), [0.44, 0.47, 0.78]);
     let sky = camera().ray(0.0, 0.0);

@@ -55,6 +55,13 @@ fn colour_of_a_pixel() {
 }
 
 #[test]
+fn colour_where_one_light_could_end_the_loop() {
+    near(colour(&scene(), &ray(358, 175)), [0.4545, 0.1902, 0.2293]);
+    near(colour(&scene(), &ray(135, 233)), [1.1141, 0.973, 0.9103]);
+    near(colour(&scene(), &ray(480, 255)), [0.7829, 0.7973, 1.1523]);
+}
+
+#[test]
 fn picture_of_a_pixel() {
     let picture = picture(&camera(), 1);
     assert_eq!(picture[(470, 120)].0, [158, 117, 136]);

@@ -53,6 +53,12 @@ fn materials_add_up() {
 }
 
 #[test]
+fn terms_of_white_and_of_the_ground() {
+    near(terms_at(123, 254).sum(), [1.4221, 1.2353, 1.109]);
+    near(terms_at(480, 255).specular, [0.0009, 0.0012, 0.0017]);
+}
+
+#[test]
 fn terms_of_a_pixel() {
     let terms = terms_at(470, 120);
     near(terms.ambient, [0.3072, 0.2112, 0.2352]);
