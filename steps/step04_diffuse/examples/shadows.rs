@@ -1,10 +1,11 @@
-//! The scene of step 4 with shadows: a light counts where nothing is in between.
+//! The scene of step 4 with a moon, and with shadows: a light counts where nothing is
+//! in between.
 
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, Matte, Object, PointLight, Ray, Scene, SurfacePoint, ambient, diffuse,
-    direction_colour, nearest, render, run, scene, visible_point,
+    Camera, Matte, Object, PointLight, Ray, Scene, Sphere, SurfacePoint, ambient,
+    diffuse, direction_colour, nearest, render, run, scene, visible_point,
 };
 
 /// How far above the surface a ray to a light starts.
@@ -44,9 +45,12 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     intensity
 }
 
-/// The picture: the colour of every ray.
+/// The picture: the colour of every ray. Behind the cool light, there is a moon.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let scene = scene();
+    let mut scene = scene();
+    let sphere = Sphere { centre: DVec3::new(6.4, 3.4, -15.5), radius: 1.3 };
+    let material = Matte::of(DVec3::new(0.76, 0.66, 0.5));
+    scene.objects.push(Object { name: "moon", sphere, material });
     render(camera, samples, |ray| colour(&scene, ray))
 }
 
