@@ -273,7 +273,7 @@ function activateFigure(figure, module) {
     const numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
     const conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
     const code = document.querySelector(`[data-code="${name}:rust"] code`);
-    const companion = document.querySelector(`[data-companion="${name}"] g`);
+    const companion = document.querySelector(`[data-companion="${name}"]`);
 
     function show(answer) {
         if (answer.error) {
@@ -297,7 +297,10 @@ function activateFigure(figure, module) {
         } else if (answer.drawing !== undefined) {
             printed.querySelector("g").innerHTML = answer.drawing;
         }
-        if (companion) companion.innerHTML = answer.companion;
+        if (companion) {
+            const companionName = companion.id.replace("figure-", "");
+            companion.querySelector("g").innerHTML = ask(module, `show ${companionName} ${values.join(" ")}`).drawing;
+        }
         showControls();
         handles.forEach((handle, k) => {
             const parameters = [...new Set(description.handles[k].parameters)];

@@ -5,14 +5,14 @@ use super::assert_no_faults;
 use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use course::Difference;
-use figures::{Kind, Live, Output, Parameter, find};
+use figures::{ControlKind, Figure, Output, Parameter, find};
 use image::RgbImage;
 use std::collections::HashSet;
 use step05_phong::Object;
 use tests::primary_rays;
 
 /// The scene of the page, with its parameters.
-fn own_scene() -> &'static Live {
+fn own_scene() -> &'static Figure {
     find("own_scene").expect("the page has it")
 }
 
@@ -24,7 +24,7 @@ fn write_program(values: &[f64]) -> String {
 /// The picture on the page for the scene of these values.
 fn page_picture(values: &[f64]) -> RgbImage {
     match (own_scene().draw)(values) {
-        Output::Picture(picture) => picture,
+        Output::Pixels(picture) => picture,
         Output::Drawing(_) => panic!("the scene is a picture"),
     }
 }
@@ -82,7 +82,7 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
     let difference =
         Difference::between(&tests::read_snapshot("step05_phong"), &page_picture(&default));
     assert!(difference.is_none());
-    let without_objects = zeroed_values(|parameter| parameter.kind == Kind::Switch);
+    let without_objects = zeroed_values(|parameter| parameter.control == ControlKind::Switch);
     let eye_in_a_sphere = zeroed_values(|parameter| {
         parameter.group == "red sphere" && ["x", "y", "z"].contains(&parameter.symbol)
     });

@@ -5,7 +5,7 @@
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use builder::{effect_and_step_of_picture, inner_text, select_all};
-use figures::{LIVE, Output};
+use figures::{FIGURES, Output};
 use image::RgbImage;
 use image::imageops::thumbnail;
 use std::collections::HashMap;
@@ -17,8 +17,8 @@ fn expected_pictures() -> HashMap<String, RgbImage> {
         let picture = thumbnail(&draw(&camera(), 1), 320, 180);
         (format!("{name}-small"), picture)
     });
-    let live_pictures = LIVE.iter().filter_map(|live| match live.default_output() {
-        Output::Picture(picture) => Some((live.name.to_owned(), picture)),
+    let live_pictures = FIGURES.iter().filter_map(|live| match live.default_output() {
+        Output::Pixels(picture) => Some((live.name.to_owned(), picture)),
         Output::Drawing(_) => None,
     });
     let mut pictures: HashMap<_, _> = small_pictures.chain(live_pictures).collect();

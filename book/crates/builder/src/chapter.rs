@@ -5,7 +5,7 @@ use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
     pixel_panel, problem,
 };
-use figures::Live;
+use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{BrokenLink, CodeBlockKind, Event, LinkType, Parser, Tag};
 use std::ops::Range;
 
@@ -229,13 +229,13 @@ impl<'a> Chapter<'a> {
         let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         let live = live.map(|(_, name)| name);
-        let panel = |live: &Live| self.pixel_panel_html(live);
+        let panel = |live: &Figure| self.pixel_panel_html(live);
         (is_whole && !pictures.is_empty())
             .then(|| picture::figures_html(&pictures, live, self.sources, &panel))
     }
 
     /// What is said of a pixel of a picture, below it.
-    fn pixel_panel_html(&self, live: &Live) -> Result<String, String> {
+    fn pixel_panel_html(&self, live: &Figure) -> Result<String, String> {
         let (markdown, faults) =
             expand_directives(&pixel_panel::panel_markdown(live), self.sources, "");
         match faults.first() {

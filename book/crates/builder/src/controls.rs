@@ -1,4 +1,4 @@
-use figures::{Handle, Kind, Live, Parameter, escape, italic_letter};
+use figures::{ControlKind, Figure, Handle, Parameter, escape, italic_letter};
 use glam::DVec2;
 
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
@@ -11,13 +11,13 @@ const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</but
 ///
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/live.js.
-pub fn html(live: &Live) -> String {
+pub fn html(live: &Figure) -> String {
     let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();
     groups.retain(|group| !group.is_empty());
     let (mut switches, mut others) = (String::new(), String::new());
     for control in visible_controls(live) {
-        let is_above = groups.is_empty() || control.parameter.kind == Kind::Switch;
+        let is_above = groups.is_empty() || control.parameter.control == ControlKind::Switch;
         *if is_above { &mut switches } else { &mut others } += &control.html(live);
     }
     let hint = if live.has_probe() { HINT } else { "" };
@@ -43,14 +43,14 @@ struct Control<'a> {
 
 /// The controls of a figure. A handle that is outside the printed output sets nothing there,
 /// and what has a group is in its fields alone.
-fn visible_controls(live: &Live) -> impl Iterator<Item = Control<'_>> {
+fn visible_controls(live: &Figure) -> impl Iterator<Item = Control<'_>> {
     let values = live.default_values();
     let size = DVec2::from(live.default_output().width_and_height());
     let is_inside = move |place: DVec2| place == place.clamp(DVec2::ZERO, size);
     let mut handles: Vec<_> = live.handles.iter().collect();
     handles.retain(|handle| handle.place(&values).is_some_and(is_inside));
     let parameters = live.parameters.iter().enumerate();
-    parameters.filter(|(_, parameter)| parameter.kind != Kind::Columns).map(
+    parameters.filter(|(_, parameter)| parameter.control != ControlKind::Columns).map(
         move |(k, parameter)| {
             let mut handles = handles.iter().copied().filter(|_| parameter.group.is_empty());
             Control { k, parameter, handle: handles.find(|handle| handle.parameters.contains(&k)) }
@@ -60,7 +60,7 @@ fn visible_controls(live: &Live) -> impl Iterator<Item = Control<'_>> {
 
 impl Control<'_> {
     /// The control at its default. What a handle sets has no range beside its number field.
-    fn html(&self, live: &Live) -> String {
+    fn html(&self, live: &Figure) -> String {
         let (symbol, words) = self.symbol_and_words();
         let (class, content) = self.class_and_content(symbol, &words);
         let Self { k, parameter, .. } = self;
@@ -68,7 +68,7 @@ impl Control<'_> {
             let [first, _] = handle.parameters;
             live.parameters[first].group
         });
-        let has_control = (parameter.has_control)(parameter, &live.default_values());
+        let has_control = parameter.has_control(&live.default_values());
         let is_visible = has_control && parameter.group == first_group;
         let hidden = if is_visible { "" } else { " hidden" };
         let group = match parameter.group {
@@ -85,27 +85,27 @@ impl Control<'_> {
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
         let slider = format!("<input type=\"range\" {range}>");
         let label = label_html(symbol, words);
-        match self.parameter.kind {
-            Kind::Columns => Default::default(),
-            Kind::Switch => {
+        match self.parameter.control {
+            ControlKind::Columns => Default::default(),
+            ControlKind::Switch => {
                 let checked = if *default == 1.0 { " checked" } else { "" };
                 let field = format!("<input type=\"checkbox\"{checked}>");
                 ("switch", format!("<label>{label}{field}</label>"))
             }
-            Kind::Choice(names) if names.len() < 4 => {
+            ControlKind::Choice(names) if names.len() < 4 => {
                 let field = select_html(names, *default);
                 ("field", format!("<label>{label} {field}</label>"))
             }
-            Kind::Choice(_) => {
+            ControlKind::Choice(_) => {
                 let text = escape(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
-            Kind::Number(unit) if self.handle.is_some() => {
+            ControlKind::Number(unit) if self.handle.is_some() => {
                 let field = format!("<input type=\"number\" {range}>");
                 ("field", format!("<label>{label} {field}{}</label>", escape(unit)))
             }
-            Kind::Number(unit) => {
+            ControlKind::Number(unit) => {
                 let name = escape(&format!("{symbol} {words}"));
                 let field = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
                 let field = format!("<span>{field}{}</span>", escape(unit));

@@ -1,6 +1,6 @@
 use crate::controls;
 use crate::markdown::inline_html;
-use figures::{LIVE, Live, Output};
+use figures::Output;
 
 /// The HTML of the figure called `name`.
 pub fn html(name: &str) -> Result<String, String> {
@@ -9,10 +9,8 @@ pub fn html(name: &str) -> Result<String, String> {
     else {
         return Err(format!("there is no figure {name}"));
     };
-    let has_companion =
-        |live: &&Live| live.companion.is_some_and(|companion| companion.name == name);
-    let (live, controls) = match LIVE.iter().find(has_companion) {
-        Some(live) => (format!(" data-companion=\"{}\"", live.name), String::new()),
+    let (live, controls) = match figure.followed {
+        Some(followed) => (format!(" data-companion=\"{followed}\""), String::new()),
         None if figure.parameters.is_empty() => Default::default(),
         None => (format!(" data-live=\"{name}\""), controls::html(figure)),
     };

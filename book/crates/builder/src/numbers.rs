@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 /// Each number that moves as it is printed, by the name of what it belongs to and its
 /// own, such as `row:hRes`.
 static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    let all = figures::LIVE.iter().flat_map(|live| {
+    let all = figures::FIGURES.iter().flat_map(|live| {
         let numbers = (live.numbers)(&live.default_values()).into_iter();
         numbers.map(|(name, text)| (format!("{}:{name}", live.name), text))
     });

@@ -2,7 +2,7 @@ use crate::controls;
 use crate::markdown::inline_html;
 use crate::mistake_list::effect_and_step_of_picture;
 use crate::sources::{HALF_SUFFIX, Sources};
-use figures::{Live, escape};
+use figures::{Figure, escape};
 use std::path::Path;
 
 /// Attribute that makes a picture load when it comes into view.
@@ -46,7 +46,7 @@ impl Picture {
 
     /// Finds the live figure that answers in this picture: by `name`, or by the name of
     /// its file.
-    fn find_live(&self, name: &str) -> Result<&'static Live, String> {
+    fn find_live(&self, name: &str) -> Result<&'static Figure, String> {
         let file = Path::new(&self.source).file_stem().and_then(|name| name.to_str());
         let name = if name.is_empty() { file } else { Some(name) };
         name.and_then(figures::find)
@@ -86,7 +86,7 @@ pub fn figures_html(
     pictures: &[Picture],
     live: Option<&str>,
     sources: &Sources,
-    panel_html: &dyn Fn(&Live) -> Result<String, String>,
+    panel_html: &dyn Fn(&Figure) -> Result<String, String>,
 ) -> Result<String, String> {
     let mut figures = String::new();
     for picture in pictures {

@@ -1,4 +1,4 @@
-use figures::Live;
+use figures::Figure;
 use step03_nearest::OBJECTS;
 
 /// The text about a pixel, with a number for each `{{#number name}}`. A line that
@@ -20,7 +20,7 @@ const MIRROR_ROWS: usize = 11;
 
 /// Markdown of everything on the way from a pixel to its three bytes, of the one that the
 /// reader of the page asks.
-pub fn panel_markdown(live: &Live) -> String {
+pub fn panel_markdown(live: &Figure) -> String {
     let name = live.name;
     let (text, rows): (_, Vec<_>) = if name == "mirror" {
         let rows = (0..MIRROR_ROWS).map(|k| row_markdown(&MIRROR_COLUMNS, k));
@@ -42,7 +42,7 @@ pub fn panel_markdown(live: &Live) -> String {
 /// The box with that text below a picture whose pixels can be asked.
 ///
 /// Hidden until the first is asked; see book/theme/live.js.
-pub fn panel_html(live: &Live, text: &str) -> String {
+pub fn panel_html(live: &Figure, text: &str) -> String {
     format!(
         "<details data-panel=\"{}\" class=\"aside\" open hidden>\
          <summary><span class=\"kind\">This pixel</span></summary>\n\n{text}\n</details>\n",

@@ -69,7 +69,7 @@ fn every_figure_and_every_value_is_used() {
     let files = Files::read(&workspace().join("book/src")).expect("chapters");
     let texts = files.texts_with_suffix(".md").map(|(_, text)| text);
     let chapters: String = texts.chain([pixel_panel::TEXT]).collect();
-    let figures = figures::LIVE.iter().filter(|live| !live.title.is_empty());
+    let figures = figures::FIGURES.iter().filter(|live| !live.title.is_empty());
     let figures = figures.map(|live| format!("{{{{#figure {}", live.name));
     let values = values::names().map(|name| format!("{{{{#value {name}"));
     let unused = figures.chain(values).filter(|directive| {

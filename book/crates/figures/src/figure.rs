@@ -1,77 +1,40 @@
-use crate::{Drawing, Handle, Mark, Parameter};
+use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
 use glam::DVec2;
-use image::RgbImage;
-use std::collections::BTreeMap;
 
-/// A figure or a picture that answers when a parameter moves. One without parameters
-/// stays as it is.
-#[derive(Clone, Debug)]
-pub struct Live {
+/// A figure or a picture as a page asks for it: by a name, and numbers without names.
+pub struct Figure {
     /// The name in chapters and requests.
     pub name: &'static str,
-    /// The title of a figure, for those who can't see it; empty for a picture, whose
-    /// chapter has it.
+    /// The title of a figure; empty for a picture.
     pub title: &'static str,
     /// The caption of a figure; Markdown, with formulas.
     pub caption: &'static str,
+    /// The figure whose values this one takes, instead of having controls.
+    pub followed: Option<&'static str>,
     /// The numbers that the reader sets.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader drags.
     pub handles: Vec<Handle>,
-    /// Whether there is something to draw at these values.
-    pub is_allowed: fn(&[f64]) -> bool,
-    /// The drawing or picture at these values.
+    /// The drawing or the pixels at these values.
     pub draw: fn(&[f64]) -> Output,
     /// The numbers in the text that depend on these values.
     pub numbers: fn(&[f64]) -> Numbers,
-    /// Another figure that is drawn at the same values.
-    pub companion: Option<Companion>,
+    is_allowed: fn(&[f64]) -> bool,
 }
 
-/// A figure that is drawn at the values of another.
-#[derive(Clone, Copy, Debug)]
-pub struct Companion {
-    /// The name of the figure.
-    pub name: &'static str,
-    /// The drawing at the values of the other.
-    pub draw: fn(&[f64]) -> Drawing,
-}
-
-/// Numbers by name, formatted for the page; some are vectors or words.
-pub type Numbers = BTreeMap<String, String>;
-
-/// A drawing or a picture.
-#[derive(Clone, Debug)]
-pub enum Output {
-    /// Lines and labels.
-    Drawing(Drawing),
-    /// Pixels.
-    Picture(RgbImage),
-}
-
-impl Output {
-    /// The width and the height.
-    pub fn width_and_height(&self) -> [f64; 2] {
-        match self {
-            Self::Drawing(drawing) => drawing.width_and_height(),
-            Self::Picture(picture) => [picture.width(), picture.height()].map(f64::from),
-        }
-    }
-}
-
-impl Live {
-    /// A figure or picture without parameters.
-    pub fn new(name: &'static str, draw: fn(&[f64]) -> Output) -> Self {
+impl Figure {
+    /// The figure or picture `T`.
+    pub fn of<T: Interactive>() -> Self {
         Self {
-            name,
-            title: "",
-            caption: "",
-            parameters: vec![],
-            handles: vec![],
-            is_allowed: |_| true,
-            draw,
-            numbers: |_| Numbers::new(),
-            companion: None,
+            name: T::NAME,
+            title: T::TITLE,
+            caption: T::CAPTION,
+            followed: T::FOLLOWED,
+            parameters: T::parameters(),
+            handles: T::handles(),
+            draw: |values| T::from_values(values).draw(),
+            numbers: |values| T::from_values(values).numbers(),
+            is_allowed: |values| T::from_values(values).is_allowed(),
         }
     }
 
@@ -80,7 +43,7 @@ impl Live {
         self.parameters.iter().map(|parameter| parameter.default).collect()
     }
 
-    /// The drawing or picture in the printed book.
+    /// The drawing or the pixels in the printed book.
     pub fn default_output(&self) -> Output {
         (self.draw)(&self.default_values())
     }
@@ -94,7 +57,7 @@ impl Live {
     /// there.
     pub fn drag_handle(&self, values: &[f64], handle: &Handle, place: DVec2) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
-        let coordinates = (handle.values_at)(handle, values, place).to_array();
+        let coordinates = (handle.coordinates_at)(values, place).to_array();
         for (index, value) in handle.parameters.into_iter().zip(coordinates) {
             new[index] = value;
         }
@@ -122,9 +85,4 @@ impl Live {
             pairs.map(|(parameter, value)| parameter.nearest_allowed(*value)).collect();
         (is_complete && (self.is_allowed)(&values)).then_some(values)
     }
-}
-
-/// Numbers with these names.
-pub fn collect_numbers<const N: usize>(numbers: [(&str, String); N]) -> Numbers {
-    numbers.map(|(name, text)| (name.into(), text)).into()
 }

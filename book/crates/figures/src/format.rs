@@ -18,6 +18,11 @@ pub fn format_fixed(number: f64, digits: usize) -> String {
     format!("{number:.digits$}").replace('-', "−")
 }
 
+/// The name that the chapters give an object: a sphere is called by its colour.
+pub fn short_name(name: &str) -> &str {
+    name.trim_end_matches(" sphere")
+}
+
 /// Three numbers as (x, y, z).
 pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     let [x, y, z] = vector.into().map(format_number);

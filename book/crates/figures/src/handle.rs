@@ -1,22 +1,25 @@
-use glam::{DVec2, dvec2};
+use crate::View;
+use glam::DVec2;
 
 /// A mark in a figure or picture that the reader drags, or moves by the arrow keys.
-#[derive(Clone, Debug)]
 pub struct Handle {
     /// The name in words.
     pub words: String,
-    /// The two parameters that it sets: sideways, and up and down.
+    /// The two parameters that it sets: sideways, and up and down. Both may be one.
     pub parameters: [usize; 2],
-    /// The place at these values, in the coordinates of the drawing or in pixels; None
-    /// if there is nothing to drag.
-    pub locate: fn(&Handle, &[f64]) -> Option<DVec2>,
-    /// The values of the two parameters that bring it to a place, or near it.
-    pub values_at: fn(&Handle, &[f64], DVec2) -> DVec2,
     /// Whether the second parameter grows downwards, as rows do.
     pub is_down: bool,
     /// The mark that is drawn.
     pub mark: Mark,
+    /// Its place at these values, in the coordinates of the drawing or in pixels; None if
+    /// there is nothing to drag.
+    pub locate: Box<Locate>,
+    /// The values of its two parameters that bring it to a place, or near it.
+    pub coordinates_at: Box<CoordinatesAt>,
 }
+
+type Locate = dyn Fn(&[f64]) -> Option<DVec2> + Send + Sync;
+type CoordinatesAt = dyn Fn(&[f64], DVec2) -> DVec2 + Send + Sync;
 
 /// The mark of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +33,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The name of the mark in an answer.
+    /// The name of the mark in a reply.
     pub fn name(self) -> &'static str {
         match self {
             Self::Point => "point",
@@ -41,25 +44,25 @@ impl Mark {
 }
 
 impl Handle {
-    /// A handle that sets two parameters; the second grows upwards.
-    pub fn new(
-        words: impl Into<String>,
-        parameters: [usize; 2],
-        locate: fn(&Self, &[f64]) -> Option<DVec2>,
-        values_at: fn(&Self, &[f64], DVec2) -> DVec2,
-    ) -> Self {
-        let (words, is_down, mark) = (words.into(), false, Mark::Point);
-        Self { words, parameters, locate, values_at, is_down, mark }
+    /// The handle of a point of a drawing whose x and y are the parameter `x` and the next.
+    pub fn of_point(words: &str, x: usize, view: View) -> Self {
+        Self {
+            words: words.to_owned(),
+            parameters: [x, x + 1],
+            is_down: false,
+            mark: Mark::Point,
+            locate: Box::new(move |values| Some(view.to_drawing(DVec2::from_slice(&values[x..])))),
+            coordinates_at: Box::new(move |_, place| view.to_world(place)),
+        }
+    }
+
+    /// The same handle with another mark.
+    pub fn with_mark(self, mark: Mark) -> Self {
+        Self { mark, ..self }
     }
 
     /// The place at these values of all parameters.
     pub fn place(&self, values: &[f64]) -> Option<DVec2> {
-        (self.locate)(self, values)
-    }
-
-    /// The values of the two parameters.
-    pub fn coordinates(&self, values: &[f64]) -> DVec2 {
-        let [x, y] = self.parameters.map(|index| values[index]);
-        dvec2(x, y)
+        (self.locate)(values)
     }
 }

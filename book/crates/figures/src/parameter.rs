@@ -1,7 +1,8 @@
 use crate::format_number;
+use std::sync::Arc;
 
 /// A number that the reader sets, by a control below a figure or by a handle in it.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Parameter {
     /// The symbol, in the letters of the formulas; empty if there is none.
     pub symbol: &'static str,
@@ -13,18 +14,20 @@ pub struct Parameter {
     pub range: [f64; 2],
     /// The number of allowed values from one whole number to the next.
     pub steps_per_unit: f64,
-    /// The meaning of the value.
-    pub kind: Kind,
-    /// Whether, at these values of all parameters, the page has a control for it.
-    pub has_control: fn(&Parameter, &[f64]) -> bool,
+    /// The kind of control, and with it the meaning of the value.
+    pub control: ControlKind,
     /// The object that it belongs to, where a page has the controls of one object at a
     /// time; otherwise empty.
     pub group: &'static str,
+    pub(crate) condition: Option<Arc<Condition>>,
 }
 
-/// The meaning of a parameter's value.
+/// A condition on the values of all parameters.
+type Condition = dyn Fn(&[f64]) -> bool + Send + Sync;
+
+/// The kind of control that sets a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ControlKind {
     /// A number in this unit, such as °.
     Number(&'static str),
     /// One of these names, by its place in the list.
@@ -50,9 +53,9 @@ impl Parameter {
             default,
             range,
             steps_per_unit,
-            kind: Kind::Number(unit),
-            has_control: |_, _| true,
+            control: ControlKind::Number(unit),
             group: "",
+            condition: None,
         }
     }
 
@@ -64,15 +67,28 @@ impl Parameter {
     /// One of several names.
     pub fn choice(words: &'static str, default: f64, names: &'static [&'static str]) -> Self {
         let range = [0.0, (names.len() - 1) as f64];
-        let kind = Kind::Choice(names);
-        Self { kind, ..Self::new(["", words, ""], default, range, 1.0) }
+        let control = ControlKind::Choice(names);
+        Self { control, ..Self::new(["", words, ""], default, range, 1.0) }
     }
 
     /// A switch.
     pub fn switch(words: &'static str, is_on: bool) -> Self {
         let default = f64::from(is_on);
-        let kind = Kind::Switch;
-        Self { kind, ..Self::new(["", words, ""], default, [0.0, 1.0], 1.0) }
+        let control = ControlKind::Switch;
+        Self { control, ..Self::new(["", words, ""], default, [0.0, 1.0], 1.0) }
+    }
+
+    /// The same parameter, with a control only where the values of all fulfil a condition.
+    pub fn with_control_if(
+        self,
+        condition: impl Fn(&[f64]) -> bool + Send + Sync + 'static,
+    ) -> Self {
+        Self { condition: Some(Arc::new(condition)), ..self }
+    }
+
+    /// Whether, at these values of all parameters, the page has a control for it.
+    pub fn has_control(&self, values: &[f64]) -> bool {
+        self.condition.as_ref().is_none_or(|condition| condition(values))
     }
 
     /// The allowed value that is nearest to `value`.
@@ -85,11 +101,11 @@ impl Parameter {
 
     /// A value as the page writes it.
     pub fn format(&self, value: f64) -> String {
-        match self.kind {
-            Kind::Number(unit) => format_number(value) + unit,
-            Kind::Columns => format_number(value),
-            Kind::Choice(names) => names[value as usize].to_string(),
-            Kind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
+        match self.control {
+            ControlKind::Number(unit) => format_number(value) + unit,
+            ControlKind::Columns => format_number(value),
+            ControlKind::Choice(names) => names[value as usize].to_string(),
+            ControlKind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
         }
     }
 }

@@ -1,13 +1,10 @@
 //! The probe of a picture: a cross at the pixel whose trace is told.
 
 use crate::parameter::array;
-use crate::pictures::step01::{self, WIDESCREEN};
-use crate::{Handle, Kind, Mark, Parameter};
-use glam::{DVec2, DVec3, dvec2};
+use crate::projection::SIZE;
+use crate::{ControlKind, Handle, Mark, Parameter, View};
+use glam::{DVec2, dvec2};
 use step01_rays::{Camera, Ray};
-
-/// Columns and rows of the pictures of the course.
-pub const SIZE: DVec2 = dvec2(640.0, 360.0);
 
 /// The pixel of the probe, and the columns of the picture that is drawn.
 pub struct Probe {
@@ -38,22 +35,19 @@ impl Probe {
 
     /// The ray of the pixel, in the picture of the course.
     pub fn ray(&self) -> Ray {
-        crate::camera().ray(self.i, self.j)
+        course::camera().ray(self.i, self.j)
     }
 
     /// The camera of the picture that is drawn.
     pub fn camera(&self) -> Camera {
-        step01::camera(60.0, WIDESCREEN, self.columns)
+        course::camera_with_fov(60.0, self.columns)
     }
 
     /// The handle, a cross at the pixel.
     pub fn handle() -> Handle {
-        let handle = Handle::new(
-            "the pixel that you ask",
-            [0, 1],
-            |handle, values| Some(handle.coordinates(values) + 0.5),
-            |_, _, place| place - 0.5,
-        );
+        // The middle of a pixel.
+        let view = View { origin: DVec2::splat(0.5), scale: dvec2(1.0, -1.0) };
+        let handle = Handle::of_point("the pixel that you ask", 0, view);
         Handle { is_down: true, mark: Mark::Probe, ..handle }
     }
 }
@@ -62,22 +56,5 @@ impl Probe {
 pub fn columns_parameter() -> Parameter {
     let range = [2.0, SIZE.x];
     let parameter = Parameter::new(["hRes", "columns", ""], SIZE.x, range, 1.0);
-    Parameter { kind: Kind::Columns, has_control: |_, _| false, ..parameter }
-}
-
-/// The place of a point of the world in the picture of a camera; None behind the eye.
-///
-/// In p = d [D_u D_v V_0] (i, j, 1)ᵀ, d is the depth.
-pub fn place_of_point(camera: &Camera, p: DVec3) -> Option<DVec2> {
-    let pixel = camera.matrix.inverse() * (p - camera.centre);
-    (0.0 < pixel.z).then(|| pixel.truncate() / pixel.z + 0.5)
-}
-
-/// The x and y of the point of the world at a place in the picture and at this z; None
-/// where the ray of that place leads to no such point.
-pub fn point_at_place(camera: &Camera, place: DVec2, z: f64) -> Option<DVec2> {
-    let pixel = place - 0.5;
-    let ray = camera.ray(pixel.x, pixel.y);
-    let t = (z - ray.start.z) / ray.direction.z;
-    (0.0 < t && t.is_finite()).then(|| ray.at(t).truncate())
+    Parameter { control: ControlKind::Columns, ..parameter }.with_control_if(|_| false)
 }

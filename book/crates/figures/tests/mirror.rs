@@ -1,7 +1,7 @@
 //! The mirrors, whose depth, offset and k can be set, against the example as it is listed.
 
 use course::examples::mirror;
-use figures::{Live, Output, find};
+use figures::{Figure, Output, find};
 use glam::DVec3;
 use image::RgbImage;
 use std::path::Path;
@@ -12,18 +12,18 @@ const OFFSET: usize = 4;
 const FIRST_K: usize = 5;
 
 /// The picture of the mirrors, and its values with these in their places.
-fn mirrors_with(changes: &[(usize, f64)]) -> (&'static Live, Vec<f64>) {
-    let live = find("mirror").expect("a picture");
-    let mut values = live.default_values();
+fn mirrors_with(changes: &[(usize, f64)]) -> (&'static Figure, Vec<f64>) {
+    let figure = find("mirror").expect("a picture");
+    let mut values = figure.default_values();
     for (index, value) in changes {
         values[*index] = *value;
     }
-    (live, live.snap_if_allowed(&values).expect("allowed values"))
+    (figure, figure.snap_if_allowed(&values).expect("allowed values"))
 }
 
 fn draw(changes: &[(usize, f64)]) -> RgbImage {
-    let (live, values) = mirrors_with(changes);
-    let Output::Picture(picture) = (live.draw)(&values) else { panic!("a drawing") };
+    let (figure, values) = mirrors_with(changes);
+    let Output::Pixels(picture) = (figure.draw)(&values) else { panic!("a drawing") };
     picture
 }
 
@@ -65,8 +65,8 @@ fn table_leads_to_the_bytes_of_the_pixel() {
     ] {
         let [i, j] = pixel.map(f64::from);
         let changes = [(0, i), (1, j), (DEPTH, f64::from(depth)), (OFFSET, f64::from(offset))];
-        let (live, values) = mirrors_with(&changes);
-        let numbers = (live.numbers)(&values);
+        let (figure, values) = mirrors_with(&changes);
+        let numbers = (figure.numbers)(&values);
         let text = |name: &str, k: usize| &numbers[&format!("{name}{k}")];
         let rows = (0..11).take_while(|k| !text("object", *k).is_empty()).count();
         assert_eq!(rows, count, "{pixel:?}, depth {depth}, offset {offset}");
@@ -79,7 +79,7 @@ fn table_leads_to_the_bytes_of_the_pixel() {
             assert!(colour.abs_diff_eq(parse_vector(text("I", k)), 2e-4));
             colour
         });
-        let Output::Picture(picture) = (live.draw)(&values) else { panic!() };
+        let Output::Pixels(picture) = (figure.draw)(&values) else { panic!() };
         let bytes = picture.get_pixel(pixel[0], pixel[1]).0.map(f64::from);
         assert_eq!(numbers["bytes"], figures::format_vector(bytes));
         let bytes = DVec3::from_array(bytes);

@@ -1,7 +1,7 @@
 use crate::draw_picture::{SIZE, draw_picture};
 use ::check::Locked;
 use course::{Step, json, locked_names};
-use figures::Answer;
+use figures::Reply;
 use image::RgbImage;
 use std::cell::RefCell;
 
@@ -16,7 +16,7 @@ thread_local! {
 ///
 /// Locked pictures are drawn when they are first needed: the one that it should be, the
 /// one that it is, and those of the steps; or all where it may be any.
-pub fn check(words: &str, file: &[u8]) -> Answer {
+pub fn check(words: &str, file: &[u8]) -> Reply {
     let (name, file_name) = words.split_once(' ').unwrap_or((words, ""));
     let name = match name {
         "*" => ::check::find_name_in_file_name(file_name, locked_names().into_iter()),
@@ -44,11 +44,11 @@ pub fn check(words: &str, file: &[u8]) -> Answer {
 /// # Panics
 ///
 /// Panics where it has another size.
-pub fn keep_drawn_pixels(name: &str, pixels: &[u8]) -> Answer {
+pub fn keep_drawn_pixels(name: &str, pixels: &[u8]) -> Reply {
     let [columns, rows] = SIZE;
     let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
     insert(name, picture.expect("all pixels of a locked picture"));
-    Answer::from_json_fields([])
+    Reply::from_json_fields([])
 }
 
 fn insert(name: &str, picture: RgbImage) {
@@ -60,7 +60,7 @@ fn insert(name: &str, picture: RgbImage) {
 }
 
 /// The answer of `check` as one for the page.
-fn page_answer(answer: ::check::Answer) -> Answer {
+fn page_answer(answer: ::check::Answer) -> Reply {
     let mut fields = vec![("code", answer.code.to_string()), ("text", json::quote(&answer.text))];
     let mut pixels = vec![];
     if let Some(difference) = answer.difference {
@@ -68,5 +68,5 @@ fn page_answer(answer: ::check::Answer) -> Answer {
         fields.push(("size", json::list([width, height])));
         pixels = figures::rgba_bytes(&difference);
     }
-    Answer { pixels, ..Answer::from_json_fields(fields) }
+    Reply { pixels, ..Reply::from_json_fields(fields) }
 }

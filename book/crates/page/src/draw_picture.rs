@@ -5,16 +5,16 @@ pub const SIZE: [u32; 2] = [640, 360];
 
 /// A picture of the course: red, green and blue of each pixel. The words are its name and,
 /// if it is to be small, its columns.
-pub fn draw(words: &str) -> figures::Answer {
+pub fn draw(words: &str) -> figures::Reply {
     let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
     let columns = columns.parse().unwrap_or(SIZE[0]);
     let Some(picture) = draw_picture(name, columns) else {
-        return figures::Answer::default();
+        return figures::Reply::default();
     };
     let size = course::json::list([picture.width(), picture.height()]);
-    figures::Answer {
+    figures::Reply {
         pixels: picture.into_raw(),
-        ..figures::Answer::from_json_fields([("size", size)])
+        ..figures::Reply::from_json_fields([("size", size)])
     }
 }
 

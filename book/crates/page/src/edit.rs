@@ -1,24 +1,24 @@
 use crate::expressions::{ParseError, draw_edited, editable_places, parse_expression};
 use course::{Mistake, Place, find_mistakes_with_hash, hash_picture, json, locked_hashes};
-use figures::Answer;
+use figures::Reply;
 use image::RgbImage;
 
 /// The names that an expression may use at the place NAME.
-pub fn variables(name: &str) -> Answer {
-    let Some(place) = find_place(name) else { return Answer::default() };
+pub fn variables(name: &str) -> Reply {
+    let Some(place) = find_place(name) else { return Reply::default() };
     let names = place.variables.iter().map(|(name, _)| json::quote(name));
-    Answer::from_json_fields([("variables", json::list(names))])
+    Reply::from_json_fields([("variables", json::list(names))])
 }
 
 /// The picture of a step with an expression of the reader's in it, to the words
 /// `NAME COLUMNS EXPRESSION`; or what is wrong with the expression, and from which letter to
 /// which. Of a picture in its full size it is told whether it is right or a known mistake's.
-pub fn edit(words: &str) -> Answer {
+pub fn edit(words: &str) -> Reply {
     let mut words = words.splitn(3, ' ');
     let mut word = || words.next().unwrap_or_default();
     let (place, columns, text) = (find_place(word()), word().parse(), word());
     let (Some(place), Ok(columns @ 16..=640)) = (place, columns) else {
-        return Answer::default();
+        return Reply::default();
     };
     match parse_expression(&place, text) {
         Ok(expression) => {
@@ -26,13 +26,13 @@ pub fn edit(words: &str) -> Answer {
             let size = json::list([picture.width(), picture.height()]);
             let known = if columns == 640 { describe(&place, text, &picture) } else { None };
             let known = json::quote(&known.unwrap_or_default());
-            let answer = Answer::from_json_fields([("size", size), ("known", known)]);
-            Answer { pixels: figures::rgba_bytes(&picture), ..answer }
+            let answer = Reply::from_json_fields([("size", size), ("known", known)]);
+            Reply { pixels: figures::rgba_bytes(&picture), ..answer }
         }
         Err(ParseError { range, sentence }) => {
             // A page counts letters as JavaScript does.
             let at = |at: usize| text[..at].encode_utf16().count().to_string();
-            Answer::from_json_fields([
+            Reply::from_json_fields([
                 ("from", at(range.start)),
                 ("to", at(range.end)),
                 ("mistake", json::quote(&sentence)),

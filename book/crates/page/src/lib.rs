@@ -22,7 +22,7 @@ pub use edit::{edit, variables};
 #[allow(unsafe_code)]
 mod page;
 
-use figures::Answer;
+use figures::Reply;
 
 /// Answers a request.
 ///
@@ -32,9 +32,9 @@ use figures::Answer;
 /// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep_drawn_pixels`].
 /// - `variables PLACE` gives the names that a line may use: see [`variables`].
 /// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
-/// - [`figures::answer`] gets all others.
+/// - [`figures::reply`] gets all others.
 #[cfg_attr(not(feature = "check"), expect(unused_variables))]
-pub fn answer(request: &str, file: &[u8]) -> Answer {
+pub fn answer(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
         #[cfg(feature = "check")]
         Some(("check", words)) => check(words, file),
@@ -47,8 +47,8 @@ pub fn answer(request: &str, file: &[u8]) -> Answer {
         #[cfg(feature = "expressions")]
         Some(("edit", words)) => edit(words),
         #[cfg(feature = "live")]
-        _ => figures::answer(request),
+        _ => figures::reply(request),
         #[cfg(not(feature = "live"))]
-        _ => Answer::default(),
+        _ => Reply::default(),
     }
 }

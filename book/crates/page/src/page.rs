@@ -3,13 +3,13 @@
 //! here.
 
 use crate::answer;
-use figures::Answer;
+use figures::Reply;
 use std::cell::RefCell;
 
 thread_local! {
     static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
     static FILE: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
-    static ANSWER: RefCell<Answer> = RefCell::default();
+    static ANSWER: RefCell<Reply> = RefCell::default();
 }
 
 /// Makes room for a request of this many bytes.

@@ -3,7 +3,7 @@ use crate::tries_all_cases;
 use check::Locked;
 use course::workspace;
 use course::{camera_with_size, locked_names};
-use figures::{Answer, LIVE, Live, Parameter};
+use figures::{FIGURES, Figure, Parameter, Reply};
 use image::{ImageFormat, RgbImage};
 use page::answer;
 use proptest::prelude::Strategy;
@@ -14,7 +14,7 @@ use std::io::Cursor;
 
 /// Fails if the module `name` answers otherwise than our code.
 #[track_caller]
-pub fn assert_same(name: &str, request: &str, ours: &Answer, theirs: Option<Answer>) {
+pub fn assert_same(name: &str, request: &str, ours: &Reply, theirs: Option<Reply>) {
     let is_same = theirs.as_ref() == Some(ours);
     assert!(
         is_same,
@@ -29,7 +29,7 @@ fn live_wasm_is_up_to_date() {
     // The same numbers each time: a platform's own tangent may differ from that of the
     // module in the last place.
     let mut runner = TestRunner::deterministic();
-    for live in LIVE.iter() {
+    for live in FIGURES.iter() {
         let mut all = vec![
             format!("about {}", live.name),
             format!("show {}{}", live.name, join_words(&default_values_as_printed(live))),
@@ -41,7 +41,7 @@ fn live_wasm_is_up_to_date() {
         }
         for request in all {
             let theirs = module.answer(&request, b"");
-            assert_same("live", &request, &figures::answer(&request), theirs);
+            assert_same("live", &request, &figures::reply(&request), theirs);
         }
     }
 }
@@ -134,7 +134,7 @@ fn join_words(values: &[f64]) -> String {
 }
 
 /// The values of the printed book, but for the size of a picture, which is small.
-fn default_values_as_printed(live: &Live) -> Vec<f64> {
+fn default_values_as_printed(live: &Figure) -> Vec<f64> {
     let value = |parameter: &Parameter| {
         if parameter.words == "columns" { 64.0 } else { parameter.default }
     };
@@ -143,7 +143,7 @@ fn default_values_as_printed(live: &Live) -> Vec<f64> {
 
 /// Shows something, drags a handle of it and steps one, anywhere in and around what is
 /// allowed.
-fn random_live_requests(live: &'static Live) -> impl Strategy<Value = Vec<String>> {
+fn random_live_requests(live: &'static Figure) -> impl Strategy<Value = Vec<String>> {
     let ranges = live.parameters.iter().map(|parameter| {
         let [min, max] = parameter.range;
         let max = if parameter.words == "columns" { 16.0 } else { max };

@@ -1,25 +1,21 @@
 use super::view_pyramid::{draw_steps, draw_view_pyramid};
-use crate::figure::collect_numbers;
+use crate::aspect_ratio::{aspect_ratio, aspect_ratio_parameter, camera};
+use crate::output::collect_numbers;
 use crate::parameter::array;
-use crate::pictures::step01::{self, aspect_ratio, aspect_ratio_parameter};
-use crate::{Drawing, Handle, Live, Output, Parameter, format_number, format_vector};
+use crate::{
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, format_number, format_vector,
+};
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};
 
-/// A small camera, and the pixel whose ray is drawn.
-struct CameraFigure {
+/// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
+/// one of the pixels.
+pub struct CameraFigure {
     camera: Camera,
     pixel: DVec2,
 }
 
 impl CameraFigure {
-    fn new(values: &[f64]) -> Self {
-        let [field_of_view, choice, columns, i, j] = array(values);
-        let camera = step01::camera(field_of_view, aspect_ratio(choice), columns);
-        let pixel = nearest_pixel(&camera, dvec2(i, j));
-        Self { camera, pixel }
-    }
-
     /// The ray of the pixel.
     fn ray(&self) -> Ray {
         self.camera.ray(self.pixel.x, self.pixel.y)
@@ -50,71 +46,75 @@ fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
     pixel.clamp(DVec2::ZERO, last)
 }
 
-fn draw(figure: &CameraFigure) -> Drawing {
-    let CameraFigure { camera, pixel } = figure;
-    let project = |point: DVec3| figure.project(point);
-    let c = project(camera.centre);
-    let mut drawing = Drawing::new(480.0, 310.0);
-    draw_view_pyramid(&mut drawing, camera, project);
-    draw_steps(&mut drawing, camera, *pixel, project);
-    drawing.dot("eye", c);
-    drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
-    let tip = project(figure.ray().at(1.42));
-    drawing.arrow("ray", c, tip);
-    let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
-    if tip.x < 380.0 {
-        drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
-    } else {
-        let end = (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
-        drawing.label_ending_at("quiet over", end, &label);
-    }
-    let corner = dvec2(44.0, 286.0);
-    for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-        let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
-        drawing.arrow("axis", corner, corner + arrow);
-        drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
-    }
-    drawing
-}
-
-/// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
-/// one of the pixels.
-pub fn figure() -> Live {
-    Live {
-        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
-        caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
+impl Interactive for CameraFigure {
+    const NAME: &str = "camera";
+    const TITLE: &str = "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.";
+    const CAPTION: &str = "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
                   of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
-                  down. From there, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
-        parameters: vec![
+                  down. From there, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![
             Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
             aspect_ratio_parameter(),
             Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
             Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
             Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
-        ],
-        handles: vec![Handle {
-            is_down: true,
-            ..Handle::new(
-                "the pixel of the ray",
-                [3, 4],
-                |_, values| {
-                    let figure = CameraFigure::new(values);
-                    Some(figure.project(figure.ray().at(1.0)))
-                },
-                |_, values, place| CameraFigure::new(values).pixel_at(place),
-            )
-        }],
-        numbers: |values| {
-            let figure = CameraFigure::new(values);
-            let CameraFigure { camera, pixel } = &figure;
-            collect_numbers([
-                ("columns", camera.h_res.to_string()),
-                ("rows", camera.v_res.to_string()),
-                ("i", format_number(pixel.x)),
-                ("j", format_number(pixel.y)),
-                ("V", format_vector(figure.ray().direction)),
-            ])
-        },
-        ..Live::new("camera", |values| Output::Drawing(draw(&CameraFigure::new(values))))
+        ]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [field_of_view, choice, columns, i, j] = array(values);
+        let camera = camera(field_of_view, aspect_ratio(choice), columns);
+        let pixel = nearest_pixel(&camera, dvec2(i, j));
+        Self { camera, pixel }
+    }
+
+    fn handles() -> Vec<Handle> {
+        let handle = Self::handle(
+            "the pixel of the ray",
+            [3, 4],
+            |figure| Some(figure.project(figure.ray().at(1.0))),
+            Self::pixel_at,
+        );
+        vec![Handle { is_down: true, ..handle }]
+    }
+
+    fn draw(&self) -> Output {
+        let Self { camera, pixel } = self;
+        let project = |point: DVec3| self.project(point);
+        let c = project(camera.centre);
+        let mut drawing = Drawing::new(480.0, 310.0);
+        draw_view_pyramid(&mut drawing, camera, project);
+        draw_steps(&mut drawing, camera, *pixel, project);
+        drawing.dot("eye", c);
+        drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
+        let tip = project(self.ray().at(1.42));
+        drawing.arrow("ray", c, tip);
+        let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
+        if tip.x < 380.0 {
+            drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
+        } else {
+            let end = (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
+            drawing.label_ending_at("quiet over", end, &label);
+        }
+        let corner = dvec2(44.0, 286.0);
+        for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
+            let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
+            drawing.arrow("axis", corner, corner + arrow);
+            drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
+        }
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        let Self { camera, pixel } = self;
+        collect_numbers([
+            ("columns", camera.h_res.to_string()),
+            ("rows", camera.v_res.to_string()),
+            ("i", format_number(pixel.x)),
+            ("j", format_number(pixel.y)),
+            ("V", format_vector(self.ray().direction)),
+        ])
     }
 }

@@ -1,5 +1,5 @@
-use crate::figure::collect_numbers;
-use crate::{Drawing, Handle, Live, Mark, Output, Parameter, View, format_fixed};
+use crate::output::collect_numbers;
+use crate::{Drawing, Handle, Interactive, Mark, Numbers, Output, Parameter, View, format_fixed};
 use course::examples::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point};
@@ -12,22 +12,22 @@ const LARGEST: DVec2 = dvec2(9.6, 5.6);
 /// The number of mirrors that a ray may meet.
 const DEPTH: usize = 2;
 
-/// The handles, and their default places.
-const DEFAULTS: [(&str, [f64; 2]); 7] = [
-    ("the eye S", [0.6, 2.6]),
-    ("the end of V", [1.8, 2.65]),
-    ("the light q", [1.5, 5.3]),
-    ("ball 1", [4.6, 1.7]),
-    ("ball 2", [2.65, 4.0]),
-    ("ball 3", [4.95, 5.1]),
-    ("ball 4", [7.2, 2.3]),
+/// The handles with their marks and their default places.
+const HANDLES: [(&str, Mark, [f64; 2]); 7] = [
+    ("the eye S", Mark::Point, [0.6, 2.6]),
+    ("the end of V", Mark::Point, [1.8, 2.65]),
+    ("the light q", Mark::Light, [1.5, 5.3]),
+    ("ball 1", Mark::Point, [4.6, 1.7]),
+    ("ball 2", Mark::Point, [2.65, 4.0]),
+    ("ball 3", Mark::Point, [4.95, 5.1]),
+    ("ball 4", Mark::Point, [7.2, 2.3]),
 ];
 
 /// The radii of the balls.
 const RADII: [f64; 4] = [1.2, 0.55, 0.8, 0.9];
 
 /// A world in the plane z = 0; the material of a ball is its number.
-struct World {
+pub struct FlatWorld {
     ray: Ray,
     q: DVec3,
     balls: Vec<Object<usize>>,
@@ -41,28 +41,7 @@ struct Hit<'a> {
     to_light: Ray,
 }
 
-impl World {
-    fn new(values: &[f64]) -> Self {
-        let points = values.chunks_exact(2).map(DVec2::from_slice);
-        let points: Vec<_> = points.map(|point| point.extend(0.0)).collect();
-        let spheres = points[3..].iter().zip(RADII);
-        let spheres = spheres.map(|(&centre, radius)| Sphere { centre, radius });
-        let balls =
-            spheres.zip(1..).map(|(sphere, material)| Object { name: "ball", sphere, material });
-        let ray = Ray { start: points[0], direction: points[1] - points[0] };
-        Self { ray, q: points[2], balls: balls.collect() }
-    }
-
-    /// Whether the eye is outside of the balls, and V long enough to be seen.
-    fn is_allowed(&self) -> bool {
-        let Ray { start, direction } = self.ray;
-        let is_outside = |ball: &Object<usize>| {
-            let Sphere { centre, radius } = ball.sphere;
-            radius < centre.distance(start)
-        };
-        0.3 < direction.length() && self.balls.iter().all(is_outside)
-    }
-
+impl FlatWorld {
     /// The hits of the ray from the eye and the mirrored ones, and the ray that meets
     /// nothing, unless the depth was used up.
     fn trace(&self) -> (Vec<Hit<'_>>, Option<Ray>) {
@@ -96,77 +75,96 @@ impl World {
     }
 }
 
-/// The rays of a flat world.
-fn draw(world: &World) -> Drawing {
-    let mut drawing = Drawing::new(480.0, 300.0);
-    let place = |point: DVec3| VIEW.to_drawing(point.truncate());
-    let (hits, leaving) = world.trace();
-    for Object { sphere, material, .. } in &world.balls {
-        let is_seen = hits.iter().any(|hit| hit.point.material == material);
-        let class = if is_seen { "object seen" } else { "object" };
-        let centre = place(sphere.centre);
-        drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
-        // Beside the handle.
-        drawing.label("over", centre + dvec2(21.0, 5.0), &material.to_string());
-    }
-    // A ray that meets nothing leaves the drawing.
-    let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
-    let corners = hits.iter().map(|hit| hit.point.p).chain(end);
-    let corners = [world.ray.start].into_iter().chain(corners).map(place);
-    drawing.path("ray", &corners.collect::<Vec<_>>());
-    for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
-        let class = if *is_hidden { "guide" } else { "light" };
-        drawing.line(class, place(*p), place(world.q));
-        let blocking = nearest(&world.balls, to_light).filter(|_| *is_hidden);
-        if let Some(blocking) = blocking {
-            drawing.dot("behind", place(to_light.at(blocking.t)));
-        }
-        drawing.arrow("normal", place(*p), place(p + 0.7 * n));
-        drawing.dot("hit", place(*p));
-    }
-    let [s, v, q] = [world.ray.start, world.ray.at(1.0), world.q].map(place);
-    drawing.arrow("ray", s, v);
-    drawing.dot("eye", s);
-    drawing.circle("light head", q, 7.0);
-    let above = dvec2(0.0, -19.0);
-    let mut labels = vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
-    if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
-        let [inside, outside] = [-0.4, 0.95].map(|length| place(p + length * n));
-        let down = dvec2(0.0, 5.0);
-        labels.extend([(inside + down, "$p$"), (outside + down, "$n$")]);
-    }
-    for (place, text) in labels {
-        drawing.label("strong over", place, text);
-    }
-    drawing
-}
-
-/// A flat world whose parts the reader moves.
-pub fn figure() -> Live {
-    let ranges = LARGEST.to_array().map(|largest| [0.4, largest]);
-    let parameters = DEFAULTS.iter().flat_map(|(_, place)| {
-        let pairs = place.iter().zip(ranges);
-        pairs.map(|(x, range)| Parameter::coordinate(*x, range, 20.0))
-    });
-    let handles = DEFAULTS.iter().enumerate().map(|(k, (words, _))| {
-        let handle = Handle::new(
-            *words,
-            [2 * k, 2 * k + 1],
-            |handle, values| Some(VIEW.to_drawing(handle.coordinates(values))),
-            |_, _, place| VIEW.to_world(place),
-        );
-        let mark = if words.contains("light") { Mark::Light } else { Mark::Point };
-        Handle { mark, ..handle }
-    });
-    Live {
-        title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
-        caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
+impl Interactive for FlatWorld {
+    const NAME: &str = "flat-world";
+    const TITLE: &str = "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.";
+    const CAPTION: &str = "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
                   to the light; where it's dotted, the light is hidden. \
-                  <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>",
-        parameters: parameters.collect(),
-        handles: handles.collect(),
-        is_allowed: |values| World::new(values).is_allowed(),
-        numbers: |values| collect_numbers([("path", World::new(values).path_words())]),
-        ..Live::new("flat-world", |values| Output::Drawing(draw(&World::new(values))))
+                  <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        let ranges = LARGEST.to_array().map(|largest| [0.4, largest]);
+        let parameters = HANDLES.iter().flat_map(|(.., place)| {
+            let pairs = place.iter().zip(ranges);
+            pairs.map(|(x, range)| Parameter::coordinate(*x, range, 20.0))
+        });
+        parameters.collect()
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let points = values.chunks_exact(2).map(DVec2::from_slice);
+        let points: Vec<_> = points.map(|point| point.extend(0.0)).collect();
+        let spheres = points[3..].iter().zip(RADII);
+        let spheres = spheres.map(|(&centre, radius)| Sphere { centre, radius });
+        let balls =
+            spheres.zip(1..).map(|(sphere, material)| Object { name: "ball", sphere, material });
+        let ray = Ray { start: points[0], direction: points[1] - points[0] };
+        Self { ray, q: points[2], balls: balls.collect() }
+    }
+
+    fn handles() -> Vec<Handle> {
+        HANDLES
+            .iter()
+            .enumerate()
+            .map(|(k, (words, mark, _))| Handle::of_point(words, 2 * k, VIEW).with_mark(*mark))
+            .collect()
+    }
+
+    /// Whether the eye is outside of the balls, and V long enough to be seen.
+    fn is_allowed(&self) -> bool {
+        let Ray { start, direction } = self.ray;
+        let is_outside = |ball: &Object<usize>| {
+            let Sphere { centre, radius } = ball.sphere;
+            radius < centre.distance(start)
+        };
+        0.3 < direction.length() && self.balls.iter().all(is_outside)
+    }
+
+    fn draw(&self) -> Output {
+        let mut drawing = Drawing::new(480.0, 300.0);
+        let place = |point: DVec3| VIEW.to_drawing(point.truncate());
+        let (hits, leaving) = self.trace();
+        for Object { sphere, material, .. } in &self.balls {
+            let is_seen = hits.iter().any(|hit| hit.point.material == material);
+            let class = if is_seen { "object seen" } else { "object" };
+            let centre = place(sphere.centre);
+            drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
+            // Beside the handle.
+            drawing.label("over", centre + dvec2(21.0, 5.0), &material.to_string());
+        }
+        // A ray that meets nothing leaves the drawing.
+        let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
+        let corners = hits.iter().map(|hit| hit.point.p).chain(end);
+        let corners = [self.ray.start].into_iter().chain(corners).map(place);
+        drawing.path("ray", &corners.collect::<Vec<_>>());
+        for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
+            let class = if *is_hidden { "guide" } else { "light" };
+            drawing.line(class, place(*p), place(self.q));
+            let blocking = nearest(&self.balls, to_light).filter(|_| *is_hidden);
+            if let Some(blocking) = blocking {
+                drawing.dot("behind", place(to_light.at(blocking.t)));
+            }
+            drawing.arrow("normal", place(*p), place(p + 0.7 * n));
+            drawing.dot("hit", place(*p));
+        }
+        let [s, v, q] = [self.ray.start, self.ray.at(1.0), self.q].map(place);
+        drawing.arrow("ray", s, v);
+        drawing.dot("eye", s);
+        drawing.circle("light head", q, 7.0);
+        let above = dvec2(0.0, -19.0);
+        let mut labels = vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
+        if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
+            let [inside, outside] = [-0.4, 0.95].map(|length| place(p + length * n));
+            let down = dvec2(0.0, 5.0);
+            labels.extend([(inside + down, "$p$"), (outside + down, "$n$")]);
+        }
+        for (place, text) in labels {
+            drawing.label("strong over", place, text);
+        }
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        collect_numbers([("path", self.path_words())])
     }
 }

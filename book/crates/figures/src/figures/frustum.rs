@@ -1,5 +1,5 @@
 use crate::parameter::array;
-use crate::{Drawing, Handle, Live, Output, Parameter, View};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
@@ -36,61 +36,73 @@ fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
     }
 }
 
-fn draw(values: &[f64]) -> Drawing {
-    let (planes, sides) = (array(values), sides());
-    let mut drawing = Drawing::new(480.0, 292.0);
-    let [[upper_near, lower_near], [upper_far, lower_far]] =
-        planes.map(|t| sides.map(|ray| place(ray.at(t))));
-    drawing.area("plane", &[upper_near, upper_far, lower_far, lower_near]);
-    for ray in sides {
-        drawing.line("guide", place(ray.start), place(ray.at(5.4)));
-    }
-    for (name, upper, lower) in
-        [("near plane", upper_near, lower_near), ("far plane", upper_far, lower_far)]
-    {
-        drawing.line("ground", upper, lower);
-        drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
-    }
-    for sphere in spheres() {
-        let part = part_between(&sphere, planes);
-        let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
-        let class = if part == "cut away" { "behind" } else { "object" };
-        drawing.circle(class, centre, radius);
-        // The name of a small ball stands below it.
-        let down = if radius < 20.0 { radius + 32.0 } else { 5.0 };
-        drawing.label("quiet", centre + dvec2(0.0, down), part);
-        let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
-        if let Some(t) = sphere.intersect(&ray).first_hit() {
-            drawing.line("ray", place(ray.start), place(ray.at(t)));
-            drawing.dot("hit", place(ray.at(t)));
-        }
-    }
-    drawing.dot("eye", VIEW.origin);
-    drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
-    drawing
-}
-
-/// The handle of a plane, at its lower end.
-fn plane_handle(words: &str, index: usize) -> Handle {
-    Handle::new(
-        words,
-        [index, index],
-        |handle, values| Some(place(sides()[1].at(values[handle.parameters[0]]))),
-        |_, _, place| DVec2::splat(VIEW.to_world(place).x),
-    )
-}
-
 /// The frustum of OpenGL from the side, and rays to what it cuts away.
-pub fn figure() -> Live {
-    Live {
-        title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
-        caption: "The frustum is the shaded part; the words at the balls say what OpenGL does. Our rays start at $C$, \
-                  know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
-        parameters: vec![
+pub struct Frustum {
+    /// The t of the near and of the far plane.
+    planes: [f64; 2],
+}
+
+impl Interactive for Frustum {
+    const NAME: &str = "frustum";
+    const TITLE: &str = "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.";
+    const CAPTION: &str = "The frustum is the shaded part; the words at the balls say what OpenGL does. Our rays start at $C$, \
+                  know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![
             Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
             Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
-        ],
-        handles: vec![plane_handle("the near plane", 0), plane_handle("the far plane", 1)],
-        ..Live::new("frustum", |values| Output::Drawing(draw(values)))
+        ]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        Self { planes: array(values) }
+    }
+
+    fn handles() -> Vec<Handle> {
+        [("the near plane", 0), ("the far plane", 1)]
+            .map(|(words, k)| {
+                Self::handle_of_one(
+                    words,
+                    k,
+                    move |figure| place(sides()[1].at(figure.planes[k])),
+                    |_, place| VIEW.to_world(place).x,
+                )
+            })
+            .into()
+    }
+
+    fn draw(&self) -> Output {
+        let (planes, sides) = (self.planes, sides());
+        let mut drawing = Drawing::new(480.0, 292.0);
+        let [[upper_near, lower_near], [upper_far, lower_far]] =
+            planes.map(|t| sides.map(|ray| place(ray.at(t))));
+        drawing.area("plane", &[upper_near, upper_far, lower_far, lower_near]);
+        for ray in sides {
+            drawing.line("guide", place(ray.start), place(ray.at(5.4)));
+        }
+        for (name, upper, lower) in
+            [("near plane", upper_near, lower_near), ("far plane", upper_far, lower_far)]
+        {
+            drawing.line("ground", upper, lower);
+            drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
+        }
+        for sphere in spheres() {
+            let part = part_between(&sphere, planes);
+            let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
+            let class = if part == "cut away" { "behind" } else { "object" };
+            drawing.circle(class, centre, radius);
+            // The name of a small ball stands below it.
+            let down = if radius < 20.0 { radius + 32.0 } else { 5.0 };
+            drawing.label("quiet", centre + dvec2(0.0, down), part);
+            let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
+            if let Some(t) = sphere.intersect(&ray).first_hit() {
+                drawing.line("ray", place(ray.start), place(ray.at(t)));
+                drawing.dot("hit", place(ray.at(t)));
+            }
+        }
+        drawing.dot("eye", VIEW.origin);
+        drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
+        drawing.into()
     }
 }

@@ -1,7 +1,8 @@
-use crate::figure::collect_numbers;
+use crate::output::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, degrees_left_of_up, format_number, format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, degrees_left_of_up, format_number,
+    format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -17,65 +18,6 @@ const GROUND: DVec2 = dvec2(352.0, 210.0);
 /// The length of a beam.
 const LENGTH: f64 = 165.0;
 
-/// Two beams of light, straight down and at `degrees`, and the ground that they light.
-fn draw(degrees: f64) -> Drawing {
-    let mut drawing = Drawing::new(480.0, 292.0);
-    for (x, degrees) in [(106.0, 0.0), (GROUND.x, degrees)] {
-        let angle = f64::to_radians(degrees);
-        let ground = dvec2(x, 210.0);
-        let l = dvec2(-angle.sin(), angle.cos());
-        let to_light = dvec2(l.x, -l.y);
-        let share = brightness(l);
-        let cosine = DVec2::Y.dot(l);
-        // The beam has one width; the strip it lights is wider by 1 / cos.
-        let half = 26.0 / cosine;
-        // A beam that is nearly level lights more ground than is drawn.
-        let edge = (92.0 / half.abs()).min(1.0);
-        let foot = |k: f64| ground + dvec2(k * half, 0.0);
-        // Across the beam, at a right angle to it.
-        let across = dvec2(-to_light.y, to_light.x);
-        let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
-        let corners = [foot(-edge), foot(edge), start(edge), start(-edge)];
-        drawing.area("beam", &corners);
-        for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-            drawing.arrow("light", start(k * edge), foot(k * edge));
-        }
-        let side = dvec2(92.0, 0.0);
-        drawing.line("ground", ground - side, ground + side);
-        if 0.0 < share {
-            drawing.line("lit", foot(-edge), foot(edge));
-        }
-        drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
-        drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
-        let is_strip = edge == 1.0 && 0.0 < share;
-        if 0.0 < angle {
-            drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
-            drawing.label_ending_at("", ground + dvec2(-30.0, -100.0), "$α$");
-        }
-        if 0.0 < angle && is_strip {
-            // The triangle whose leg is the beam's width and whose hypotenuse is
-            // the strip.
-            let corner = foot(-1.0);
-            drawing.line("vector", corner, corner + 52.0 * across);
-            drawing.arc("angle", corner, 24.0, [0.0, angle]);
-            drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
-            let label = corner + 66.0 * across + dvec2(3.0, 3.0);
-            drawing.label("strong", label, "$w$");
-        } else if is_strip {
-            let top = start(0.0) + dvec2(0.0, 26.0);
-            drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
-            let label = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
-            drawing.label("strong", label, "$w$");
-        }
-        let [cosine_label, strip_label] = labels(degrees, cosine, share);
-        // A light from below needs the room below the ground.
-        let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
-        drawing.label("", ground + shift, &cosine_label);
-        drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &strip_label);
-    }
-    drawing
-}
-
 /// The labels of the cosine and of the strip that is lit.
 fn labels(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
     let strip = if 0.0005 <= share {
@@ -87,48 +29,113 @@ fn labels(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
 }
 
 /// A beam of light that falls straight down, and one whose angle the reader sets.
-pub fn figure() -> Live {
-    Live {
-        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
-        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. At {{#number lambert:angle}}°, each \
+pub struct Lambert {
+    /// The angle of the light on the right.
+    degrees: f64,
+}
+
+impl Interactive for Lambert {
+    const NAME: &str = "lambert";
+    const TITLE: &str = "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.";
+    const CAPTION: &str = "Lambert's cosine law. Both beams are equally wide and carry the same light. At {{#number lambert:angle}}°, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above: \
                   the cosine of the angle, or nothing where that is negative. (Of a beam that's nearly level, only what falls on this piece of ground is drawn.) \
-                  <span class='move'>Lower the light to the ground, and below it.</span>",
-        parameters: vec![Parameter::new(
-            ["α", "angle of the light", "°"],
-            60.0,
-            [0.0, LARGEST_ANGLE],
-            1.0,
-        )],
-        handles: vec![Handle::new(
+                  <span class='move'>Lower the light to the ground, and below it.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![Parameter::new(["α", "angle of the light", "°"], 60.0, [0.0, LARGEST_ANGLE], 1.0)]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [degrees] = array(values);
+        Self { degrees }
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Self::handle_of_one(
             "the light on the right",
-            [0, 0],
-            |_, values| {
-                let [degrees] = array(values);
-                let l = DVec2::from_angle(FRAC_PI_2 + f64::to_radians(degrees));
-                Some(GROUND + LENGTH * dvec2(l.x, -l.y))
+            0,
+            |figure| {
+                let l = direction_to_light(figure.degrees);
+                GROUND + LENGTH * dvec2(l.x, -l.y)
             },
             // To the right of n, the angle is 0 above the ground, and the largest below.
-            |_, _, place| {
-                DVec2::splat(match degrees_left_of_up(GROUND, place) {
-                    ..-90.0 => LARGEST_ANGLE,
-                    angle => angle.max(0.0),
-                })
+            |_, place| match degrees_left_of_up(GROUND, place) {
+                ..-90.0 => LARGEST_ANGLE,
+                angle => angle.max(0.0),
             },
-        )],
-        numbers: |values| {
-            let [degrees] = array(values);
-            let l = DVec2::from_angle(FRAC_PI_2 + f64::to_radians(degrees));
-            collect_numbers([
-                ("angle", format_number(degrees)),
-                ("share", format_rounded(brightness(l), 3)),
-            ])
-        },
-        ..Live::new("lambert", |values| {
-            let [degrees] = array(values);
-            Output::Drawing(draw(degrees))
-        })
+        )]
     }
+
+    fn draw(&self) -> Output {
+        let mut drawing = Drawing::new(480.0, 292.0);
+        for (x, degrees) in [(106.0, 0.0), (GROUND.x, self.degrees)] {
+            let angle = f64::to_radians(degrees);
+            let ground = dvec2(x, 210.0);
+            let l = dvec2(-angle.sin(), angle.cos());
+            let to_light = dvec2(l.x, -l.y);
+            let share = brightness(l);
+            let cosine = DVec2::Y.dot(l);
+            // The beam has one width; the strip it lights is wider by 1 / cos.
+            let half = 26.0 / cosine;
+            // A beam that is nearly level lights more ground than is drawn.
+            let edge = (92.0 / half.abs()).min(1.0);
+            let foot = |k: f64| ground + dvec2(k * half, 0.0);
+            // Across the beam, at a right angle to it.
+            let across = dvec2(-to_light.y, to_light.x);
+            let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
+            let corners = [foot(-edge), foot(edge), start(edge), start(-edge)];
+            drawing.area("beam", &corners);
+            for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+                drawing.arrow("light", start(k * edge), foot(k * edge));
+            }
+            let side = dvec2(92.0, 0.0);
+            drawing.line("ground", ground - side, ground + side);
+            if 0.0 < share {
+                drawing.line("lit", foot(-edge), foot(edge));
+            }
+            drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
+            drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
+            let is_strip = edge == 1.0 && 0.0 < share;
+            if 0.0 < angle {
+                drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
+                drawing.label_ending_at("", ground + dvec2(-30.0, -100.0), "$α$");
+            }
+            if 0.0 < angle && is_strip {
+                // The triangle whose leg is the beam's width and whose hypotenuse is
+                // the strip.
+                let corner = foot(-1.0);
+                drawing.line("vector", corner, corner + 52.0 * across);
+                drawing.arc("angle", corner, 24.0, [0.0, angle]);
+                drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
+                let label = corner + 66.0 * across + dvec2(3.0, 3.0);
+                drawing.label("strong", label, "$w$");
+            } else if is_strip {
+                let top = start(0.0) + dvec2(0.0, 26.0);
+                drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
+                let label = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
+                drawing.label("strong", label, "$w$");
+            }
+            let [cosine_label, strip_label] = labels(degrees, cosine, share);
+            // A light from below needs the room below the ground.
+            let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
+            drawing.label("", ground + shift, &cosine_label);
+            drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &strip_label);
+        }
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        collect_numbers([
+            ("angle", format_number(self.degrees)),
+            ("share", format_rounded(brightness(direction_to_light(self.degrees)), 3)),
+        ])
+    }
+}
+
+/// The direction to a light so many degrees to the left of n, which is up.
+fn direction_to_light(degrees: f64) -> DVec2 {
+    DVec2::from_angle(FRAC_PI_2 + degrees.to_radians())
 }
 
 /// The step's diffuse term of a white light in the direction `l`; n is up.

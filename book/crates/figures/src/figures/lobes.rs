@@ -1,5 +1,5 @@
 use crate::parameter::array;
-use crate::{Drawing, Handle, Live, Output, Parameter, View, degrees_left_of_up};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View, degrees_left_of_up};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
@@ -11,68 +11,76 @@ fn reflection(light_angle: f64) -> DVec2 {
     DVec2::from_angle((90.0 - light_angle).to_radians())
 }
 
-/// The lobes of several n, that of the reader among them: the distance from the point, in the
-/// direction v, is max(r·v, 0)ⁿ.
-fn draw(reader_n: i32, r: DVec2) -> Drawing {
-    let mut drawing = Drawing::new(480.0, 300.0);
-    drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
-        let lobe: Vec<DVec2> = (0..=180)
-            .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
-            .map(|v| VIEW.to_drawing(highlight(r, v, n) * v))
-            .collect();
-        drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
-    }
-    let l = dvec2(-r.x, r.y);
-    drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
-    drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
-    drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
-    drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
-    drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
-    drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
-    drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
-    for (n, angle, y) in
-        [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)]
-    {
-        // The leader ends beside r, on the side of the labels, and above the ground.
-        let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
-        let place = VIEW.to_drawing(highlight(r, v, n) * v);
-        let label = dvec2(418.0, y);
-        drawing.line("leader", place, label - dvec2(5.0, 5.0));
-        drawing.label_starting_at("quiet", label, &n.to_string());
-    }
-    drawing.label_starting_at("quiet", dvec2(418.0, 90.0), "$n$ =");
-    let label = VIEW.origin + dvec2(-111.0, 22.0);
-    drawing.label("quiet", label, "one half");
-    drawing
+/// The lobes of several exponents, one of which the reader sets, and the light.
+pub struct Lobes {
+    /// The n of the first lobe.
+    n: i32,
+    /// The unit vector r.
+    r: DVec2,
 }
 
-/// The lobes of several exponents, one of which the reader sets, and the light.
-pub fn figure() -> Live {
-    Live {
-        title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
-        caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
+impl Interactive for Lobes {
+    const NAME: &str = "lobes";
+    const TITLE: &str = "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.";
+    const CAPTION: &str = "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
                   the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
-                  <span class='move'>Turn the light, and let $n$ grow.</span>",
-        parameters: vec![
+                  <span class='move'>Turn the light, and let $n$ grow.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![
             Parameter::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
             Parameter::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
-        ],
-        handles: vec![Handle::new(
+        ]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [n, light_angle] = array(values);
+        Self { n: n as i32, r: reflection(light_angle) }
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Self::handle_of_one(
             "the light l",
-            [1, 1],
-            |_, values| {
-                let [_, light_angle] = array(values);
-                let r = reflection(light_angle);
-                Some(VIEW.to_drawing(0.85 * dvec2(-r.x, r.y)))
-            },
-            |_, _, place| DVec2::splat(degrees_left_of_up(VIEW.origin, place)),
-        )],
-        ..Live::new("lobes", |values| {
-            let [n, light_angle] = array(values);
-            Output::Drawing(draw(n as i32, reflection(light_angle)))
-        })
+            1,
+            |Self { r, .. }| VIEW.to_drawing(0.85 * dvec2(-r.x, r.y)),
+            |_, place| degrees_left_of_up(VIEW.origin, place),
+        )]
+    }
+
+    fn draw(&self) -> Output {
+        let Self { n: reader_n, r } = *self;
+        let mut drawing = Drawing::new(480.0, 300.0);
+        drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
+        for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
+            let lobe: Vec<DVec2> = (0..=180)
+                .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
+                .map(|v| VIEW.to_drawing(highlight(r, v, n) * v))
+                .collect();
+            drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
+        }
+        let l = dvec2(-r.x, r.y);
+        drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
+        drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
+        drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
+        drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
+        drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
+        drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
+        drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
+        for (n, angle, y) in
+            [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)]
+        {
+            // The leader ends beside r, on the side of the labels, and above the ground.
+            let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
+            let place = VIEW.to_drawing(highlight(r, v, n) * v);
+            let label = dvec2(418.0, y);
+            drawing.line("leader", place, label - dvec2(5.0, 5.0));
+            drawing.label_starting_at("quiet", label, &n.to_string());
+        }
+        drawing.label_starting_at("quiet", dvec2(418.0, 90.0), "$n$ =");
+        let label = VIEW.origin + dvec2(-111.0, 22.0);
+        drawing.label("quiet", label, "one half");
+        drawing.into()
     }
 }
 

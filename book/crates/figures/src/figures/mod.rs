@@ -20,28 +20,26 @@ mod scene_from_above;
 mod three_cases;
 mod view_pyramid;
 
-pub use scene_from_above::draw as draw_scene_from_above;
-
-use crate::Live;
+use crate::Figure;
 
 /// Every figure, in the order of the book.
-pub fn all() -> Vec<Live> {
+pub fn all() -> Vec<Figure> {
     vec![
-        ray::figure(),
-        pinhole::figure(),
-        frustum::figure(),
-        row::figure(),
-        right_hand::figure(),
-        camera::figure(),
-        aspect_ratios::figure(),
-        three_cases::figure(),
-        hits_along_a_ray::figure(),
-        scene_from_above::figure(),
-        ball_outlines_figure::figure(),
-        lambert::figure(),
-        attenuation::figure(),
-        phong_vectors::figure(),
-        lobes::figure(),
-        flat_world::figure(),
+        Figure::of::<ray::RayFigure>(),
+        Figure::of::<pinhole::Pinhole>(),
+        Figure::of::<frustum::Frustum>(),
+        Figure::of::<row::RowFigure>(),
+        Figure::of::<right_hand::RightHand>(),
+        Figure::of::<camera::CameraFigure>(),
+        Figure::of::<aspect_ratios::AspectRatios>(),
+        Figure::of::<three_cases::ThreeCases>(),
+        Figure::of::<hits_along_a_ray::HitsAlongARay>(),
+        Figure::of::<scene_from_above::SceneFromAbove>(),
+        Figure::of::<ball_outlines_figure::BallOutlines>(),
+        Figure::of::<lambert::Lambert>(),
+        Figure::of::<attenuation::AttenuationFigure>(),
+        Figure::of::<phong_vectors::PhongVectors>(),
+        Figure::of::<lobes::Lobes>(),
+        Figure::of::<flat_world::FlatWorld>(),
     ]
 }

@@ -1,7 +1,8 @@
-use crate::figure::collect_numbers;
+use crate::output::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, View, camera, degrees_left_of_up, format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, camera, degrees_left_of_up,
+    format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};
@@ -9,8 +10,8 @@ use step05_phong::{OBJECTS, WARM, reflect, visible_point};
 /// The place of the hit in the drawing, and the length of 1.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
 
-/// The unit vectors at the hit.
-struct Vectors {
+/// The unit vectors n, l, r and v at a hit of the scene, with a light to turn.
+pub struct PhongVectors {
     n: DVec3,
     l: DVec3,
     v: DVec3,
@@ -18,9 +19,9 @@ struct Vectors {
     tangent: DVec3,
 }
 
-impl Vectors {
+impl PhongVectors {
     /// The vectors where the scene's warm light is turned by `turn` degrees away from n.
-    fn new(turn: f64) -> Self {
+    fn with_turned_light(turn: f64) -> Self {
         let ray = camera().ray(262.0, 132.0);
         let objects = OBJECTS;
         let point = visible_point(&objects, &ray);
@@ -48,62 +49,60 @@ impl Vectors {
     }
 }
 
-/// The four vectors, seen perpendicular to the plane of n and l.
-fn draw(vectors: &Vectors) -> Drawing {
-    let mut drawing = Drawing::new(480.0, 320.0);
-    let p = VIEW.origin;
-    let radius = 300.0;
-    drawing.circle("object", p + dvec2(0.0, radius), radius);
-    let [n, l, r, v] =
-        [vectors.n, vectors.l, vectors.r(), vectors.v].map(|vector| vectors.project(vector));
-    drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
-    drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
-    // The names of l and r stand on different sides of n, wherever the light is.
-    let outward = if l.x < 0.0 { dvec2(-20.0, -4.0) } else { dvec2(20.0, -4.0) };
-    let arrows = [
-        ("light", l, "$l$", outward),
-        ("normal", n, "$n$", dvec2(0.0, -12.0)),
-        ("vector", r, "$r$", dvec2(-outward.x, -4.0)),
-        ("accent", v, "$v$", dvec2(2.0, -12.0)),
-    ];
-    for (class, vector, name, shift) in arrows {
-        let tip = VIEW.to_drawing(vector);
-        drawing.arrow(class, p, tip);
-        drawing.label("strong", tip + shift, name);
-    }
-    drawing.dot("hit", p);
-    drawing
-}
-
-/// n, l, r and v at a hit of the scene, with a light to turn.
-pub fn figure() -> Live {
-    Live {
-        title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.",
-        caption: "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
+impl Interactive for PhongVectors {
+    const NAME: &str = "phong-vectors";
+    const TITLE: &str = "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye.";
+    const CAPTION: &str = "The four vectors where the ray through column 262, row 132 meets the red sphere. $l$ and $r$ \
                   make the same angle with $n$, {{#number phong-vectors:angle}}°. All four are one unit long; $v$ is drawn shorter because it \
-                  leans out of the plane of the other three. <span class='move'>Turn the light until it is behind the surface.</span>",
-        parameters: vec![Parameter::new(["", "turn of the light", "°"], 0.0, [-30.0, 80.0], 1.0)],
-        handles: vec![Handle::new(
+                  leans out of the plane of the other three. <span class='move'>Turn the light until it is behind the surface.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![Parameter::new(["", "turn of the light", "°"], 0.0, [-30.0, 80.0], 1.0)]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [turn] = array(values);
+        Self::with_turned_light(turn)
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Self::handle_of_one(
             "the light l",
-            [0, 0],
-            |_, values| {
-                let [turn] = array(values);
-                let vectors = Vectors::new(turn);
-                Some(VIEW.to_drawing(vectors.project(vectors.l)))
+            0,
+            |vectors| VIEW.to_drawing(vectors.project(vectors.l)),
+            |_, place| {
+                let angle_without_turn = Self::with_turned_light(0.0).angle();
+                degrees_left_of_up(VIEW.origin, place) - angle_without_turn
             },
-            |_, _, place| {
-                let angle_without_turn = Vectors::new(0.0).angle();
-                DVec2::splat(degrees_left_of_up(VIEW.origin, place) - angle_without_turn)
-            },
-        )],
-        numbers: |values| {
-            let [turn] = array(values);
-            let angle = Vectors::new(turn).angle().abs();
-            collect_numbers([("angle", format_rounded(angle, 1))])
-        },
-        ..Live::new("phong-vectors", |values| {
-            let [turn] = array(values);
-            Output::Drawing(draw(&Vectors::new(turn)))
-        })
+        )]
+    }
+
+    fn draw(&self) -> Output {
+        let mut drawing = Drawing::new(480.0, 320.0);
+        let p = VIEW.origin;
+        let radius = 300.0;
+        drawing.circle("object", p + dvec2(0.0, radius), radius);
+        let [n, l, r, v] = [self.n, self.l, self.r(), self.v].map(|vector| self.project(vector));
+        drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
+        drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
+        // The names of l and r stand on different sides of n, wherever the light is.
+        let outward = if l.x < 0.0 { dvec2(-20.0, -4.0) } else { dvec2(20.0, -4.0) };
+        let arrows = [
+            ("light", l, "$l$", outward),
+            ("normal", n, "$n$", dvec2(0.0, -12.0)),
+            ("vector", r, "$r$", dvec2(-outward.x, -4.0)),
+            ("accent", v, "$v$", dvec2(2.0, -12.0)),
+        ];
+        for (class, vector, name, shift) in arrows {
+            let tip = VIEW.to_drawing(vector);
+            drawing.arrow(class, p, tip);
+            drawing.label("strong", tip + shift, name);
+        }
+        drawing.dot("hit", p);
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        collect_numbers([("angle", format_rounded(self.angle().abs(), 1))])
     }
 }

@@ -1,46 +1,50 @@
-use crate::{Drawing, Live, Output, View};
+use crate::{Drawing, Interactive, Output, View};
 use glam::{DVec3, dvec2};
 use step01_rays::Ray;
 
-fn draw() -> Drawing {
-    let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
-    let [top, bottom] =
-        [0.34, -0.2].map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
-    let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
-    let (film, plane, object) = (-1.0, 1.0, 2.3);
-    let c = view.xy_to_drawing(0.0, 0.0);
-    let mut drawing = Drawing::new(480.0, 236.0);
-    for t in [film, plane] {
-        let x = view.xy_to_drawing(t, 0.0).x;
-        drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
-    }
-    let wall = |y: f64| view.xy_to_drawing(0.0, y);
-    drawing.line("ground", wall(0.82), wall(0.07));
-    drawing.line("ground", wall(-0.07), wall(-0.82));
-    for ray in [&top, &bottom] {
-        drawing.line("guide", place(ray, film), c);
-        drawing.line("ray", c, place(ray, object));
-    }
-    for t in [film, plane, object] {
-        drawing.arrow("second", place(&bottom, t), place(&top, t));
-    }
-    let label = |t: f64, y: f64| dvec2(view.xy_to_drawing(t, 0.0).x, y);
-    for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")] {
-        drawing.label("quiet", label(t, 198.0), name);
-    }
-    for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
-        drawing.label("quiet", label(t, 222.0), text);
-    }
-    drawing.label("quiet", label(object, 198.0), "scene");
-    drawing
-}
-
 /// A pinhole camera from the side: the image behind the pinhole, and the one in front.
-pub fn figure() -> Live {
-    Live {
-        title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
-        caption: "Two rays to the ends of an arrow. Behind the pinhole, its image is upside down. At the same distance \
-                  in front, it has the same size, and is upright.",
-        ..Live::new("pinhole", |_| Output::Drawing(draw()))
+pub struct Pinhole;
+
+impl Interactive for Pinhole {
+    const NAME: &str = "pinhole";
+    const TITLE: &str = "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.";
+    const CAPTION: &str = "Two rays to the ends of an arrow. Behind the pinhole, its image is upside down. At the same distance \
+                  in front, it has the same size, and is upright.";
+
+    fn from_values(_: &[f64]) -> Self {
+        Self
+    }
+
+    fn draw(&self) -> Output {
+        let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
+        let [top, bottom] =
+            [0.34, -0.2].map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
+        let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
+        let (film, plane, object) = (-1.0, 1.0, 2.3);
+        let c = view.xy_to_drawing(0.0, 0.0);
+        let mut drawing = Drawing::new(480.0, 236.0);
+        for t in [film, plane] {
+            let x = view.xy_to_drawing(t, 0.0).x;
+            drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
+        }
+        let wall = |y: f64| view.xy_to_drawing(0.0, y);
+        drawing.line("ground", wall(0.82), wall(0.07));
+        drawing.line("ground", wall(-0.07), wall(-0.82));
+        for ray in [&top, &bottom] {
+            drawing.line("guide", place(ray, film), c);
+            drawing.line("ray", c, place(ray, object));
+        }
+        for t in [film, plane, object] {
+            drawing.arrow("second", place(&bottom, t), place(&top, t));
+        }
+        let label = |t: f64, y: f64| dvec2(view.xy_to_drawing(t, 0.0).x, y);
+        for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")] {
+            drawing.label("quiet", label(t, 198.0), name);
+        }
+        for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
+            drawing.label("quiet", label(t, 222.0), text);
+        }
+        drawing.label("quiet", label(object, 198.0), "scene");
+        drawing.into()
     }
 }

@@ -1,6 +1,8 @@
-use crate::figure::collect_numbers;
+use crate::output::collect_numbers;
 use crate::parameter::array;
-use crate::{Drawing, Handle, Live, Output, Parameter, View, format_number, format_rounded};
+use crate::{
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, format_number, format_rounded,
+};
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
 
@@ -10,21 +12,15 @@ const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) 
 /// The shift by which V is drawn above the ray.
 const V_SHIFT: DVec2 = dvec2(-5.0, -14.0);
 
-/// A ray in the plane z = 0, and a point on it.
-struct RayFigure {
+/// A ray in the plane z = 0 with the points at several t, and a point that keeps its distance
+/// from S when V is made longer.
+pub struct RayFigure {
     ray: Ray,
     /// The t of the point.
     t: f64,
 }
 
 impl RayFigure {
-    fn new(values: &[f64]) -> Self {
-        let [s_x, s_y, v_x, v_y, distance] = array(values);
-        let start = dvec2(s_x, s_y).extend(0.0);
-        let direction = dvec2(v_x, v_y).extend(0.0);
-        Self { ray: Ray { start, direction }, t: distance / direction.length() }
-    }
-
     /// The place of r(t) in the drawing.
     fn place(&self, t: f64) -> DVec2 {
         VIEW.to_drawing(self.ray.at(t).truncate())
@@ -41,38 +37,6 @@ fn is_in_drawing(place: DVec2) -> bool {
     place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
 }
 
-fn draw(figure: &RayFigure) -> Drawing {
-    let place = |t: f64| figure.place(t);
-    let v = place(1.0) - place(0.0);
-    let mut drawing = Drawing::new(SIZE.x, SIZE.y);
-    let steps = (0..).map(|k| 0.1 * f64::from(k));
-    let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
-    drawing.line("guide", place(0.0) - 90.0 * v.normalize(), place(0.0));
-    drawing.arrow("ray", place(0.0), place(end));
-    drawing.arrow("vector", place(0.0) + V_SHIFT, figure.tip());
-    drawing.label("strong", place(0.5) + 2.0 * V_SHIFT, "$V$");
-    // Each whole t that has room gets a label; where V is short or steep, only some do.
-    let step = (52.0 / v.x.abs().max(1.7 * v.y.abs())).ceil();
-    let margin = dvec2(26.0, 32.0);
-    for t in (-1..40).map(|k| if k < 0 { -0.5 } else { step * f64::from(k) }) {
-        let has_room = place(t).clamp(margin, SIZE - margin) == place(t);
-        if has_room && (0.0 <= t || step == 1.0) {
-            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
-            let label = format!("$t$ = {}", format_number(t));
-            drawing.label("quiet", place(t) + dvec2(9.0, 25.0), &label);
-        }
-    }
-    if v.x < 0.0 {
-        let start = place(0.0) + dvec2(12.0, -16.0);
-        drawing.label_starting_at("strong", start, "$S$");
-    } else {
-        let end = place(0.0) + dvec2(-14.0, -10.0);
-        drawing.label_ending_at("strong", end, "$S$");
-    }
-    draw_point_label(&mut drawing, figure.t, place(figure.t), v.length());
-    drawing
-}
-
 /// The label S + tV of the point, above V and its name if the point is beside them.
 fn draw_point_label(drawing: &mut Drawing, t: f64, point: DVec2, v_length: f64) {
     if !is_in_drawing(point) {
@@ -87,67 +51,97 @@ fn draw_point_label(drawing: &mut Drawing, t: f64, point: DVec2, v_length: f64) 
     drawing.label_ending_at("", end, &format!("$S$ {sign} {factor}$V$"));
 }
 
-/// A ray with the points at several t, and one that keeps its distance from S when V
-/// is made longer.
-pub fn figure() -> Live {
-    Live {
-        title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
-        caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
+impl Interactive for RayFigure {
+    const NAME: &str = "ray";
+    const TITLE: &str = "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.";
+    const CAPTION: &str = "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
                   $V$ has length {{#number ray:length}}, and the point {{#number ray:point}} has $t = {{#number ray:t}}$. \
-                  <span class='move'>Make $V$ longer. The point stays: what's its $t$ now?</span>",
-        parameters: vec![
+                  <span class='move'>Make $V$ longer. The point stays: what's its $t$ now?</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![
             Parameter::coordinate(0.0, [-2.0, 7.0], 10.0),
             Parameter::coordinate(0.0, [-1.0, 3.0], 10.0),
             Parameter::coordinate(2.4, [-4.0, 7.0], 10.0),
             Parameter::coordinate(0.7, [-4.0, 4.0], 10.0),
             Parameter::coordinate(5.0, [-2.0, 8.0], 10.0),
-        ],
-        handles: vec![
-            Handle::new(
-                "the start S",
-                [0, 1],
-                |_, values| Some(RayFigure::new(values).place(0.0)),
-                |_, _, place| VIEW.to_world(place),
-            ),
-            Handle::new(
+        ]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [s_x, s_y, v_x, v_y, distance] = array(values);
+        let start = dvec2(s_x, s_y).extend(0.0);
+        let direction = dvec2(v_x, v_y).extend(0.0);
+        Self { ray: Ray { start, direction }, t: distance / direction.length() }
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![
+            Handle::of_point("the start S", 0, VIEW),
+            Self::handle(
                 "the tip of V",
                 [2, 3],
-                |_, values| Some(RayFigure::new(values).tip()),
-                |_, values, place| {
-                    let start = RayFigure::new(values).ray.start.truncate();
-                    VIEW.to_world(place - V_SHIFT) - start
-                },
+                |figure| Some(figure.tip()),
+                |figure, place| VIEW.to_world(place - V_SHIFT) - figure.ray.start.truncate(),
             ),
-            Handle::new(
+            Self::handle_of_one(
                 "the point's distance from S",
-                [4, 4],
-                |_, values| {
-                    let figure = RayFigure::new(values);
-                    Some(figure.place(figure.t))
-                },
-                |_, values, place| {
-                    let Ray { start, direction } = RayFigure::new(values).ray;
-                    let to_place = VIEW.to_world(place).extend(0.0) - start;
-                    DVec2::splat(to_place.dot(direction.normalize()))
+                4,
+                |figure| figure.place(figure.t),
+                |Self { ray, .. }, place| {
+                    let to_place = VIEW.to_world(place).extend(0.0) - ray.start;
+                    to_place.dot(ray.direction.normalize())
                 },
             ),
-        ],
-        is_allowed: |values| {
-            let figure = RayFigure::new(values);
-            0.5 <= figure.ray.direction.length()
-                && is_in_drawing(figure.place(0.0))
-                && is_in_drawing(figure.tip())
-        },
-        numbers: |values| {
-            let RayFigure { ray, t } = RayFigure::new(values);
-            let point = ray.at(t);
-            let [x, y] = [point.x, point.y].map(|number| format_rounded(number, 2));
-            collect_numbers([
-                ("length", format_rounded(ray.direction.length(), 2)),
-                ("t", format_rounded(t, 2)),
-                ("point", format!("({x}, {y})")),
-            ])
-        },
-        ..Live::new("ray", |values| Output::Drawing(draw(&RayFigure::new(values))))
+        ]
+    }
+
+    fn is_allowed(&self) -> bool {
+        0.5 <= self.ray.direction.length()
+            && is_in_drawing(self.place(0.0))
+            && is_in_drawing(self.tip())
+    }
+
+    fn draw(&self) -> Output {
+        let place = |t: f64| self.place(t);
+        let v = place(1.0) - place(0.0);
+        let mut drawing = Drawing::new(SIZE.x, SIZE.y);
+        let steps = (0..).map(|k| 0.1 * f64::from(k));
+        let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
+        drawing.line("guide", place(0.0) - 90.0 * v.normalize(), place(0.0));
+        drawing.arrow("ray", place(0.0), place(end));
+        drawing.arrow("vector", place(0.0) + V_SHIFT, self.tip());
+        drawing.label("strong", place(0.5) + 2.0 * V_SHIFT, "$V$");
+        // Each whole t that has room gets a label; where V is short or steep, only some do.
+        let step = (52.0 / v.x.abs().max(1.7 * v.y.abs())).ceil();
+        let margin = dvec2(26.0, 32.0);
+        for t in (-1..40).map(|k| if k < 0 { -0.5 } else { step * f64::from(k) }) {
+            let has_room = place(t).clamp(margin, SIZE - margin) == place(t);
+            if has_room && (0.0 <= t || step == 1.0) {
+                drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
+                let label = format!("$t$ = {}", format_number(t));
+                drawing.label("quiet", place(t) + dvec2(9.0, 25.0), &label);
+            }
+        }
+        if v.x < 0.0 {
+            let start = place(0.0) + dvec2(12.0, -16.0);
+            drawing.label_starting_at("strong", start, "$S$");
+        } else {
+            let end = place(0.0) + dvec2(-14.0, -10.0);
+            drawing.label_ending_at("strong", end, "$S$");
+        }
+        draw_point_label(&mut drawing, self.t, place(self.t), v.length());
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        let Self { ray, t } = self;
+        let point = ray.at(*t);
+        let [x, y] = [point.x, point.y].map(|number| format_rounded(number, 2));
+        collect_numbers([
+            ("length", format_rounded(ray.direction.length(), 2)),
+            ("t", format_rounded(*t, 2)),
+            ("point", format!("({x}, {y})")),
+        ])
     }
 }

@@ -1,15 +1,16 @@
-use crate::figure::collect_numbers;
+use crate::output::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Live, Output, Parameter, Row, View, degrees_left_of_up, format_number,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, Row, View, degrees_left_of_up,
+    format_number,
 };
 use glam::{DVec2, dvec2};
 
 /// The place of C in the drawing.
 const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 
-/// A row of rays, and what it was made from.
-struct RowFigure {
+/// A row of rays in 2D, with V_0 and D.
+pub struct RowFigure {
     row: Row,
     rays: f64,
     /// The field of view in degrees.
@@ -17,14 +18,6 @@ struct RowFigure {
 }
 
 impl RowFigure {
-    /// A row whose D divides by hRes − 1 if `divisor` is 0, and by hRes if it is 1.
-    fn new(values: &[f64]) -> Self {
-        let [rays, degrees, divisor] = array(values);
-        let mut row = Row::new(rays as u32, degrees.to_radians());
-        row.matrix.x_axis *= (rays - 1.0) / (rays - 1.0 + divisor);
-        Self { row, rays, degrees }
-    }
-
     /// The map to the drawing; a wide row is drawn smaller.
     fn view(&self) -> View {
         let tan = self.row.direction(0.0).x.abs();
@@ -32,89 +25,99 @@ impl RowFigure {
     }
 }
 
-fn draw(figure: &RowFigure) -> Drawing {
-    let (row, view) = (&figure.row, figure.view());
-    let last = figure.rays as usize - 1;
-    let c = ORIGIN;
-    let directions: Vec<DVec2> = (0..=last).map(|i| row.direction(i as f64)).collect();
-    let mut drawing = Drawing::new(480.0, 332.0);
-    let tan = -directions[0].x;
-    let side = (1.02 * tan).max(0.86);
-    drawing.line("plane", view.xy_to_drawing(-side, 1.0), view.xy_to_drawing(side, 1.0));
-    drawing.line("guide", c, view.xy_to_drawing(0.0, 1.0));
-    for &v in &directions[1..] {
-        drawing.line("ray faint", c, view.to_drawing(1.28 * v));
-    }
-    let v_0 = directions[0];
-    drawing.line("ray faint", view.to_drawing(v_0), view.to_drawing(1.28 * v_0));
-    for &v in &directions {
-        drawing.dot("ray", view.to_drawing(v));
-    }
-    drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
-    drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
-    drawing.arrow("vector", c, view.to_drawing(v_0));
-    let step = |i: usize| [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])];
-    for i in 0..last.min(2) {
-        let [start, tip] = step(i);
-        drawing.arrow("accent", start, tip);
-    }
-    let [start, tip] = step(last.min(2) - 1);
-    drawing.label("accent over", (start + tip) / 2.0 + dvec2(0.0, -10.0), "$D$");
-    let middle = view.to_drawing(0.55 * v_0);
-    drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
-    let [start, tip] = step(0);
-    let has_room = 36.0 < tip.x - start.x;
-    let labelled = (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
-    for i in labelled {
-        let end = view.to_drawing(1.28 * directions[i]);
-        let label = format!("$i$ = {i}");
-        drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
-    }
-    if figure.degrees <= 75.0 {
-        let right = view.xy_to_drawing(side, 1.0) + dvec2(-14.0, 20.0);
-        drawing.label_starting_at("quiet", right, "image plane");
-    }
-    drawing.dot("eye", c);
-    drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    let corner = view.xy_to_drawing(tan, 0.0);
-    drawing.line("guide", view.xy_to_drawing(tan, 1.0), corner);
-    drawing.line("guide", c, corner);
-    let label = view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0);
-    drawing.label_starting_at("quiet", label, "1");
-    let label = (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
-    drawing.label("quiet", label, "tan($θ$/2)");
-    drawing
-}
-
-/// A row of rays in 2D, with V_0 and D.
-pub fn figure() -> Live {
-    Live {
-        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
-        caption: "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
+impl Interactive for RowFigure {
+    const NAME: &str = "row";
+    const TITLE: &str = "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.";
+    const CAPTION: &str = "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
                   Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
-                  <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>",
-        parameters: vec![
+                  <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        vec![
             Parameter::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
             Parameter::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
             Parameter::choice("D divides by", 0.0, &["hRes − 1", "hRes"]),
-        ],
-        handles: vec![Handle::new(
+        ]
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let [rays, degrees, divisor] = array(values);
+        let mut row = Row::new(rays as u32, degrees.to_radians());
+        // D divides by hRes − 1 if `divisor` is 0, and by hRes if it is 1.
+        row.matrix.x_axis *= (rays - 1.0) / (rays - 1.0 + divisor);
+        Self { row, rays, degrees }
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Self::handle_of_one(
             "the tip of V0, which opens the field of view",
-            [1, 1],
-            |_, values| {
-                let figure = RowFigure::new(values);
-                Some(figure.view().to_drawing(figure.row.direction(0.0)))
-            },
-            |_, _, place| DVec2::splat(2.0 * degrees_left_of_up(ORIGIN, place)),
-        )],
-        numbers: |values| {
-            let RowFigure { row, rays, degrees } = RowFigure::new(values);
-            collect_numbers([
-                ("hRes", format_number(rays)),
-                ("angle", format_number(degrees)),
-                ("D", format_number(row.matrix.x_axis.x)),
-            ])
-        },
-        ..Live::new("row", |values| Output::Drawing(draw(&RowFigure::new(values))))
+            1,
+            |figure| figure.view().to_drawing(figure.row.direction(0.0)),
+            |_, place| 2.0 * degrees_left_of_up(ORIGIN, place),
+        )]
+    }
+
+    fn draw(&self) -> Output {
+        let (row, view) = (&self.row, self.view());
+        let last = self.rays as usize - 1;
+        let c = ORIGIN;
+        let directions: Vec<DVec2> = (0..=last).map(|i| row.direction(i as f64)).collect();
+        let mut drawing = Drawing::new(480.0, 332.0);
+        let tan = -directions[0].x;
+        let side = (1.02 * tan).max(0.86);
+        drawing.line("plane", view.xy_to_drawing(-side, 1.0), view.xy_to_drawing(side, 1.0));
+        drawing.line("guide", c, view.xy_to_drawing(0.0, 1.0));
+        for &v in &directions[1..] {
+            drawing.line("ray faint", c, view.to_drawing(1.28 * v));
+        }
+        let v_0 = directions[0];
+        drawing.line("ray faint", view.to_drawing(v_0), view.to_drawing(1.28 * v_0));
+        for &v in &directions {
+            drawing.dot("ray", view.to_drawing(v));
+        }
+        drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
+        drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
+        drawing.arrow("vector", c, view.to_drawing(v_0));
+        let step = |i: usize| [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])];
+        for i in 0..last.min(2) {
+            let [start, tip] = step(i);
+            drawing.arrow("accent", start, tip);
+        }
+        let [start, tip] = step(last.min(2) - 1);
+        drawing.label("accent over", (start + tip) / 2.0 + dvec2(0.0, -10.0), "$D$");
+        let middle = view.to_drawing(0.55 * v_0);
+        drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
+        let [start, tip] = step(0);
+        let has_room = 36.0 < tip.x - start.x;
+        let labelled = (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
+        for i in labelled {
+            let end = view.to_drawing(1.28 * directions[i]);
+            let label = format!("$i$ = {i}");
+            drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
+        }
+        if self.degrees <= 75.0 {
+            let right = view.xy_to_drawing(side, 1.0) + dvec2(-14.0, 20.0);
+            drawing.label_starting_at("quiet", right, "image plane");
+        }
+        drawing.dot("eye", c);
+        drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
+        let corner = view.xy_to_drawing(tan, 0.0);
+        drawing.line("guide", view.xy_to_drawing(tan, 1.0), corner);
+        drawing.line("guide", c, corner);
+        let label = view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0);
+        drawing.label_starting_at("quiet", label, "1");
+        let label =
+            (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
+        drawing.label("quiet", label, "tan($θ$/2)");
+        drawing.into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        let Self { row, rays, degrees } = self;
+        collect_numbers([
+            ("hRes", format_number(*rays)),
+            ("angle", format_number(*degrees)),
+            ("D", format_number(row.matrix.x_axis.x)),
+        ])
     }
 }

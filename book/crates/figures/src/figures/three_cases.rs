@@ -1,19 +1,6 @@
-use crate::{Drawing, Handle, Live, Output, Parameter, View, discriminant, format_rounded};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View, discriminant, format_rounded};
 use glam::{DVec2, DVec3, dvec2};
 use step02_sphere::{Ray, Roots, Sphere};
-
-/// The handle at the start of a case's ray.
-fn start_handle((case, name): (usize, &str)) -> Handle {
-    Handle::new(
-        format!("the start of the {name} ray"),
-        [2 * case, 2 * case + 1],
-        |handle, values| {
-            let case = handle.parameters[0] / 2;
-            Some(circle_view(case).to_drawing(handle.coordinates(values)))
-        },
-        |handle, _, place| circle_view(handle.parameters[0] / 2).to_world(place),
-    )
-}
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
 
@@ -24,17 +11,6 @@ const X_RANGE: [f64; 2] = [-2.125, 2.125];
 fn circle_view(case: usize) -> View {
     let x = 80.0 + 160.0 * case as f64;
     View { origin: dvec2(x, 112.0), scale: DVec2::splat(33.0) }
-}
-
-/// A ray along x from each of the three starts, with its circle and its parabola.
-fn draw(starts: impl Iterator<Item = DVec2>) -> Drawing {
-    let mut drawing = Drawing::new(480.0, 330.0);
-    for (case, start) in starts.enumerate() {
-        let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
-        draw_case(&mut drawing, &ray, case);
-    }
-    drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
-    drawing
 }
 
 /// The labels of the discriminant and of the roots.
@@ -98,23 +74,52 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
 }
 
 /// Three rays and a circle, each above its parabola at² + bt + c.
-pub fn figure() -> Live {
-    Live {
-        title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
-        caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the ray meets the circle, at the point \
+pub struct ThreeCases {
+    starts: Vec<DVec2>,
+}
+
+impl Interactive for ThreeCases {
+    const NAME: &str = "three-cases";
+    const TITLE: &str = "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.";
+    const CAPTION: &str = "The three cases. Where the curve $at^2 + bt + c$ is 0, the ray meets the circle, at the point \
                   straight above. The discriminant says which case it is before any root is known. \
-                  <span class='move'>Drag a ray until it touches.</span>",
-        // Sums and products of sixteenths are exact: a discriminant of 0 is exactly 0.
-        parameters: [1.375, 1.0, 0.4375]
+                  <span class='move'>Drag a ray until it touches.</span>";
+
+    fn parameters() -> Vec<Parameter> {
+        [1.375, 1.0, 0.4375]
             .into_iter()
             .flat_map(|y| {
                 let x = Parameter::coordinate(-2.125, [-2.25, 1.875], 16.0);
                 [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
             })
-            .collect(),
-        handles: ["left", "middle", "right"].into_iter().enumerate().map(start_handle).collect(),
-        ..Live::new("three-cases", |values| {
-            Output::Drawing(draw(values.chunks_exact(2).map(DVec2::from_slice)))
-        })
+            .collect()
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        Self { starts: values.chunks_exact(2).map(DVec2::from_slice).collect() }
+    }
+
+    fn handles() -> Vec<Handle> {
+        ["left", "middle", "right"]
+            .iter()
+            .enumerate()
+            .map(|(case, name)| {
+                Handle::of_point(
+                    &format!("the start of the {name} ray"),
+                    2 * case,
+                    circle_view(case),
+                )
+            })
+            .collect()
+    }
+
+    fn draw(&self) -> Output {
+        let mut drawing = Drawing::new(480.0, 330.0);
+        for (case, start) in self.starts.iter().enumerate() {
+            let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
+            draw_case(&mut drawing, &ray, case);
+        }
+        drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
+        drawing.into()
     }
 }

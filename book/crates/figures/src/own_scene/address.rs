@@ -1,7 +1,7 @@
 //! The part of an address that keeps a scene: the values that differ from the defaults,
 //! such as `red-sphere-radius:2,camera-field-of-view:45`.
 
-use crate::{Live, Parameter};
+use crate::{Figure, Parameter};
 
 /// The address of these values.
 pub fn format_address<'a>(
@@ -16,18 +16,18 @@ pub fn format_address<'a>(
 }
 
 /// The values at an address, or a sentence that says what is wrong with it.
-pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
-    let mut values = live.default_values();
+pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String> {
+    let mut values = figure.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
         // The sentence repeats only the beginning of a long address.
         let [name, value] = [name, value].map(|text| text.chars().take(40).collect::<String>());
-        let mut keys = live.parameters.iter().map(key);
+        let mut keys = figure.parameters.iter().map(key);
         let index = keys.position(|key| key.as_ref() == Some(&name));
         let index = index.ok_or_else(|| {
             format!("The address speaks of “{name}”, and nothing here is called so.")
         })?;
-        let [min, max] = live.parameters[index].range;
+        let [min, max] = figure.parameters[index].range;
         values[index] = match value.parse() {
             Ok(number) if (min..=max).contains(&number) => number,
             _ => {
@@ -37,7 +37,7 @@ pub fn parse_address(live: &Live, address: &str) -> Result<Vec<f64>, String> {
             }
         };
     }
-    live.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
+    figure.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
 }
 
 /// The name of a parameter in an address; None for the columns of the picture.

@@ -7,65 +7,60 @@ mod parameters;
 pub use address::parse_address;
 pub use parameters::own_scene;
 
-use crate::figure::collect_numbers;
-use crate::probe::{SIZE, place_of_point, point_at_place};
-use crate::{Handle, Live, Mark, Output, Parameter};
-use course::{Owner, format_scene_program};
-use glam::{DVec2, DVec3};
+use crate::output::collect_numbers;
+use crate::projection::SIZE;
+use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
+use course::{OwnScene, Owner, format_scene_program};
+use glam::DVec3;
 use parameters::{PARAMETERS, Target};
-use step05_phong::Camera;
 
-/// The camera of the whole picture.
-fn camera(values: &[f64]) -> Camera {
-    own_scene(values).camera(SIZE.x)
+/// The picture of the scene, and the values that it was made from.
+pub struct OwnScenePicture {
+    own: OwnScene,
+    values: Vec<f64>,
 }
 
-/// The handle of a sphere or light whose first parameter, its switch, is number `first`;
-/// x, y and z follow. It sets x and y, and leaves them where no point at this z is ahead.
-fn object_handle(first: usize) -> Handle {
-    let (_, parameter) = &PARAMETERS[first];
-    Handle::new(
-        parameter.group,
-        [first + 1, first + 2],
-        |handle, values| {
-            let x = handle.parameters[0];
-            let is_there = values[x - 1] == 1.0;
-            let position = DVec3::from_slice(&values[x..]);
-            let place = place_of_point(&camera(values), position);
-            place.filter(|_| is_there)
-        },
-        |handle, values, place| {
-            let z = values[handle.parameters[1] + 1];
-            let inside = place.clamp(DVec2::ZERO, SIZE);
-            point_at_place(&camera(values), inside, z).unwrap_or_else(|| handle.coordinates(values))
-        },
-    )
-}
+impl Interactive for OwnScenePicture {
+    const NAME: &str = "own_scene";
 
-/// The picture of the scene.
-pub fn picture() -> Live {
-    let (targets, parameters): (Vec<Target>, Vec<Parameter>) = PARAMETERS.iter().cloned().unzip();
-    let handles = targets.into_iter().enumerate().filter_map(|(first, target)| match target {
-        Target::Presence(Owner::Light, _) => {
-            Some(Handle { mark: Mark::Light, ..object_handle(first) })
-        }
-        Target::Presence(..) => Some(object_handle(first)),
-        _ => None,
-    });
-    Live {
-        handles: handles.collect(),
-        parameters,
-        is_allowed: |values| {
-            let own = own_scene(values);
-            own.position != own.target
-        },
-        numbers: |values| {
-            let parameters = PARAMETERS.iter().map(|(_, parameter)| parameter);
-            collect_numbers([
-                ("rust", format_scene_program(&own_scene(values))),
-                ("address", address::format_address(parameters, values)),
-            ])
-        },
-        ..Live::new("own_scene", |values| Output::Picture(own_scene(values).picture(values[0])))
+    fn parameters() -> Vec<Parameter> {
+        PARAMETERS.iter().map(|(_, parameter)| parameter.clone()).collect()
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        Self { own: own_scene(values), values: values.to_vec() }
+    }
+
+    fn handles() -> Vec<Handle> {
+        // The switch of a sphere or light comes before its position.
+        let handles = PARAMETERS.iter().enumerate().filter_map(|(k, (target, parameter))| {
+            let Target::Presence(owner, _) = *target else { return None };
+            let mark = if owner == Owner::Light { Mark::Light } else { Mark::Point };
+            let handle =
+                Self::handle_in_picture(parameter.group, k + 1, 0.0, move |picture: &Self| {
+                    let (presence, position) = (picture.values[k], &picture.values[k + 1..]);
+                    let point = DVec3::from_slice(position);
+                    (presence == 1.0).then(|| (picture.own.camera(SIZE.x), point))
+                });
+            Some(handle.with_mark(mark))
+        });
+        handles.collect()
+    }
+
+    fn is_allowed(&self) -> bool {
+        self.own.position != self.own.target
+    }
+
+    fn draw(&self) -> Output {
+        // The first parameter is the columns.
+        self.own.picture(self.values[0]).into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        let parameters = PARAMETERS.iter().map(|(_, parameter)| parameter);
+        collect_numbers([
+            ("rust", format_scene_program(&self.own)),
+            ("address", address::format_address(parameters, &self.values)),
+        ])
     }
 }

@@ -65,7 +65,7 @@ fn numbers(
             let mut parameter = Parameter::new(names, defaults[place], range, steps_per_unit);
             parameter.group = group;
             if quantity.needs_mirrors {
-                parameter.has_control = |_, values| own_scene(values).has_mirrors;
+                parameter = parameter.with_control_if(|values| own_scene(values).has_mirrors);
             }
             parameters.push((Target::Number(quantity, k, place), parameter));
         }

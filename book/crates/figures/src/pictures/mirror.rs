@@ -1,9 +1,10 @@
-use super::short_name;
 use super::step05::object_parameters;
-use crate::figure::collect_numbers;
+use crate::output::collect_numbers;
 use crate::parameter::array;
 use crate::probe::Probe;
-use crate::{Live, Numbers, Output, Parameter, format_number, format_vector};
+use crate::{
+    Handle, Interactive, Numbers, Output, Parameter, format_number, format_vector, short_name,
+};
 use course::examples::mirror::{Mirror, colour, hidden, mirrors, shadowed_phong};
 use glam::DVec3;
 use step05_phong::{
@@ -25,8 +26,9 @@ type Row = Vec<(&'static str, String)>;
 /// The columns of the table of what a ray meets.
 const COLUMNS: [&str; 9] = ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
 
-/// The probe and the scene of these values.
-struct Mirrors {
+/// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
+/// the object at the probe to set.
+pub struct Mirrors {
     probe: Probe,
     depth: u32,
     offset: f64,
@@ -34,18 +36,6 @@ struct Mirrors {
 }
 
 impl Mirrors {
-    fn new(values: &[f64]) -> Self {
-        let (probe, others) = Probe::split_values(values);
-        let (first, ks) = others.split_at(2);
-        let [depth, choice] = array(first);
-        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
-        let mut scene = mirrors();
-        for (object, k) in scene.objects.iter_mut().zip(ks) {
-            object.material.k = *k;
-        }
-        Self { probe, depth: depth as u32, offset, scene }
-    }
-
     /// The colour that `ray` sees by way of at most `depth` mirrors.
     fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
         colour(&self.scene, ray, depth, self.offset)
@@ -83,6 +73,42 @@ impl Mirrors {
         ];
         (row, is_mirror.then_some(mirrored))
     }
+}
+
+impl Interactive for Mirrors {
+    const NAME: &str = "mirror";
+
+    fn parameters() -> Vec<Parameter> {
+        let mut parameters = Probe::parameters(168.0, 295.0);
+        let depth = f64::from(MAX_DEPTH);
+        parameters.extend([
+            Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0),
+            Parameter::choice("offset", 8.0, OFFSETS),
+        ]);
+        let ks = mirrors().objects.into_iter().map(|object| object.material.k);
+        parameters.extend(object_parameters("k", ks, [0.0, 1.0], 20.0));
+        parameters
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        let (probe, others) = Probe::split_values(values);
+        let (first, ks) = others.split_at(2);
+        let [depth, choice] = array(first);
+        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
+        let mut scene = mirrors();
+        for (object, k) in scene.objects.iter_mut().zip(ks) {
+            object.material.k = *k;
+        }
+        Self { probe, depth: depth as u32, offset, scene }
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Probe::handle()]
+    }
+
+    fn draw(&self) -> Output {
+        render(&self.probe.camera(), 1, |ray| self.colour(ray, self.depth)).into()
+    }
 
     /// The way of the probe's ray, row by row; the numbers of rows that it does not have
     /// are empty.
@@ -104,28 +130,5 @@ impl Mirrors {
             ray = mirrored;
         }
         numbers
-    }
-}
-
-/// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
-/// the object at the probe to set.
-pub fn picture() -> Live {
-    let mut parameters = Probe::parameters(168.0, 295.0);
-    let depth = f64::from(MAX_DEPTH);
-    parameters.extend([
-        Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0),
-        Parameter::choice("offset", 8.0, OFFSETS),
-    ]);
-    let ks = mirrors().objects.into_iter().map(|object| object.material.k);
-    parameters.extend(object_parameters("k", ks, [0.0, 1.0], 20.0));
-    Live {
-        parameters,
-        handles: vec![Probe::handle()],
-        numbers: |values| Mirrors::new(values).numbers(),
-        ..Live::new("mirror", |values| {
-            let mirrors = Mirrors::new(values);
-            let colour = |ray: &Ray| mirrors.colour(ray, mirrors.depth);
-            Output::Picture(render(&mirrors.probe.camera(), 1, colour))
-        })
     }
 }

@@ -1,24 +1,31 @@
 use super::pixel_trace::trace_pixel;
-use crate::figures::draw_scene_from_above;
 use crate::probe::Probe;
-use crate::{Companion, Live, Numbers, Output};
+use crate::{Handle, Interactive, Numbers, Output, Parameter};
 use step03_nearest::{OBJECTS, colour, render};
 
 /// The picture of step 3, with a probe.
-pub fn picture() -> Live {
-    Live {
-        parameters: Probe::parameters(470.0, 120.0),
-        handles: vec![Probe::handle()],
-        numbers: |values| {
-            let (probe, _) = Probe::split_values(values);
-            let colour = |ray: &_| colour(&OBJECTS, ray);
-            trace_pixel(&probe, &OBJECTS, |_| Numbers::new(), colour)
-        },
-        companion: Some(Companion { name: "from-above", draw: draw_scene_from_above }),
-        ..Live::new("step03_nearest", |values| {
-            let (probe, _) = Probe::split_values(values);
-            let colour = |ray: &_| colour(&OBJECTS, ray);
-            Output::Picture(render(&probe.camera(), 1, colour))
-        })
+pub struct FlatSpheres(Probe);
+
+impl Interactive for FlatSpheres {
+    const NAME: &str = "step03_nearest";
+
+    fn parameters() -> Vec<Parameter> {
+        Probe::parameters(470.0, 120.0)
+    }
+
+    fn from_values(values: &[f64]) -> Self {
+        Self(Probe::split_values(values).0)
+    }
+
+    fn handles() -> Vec<Handle> {
+        vec![Probe::handle()]
+    }
+
+    fn draw(&self) -> Output {
+        render(&self.0.camera(), 1, |ray| colour(&OBJECTS, ray)).into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        trace_pixel(&self.0, &OBJECTS, |_| Numbers::new(), |ray| colour(&OBJECTS, ray))
     }
 }

@@ -1,30 +1,65 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use super::render_scene;
 use crate::parameter::array;
 use crate::probe::Probe;
-use crate::{Live, Parameter};
+use crate::{Handle, Interactive, Numbers, Output, Parameter};
 use glam::DVec3;
-use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest};
+use std::iter::zip;
+use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest, render};
 
-/// The probe, and the scene in which each term has its factor, 0 or 1, and each object
-/// its n and R_s.
-fn probe_and_scene(values: &[f64]) -> (Probe, Scene<Material, Light>) {
-    let (probe, others) = Probe::split_values(values);
-    let (terms, materials) = others.split_at(3);
-    let [ambient, diffuse, specular] = array(terms);
-    let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
-    let mut scene = step05_phong::scene();
-    scene.ambient_light *= ambient;
-    for light in &mut scene.lights {
-        light.point_light.diffuse *= diffuse;
-        light.specular *= specular;
+/// The picture of step 5: each term to switch off, a probe, and the material of the object
+/// there to set.
+pub struct SwitchedTerms {
+    probe: Probe,
+    scene: Scene<Material, Light>,
+}
+
+impl Interactive for SwitchedTerms {
+    const NAME: &str = "step05_phong";
+
+    fn parameters() -> Vec<Parameter> {
+        let mut parameters = Probe::parameters(470.0, 120.0);
+        let terms = ["ambient", "diffuse", "specular"];
+        parameters.extend(terms.map(|term| Parameter::switch(term, true)));
+        let objects = step05_phong::scene().objects;
+        let materials = || objects.iter().map(|object| object.material);
+        let shininesses = materials().map(|material| f64::from(material.shininess));
+        let reflectances = materials().map(|material| material.specular.x);
+        parameters.extend(object_parameters("n", shininesses, [1.0, 300.0], 1.0));
+        parameters.extend(object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0));
+        parameters
     }
-    let materials = shininesses.iter().zip(reflectances);
-    for (object, (n, r_s)) in scene.objects.iter_mut().zip(materials) {
-        object.material.shininess = *n as i32;
-        object.material.specular = DVec3::splat(*r_s);
+
+    fn from_values(values: &[f64]) -> Self {
+        let (probe, others) = Probe::split_values(values);
+        let (terms, materials) = others.split_at(3);
+        let [ambient, diffuse, specular] = array(terms);
+        let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
+        let mut scene = step05_phong::scene();
+        scene.ambient_light *= ambient;
+        for light in &mut scene.lights {
+            light.point_light.diffuse *= diffuse;
+            light.specular *= specular;
+        }
+        for (object, (n, r_s)) in zip(&mut scene.objects, zip(shininesses, reflectances)) {
+            object.material.shininess = *n as i32;
+            object.material.specular = DVec3::splat(*r_s);
+        }
+        Self { probe, scene }
     }
-    (probe, scene)
+
+    fn handles() -> Vec<Handle> {
+        vec![Probe::handle()]
+    }
+
+    fn draw(&self) -> Output {
+        render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)).into()
+    }
+
+    fn numbers(&self) -> Numbers {
+        let trace_shading = |ray: &Ray| trace_shading(&self.scene, ray);
+        let colour = |ray: &Ray| colour(&self.scene, ray);
+        trace_pixel(&self.probe, &self.scene.objects, trace_shading, colour)
+    }
 }
 
 /// A parameter of each object, with these defaults; the page has a control for that of the
@@ -35,41 +70,13 @@ pub fn object_parameters(
     range: [f64; 2],
     steps_per_unit: f64,
 ) -> impl Iterator<Item = Parameter> {
-    OBJECTS.iter().zip(defaults).map(move |(object, default)| Parameter {
-        words: format!("of the {}", object.name),
-        has_control: |parameter, values| {
+    zip(OBJECTS, defaults).map(move |(object, default)| {
+        let words = format!("of the {}", object.name);
+        let parameter = Parameter::new([symbol, "", ""], default, range, steps_per_unit);
+        Parameter { words, ..parameter }.with_control_if(move |values| {
             let (probe, _) = Probe::split_values(values);
             let hit = nearest(&OBJECTS, &probe.ray());
-            hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
-        },
-        ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
-    })
-}
-
-/// The picture of step 5: each term to switch off, a probe, and the material of the object
-/// there to set.
-pub fn picture() -> Live {
-    let mut parameters = Probe::parameters(470.0, 120.0);
-    let terms = ["ambient", "diffuse", "specular"];
-    parameters.extend(terms.map(|term| Parameter::switch(term, true)));
-    let objects = step05_phong::scene().objects;
-    let materials = || objects.iter().map(|object| object.material);
-    let shininesses = materials().map(|material| f64::from(material.shininess));
-    let reflectances = materials().map(|material| material.specular.x);
-    parameters.extend(object_parameters("n", shininesses, [1.0, 300.0], 1.0));
-    parameters.extend(object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0));
-    Live {
-        parameters,
-        handles: vec![Probe::handle()],
-        numbers: |values| {
-            let (probe, scene) = probe_and_scene(values);
-            let trace_shading = |ray: &Ray| trace_shading(&scene, ray);
-            let colour = |ray: &Ray| colour(&scene, ray);
-            trace_pixel(&probe, &scene.objects, trace_shading, colour)
-        },
-        ..Live::new("step05_phong", |values| {
-            let (probe, scene) = probe_and_scene(values);
-            render_scene(&probe.camera(), &scene)
+            hit.is_some_and(|hit| hit.object.sphere == object.sphere)
         })
-    }
+    })
 }

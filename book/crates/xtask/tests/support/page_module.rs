@@ -1,5 +1,5 @@
 use course::workspace;
-use figures::Answer;
+use figures::Reply;
 use std::fs;
 use wasmi::{
     CompilationMode, Config, Engine, Instance, Linker, Memory, Store, WasmParams, WasmResults,
@@ -35,7 +35,7 @@ impl Module {
 
     /// Asks it as book/theme/live.js does, by a request about a file; none where
     /// it fails.
-    pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Answer> {
+    pub fn answer(&mut self, request: &str, file: &[u8]) -> Option<Reply> {
         for (room, bytes) in [("live_request", request.as_bytes()), ("live_file", file)] {
             let address: u32 = self.call(room, bytes.len() as u32)?;
             self.memory.write(&mut self.store, address as usize, bytes).ok()?;
@@ -43,7 +43,7 @@ impl Module {
         self.call::<_, ()>("live_answer", ())?;
         let text = self.read_memory("live_text", "live_text_length")?;
         let pixels = self.read_memory("live_pixels", "live_pixels_length")?;
-        Some(Answer { text: String::from_utf8(text).ok()?, pixels })
+        Some(Reply { text: String::from_utf8(text).ok()?, pixels })
     }
 
     fn read_memory(&mut self, address_export: &str, length_export: &str) -> Option<Vec<u8>> {

@@ -1,0 +1,97 @@
+use crate::projection::{SIZE, place_of_point, point_at_place};
+use crate::{Handle, Mark, Numbers, Output, Parameter};
+use glam::{DVec2, DVec3};
+use step01_rays::Camera;
+
+/// What a figure or picture shows, made from the values of its parameters.
+///
+/// Here numbers get their names: `from_values` takes those of all parameters, in order.
+pub trait Interactive: Sized + 'static {
+    /// The name in chapters and requests.
+    const NAME: &'static str;
+    /// The title of a figure, for those who can't see it; empty for a picture, whose chapter
+    /// has it.
+    const TITLE: &'static str = "";
+    /// The caption of a figure; Markdown, with formulas.
+    const CAPTION: &'static str = "";
+    /// The figure whose values this one takes, instead of having controls.
+    const FOLLOWED: Option<&'static str> = None;
+
+    /// The numbers that the reader sets.
+    fn parameters() -> Vec<Parameter> {
+        vec![]
+    }
+
+    /// What these values of the parameters show.
+    fn from_values(values: &[f64]) -> Self;
+
+    /// The marks that the reader drags.
+    fn handles() -> Vec<Handle> {
+        vec![]
+    }
+
+    /// Whether there is something to draw.
+    fn is_allowed(&self) -> bool {
+        true
+    }
+
+    /// The drawing or the pixels.
+    fn draw(&self) -> Output;
+
+    /// The numbers in the text that depend on the values.
+    fn numbers(&self) -> Numbers {
+        Numbers::new()
+    }
+
+    /// A handle that sets two parameters; the second grows upwards. `locate` gives its place,
+    /// in the coordinates of the drawing or in pixels, or None if there is nothing to drag;
+    /// `coordinates_at` the values of the two that bring it to a place, or near it.
+    fn handle(
+        words: &str,
+        parameters: [usize; 2],
+        locate: impl Fn(&Self) -> Option<DVec2> + Send + Sync + 'static,
+        coordinates_at: impl Fn(&Self, DVec2) -> DVec2 + Send + Sync + 'static,
+    ) -> Handle {
+        Handle {
+            words: words.to_owned(),
+            parameters,
+            is_down: false,
+            mark: Mark::Point,
+            locate: Box::new(move |values| locate(&Self::from_values(values))),
+            coordinates_at: Box::new(move |values, place| {
+                coordinates_at(&Self::from_values(values), place)
+            }),
+        }
+    }
+
+    /// A handle that sets one parameter.
+    fn handle_of_one(
+        words: &str,
+        parameter: usize,
+        locate: impl Fn(&Self) -> DVec2 + Send + Sync + 'static,
+        value_at: impl Fn(&Self, DVec2) -> f64 + Send + Sync + 'static,
+    ) -> Handle {
+        let value_at = move |figure: &Self, place| DVec2::splat(value_at(figure, place));
+        Self::handle(words, [parameter; 2], move |figure| Some(locate(figure)), value_at)
+    }
+
+    /// The handle of a point of the world in a picture, whose x and y are the parameter `x`
+    /// and the next; its z stays. It is dragged at most to `margin` from the border, and stays
+    /// where no point at its z is ahead. There is nothing to drag where the function gives None.
+    fn handle_in_picture(
+        words: &str,
+        x: usize,
+        margin: f64,
+        camera_and_point: impl Fn(&Self) -> Option<(Camera, DVec3)> + Send + Sync + Copy + 'static,
+    ) -> Handle {
+        let locate = move |figure: &Self| {
+            let (camera, point) = camera_and_point(figure)?;
+            place_of_point(&camera, point)
+        };
+        Self::handle(words, [x, x + 1], locate, move |figure, place| {
+            let Some((camera, point)) = camera_and_point(figure) else { return DVec2::NAN };
+            let inside = place.clamp(DVec2::splat(margin), SIZE - margin);
+            point_at_place(&camera, inside, point.z).unwrap_or(point.truncate())
+        })
+    }
+}

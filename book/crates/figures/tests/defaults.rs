@@ -1,0 +1,47 @@
+//! Pictures at their defaults against the programs, and addresses there and back.
+
+use figures::{Output, find, own_scene, reply};
+use image::RgbImage;
+
+/// The picture of this name, where the parameter with these words, if any, is 1.
+fn draw(name: &str, words: &str) -> RgbImage {
+    let figure = find(name).expect("a picture");
+    let values = figure.parameters.iter().map(|parameter| match &parameter.words {
+        known if known == words => 1.0,
+        _ => parameter.default,
+    });
+    match (figure.draw)(&values.collect::<Vec<_>>()) {
+        Output::Pixels(image) => image,
+        Output::Drawing(_) => panic!("{name} is drawn"),
+    }
+}
+
+#[test]
+fn default_picture_is_that_of_the_program() {
+    let mirror: course::Picture = course::examples::mirror::picture;
+    for (name, picture) in course::PICTURES[..5].iter().copied().chain([("mirror", mirror)]) {
+        assert!(draw(name, "-") == picture(&figures::camera(), 1), "{name} is another picture");
+    }
+}
+
+#[test]
+fn own_scene_is_that_of_step_5_and_with_mirrors_that_of_the_example() {
+    let values = find("own_scene").expect("a picture").default_values();
+    assert_eq!(own_scene(&values).scene, step05_phong::scene());
+    let mirror = course::examples::mirror::picture(&figures::camera(), 1);
+    assert!(draw("own_scene", "shadows and mirrors") == mirror);
+}
+
+#[test]
+fn address_is_parsed_and_formatted_without_change() {
+    for address in [
+        "",
+        "ambient-light-blue:0.07",
+        "camera-field-of-view:20,red-sphere-radius:2,cool-light-on:0",
+        "camera-position-sideways:3,camera-target-backwards:-7,camera-roll:-20",
+        "the-way-back-shadows-and-mirrors:1,red-sphere-mirror-image:0.5",
+    ] {
+        let text = reply(&format!("open own_scene {address}")).text;
+        assert!(text.contains(&format!("\"address\":\"{address}\"")), "{text}");
+    }
+}
