@@ -1,7 +1,10 @@
 //! The locked pictures, of the steps, the exercises, the chapters and the cover: each is
 //! compared with its snapshot by the test of its own name, before everything else.
 
-use tests::{assert_matches_snapshot, locked_pictures};
+use course::workspace;
+use insta::assert_binary_snapshot;
+use std::fs;
+use tests::{compare_pixels, locked_pictures};
 
 /// Defines a test for each of the names, and lists them in `TEST_NAMES`.
 macro_rules! test_pictures {
@@ -32,11 +35,26 @@ fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);
     let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no picture {name}"));
-    assert_matches_snapshot(name, &draw(camera, 1));
+    compare_pixels(name, &draw(camera, 1), |png| {
+        assert_binary_snapshot!(&format!("{name}.png"), png);
+    });
 }
 
 #[test]
 fn each_locked_picture_has_a_test_of_its_name() {
     let names: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
     assert_eq!(names, TEST_NAMES);
+}
+
+#[test]
+fn each_snapshot_has_a_test_of_its_name() {
+    let files = fs::read_dir(workspace().join("tests/snapshots")).expect("a folder").flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    let is_tested = |file: &String| {
+        let (name, extension) = file.split_once('.').unwrap_or((file, ""));
+        extension.starts_with("snap.new")
+            || TEST_NAMES.contains(&name) && ["snap", "snap.png"].contains(&extension)
+    };
+    let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
+    assert!(orphans.is_empty(), "no test draws {orphans:?}");
 }
