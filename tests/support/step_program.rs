@@ -1,6 +1,4 @@
-use crate::invalid_arguments::assert_rejects_invalid_arguments;
-use crate::read_snapshot;
-use course::{Difference, target_folder, workspace};
+use course::{target_folder, workspace};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -33,7 +31,8 @@ impl StepProgram {
         let executable = executable.with_extension(env::consts::EXE_EXTENSION);
         let mut command = Command::new(&executable);
         command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
-        let output = command.current_dir(&self.folder).output();
+        // The width for which help is wrapped.
+        let output = command.current_dir(&self.folder).env("COLUMNS", "100").output();
         output.unwrap_or_else(|error| panic!("{}: {error}", executable.display()))
     }
 
@@ -51,29 +50,6 @@ impl Drop for StepProgram {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.folder);
     }
-}
-
-/// Fails unless the program of `step` lists its options, writes the locked picture over
-/// an old file and nothing else, and rejects invalid arguments.
-pub fn assert_program_works(step: &'static str) {
-    let program = StepProgram::new(step, "draws");
-    let output = program.run("--help");
-    let help = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
-    let options = "--width 640 --aspect 16:9 --fov 60 --samples --output";
-    for word in options.split(' ').chain([step]) {
-        assert!(help.contains(word), "{word} is missing: {help}");
-    }
-    assert_eq!(program.file_names(), [""; 0]);
-    let file = format!("{step}.png");
-    fs::write(program.folder.join(&file), "old").expect("a file");
-    let output = program.run("");
-    assert!(output.status.success(), "{output:?}");
-    assert_eq!(program.file_names(), [&file[..]]);
-    let picture = image::open(program.folder.join(&file)).expect("a PNG").to_rgb8();
-    let difference = Difference::between(&read_snapshot(step), &picture);
-    assert!(difference.is_none(), "{file}: {}", difference.unwrap());
-    assert_rejects_invalid_arguments(&StepProgram::new(step, "rejects"));
 }
 
 /// Builds the program `name` for the platform and the profile of this test, as `cargo
