@@ -2,28 +2,12 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
-use step04_diffuse::{
-    COOL, Matte, OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, scene, visible_point,
-};
+use step04_diffuse::{OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, visible_point};
 use tests::{assert_program_works, random_point, random_sphere_and_ray};
 
 #[test]
 fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
     assert_program_works("step04_diffuse");
-}
-
-#[test]
-fn matte_of_a_colour_reflects_ambient_and_diffuse_light_alike() {
-    let colour = DVec3::new(0.1, 0.2, 0.3);
-    assert_eq!(Matte::of(colour), Matte { ambient: colour, diffuse: colour });
-}
-
-#[test]
-fn scene_has_the_objects_of_step_3_and_two_lights() {
-    let scene = scene();
-    assert_eq!(scene.lights, [WARM, COOL]);
-    let objects = OBJECTS.map(|flat| flat.with_material(Matte::of(flat.material)));
-    assert_eq!(scene.objects, objects);
 }
 
 #[test]

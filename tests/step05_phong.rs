@@ -3,8 +3,8 @@
 use glam::{DVec3, Vec3Swizzles};
 use proptest::prelude::*;
 use step05_phong::{
-    Attenuation, Light, Material, Matte, OBJECTS, Phong, PointLight, Ray, SurfacePoint, ambient,
-    colour, phong, reflect, scene, terms, visible_point,
+    Attenuation, Light, Material, Matte, Phong, PointLight, Ray, SurfacePoint, ambient, colour,
+    phong, reflect, scene, terms, visible_point,
 };
 use tests::{assert_program_works, camera, random_point, random_unit_vector};
 
@@ -65,19 +65,6 @@ fn terms_do_not_depend_on_the_length_of_the_ray() {
     assert!(terms.specular.distance(long_ray_terms.specular) < 1e-12);
     assert_eq!(colour(&scene, &ray), terms.sum());
     assert_eq!(terms.ambient, ambient(&point.material.matte, scene.ambient_light));
-}
-
-#[test]
-fn scene_has_the_objects_of_step_3_and_the_lights_of_step_4() {
-    let scene = scene();
-    assert_eq!(scene.objects.len(), OBJECTS.len());
-    for (object, flat) in scene.objects.iter().zip(OBJECTS) {
-        assert_eq!((object.name, object.sphere), (flat.name, flat.sphere));
-        assert_eq!(object.material.matte, Matte::of(flat.material));
-    }
-    let matte = step04_diffuse::scene();
-    let lights: Vec<_> = scene.lights.iter().map(|light| light.point_light).collect();
-    assert_eq!((scene.ambient_light, lights), (matte.ambient_light, matte.lights));
 }
 
 proptest! {

@@ -1,4 +1,4 @@
-//! The mathematics of the exercises' solutions, and their places in the book.
+//! The mathematics of the exercises' solutions.
 
 mod fast;
 #[allow(dead_code, reason = "it is a program of its own, too")]
@@ -12,18 +12,11 @@ mod step04;
 mod step05;
 
 use course::examples::*;
-use course::{Difference, Picture, workspace};
+use course::{Difference, Picture, Step, workspace};
 use glam::DMat3;
 use std::fs;
 use step01_rays::Camera;
 use tests::{camera, locked_pictures, read_snapshot};
-
-/// The names of the files and folders in `folder` of the workspace, but for hidden ones.
-fn file_names(folder: &str) -> impl Iterator<Item = String> {
-    let files = fs::read_dir(workspace().join(folder)).expect(folder).flatten();
-    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
-    names.filter(|name| !name.starts_with('.'))
-}
 
 #[test]
 fn starters_and_fast_draw_the_pictures_of_their_steps() {
@@ -49,30 +42,15 @@ fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// The pictures that take longest.
-const SLOW_PICTURES: [&str; 5] = ["cover", "goodbye", "crowd", "close_up", "jitter"];
-
-#[test]
-fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {
-    assert_pictures_survive_perturbed_cameras(|name| !SLOW_PICTURES.contains(&name));
-}
-
-#[test]
-#[ignore = "takes a minute: cargo test -- --include-ignored"]
-fn slow_pictures_do_not_depend_on_the_last_bit_of_the_camera() {
-    assert_pictures_survive_perturbed_cameras(|name| SLOW_PICTURES.contains(&name));
-}
-
-/// Fails if the last bit of its camera changes a locked picture whose name `is_selected`.
-///
 /// The tangent of another platform may differ in its last bit, and so may a formula that
 /// is written in another order. `speckled` is left out: it shows rounding errors, and its
 /// camera takes no tangent.
-#[track_caller]
-fn assert_pictures_survive_perturbed_cameras(is_selected: fn(&str) -> bool) {
+#[test]
+#[ignore = "takes a minute: cargo test -- --include-ignored"]
+fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {
     let mut faults = vec![];
     for (name, camera, draw) in locked_pictures() {
-        if name == "speckled" || !is_selected(name) {
+        if name == "speckled" {
             continue;
         }
         let picture = draw(&camera, 1);
@@ -85,30 +63,19 @@ fn assert_pictures_survive_perturbed_cameras(is_selected: fn(&str) -> bool) {
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
+/// An example without a line in `course/src/examples.rs` is locked by nobody.
 #[test]
-fn every_example_is_an_exercise_and_is_listed_in_the_book() {
-    let read = |path: &str| fs::read_to_string(workspace().join(path)).expect(path);
-    let chapter = |name: &str| read(&format!("book/src/{name}.md"));
-    let pages_of_all_steps =
-        ["step01_program", "way_back", "faster", "own_scene", "solutions"].map(chapter).concat();
-    let mut faults = vec![];
-    for step in file_names("steps") {
-        let pages = chapter(&step) + &pages_of_all_steps;
-        let folder = format!("steps/{step}/examples");
-        for file in file_names(&folder) {
-            let name = file.trim_end_matches(".rs");
-            // The others draw the picture of a step or a part of it, or print.
-            let is_exercise = name.ends_with("_starter")
-                || ["directions", "fast", "own_scene", "row", "terms"].contains(&name)
-                || course::PICTURES.iter().any(|(exercise, _)| *exercise == name);
-            if !is_exercise {
-                faults.push(format!("{folder}/{file} is not in book/exercises"));
-            }
-            let directive = format!("{folder}/{file}");
-            if !pages.contains(&directive) {
-                faults.push(format!("{folder}/{file} is not in the book"));
-            }
+fn every_example_with_a_picture_of_its_own_is_in_the_list() {
+    for step in Step::NAMES {
+        let folder = workspace().join(format!("steps/{step}/examples"));
+        for file in fs::read_dir(folder).expect("a folder").flatten() {
+            let (path, text) = (file.path(), fs::read_to_string(file.path()).expect("a text"));
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            // These draw the picture of a step, or a part of it.
+            let draws_step = name.ends_with("_starter") || matches!(&*name, "fast" | "terms");
+            let is_listed = course::find_picture(&name).is_some();
+            let draws = text.lines().any(|line| line.starts_with("pub fn picture("));
+            assert!(is_listed || draws_step || !draws, "{name} is not in examples.rs");
         }
     }
-    assert!(faults.is_empty(), "{faults:#?}");
 }

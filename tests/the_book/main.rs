@@ -22,7 +22,6 @@ mod typed_book;
 mod by_hand_names;
 mod predictions;
 
-mod exercise_times;
 mod page_contents;
 
 /// Fails if there are faults, and prints all of them.
