@@ -4,6 +4,7 @@ use super::fast_example::draw;
 use fearless_simd::Level;
 use glam::{DMat3, DVec3};
 use proptest::{collection::vec, prelude::*};
+use std::env;
 use step05_phong::*;
 use tests::{random_point, random_sphere, random_unit_vector};
 
@@ -107,22 +108,13 @@ fn random_scene() -> impl Strategy<Value = PhongScene> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(50))]
+    #![proptest_config(ProptestConfig::with_cases(match env::var_os("THOROUGH") {
+        Some(_) => 250,
+        None => 50,
+    }))]
 
     #[test]
-    fn fast_draws_the_bytes_of_render_for_50_random_scenes(
-        camera in random_camera(), scene in random_scene(), samples in 1..4_u32
-    ) {
-        prop_assert_eq!(fast_difference(&camera, samples, &scene), None);
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
-
-    #[test]
-    #[ignore = "takes a minute: cargo test -- --include-ignored"]
-    fn fast_draws_the_bytes_of_render_for_200_random_scenes(
+    fn fast_draws_the_bytes_of_render_for_random_scenes(
         camera in random_camera(), scene in random_scene(), samples in 1..4_u32
     ) {
         prop_assert_eq!(fast_difference(&camera, samples, &scene), None);

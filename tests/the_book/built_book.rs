@@ -1,20 +1,89 @@
 use super::assert_no_faults;
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
-use builder::{Files, Site, inner_text};
+use anyhow::Result;
+use builder::{Files, Page, Site, inner_text};
 use course::{target_folder, workspace};
+use std::collections::{BTreeMap, BTreeSet};
+use std::env;
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
-use std::{fs, process};
 
-/// The book, built by the first test that needs it; one test reads it at a time.
+/// The book, or the fault for which it can't be built; one test reads it at a time.
+static BOOK: LazyLock<Result<Mutex<Site>>> = LazyLock::new(|| read_or_build().map(Mutex::new));
+
+#[test]
+fn book_is_built() {
+    if let Err(fault) = &*BOOK {
+        panic!("{fault:#}");
+    }
+}
+
+/// The book as its reader opens it.
 pub fn built_book() -> MutexGuard<'static, Site> {
-    static BOOK: LazyLock<Result<Mutex<Site>, String>> = LazyLock::new(|| {
-        let folder = target_folder().join(format!("tests/book-{}", process::id()));
-        let site = builder::build(&workspace(), &folder);
-        let _ = fs::remove_dir_all(folder);
-        site.map(Mutex::new).map_err(|error| format!("{error:#}"))
-    });
-    let book = BOOK.as_ref().unwrap_or_else(|fault| panic!("{fault}"));
+    let book = BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"));
     book.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Reads the book from its folder, where one process has built it for all.
+fn read_or_build() -> Result<Site> {
+    let books = target_folder().join("tests/books");
+    fs::create_dir_all(&books)?;
+    let lock = File::create(books.with_extension("lock"))?;
+    lock.lock_shared()?;
+    let mut hash = hash_sources()?;
+    let book_folder = |hash: u64| books.join(format!("{hash:016x}"));
+    if !book_folder(hash).is_dir() {
+        lock.unlock()?;
+        lock.lock()?;
+    }
+    while !book_folder(hash).is_dir() {
+        fs::remove_dir_all(&books)?;
+        fs::create_dir(&books)?;
+        builder::build(&workspace(), &books.join("new"))?;
+        // Only what was not edited in the meantime may be called by its hash.
+        let hash_before = hash;
+        hash = hash_sources()?;
+        if hash == hash_before {
+            fs::rename(books.join("new"), book_folder(hash))?;
+        }
+    }
+    let files = Files::read(&book_folder(hash))?;
+    let pages = files.texts_with_suffix(".html");
+    let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
+    Ok(Site { files, pages })
+}
+
+/// The hash of what a book is made from: this program, the files of the workspace, and the
+/// settings of mdBook in the environment.
+fn hash_sources() -> Result<u64> {
+    let (mut hasher, program) = (DefaultHasher::new(), fs::metadata(env::current_exe()?)?);
+    (program.modified()?, program.len(), workspace()).hash(&mut hasher);
+    let is_setting = |name: &OsString| name.to_string_lossy().starts_with("MDBOOK_");
+    let settings: BTreeMap<_, _> = env::vars_os().filter(|(name, _)| is_setting(name)).collect();
+    settings.hash(&mut hasher);
+    hash_folder(&workspace(), &mut hasher)?;
+    Ok(hasher.finish())
+}
+
+/// Hashes the files in a folder, but for what is hidden, built or installed.
+fn hash_folder(folder: &Path, hasher: &mut DefaultHasher) -> Result<()> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    for path in entries.collect::<Result<BTreeSet<_>>>()? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let is_source = !["target", "node_modules", "generated"].contains(&&*name);
+        if !is_source || name.starts_with('.') || path == target_folder() {
+            continue;
+        }
+        if path.is_dir() {
+            hash_folder(&path, hasher)?;
+        } else {
+            (&path, fs::read(&path).ok()).hash(hasher);
+        }
+    }
+    Ok(())
 }
 
 /// Reads the files in a folder of the workspace.
