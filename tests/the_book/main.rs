@@ -7,6 +7,7 @@ mod built_book;
 mod support;
 
 // The book is the source.
+mod code_names;
 mod source_listings;
 
 // The picture is the output.
