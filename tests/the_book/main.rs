@@ -28,5 +28,5 @@ mod page_contents;
 /// Fails if there are faults, and prints all of them.
 #[track_caller]
 fn assert_no_faults(faults: &[String]) {
-    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }

@@ -4,7 +4,7 @@ use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use super::support::listing::{Listing, page_listings};
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
-use builder::{Files, Site};
+use builder::Files;
 use course::workspace;
 use std::fs;
 use std::sync::LazyLock;
@@ -18,19 +18,6 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     files.0.extend(read_folder("book/reader").0);
     files
 });
-
-/// The name of the page that lists a file: the first that does, of its step; or, for an
-/// example and a file of no step, of any. None for a file outside `steps/`.
-fn home_page(book: &Site, path: &str) -> Option<String> {
-    let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
-    let may_be_on_any_page = file.starts_with("examples/") || !STEP_NAMES.contains(&step);
-    let mut chapters = book.chapters_in_order().into_iter();
-    let page = chapters.find(|page| {
-        (may_be_on_any_page || step_of_page(&page.name) == Some(step))
-            && page_listings(page).any(|listing| listing.path == path)
-    });
-    Some(page.map_or(format!("{step}.html"), |page| page.name.clone()))
-}
 
 /// Whether several pages may list parts of a file: the benchmark measures what comes
 /// later, the rest of a manifest comes with it, a list of modules grows from chapter to
@@ -84,30 +71,32 @@ fn code_outside_listings_is_not_rust() {
     assert_no_faults(&faults);
 }
 
+/// The first of the pages that list a file has all of it; that of a crate is in its step.
 #[test]
 fn every_line_of_every_file_is_listed_once() {
     let (book, mut faults) = (built_book(), vec![]);
+    let chapters = book.chapters_in_order().into_iter();
+    let listings = chapters.flat_map(|page| page_listings(page).map(|one| (&*page.name, one)));
+    let listings: Vec<_> = listings.collect();
     for (path, text) in SOURCE_FILES.texts_with_suffix("") {
-        let Some(home_page) = home_page(&book, path) else { continue };
+        let mut parts = path.split('/');
+        let Some(step) = parts.next().filter(|part| *part == "steps").and(parts.next()) else {
+            continue;
+        };
+        let may_be_on_any_page = path.contains("/examples/") || !STEP_NAMES.contains(&step);
+        let listings: Vec<_> = listings.iter().filter(|(_, one)| one.path == path).collect();
+        let mut pages = listings.iter().map(|(page, _)| *page);
+        let home_page = pages.find(|page| may_be_on_any_page || step_of_page(page) == Some(step));
         let mut listing_counts = vec![0; text.lines().count()];
-        for page in book.chapters_in_order() {
-            for listing in page_listings(page) {
-                if listing.path != path {
-                    continue;
-                }
-                if page.name != home_page && !may_be_on_several_pages(path) {
-                    let location = listing.location;
-                    faults.push(format!("{location}: {path} is of {home_page}."));
-                }
-                let (first, last) = listing.lines;
-                for count in &mut listing_counts[first - 1..last] {
-                    *count += 1;
-                }
+        for (page, Listing { location, lines: (first, last), .. }) in listings {
+            if Some(*page) != home_page && !may_be_on_several_pages(path) {
+                faults.push(format!("{location}: {path} is of {}.", home_page.unwrap_or(step)));
             }
+            listing_counts[first - 1..*last].iter_mut().for_each(|count| *count += 1);
         }
         let mut counts = (1..).zip(listing_counts);
         if let Some((line, count)) = counts.find(|(_, count)| *count != 1) {
-            faults.push(format!("Line {line} of {path} is listed {count} times in {home_page}."));
+            faults.push(format!("Line {line} of {path} is listed {count} times."));
         }
     }
     assert_no_faults(&faults);
