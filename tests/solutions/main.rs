@@ -1,6 +1,6 @@
 //! The mathematics of the exercises' solutions.
 
-mod fast;
+mod fast_simd;
 #[allow(dead_code, reason = "it is a program of its own, too")]
 #[rustfmt::skip]
 #[path = "../../steps/step05_phong/examples/fast.rs"]

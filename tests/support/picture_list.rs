@@ -20,10 +20,10 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
         ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
-        ("one_ray", tile_camera(), |camera, _| draw_large_pixels(camera, 1)),
-        ("sixteen_rays", tile_camera(), |camera, _| draw_large_pixels(camera, 4)),
-        ("speckled", camera_without_tan(), |camera, _| draw_shadows(camera, 0.0)),
-        ("shadowed", camera(), |camera, _| draw_shadows(camera, mirror::OFFSET)),
+        ("one_ray", tile_corner_crop_camera(), |camera, _| draw_large_pixels(camera, 1)),
+        ("sixteen_rays", tile_corner_crop_camera(), |camera, _| draw_large_pixels(camera, 4)),
+        ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
+        ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),
         ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
         ("cover", large_camera, |camera, _| step05_phong::picture(camera, 4)),
         ("goodbye", large_camera, |camera, _| mirror::picture(camera, 2)),
@@ -45,14 +45,14 @@ fn camera_without_tan() -> Camera {
 
 /// Draws the scene of the mirrors before they reflect anything: shadows alone, of rays that start
 /// `offset` above a surface.
-fn draw_shadows(camera: &Camera, offset: f64) -> RgbImage {
+fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
 /// The camera of 40×30 pixels of the course's picture, from column 366 and row 264 on:
 /// edges of four tiles.
-fn tile_camera() -> Camera {
+fn tile_corner_crop_camera() -> Camera {
     let corner = DVec3::new(366.0, 264.0, 1.0);
     let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
     Camera { h_res: 40, v_res: 30, matrix: camera().matrix * crop, ..camera() }

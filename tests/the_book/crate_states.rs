@@ -2,7 +2,7 @@
 
 use super::built_book::built_book;
 use super::support::listing::join_listings;
-use super::support::page_events::{Event, page_events};
+use super::support::page_items::{PageItem, page_items};
 use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page};
 use super::typed_book::typed_workspace;
 use anyhow::{Result, ensure};
@@ -39,8 +39,8 @@ fn crate_states() -> Vec<CrateState> {
         let folder = format!("steps/{step}/src/");
         let pages = book.chapters_in_order().into_iter();
         let pages = pages.filter(|page| step_of_page(&page.name) == Some(step));
-        for event in pages.flat_map(page_events) {
-            if let Event::Listing(listing) = event {
+        for item in pages.flat_map(page_items) {
+            if let PageItem::Listing(listing) = item {
                 if let Some(file) = listing.path.strip_prefix(&folder) {
                     typed.entry(file).or_default().push(listing);
                 }

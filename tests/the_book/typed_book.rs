@@ -4,7 +4,7 @@
 use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
 use super::support::listing::page_listings;
-use super::support::page_events::{Event, PageCommand, page_events};
+use super::support::page_items::{PageCommand, PageItem, page_items};
 use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
 use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
@@ -18,12 +18,12 @@ fn type_and_run_page<'a>(
     typed: &mut TypedListings<'a>,
 ) -> Result<()> {
     let mut picture_names = vec![];
-    for event in page_events(page) {
-        match event {
-            Event::Listing(listing) => {
+    for item in page_items(page) {
+        match item {
+            PageItem::Listing(listing) => {
                 typed.entry(listing.path).or_default().push(listing);
             }
-            Event::Command(command) if !runs_unlisted_solution(&command, typed) => {
+            PageItem::Command(command) if !runs_unlisted_solution(&command, typed) => {
                 reader.write_listings(typed)?;
                 let names = run_and_verify_command(reader, &command).with_context(|| {
                     let PageCommand { location, arguments, .. } = &command;
@@ -32,7 +32,7 @@ fn type_and_run_page<'a>(
                 })?;
                 picture_names.extend(names);
             }
-            Event::Command(_) | Event::Heading => {}
+            PageItem::Command(_) | PageItem::Heading => {}
         }
     }
     let step = page.name.trim_end_matches(".html");

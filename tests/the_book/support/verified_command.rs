@@ -1,4 +1,4 @@
-use super::page_events::{FAILED_TEST_EXIT_CODE, PageCommand};
+use super::page_items::{FAILED_TEST_EXIT_CODE, PageCommand};
 use super::reader_workspace::{ReaderWorkspace, first_cargo_error};
 use anyhow::{Context, Result, bail, ensure};
 use course::{Difference, workspace};

@@ -9,7 +9,7 @@ pub const FAILED_TEST_EXIT_CODE: i32 = 101;
 
 /// Something on a page that matters to a reader who types along.
 #[derive(Debug)]
-pub enum Event<'a> {
+pub enum PageItem<'a> {
     /// A heading.
     Heading,
     /// A listing, to type.
@@ -35,12 +35,12 @@ pub struct PageCommand {
 
 /// The headings, listings and commands of a page, from top to bottom, but for the commands
 /// for a folder of the course itself.
-pub fn page_events(page: &Page) -> Vec<Event<'_>> {
-    let mut events = vec![];
+pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
+    let mut items = vec![];
     for element in page.select_all("h1, h2, h3, .listing, .console") {
         match (element.attr("class"), element.attr("data-folder")) {
             (Some("listing"), _) => {
-                events.push(Event::Listing(Listing::from_figure(page, element)));
+                items.push(PageItem::Listing(Listing::from_figure(page, element)));
             }
             (Some("console"), Some("ours")) => {}
             (Some("console"), folder) => {
@@ -52,12 +52,12 @@ pub fn page_events(page: &Page) -> Vec<Event<'_>> {
                     _ => 0,
                 };
                 let commands = parse_commands(&page.address_for_fault(element), &code, exit_code);
-                events.extend(commands.into_iter().map(Event::Command));
+                items.extend(commands.into_iter().map(PageItem::Command));
             }
-            _ => events.push(Event::Heading),
+            _ => items.push(PageItem::Heading),
         }
     }
-    events
+    items
 }
 
 /// Parses the text of a console: commands, each after `$ `, and the output below them.
