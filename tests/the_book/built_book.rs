@@ -8,6 +8,7 @@ use std::env;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::mem;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
@@ -27,30 +28,29 @@ pub fn built_book() -> MutexGuard<'static, Site> {
     book.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Reads the book from its folder, where one process has built it for all.
+/// Reads the book, which one process builds for all: a file beside it has the hash of what it
+/// was made from.
 fn read_or_build() -> Result<Site> {
-    let books = target_folder().join("tests/books");
-    fs::create_dir_all(&books)?;
-    let lock = File::create(books.with_extension("lock"))?;
+    let folder = target_folder().join("tests/book");
+    fs::create_dir_all(folder.with_file_name(""))?;
+    let lock = File::create(folder.with_extension("reading"))?;
     lock.lock_shared()?;
-    let mut hash = hash_sources()?;
-    let book_folder = |hash: u64| books.join(format!("{hash:016x}"));
-    if !book_folder(hash).is_dir() {
+    let (hash_file, mut hash) = (folder.with_extension("hash"), hash_sources()?);
+    let is_built = |hash: &str| fs::read_to_string(&hash_file).is_ok_and(|built| built == hash);
+    if !is_built(&hash) {
         lock.unlock()?;
         lock.lock()?;
     }
-    while !book_folder(hash).is_dir() {
-        fs::remove_dir_all(&books)?;
-        fs::create_dir(&books)?;
-        builder::build(&workspace(), &books.join("new"))?;
-        // Only what was not edited in the meantime may be called by its hash.
-        let hash_before = hash;
-        hash = hash_sources()?;
-        if hash == hash_before {
-            fs::rename(books.join("new"), book_folder(hash))?;
+    while !is_built(&hash) {
+        fs::write(&hash_file, "")?;
+        builder::build(&workspace(), &folder)?;
+        let old_hash = mem::replace(&mut hash, hash_sources()?);
+        // Where a file was edited in the meantime, it is built again.
+        if hash == old_hash {
+            fs::write(&hash_file, &hash)?;
         }
     }
-    let files = Files::read(&book_folder(hash))?;
+    let files = Files::read(&folder)?;
     let pages = files.texts_with_suffix(".html");
     let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
     Ok(Site { files, pages })
@@ -58,14 +58,14 @@ fn read_or_build() -> Result<Site> {
 
 /// The hash of what a book is made from: this program, the files of the workspace, and the
 /// settings of mdBook in the environment.
-fn hash_sources() -> Result<u64> {
+fn hash_sources() -> Result<String> {
     let (mut hasher, program) = (DefaultHasher::new(), fs::metadata(env::current_exe()?)?);
     (program.modified()?, program.len(), workspace()).hash(&mut hasher);
     let is_setting = |name: &OsString| name.to_string_lossy().starts_with("MDBOOK_");
     let settings: BTreeMap<_, _> = env::vars_os().filter(|(name, _)| is_setting(name)).collect();
     settings.hash(&mut hasher);
     hash_folder(&workspace(), &mut hasher)?;
-    Ok(hasher.finish())
+    Ok(format!("{:016x}", hasher.finish()))
 }
 
 /// Hashes the files in a folder, but for what is hidden, built or installed.
@@ -73,7 +73,7 @@ fn hash_folder(folder: &Path, hasher: &mut DefaultHasher) -> Result<()> {
     let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
     for path in entries.collect::<Result<BTreeSet<_>>>()? {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_source = !["target", "node_modules", "generated"].contains(&&*name);
+        let is_source = !["target", "node_modules"].contains(&&*name);
         if !is_source || name.starts_with('.') || path == target_folder() {
             continue;
         }
