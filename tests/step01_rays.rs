@@ -2,7 +2,7 @@
 
 use course::examples::row::Row;
 use glam::DVec3;
-use step01_rays::{AspectRatio, Camera, render, sub_pixels};
+use step01_rays::{AspectRatio, Camera, render};
 use tests::{StepProgram, assert_program_works, camera};
 
 /// Fields of view in degrees, from narrow to wide.
@@ -103,13 +103,6 @@ fn rays_start_at_the_centre_of_the_camera() {
     let camera = Camera { centre: DVec3::new(1.0, 2.0, 3.0), ..camera() };
     assert_eq!(camera.ray(3.0, 4.0).start, camera.centre);
     assert_eq!(Camera::new(4, 3, 1.0).centre, DVec3::ZERO);
-}
-
-#[test]
-fn sub_pixels_are_a_grid_around_the_centre_of_the_pixel() {
-    assert_eq!(sub_pixels(1), [(0.0, 0.0)]);
-    let row = |v: f64| [(-0.25, v), (0.25, v)];
-    assert_eq!(sub_pixels(2), [row(-0.25), row(0.25)].concat());
 }
 
 #[test]

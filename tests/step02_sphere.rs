@@ -18,14 +18,6 @@ fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
 }
 
 #[test]
-fn quadratic_has_zero_one_or_two_roots() {
-    assert_eq!(quadratic(1.0, 0.0, 1.0), Roots::Zero);
-    assert_eq!(quadratic(2.0, -8.0, 8.0), Roots::One(2.0));
-    assert_eq!(quadratic(2.0, -10.0, 8.0), Roots::Two(1.0, 4.0));
-    assert_eq!(quadratic(0.5, 1.0, -4.0), Roots::Two(-4.0, 2.0));
-}
-
-#[test]
 fn tangent_ray_hits_once_and_ray_outside_never() {
     assert_eq!(SPHERE.intersect(&ray_ahead(1.0)), Roots::One(5.0));
     assert_eq!(SPHERE.intersect(&ray_ahead(1.0)).first_hit(), Some(5.0));
