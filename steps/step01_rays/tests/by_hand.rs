@@ -39,6 +39,7 @@ fn render_of_places() {
         let lamp = if 2.0 < v.x && 1.0 < v.y { 2.0 } else { 0.0 };
         DVec3::new(0.2 * v.x, 0.4 * v.y, lamp)
     });
+    assert_eq!(image[(1, 0)].0, [51, 0, 0]);
     assert_eq!(image[(2, 1)].0, [102, 102, 128]);
 }
 
