@@ -31,13 +31,8 @@ const VALUES: [&Values; 8] = [
     problems::VALUES,
 ];
 
-const FUNCTIONS: [&Functions; 5] = [
-    step02::FUNCTIONS,
-    step03::FUNCTIONS,
-    step05::FUNCTIONS,
-    lecture_slips::FUNCTIONS,
-    way_back::FUNCTIONS,
-];
+const FUNCTIONS: [&Functions; 4] =
+    [step02::FUNCTIONS, step05::FUNCTIONS, lecture_slips::FUNCTIONS, way_back::FUNCTIONS];
 
 /// The text of `{{#value …}}`.
 pub fn value_text(text: &str) -> Result<String, String> {

@@ -2,8 +2,7 @@
 
 use super::rays::{camera, count_rays, length_in_pixels, pixel_ray, sum_over_rays};
 use super::value::{
-    Functions,
-    Value::{Count, Fixed, Number, Vector},
+    Value::{Count, Fixed, Number},
     Values,
 };
 use glam::DVec3;
@@ -28,9 +27,6 @@ pub const VALUES: &Values = &[
         let ray = pixel_ray([195, 237]);
         Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
     }),
-    ("step03-check-centre", || Vector(weighted_sum(|o| o.sphere.centre))),
-    ("step03-check-radius", || Number(weighted_sum(|o| DVec3::splat(o.sphere.radius)).x)),
-    ("step03-check-colour", || Vector(weighted_sum(|o| o.material))),
     ("step03-gap", || {
         let ground = OBJECTS[1].sphere;
         let gaps = [0, 2, 3, 5, 6, 7].map(|k| {
@@ -55,8 +51,6 @@ pub const VALUES: &Values = &[
     ("step03-eye", || Fixed(2, -0.5 / camera().matrix.z_axis.x)),
 ];
 
-pub const FUNCTIONS: &Functions = &[("ground-row", |column| Count(first_ground_row(column)))];
-
 /// The first hit of a ray with each object, and its t, in the order of the list.
 fn first_hits(ray: &Ray) -> impl Iterator<Item = (&'static str, f64)> {
     OBJECTS
@@ -72,18 +66,6 @@ fn nearest_hit(ray: &Ray) -> Option<(&'static str, f64)> {
 /// Whether the line of a ray, with the part behind the eye, meets an object.
 fn line_meets(ray: &Ray, object: &Object<DVec3>) -> bool {
     object.sphere.intersect(ray) != Roots::Zero
-}
-
-/// The sum over the objects of a vector times the object's number, from 1 to 9.
-fn weighted_sum(vector: impl Fn(&Object<DVec3>) -> DVec3) -> DVec3 {
-    (1..).zip(&OBJECTS).map(|(k, object)| f64::from(k) * vector(object)).sum()
-}
-
-/// The first row in which a column of the picture would show the ground, were it alone.
-fn first_ground_row(column: f64) -> usize {
-    let ground = OBJECTS[1].sphere;
-    let rays = (0..).map(|j| camera().ray(column, f64::from(j)));
-    rays.take_while(|ray| ground.intersect(ray).first_hit().is_none()).count()
 }
 
 /// The oval in which the image plane cuts the cone of rays that touch a sphere.
