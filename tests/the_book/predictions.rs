@@ -40,8 +40,8 @@ fn first_hit_in_place_of_the_nearest_loses_pixels() {
     assert!(0.2 < teal && teal < 0.8, "{teal} of teal is left");
 }
 
-/// "Red is first in the list, so it loses every overlap. Wherever two others overlap, the
-/// nearer one happens to come later."
+/// "Red is the first in the list, so it loses every overlap, while wherever two others
+/// overlap, the nearer one happens to come later."
 #[test]
 fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     for ray in primary_rays() {
@@ -52,7 +52,29 @@ fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     }
 }
 
-/// "Small ones first … Which four are left": the radius below 1.
+/// "You compare how far away the *centres* are … Which pixels change? None of them."
+#[test]
+fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
+    let distance = |object: &&Object<_>| object.sphere.centre.length();
+    for ray in primary_rays() {
+        let has_hit = |object: &&Object<_>| object.sphere.intersect(&ray).first_hit().is_some();
+        let hit_objects = OBJECTS.iter().filter(has_hit);
+        let object = hit_objects.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        assert_eq!(object, nearest(&OBJECTS, &ray).map(|hit| hit.object));
+    }
+}
+
+/// "A single miss would be enough, and every ray misses green."
+#[test]
+fn smallest_option_in_place_of_the_nearest_hit_is_none() {
+    for ray in primary_rays() {
+        let hits = OBJECTS.map(|object| object.sphere.intersect(&ray).first_hit());
+        let smallest = hits.into_iter().min_by(|a, b| a.partial_cmp(b).expect("no NaN"));
+        assert_eq!((smallest, hits[4]), (Some(None), None));
+    }
+}
+
+/// "For small ones only … Which four are left": the radius below 1.
 #[test]
 fn four_spheres_of_the_picture_have_a_radius_below_1() {
     let small = OBJECTS.iter().filter(|object| object.sphere.radius < 1.0);
