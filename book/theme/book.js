@@ -1,5 +1,16 @@
 "use strict";
 
+// An element with these attributes and children.
+const make = (tag, attributes, ...children) => {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+};
+
+// Writes a text, unless it is there already: then nothing is laid out anew for it.
+const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
 // Calls back, once for each element, when it comes near the view.
 function whenNear(elements, near) {
     const observer = new IntersectionObserver(entries => {

@@ -84,16 +84,6 @@ function stopWorker() {
     isWorking = false;
 }
 
-const make = (tag, attributes, ...children) => {
-    const element = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-    element.append(...children);
-    return element;
-};
-
-// Writes a text, unless it is there already: then nothing is laid out anew for it.
-const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
-
 // Milliseconds that a picture may take while something moves: a slower one is drawn coarser then, and
 // whole after a rest.
 const FRAME = 60, REST = 150;

@@ -1,93 +1,103 @@
 "use strict";
 
-// The search: all sections that have every word, those in whose titles they stand first. A word is
-// found as it is typed, in names such as `normalize_and_length`, too.
+// The search: MiniSearch finds the sections of the book, and a dialog shows them.
 {
     const [box, toggle, field, status, list] = ["search", "search-toggle", "search-field", "search-status", "search-results"]
         .map(id => document.getElementById(id));
     const LIMIT = 20;
-    const lower = text => text.toLocaleLowerCase("en");
-    // The plural finds the singular.
-    const parts = query => lower(query).split(/\s+/).filter(Boolean).map(word => word.length < 4 ? word : word.replace(/s$/, ""));
-    const letter = /[\p{L}\p{N}_]/u;
 
-    // How well a section answers: 0 where one of the words is not in it.
-    function score({ title, text }, words) {
-        const scores = words.map(word => {
-            const [inTitle, at] = [lower(title).includes(word), text.indexOf(word)];
-            const isWhole = 0 <= at && !letter.test(text[at - 1] ?? " ") && !letter.test(text[at + word.length] ?? " ");
-            return (inTitle ? 20 : 0) + (isWhole ? 3 : 0) + Math.min(text.split(word).length - 1, 9);
+    // What readers call by another name than the book.
+    const SYNONYMS = {
+        acne: "rash", antialiasing: "rays for a pixel", bvh: "bounding", center: "centre", closest: "nearest", color: "colour",
+        epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays for a pixel",
+        shiny: "shininess", spotlight: "spot light", supersampling: "rays for a pixel", theta: "θ", zbuffer: "nearest hit",
+    };
+    const WORD = /[\p{L}\p{N}_]+/gu;
+    const findWords = text => text.match(WORD) ?? [];
+    // A word in one spelling, without the endings of most plurals and nouns.
+    const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "").replaceAll(/(?<=..)z/g, "s");
+    // A name such as `to_radians` is found by its parts, too.
+    const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
+    // The chapters come first, and what stands in them early, as it is explained there; last comes what
+    // repeats them.
+    const weigh = ({ page, title, chapter }, id) => (1.4 - id / sections.length) * (title === chapter ? 0.8 : 1)
+        * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.7 : 1);
+
+    let sections = [], index;
+    async function makeIndex() {
+        await Promise.all([load("theme/minisearch.min.js"), load("search-index.js")]);
+        sections = (window.searchIndex ?? []).flatMap(([page, chapter, parts]) =>
+            parts.map(([hash, title, text]) => ({ page, hash, chapter, title, text })));
+        index = new MiniSearch({
+            fields: ["title", "chapter", "text"], tokenize: findWords, processTerm: findTerms,
+            searchOptions: {
+                processTerm: stem, boost: { title: 3 }, boostDocument: id => weigh(sections[id], id),
+                prefix: term => 2 < term.length, fuzzy: term => /^\p{L}{5,}$/u.test(term) && 0.2,
+            },
         });
-        return scores.includes(0) ? 0 : scores.reduce((sum, one) => sum + one, 0);
+        index.addAll(sections.map((section, id) => ({ id, ...section })));
     }
 
-    // The words around the first one that is found, which is marked.
-    function teaser(section, [word]) {
-        const at = Math.max(0, section.text.indexOf(word));
-        const begin = at < 60 ? 0 : section.body.indexOf(" ", at - 60) + 1;
-        const [before, found, after] = [[begin, at], [at, at + word.length], [at + word.length, at + 120]]
-            .map(([from, to]) => section.body.slice(from, to));
-        const line = document.createElement("span");
-        line.className = "teaser";
-        line.append(begin ? "… " : "", before, Object.assign(document.createElement("em"), { textContent: found }), after, " …");
-        return line;
-    }
-
-    function result(section, words) {
-        const link = document.createElement("a");
-        // Browsers that can mark the word on the page do so.
-        link.href = `${path_to_root}${section.address}:~:text=${encodeURIComponent(words[0])}`;
-        link.textContent = section.title;
-        const item = document.createElement("li");
-        item.append(link, teaser(section, words));
-        return item;
+    // The sections with all words of a query, with its hyphens or without.
+    function findAll(query) {
+        const queries = [" ", ""].map(link => findWords(query.replaceAll(/\b-\b/g, link))
+            .map(word => SYNONYMS[word.toLowerCase()] ?? word).join(" "));
+        return index.search({ queries: queries.map(words => ({ combineWith: "AND", queries: [words] })) });
     }
 
     function show() {
-        if (!sections.length) return status.textContent = "There is no index here: cargo run makes it.";
-        const words = parts(field.value);
-        const found = words.length === 0 ? [] : sections.map(section => [score(section, words), section])
-            .filter(([points]) => points).sort(([a], [b]) => b - a);
-        const count = found.length === 1 ? "1 section has" : `${found.length} sections have`;
-        status.textContent = words.length ? `${count} ${field.value.trim()}${LIMIT < found.length ? `; here are ${LIMIT}` : ""}` : "";
-        list.replaceChildren(...found.slice(0, LIMIT).map(([, section]) => result(section, words)));
+        if (!index) return;
+        const query = field.value.trim();
+        const all = findAll(query);
+        const found = all.length ? all : index.search(query, { fuzzy: 0.4 });
+        list.replaceChildren(...found.slice(0, LIMIT).map(makeItem));
+        const count = all.length === 1 ? "One section" : `${all.length} sections${LIMIT < all.length ? `; here are ${LIMIT}` : ""}`;
+        const near = found.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
+        if (!sections.length) write(status, "There is no index here: cargo run makes it.");
+        else write(status, all.length ? count : query && near);
     }
 
-    const sections = [];
-    const open = async isOpen => {
-        box.classList.toggle("hidden", !isOpen);
-        toggle.setAttribute("aria-expanded", isOpen);
-        if (!isOpen) return toggle.focus();
-        field.focus();
+    // A section that is found: its title, and the words around the first that is found in it.
+    function makeItem({ id, terms }) {
+        const { page, hash, chapter, title, text } = sections[id];
+        const link = make("a", { href: `${path_to_root}${page}#${hash}` }, title === chapter ? title : `${chapter}: ${title}`);
+        const isFound = ([word]) => findTerms(word).some(term => terms.includes(term));
+        const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };
+        const start = at < 60 ? 0 : text.indexOf(" ", at - 60) + 1;
+        return make("li", {}, link, make("span", { class: "teaser" }, start ? "… " : "", text.slice(start, at),
+            make("em", {}, word), `${text.slice(at + word.length, at + 120)} …`));
+    }
+
+    async function open() {
+        if (!box.open) box.showModal();
         field.select();
-        if (sections.length) return;
-        await load("search-index.js");
-        // Lower case has the same length, but for a few letters that the book does not use.
-        for (const [address, title, body] of window.searchIndex ?? []) sections.push({ address, title, body, text: lower(body) });
+        if (!index) await makeIndex();
         show();
-    };
-    toggle.addEventListener("click", () => open(box.classList.contains("hidden")));
-    field.form.addEventListener("submit", event => event.preventDefault());
+    }
+    toggle.addEventListener("click", open);
+    box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
+    // Enter opens the first; the page may be this one.
+    field.form.addEventListener("submit", event => {
+        event.preventDefault();
+        list.querySelector("a")?.click();
+    });
+    list.addEventListener("click", event => { if (event.target.closest("a")) box.close(); });
     addEventListener("keydown", event => {
-        const isTyping = /^(input|select|textarea)$/i.test(event.target.nodeName) || event.target.isContentEditable;
+        const isTyping = event.target.isContentEditable || /^(input|select|textarea)$/i.test(event.target.nodeName);
+        const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
         if (event.altKey || event.ctrlKey || event.metaKey) return;
-        if (event.key === "Escape" && box.contains(event.target)) open(false);
-        else if (["/", "s"].includes(event.key) && !isTyping) open(true);
+        if (box.open && step) {
+            // Up and down go through the results.
+            const stops = [field, ...list.querySelectorAll("a")];
+            stops[stops.indexOf(document.activeElement) + step]?.focus();
+        } else if (["/", "s"].includes(event.key) && !isTyping) open();
         else return;
         event.preventDefault();
-    });
-    // Up and down go through the results.
-    box.addEventListener("keydown", event => {
-        const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-        if (!step) return;
-        event.preventDefault();
-        const stops = [field, ...list.querySelectorAll("a")];
-        stops[stops.indexOf(document.activeElement) + step]?.focus();
     });
     const asked = new URLSearchParams(location.search).get("search");
     if (asked) {
         field.value = asked;
-        open(true);
+        open();
     }
 }

@@ -1,67 +1,52 @@
-use crate::{Page, Site, inner_text, select_all};
+use crate::{Page, Site, inner_text};
 use course::json;
+use ego_tree::NodeRef;
 use scraper::{ElementRef, Node};
 
 /// The name of the script of the search.
 pub const INDEX: &str = "search-index.js";
 
-/// The script from which the search of a page has the text of the book: the address, the
-/// title and the words of each section.
+/// The script from which the search has the text of the book: for each page its name, its
+/// title, and the id, the title and the words of each section.
 pub fn index_script(site: &Site) -> String {
-    let sections = site.chapters_in_order().into_iter().flat_map(section_jsons);
-    format!("window.searchIndex = {};\n", json::list(sections))
+    let pages = site.chapters_in_order().into_iter().map(|page| {
+        let sections = sections(page);
+        let title = sections.first().map_or("", |[_, title, _]| title);
+        let sections =
+            sections.iter().map(|section| json::list(section.each_ref().map(quote_words)));
+        json::list([json::quote(&page.name), quote_words(title), json::list(sections)])
+    });
+    format!("window.searchIndex = {};\n", json::list(pages))
 }
 
-/// The sections of a page, each a list in JSON.
-fn section_jsons(page: &Page) -> Vec<String> {
-    let Ok(main) = page.select_first("main") else { return vec![] };
-    let mut sections = vec![];
-    let mut chapter = String::new();
-    let (mut address, mut title, mut words) = <(String, String, String)>::default();
-    for part in main.children() {
-        let heading =
-            ElementRef::wrap(part).filter(|one| ["h1", "h2", "h3"].contains(&one.value().name()));
-        let Some(heading) = heading else {
-            words += &visible_text(part);
-            words.push(' ');
-            continue;
-        };
-        sections.push((address, title, words));
-        let id = heading.attr("id").unwrap_or_default();
-        address = format!("{}#{id}", page.name);
-        title = collapse_blanks(&inner_text(heading));
-        if heading.value().name() == "h1" {
-            chapter.clone_from(&title);
-        } else {
-            title = format!("{chapter}: {title}");
+/// The id, the title and the words of each section of a page.
+fn sections(page: &Page) -> Vec<[String; 3]> {
+    let mut sections: Vec<[String; 3]> = vec![];
+    for part in page.select_all("main > :not(.cover), .cover > *") {
+        if let ("h1" | "h2" | "h3", Some(id)) = (part.value().name(), part.attr("id")) {
+            sections.push([id.to_owned(), inner_text(part), String::new()]);
+        } else if let Some([_, _, words]) = sections.last_mut() {
+            *words += &visible_text(part);
         }
-        words = String::new();
     }
-    sections.push((address, title, words));
-    // Nothing stands before the first heading.
     sections
-        .into_iter()
-        .skip(1)
-        .map(|(address, title, words)| {
-            let words = collapse_blanks(&words);
-            json::list([address, title, words].map(|one| json::quote(&one)))
+}
+
+/// The text of an element without what is hidden or drawn in it, and without answers and
+/// hints, which a search would give away.
+fn visible_text(element: ElementRef) -> String {
+    let is_hidden = |node: NodeRef<Node>| {
+        node.value().as_element().is_some_and(|element| {
+            let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
+            is_answer || element.attr("hidden").is_some() || element.name() == "svg"
         })
-        .collect()
+    };
+    let texts = element.descendants().filter(|node| !node.ancestors().any(is_hidden));
+    let texts = texts.filter_map(|node| Some(&**node.value().as_text()?));
+    texts.chain([" "]).collect()
 }
 
-/// The text of a part that is not hidden.
-fn visible_text(part: ego_tree::NodeRef<Node>) -> String {
-    match ElementRef::wrap(part) {
-        Some(element) if element.attr("hidden").is_some() => String::new(),
-        Some(element) if !select_all(element, "svg").is_empty() => {
-            select_all(element, "figcaption").into_iter().map(inner_text).collect()
-        }
-        Some(element) => inner_text(element),
-        None => part.value().as_text().map_or(String::new(), |text| text.to_string()),
-    }
-}
-
-/// The words of a text, with one blank between two.
-fn collapse_blanks(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// A JSON string of the words of a text, with one blank between two.
+fn quote_words(text: impl AsRef<str>) -> String {
+    json::quote(&text.as_ref().split_whitespace().collect::<Vec<_>>().join(" "))
 }
