@@ -1,5 +1,8 @@
 "use strict";
 
+// Pages under Trusted Types work, too: what these scripts write is made here and by the modules.
+window.trustedTypes?.createPolicy("default", { createHTML: text => text, createScriptURL: url => url });
+
 // An element with these attributes and children.
 const make = (tag, attributes, ...children) => {
     const element = document.createElement(tag);
@@ -10,6 +13,13 @@ const make = (tag, attributes, ...children) => {
 
 // Writes a text, unless it is there already: then nothing is laid out anew for it.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
+// A number as people type it: 58.72, 58,72, 1/2, −3 or 60°; NaN if it is none.
+function readNumber(text) {
+    const parts = text.replace(/[\s°]/g, "").replace(/−/g, "-").split("/").map(part => part.replace(",", "."));
+    const numbers = parts.map(part => part ? Number(part) : NaN);
+    return numbers.length < 3 ? numbers.reduce((numerator, denominator) => numerator / denominator) : NaN;
+}
 
 // Calls back, once for each element, when it comes near the view.
 function whenNear(elements, near) {
@@ -54,9 +64,9 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     toggle.addEventListener("click", () => open(!contents.classList.contains("open")));
     contents.addEventListener("click", event => { if (event.target.closest("a")) open(false); });
     const links = [...contents.querySelectorAll("a")];
-    const file = url => url.pathname.split("/").pop();
-    const here = links.find(a => file(a) === file(location))
-        ?? (["", "index.html"].includes(file(location)) ? links[0] : null);
+    // Some servers leave out what ends the name of a file.
+    const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
+    const here = links.find(a => name(a) === name(location)) ?? (["", "index"].includes(name(location)) ? links[0] : null);
     if (here) {
         here.setAttribute("aria-current", "page");
         const list = document.createElement("ol");
@@ -114,21 +124,33 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
+// A prompt is not a part of a command that is copied.
+addEventListener("copy", event => {
+    const selection = getSelection();
+    if (!selection.focusNode?.parentElement.closest(".console")) return;
+    event.clipboardData.setData("text/plain", selection.toString().replace(/^\$ /gm, ""));
+    event.preventDefault();
+});
+
 // Problems on paper: a number is right if it is within the tolerance, a part of the answer.
 for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
     const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
-    const form = document.createElement("form");
-    const input = Object.assign(document.createElement("input"), { type: "number", step: "any", required: true });
-    input.setAttribute("aria-label", `Your number for problem ${problem.querySelector(".number").textContent}`);
-    input.placeholder = "your number";
-    const button = Object.assign(document.createElement("button"), { textContent: "Check" });
-    const verdict = document.createElement("output");
-    form.append(input, button, verdict);
+    const number = problem.querySelector(".number").textContent;
+    const input = make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
+    const verdict = make("output", {});
+    const form = make("form", {}, input, make("button", {}, "Check"), verdict);
+    // A comma is a point, or parts the thousands.
+    const judge = text => {
+        const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => readNumber(one) - answer).filter(Number.isFinite);
+        const [error] = errors.sort((one, other) => Math.abs(one) - Math.abs(other));
+        if (error === undefined) return "not a number";
+        if (Math.abs(error) <= tolerance * Math.abs(answer)) return "right";
+        return `${Math.abs(error) <= 0.05 * Math.abs(answer) ? "close, but " : ""}too ${error < 0 ? "small" : "large"}`;
+    };
     form.addEventListener("submit", event => {
         event.preventDefault();
-        const isRight = Math.abs(input.valueAsNumber - answer) <= tolerance * Math.abs(answer);
-        verdict.textContent = isRight ? "right" : "not yet";
-        verdict.classList.toggle("right", isRight);
+        verdict.textContent = judge(input.value);
+        verdict.classList.toggle("right", verdict.textContent === "right");
     });
     input.addEventListener("input", () => { verdict.textContent = ""; });
     problem.insertBefore(form, problem.querySelector("details"));
@@ -146,12 +168,20 @@ addEventListener("keydown", event => {
     if (link) location.href = link.href;
 });
 
+// A translator leaves code, formulas and labels as they are.
+document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
+
+// The scripts of what answers, and what on a page needs them; each is run after those before it.
+const SCRIPTS = {
+    wasm: "[data-live], [data-places]", handle: "figure[data-live]", own_scene: "figure[data-live=own_scene]",
+    figure: "figure[data-live]", check_form: "form[data-live]", line_editor: "[data-places]",
+};
+
 // What a page can be read without comes once it is shown: colours, what answers, and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     colours();
-    if (!isWhole) {
-        load("theme/live.js");
-        load("theme/line_editor.js");
+    for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {
+        if (document.querySelector(selector)) load(`theme/${name}.js`);
     }
     load("theme/search.js");
 })));

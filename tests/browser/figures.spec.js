@@ -40,13 +40,13 @@ for (const [k, [name, figure, before]] of figures.entries()) {
       await expectChange(`dragging ${await handle.getAttribute('aria-label')}`);
     }
     // Number fields set the same values as ranges and handles: one of each figure will do.
-    const others = await root.locator('.controls [data-parameter] :is(input:not([type=number]), select):visible').all();
-    const numbers = await root.locator('.controls [data-parameter] input[type=number]:visible').all();
+    const others = await root.locator('.controls [data-parameter] :is(input:not([type=text]), select):visible').all();
+    const numbers = await root.locator('.controls [data-parameter] input[type=text]:visible').all();
     for (const control of isThorough || moved === 0 ? [...others, ...numbers.slice(0, 1)] : []) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
         checkbox: 'Space', range: value === min ? 'End' : 'Home',
-        number: value === min ? 'ArrowUp' : 'ArrowDown',
+        text: value === min ? 'ArrowUp' : 'ArrowDown',
       })[type] ?? 'ArrowDown'));
       await expectChange(`a key on ${await control.locator('..').textContent()}`);
     }

@@ -3,7 +3,7 @@ import { expect, open, test } from './fixtures.js';
 
 const page3 = 'step03_nearest.html';
 const picture = 'figure[data-live="step03_nearest"]';
-const field = (page, symbol) => page.locator(`${picture} input[type=number]`).nth(symbol === 'i' ? 0 : 1);
+const field = (page, symbol) => page.locator(`${picture} .controls input[type=text]`).nth(symbol === 'i' ? 0 : 1);
 
 test('a link that names a pixel asks it', async ({ page, home }) => {
   await open(page, home + page3);
@@ -26,4 +26,17 @@ test('a number that is typed counts, and the nearest allowed one follows', async
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('639');
   await field(page, 'j').focus();
   await expect(field(page, 'i')).toHaveValue('639');
+});
+
+test('a pixel is told in one line below the picture, and Back leads to where one was', async ({ page, home }) => {
+  await open(page, home + page3);
+  const link = page.locator('a[href$="#pixel=195,237"]').first();
+  await link.scrollIntoViewIfNeeded();
+  const place = await page.evaluate(() => scrollY);
+  await link.click();
+  await expect(page.locator(`${picture} .hint`)).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\)$/);
+  await expect(page.locator(`${picture} .handle-probe`)).toHaveAttribute('aria-valuetext', /^column 195, row 237: red, t = /);
+  await expect(page.locator('[data-panel] tr.hit')).toHaveCount(1);
+  await page.evaluate(() => history.back());
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(place);
 });

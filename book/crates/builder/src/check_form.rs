@@ -3,7 +3,7 @@ use crate::Sources;
 /// The form into which a reader drops a picture to ask whether it is right, for
 /// `{{#check name}}`; without a name, the file's own tells which picture it should be.
 ///
-/// Hidden where no script can answer; see book/theme/live.js.
+/// Hidden where no script can answer; see book/theme/check_form.js.
 pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let (name, words) = match name {
         "" => (

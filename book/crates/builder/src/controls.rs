@@ -10,7 +10,7 @@ const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</but
 /// number field for each that a handle sets.
 ///
 /// Hidden where no script can answer, and there from the first where one
-/// will, to be set as soon as it can; see book/theme/live.js.
+/// will, to be set as soon as it can; see book/theme/figure.js.
 pub fn html(live: &Figure) -> String {
     let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();

@@ -41,7 +41,7 @@ pub fn panel_markdown(live: &Figure) -> String {
 
 /// The box with that text below a picture whose pixels can be asked.
 ///
-/// Hidden until the first is asked; see book/theme/live.js.
+/// Hidden where no script can answer; see book/theme/figure.js.
 pub fn panel_html(live: &Figure, text: &str) -> String {
     format!(
         "<details data-panel=\"{}\" class=\"aside\" open hidden>\

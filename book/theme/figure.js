@@ -1,0 +1,285 @@
+"use strict";
+
+// Figures and pictures that answer. Gestures become requests to the module, which is the code of the
+// five crates; its answers are put in place. Nothing about rays is computed here.
+
+// Milliseconds that a picture may take while something moves: a slower one is drawn coarser then, and
+// whole after a rest.
+const FRAME = 60, REST = 150;
+
+class Figure {
+    constructor(root, module, controls, fault) {
+        Object.assign(this, { root, module, controls, fault, name: root.dataset.live });
+        this.about = this.ask("about");
+        this.values = this.about.values;
+        this.answer = this.ask("tell", ...this.values);
+        this.findTexts();
+        this.makeStage();
+        this.findControls();
+        this.handles = this.about.handles.map((about, k) => makeHandle(this, about, k));
+        this.stage.append(...this.handles);
+        this.probe = this.handles.find(handle => handle.about.mark === "probe");
+        if (this.probe) this.askWherePressed();
+        this.show(this.answer);
+        this.selectGroup(this.handles[0]?.about.group);
+    }
+
+    // The answer of the module to a request; it throws what the module says of one to which there is none.
+    ask(verb, ...words) {
+        const answer = ask(this.module, [verb, this.name, ...words].join(" "));
+        if (answer.error) throw new Error(answer.error);
+        return answer;
+    }
+
+    // The stage: the drawing or the picture, and above it the handles. What is printed stays until
+    // something moves.
+    makeStage() {
+        const printed = this.root.querySelector("svg, img");
+        const isPicture = printed.tagName === "IMG";
+        this.stage = make("div", { class: "stage" });
+        printed.replaceWith(this.stage);
+        this.size = isPicture
+            ? ["width", "height"].map(side => Number(printed.getAttribute(side)))
+            : [printed.viewBox.baseVal.width, printed.viewBox.baseVal.height];
+        if (isPicture) this.stage.style.aspectRatio = `${this.size[0]} / ${this.size[1]}`;
+        printed.draggable = false;
+        this.printed = this.output = printed;
+        this.stage.append(printed);
+        Object.assign(this, { divisor: 1, wholeTime: 0, restTimer: 0, requests: new Map() });
+    }
+
+    // What stands elsewhere on the page and depends on the values.
+    findTexts() {
+        const { name } = this;
+        this.numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
+        this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+        this.panel = document.querySelector(`[data-panel="${name}"]`);
+        this.code = document.querySelector(`[data-code="${name}:rust"] code`);
+        this.companion = document.querySelector(`[data-companion="${name}"]`);
+    }
+
+    // These values with another one at an index.
+    setValue(index, value) {
+        this.values = this.values.map((old, k) => k === index ? value : old);
+    }
+
+    // A picture is drawn with all its columns, or, while something moves, with a half or a quarter.
+    request(verb, ...words) {
+        const { columns, values } = this.about;
+        const sent = this.values.map((value, k) => k === columns ? values[k] / this.divisor : value);
+        return this.ask(verb, ...words, ...sent);
+    }
+
+    drawWhole() {
+        this.divisor = 1;
+        this.tryShow(() => this.request("show"));
+    }
+
+    drawMoving(makeAnswer) {
+        this.divisor = [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4;
+        const start = performance.now();
+        const hasPicture = this.tryShow(makeAnswer)?.size;
+        clearTimeout(this.restTimer);
+        if (!hasPicture) return;
+        this.wholeTime = (performance.now() - start) * this.divisor ** 2;
+        if (1 < this.divisor) this.restTimer = setTimeout(() => this.drawWhole(), REST);
+    }
+
+    // The requests of the next frame: of each thing that moves, only the last gesture counts.
+    drawNextFrame(source, makeAnswer) {
+        const isPlanned = 0 < this.requests.size;
+        this.requests.set(source, makeAnswer);
+        if (isPlanned) return;
+        requestAnimationFrame(() => {
+            const planned = [...this.requests.values()];
+            this.requests.clear();
+            planned.forEach(one => this.drawMoving(one));
+        });
+    }
+
+    // The controls are printed: for a parameter a range, a switch or a list, and a field for a number.
+    findControls() {
+        this.parameterControls = this.values.map((_, k) => {
+            const element = this.controls.querySelector(`[data-parameter="${k}"]`);
+            if (!element) return null;
+            const inputs = [...element.querySelectorAll("input, select")];
+            inputs.forEach(input => this.followInput(input, k));
+            return { element, inputs, output: element.querySelector("b"), group: element.dataset.group };
+        });
+        this.groupSelect = this.controls.querySelector(".choice select");
+        this.groupSelect?.addEventListener("change", () => this.selectGroup(this.groupSelect.value));
+        this.reset = this.controls.querySelector(".reset");
+        this.reset.addEventListener("click", () => { this.values = this.about.values; this.drawWhole(); });
+    }
+
+    followInput(input, k) {
+        input.addEventListener("input", () => {
+            const value = input.type === "checkbox" ? Number(input.checked) : readNumber(input.value);
+            if (Number.isNaN(value)) return;
+            this.setValue(k, value);
+            this.drawNextFrame("control", () => this.request("show"));
+        });
+        // A field of text takes 58,72 and 1/2, too. What was typed gives way to the allowed number that is
+        // nearest, and arrow keys step as in a field of numbers.
+        if (input.type !== "number") return;
+        input.type = "text";
+        input.addEventListener("blur", () => { input.value = this.values[k]; });
+        input.addEventListener("keydown", event => {
+            if (event.key === "Enter") input.value = this.values[k];
+            const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+            if (!steps) return;
+            event.preventDefault();
+            this.setValue(k, this.values[k] + steps * Number(input.step));
+            this.drawMoving(() => this.request("show"));
+            input.value = this.values[k];
+        });
+    }
+
+    // Where parameters have groups, the controls of one are visible: of what was touched last.
+    selectGroup(group) {
+        if (!group) return;
+        this.groupSelect.value = group;
+        this.showControls();
+        this.handles.forEach(handle => handle.classList.toggle("chosen", handle.about.group === group));
+    }
+
+    showControls() {
+        const { values, answer: { texts, visible } } = this;
+        this.parameterControls.forEach((control, k) => {
+            if (!control) return;
+            const { element, inputs, output, group } = control;
+            element.hidden = !visible[k] || group !== this.groupSelect?.value;
+            for (const input of inputs) {
+                if (input.type === "checkbox") input.checked = values[k] === 1;
+                // What is being typed stays as it is.
+                else if (input.type === "range" || input !== document.activeElement) input.value = values[k];
+                if (input.type === "range") input.setAttribute("aria-valuetext", texts[k]);
+            }
+            if (output) write(output, texts[k]);
+        });
+    }
+
+    // Puts the answer to a request in place, and returns it. Where there is nothing to show, the last one
+    // stays, and the page says so.
+    tryShow(makeAnswer) {
+        try {
+            const answer = makeAnswer();
+            this.show(answer);
+            return answer;
+        } catch {
+            this.values = this.answer.values;
+            this.showControls();
+            this.fault.textContent = "There is nothing to show at that number.";
+            return null;
+        }
+    }
+
+    show(answer) {
+        // The columns of a coarse picture are not the reader's.
+        const { columns, values } = this.about;
+        this.values = answer.values.map((value, k) => k === columns ? values[k] : value);
+        this.answer = { ...answer, values: this.values };
+        this.fault.textContent = "";
+        this.showOutput(answer);
+        this.showControls();
+        this.handles.forEach(handle => handle.show());
+        this.showTexts(answer.numbers);
+        this.reset.disabled = this.values.every((value, k) => value === values[k]);
+        this.afterShow?.();
+    }
+
+    showOutput({ size, pixels, drawing }) {
+        if (size) {
+            const [width, height] = size;
+            if (this.output === this.printed) {
+                this.output = make("canvas", { role: "img", "aria-label": this.printed.alt });
+                this.printed.replaceWith(this.output);
+            }
+            if (this.output.width !== width || this.output.height !== height) Object.assign(this.output, { width, height });
+            paint(this.output, { pixels, size });
+        } else if (drawing !== undefined) {
+            this.printed.querySelector("g").innerHTML = drawing;
+        }
+        if (!this.companion) return;
+        const name = this.companion.id.replace("figure-", "");
+        this.companion.querySelector("g").innerHTML = ask(this.module, `show ${name} ${this.values.join(" ")}`).drawing;
+    }
+
+    // A number that there is not here is left empty, and what speaks of it is hidden.
+    showTexts(numbers) {
+        const numberOf = key => numbers[key.slice(this.name.length + 1)] ?? "";
+        for (const number of this.numbers) write(number, numberOf(number.dataset.number));
+        for (const part of this.conditionalParts) part.hidden = numberOf(part.dataset.when) === "";
+        if (this.probe) this.showPixel(numbers);
+        if (this.code && this.code.textContent !== numbers.rust) {
+            this.code.textContent = numbers.rust;
+            window.hljs?.highlightBlock(this.code);
+        }
+    }
+
+    // The line below the picture: what the ray of the probe's pixel meets, and its colour. Until a pixel is
+    // asked, the hint stands there.
+    showPixel({ i, j, object, object0 = object, t, t0 = t, bytes }) {
+        const met = t0 ? `${object0}, t = ${t0}` : "sky";
+        this.probe.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${met}, colour ${bytes}`);
+        for (const row of this.panel.querySelectorAll("tr")) row.classList.toggle("hit", row.cells[0].textContent === object);
+        if (this.isAsked) {
+            const swatch = make("span", { class: "swatch" });
+            swatch.style.background = `rgb${bytes}`;
+            this.controls.querySelector(".hint").replaceChildren(make("b", {}, met), " ", swatch, ` ${bytes}`);
+        }
+        this.isAsked = true;
+    }
+
+    // The probe goes where the picture is pressed.
+    askWherePressed() {
+        const isWide = matchMedia("(min-width: 1500px)").matches;
+        if (isWide) this.root.append(this.panel);
+        Object.assign(this.panel, { hidden: false, open: isWide });
+        this.stage.classList.add("has-probe");
+        this.stage.addEventListener("click", event => {
+            if (event.target === this.output) this.askPixel(event);
+        });
+    }
+
+    askPixel(event) {
+        const place = this.placeOfPointer(event);
+        this.drawNextFrame("probe", () => this.request("drag", this.handles.indexOf(this.probe), ...place));
+        this.probe.focus({ preventScroll: true });
+    }
+
+    // The place of a pointer in the coordinates of the output.
+    placeOfPointer({ clientX, clientY }) {
+        const box = this.output.getBoundingClientRect();
+        return [(clientX - box.left) / box.width * this.size[0], (clientY - box.top) / box.height * this.size[1]];
+    }
+}
+
+// A figure answers from when it comes near the view: only then is the module loaded. Where that fails,
+// the page says why, and it is tried again while the figure is near.
+async function activateFigure(root) {
+    const controls = root.querySelector(".controls");
+    const fault = controls.querySelector(".refused") ?? controls.appendChild(make("output", { class: "refused" }));
+    try {
+        const figure = new Figure(root, await wasmModules.get("live"), controls, fault);
+        fault.textContent = "";
+        if (figure.probe) followPixelAddress(figure);
+        if (figure.answer.numbers.address !== undefined) followScene(figure);
+        // On paper, everything else is as printed.
+        else addEventListener("beforeprint", () => { if (!figure.reset.disabled) figure.reset.click(); });
+        Object.assign(controls, { hidden: false, inert: false });
+        root.dataset.ready = "";
+    } catch (error) {
+        fault.textContent = `This doesn't answer here. ${error.message}`;
+        if (!root.querySelector(".stage")) setTimeout(whenNear, 5000, [root], activateFigure);
+    }
+}
+whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
+
+// A link that names a pixel brings the picture near whose pixels can be asked.
+const scrollToProbe = () => {
+    const panel = location.hash.startsWith("#pixel=") && document.querySelector("[data-panel]");
+    if (panel) document.querySelector(`figure[data-live="${panel.dataset.panel}"]`)?.scrollIntoView({ block: "center" });
+};
+addEventListener("hashchange", scrollToProbe);
+scrollToProbe();

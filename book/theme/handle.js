@@ -1,0 +1,80 @@
+"use strict";
+
+// A handle of a figure, its number k: a slider that follows pointer, finger and arrow keys.
+function makeHandle(figure, about, k) {
+    const handle = make("span", {
+        class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
+        "aria-valuemin": about.min, "aria-valuemax": about.max,
+    });
+    handle.about = about;
+    handle.addEventListener("focus", () => figure.selectGroup(about.group));
+
+    // What is dragged keeps its distance from the pointer; a pointer that has not moved asks the pixel.
+    let offset = null, hasMoved = false;
+    handle.grab = event => {
+        if (event.button !== 0 || event.ctrlKey) return;
+        handle.setPointerCapture(event.pointerId);
+        handle.focus({ preventScroll: true });
+        const [x, y] = figure.placeOfPointer(event);
+        [offset, hasMoved] = [[handle.place[0] - x, handle.place[1] - y], false];
+        handle.classList.add("held");
+    };
+    handle.addEventListener("pointerdown", handle.grab);
+    handle.addEventListener("pointermove", event => {
+        if (!offset) return;
+        hasMoved = true;
+        const [x, y] = figure.placeOfPointer(event);
+        const [dx, dy] = offset;
+        figure.drawNextFrame(k, () => figure.request("drag", k, x + dx, y + dy));
+    });
+    for (const end of ["pointerup", "pointercancel"]) {
+        handle.addEventListener(end, event => {
+            if (offset && !hasMoved && figure.probe && figure.probe !== handle) figure.askPixel(event);
+            offset = null;
+            handle.classList.remove("held");
+        });
+    }
+    for (const unwanted of ["touchstart", "dragstart"]) {
+        handle.addEventListener(unwanted, event => event.preventDefault());
+    }
+    handle.addEventListener("keydown", event => {
+        const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+        if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+        event.preventDefault();
+        const count = event.shiftKey ? 10 : 1;
+        // Keys follow each other faster than frames: none is lost.
+        figure.drawMoving(() => figure.request("step", k, count * step[0], count * step[1]));
+    });
+
+    // Rounded to its step, a handle at the border may be a little outside.
+    const isInside = place => place?.every((x, k) => -4 <= x && x <= figure.size[k] + 4) ?? false;
+    const parameters = [...new Set(about.parameters)];
+    // Puts the handle where the last answer has it.
+    handle.show = () => {
+        const { values, answer: { places, texts }, size } = figure;
+        handle.place = places[k];
+        const isLost = !isInside(handle.place) && handle === document.activeElement;
+        handle.hidden = !isInside(handle.place);
+        if (isLost) figure.parameterControls[parameters[0]]?.inputs[0].focus();
+        for (const [k, side] of ["left", "top"].entries()) handle.style[side] = `${(handle.place?.[k] ?? 0) / size[k] * 100}%`;
+        handle.setAttribute("aria-valuenow", values[parameters[0]]);
+        handle.setAttribute("aria-valuetext", parameters.map(parameter => texts[parameter]).join(", "));
+    };
+    return handle;
+}
+
+// The pixel that a link names, such as #pixel=470,120, is asked.
+function followPixelAddress(figure) {
+    const openPixel = () => {
+        const [, i, j] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
+        if (j === undefined) return;
+        const [column, row] = figure.probe.about.parameters;
+        figure.setValue(column, Number(i));
+        figure.setValue(row, Number(j));
+        figure.drawMoving(() => figure.request("show"));
+        figure.root.scrollIntoView({ block: "center" });
+        figure.probe.focus({ preventScroll: true });
+    };
+    addEventListener("hashchange", openPixel);
+    openPixel();
+}
