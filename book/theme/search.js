@@ -8,7 +8,7 @@
 
     // What readers call by another name than the book.
     const SYNONYMS = {
-        acne: "rash", antialiasing: "rays for a pixel", bvh: "bounding", center: "centre", closest: "nearest", color: "colour",
+        acne: "rash", antialiasing: "rays for a pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
         epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays for a pixel",
         shiny: "shininess", spotlight: "spot light", supersampling: "rays for a pixel", theta: "θ", zbuffer: "nearest hit",
     };
