@@ -42,7 +42,7 @@
         isWorking = false;
     }
 
-    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue; in full, it is white; black where they agree"];
+    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue, with a white square around a pixel that is alone"];
 
     // What is shown of an answer: its lines, and the pictures side by side.
     function makeReport({ text, size, pixels }) {

@@ -112,6 +112,7 @@ pub fn figures_html(
     }
     Ok(match pictures {
         [_] => figures,
-        _ => format!("<div class=\"pictures\">\n{figures}</div>\n"),
+        // A reader view of a browser takes a `div` of pictures for decoration.
+        _ => format!("<section class=\"pictures\">\n{figures}</section>\n"),
     })
 }

@@ -44,7 +44,7 @@ pub fn panel_markdown(live: &Figure) -> String {
 /// Hidden where no script can answer; see book/theme/figure.js.
 pub fn panel_html(live: &Figure, text: &str) -> String {
     format!(
-        "<details data-panel=\"{}\" class=\"aside\" open hidden>\
+        "<details data-panel=\"{}\" class=\"aside\" hidden>\
          <summary><span class=\"kind\">This pixel</span></summary>\n\n{text}\n</details>\n",
         live.name
     )
