@@ -3,6 +3,8 @@ import { expect, open, test } from './fixtures.js';
 
 const page3 = 'step03_nearest.html';
 const picture = 'figure[data-live="step03_nearest"]';
+// Opens the numbers of the pixel, which are folded.
+const unfold = page => page.locator(`${picture} .exact summary`).click();
 const field = (page, symbol) => page.locator(`${picture} .controls input[type=text]`).nth(symbol === 'i' ? 0 : 1);
 
 test('a link that names a pixel asks it', async ({ page, home }) => {
@@ -22,6 +24,7 @@ test('an address that names a pixel opens with it', async ({ page, home }) => {
 test('a number that is typed counts, and the nearest allowed one follows', async ({ page, home }) => {
   await open(page, home + page3);
   await page.locator(`${picture}[data-ready]`).waitFor({ timeout: 20_000 });
+  await unfold(page);
   await field(page, 'i').fill('1000');
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('639');
   await field(page, 'j').focus();

@@ -1,13 +1,12 @@
 use figures::{ControlKind, Figure, Handle, Parameter, escape, italic_letter};
-use glam::DVec2;
 
 const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
                     the arrow keys, to ask a pixel. The answer is below.</span>";
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure or picture: one for each parameter that has a name, and a
-/// number field for each that a handle sets.
+/// The controls below a figure or picture: one for each parameter that has a name. Number
+/// fields for what a handle sets are folded away.
 ///
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/figure.js.
@@ -16,13 +15,14 @@ pub fn html(live: &Figure) -> String {
     groups.dedup();
     groups.retain(|group| !group.is_empty());
     let (mut switches, mut others) = (String::new(), String::new());
-    for control in visible_controls(live) {
+    let (exact, controls) = exact_and_other_controls(live);
+    for control in controls {
         let is_above = groups.is_empty() || control.parameter.control == ControlKind::Switch;
         *if is_above { &mut switches } else { &mut others } += &control.html(live);
     }
     let hint = if live.has_probe() { HINT } else { "" };
     let content = if groups.is_empty() {
-        format!("{switches}{RESET}")
+        format!("{switches}{}{RESET}", exact_html(live, &exact))
     } else {
         let options = groups.iter().map(|group| format!("<option>{}</option>", escape(group)));
         let options: String = options.collect();
@@ -34,28 +34,48 @@ pub fn html(live: &Figure) -> String {
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
+/// The folded number fields, in a row for each object that they are of.
+fn exact_html(live: &Figure, exact: &[Control]) -> String {
+    let words = |control: &Control| control.symbol_and_words().1;
+    let rows = exact.chunk_by(|one, other| words(one) == words(other)).map(|row| {
+        let of = words(&row[0]);
+        let fields: String = row.iter().map(|control| control.html(live)).collect();
+        let of = escape(of.strip_prefix("of ").unwrap_or(&of));
+        format!("<span class=\"row\"><span>{of}</span>{fields}</span>")
+    });
+    let rows: String = rows.collect();
+    if rows.is_empty() {
+        return rows;
+    }
+    format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
+}
+
 /// A parameter, its number, and the handle that sets it.
 struct Control<'a> {
     k: usize,
     parameter: &'a Parameter,
     handle: Option<&'a Handle>,
+    is_exact: bool,
 }
 
-/// The controls of a figure. A handle that is outside the printed output sets nothing there,
-/// and what has a group is in its fields alone.
-fn visible_controls(live: &Figure) -> impl Iterator<Item = Control<'_>> {
-    let values = live.default_values();
-    let size = DVec2::from(live.default_output().width_and_height());
-    let is_inside = move |place: DVec2| place == place.clamp(DVec2::ZERO, size);
-    let mut handles: Vec<_> = live.handles.iter().collect();
-    handles.retain(|handle| handle.place(&values).is_some_and(is_inside));
+/// The controls of what a handle sets, with the other coordinates of the same object; and
+/// all others. What has a group is in its fields alone.
+fn exact_and_other_controls(live: &Figure) -> (Vec<Control<'_>>, Vec<Control<'_>>) {
     let parameters = live.parameters.iter().enumerate();
-    parameters.filter(|(_, parameter)| parameter.control != ControlKind::Columns).map(
-        move |(k, parameter)| {
-            let mut handles = handles.iter().copied().filter(|_| parameter.group.is_empty());
-            Control { k, parameter, handle: handles.find(|handle| handle.parameters.contains(&k)) }
-        },
-    )
+    let parameters = parameters.filter(|(_, parameter)| parameter.control != ControlKind::Columns);
+    let mut controls: Vec<_> = parameters
+        .map(|(k, parameter)| {
+            let mut handles = live.handles.iter().filter(|_| parameter.group.is_empty());
+            let handle = handles.find(|handle| handle.parameters.contains(&k));
+            Control { k, parameter, handle, is_exact: handle.is_some() }
+        })
+        .collect();
+    let objects: Vec<_> = controls.iter().filter(|control| control.is_exact).collect();
+    let objects: Vec<_> = objects.iter().map(|control| control.symbol_and_words().1).collect();
+    for control in &mut controls {
+        control.is_exact |= objects.contains(&control.parameter.words);
+    }
+    controls.into_iter().partition(|control| control.is_exact)
 }
 
 impl Control<'_> {
@@ -101,8 +121,10 @@ impl Control<'_> {
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
-            ControlKind::Number(unit) if self.handle.is_some() => {
-                let field = format!("<input type=\"number\" {range}>");
+            ControlKind::Number(unit) if self.is_exact => {
+                let name = escape(&format!("{symbol} {words}"));
+                let field = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
+                let label = label_html(symbol, "");
                 ("field", format!("<label>{label} {field}{}</label>", escape(unit)))
             }
             ControlKind::Number(unit) => {
