@@ -157,6 +157,7 @@ class Figure {
             }
             if (output) write(output, texts[k]);
         });
+        this.afterControls?.();
     }
 
     // Puts the answer to a request in place, and returns it. Where there is nothing to show, the last one

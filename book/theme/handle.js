@@ -20,11 +20,18 @@ function makeHandle(figure, about, k) {
         handle.classList.add("held");
     };
     handle.addEventListener("pointerdown", handle.grab);
+    // Where handles have groups, z follows x and y.
+    handle.changeDepth = length => {
+        const z = about.parameters[1] + 1;
+        figure.setValue(z, figure.values[z] + length / 30);
+        figure.drawNextFrame(k, () => figure.request("show"));
+    };
     handle.addEventListener("pointermove", event => {
         if (!offset) return;
         hasMoved = true;
         const [x, y] = figure.placeOfPointer(event);
         const [dx, dy] = offset;
+        if (event.shiftKey && about.group) return void handle.changeDepth(event.movementY);
         figure.drawNextFrame(k, () => figure.request("drag", k, x + dx, y + dy));
     });
     for (const end of ["pointerup", "pointercancel"]) {

@@ -1,33 +1,158 @@
 "use strict";
 
-// A scene of the reader's own is in the address of the page, once a gesture has come to rest.
+// A scene of the reader's own: its tools, its gestures, and its address.
+
+// Columns of a picture that is kept: it is drawn with twice as many, for smooth edges.
+const KEPT_COLUMNS = 1920;
+
 function followScene(figure) {
-    let sceneAddress = figure.answer.numbers.address;
-    let addressTimer = 0;
-    const writeAddress = address => history.replaceState(null, "", address ? `#scene=${address}` : location.pathname + location.search);
+    const tools = make("div", { class: "tools" });
+    figure.controls.append(tools);
+    const addTool = (words, act) => {
+        const button = tools.appendChild(make("button", { type: "button" }, words));
+        button.addEventListener("click", act);
+        return button;
+    };
+    followAddress(figure, addHistory(figure, addTool));
+    addSphereButton(figure, addTool);
+    addColourField(figure, tools);
+    addCopies(figure, addTool);
+    dragObjects(figure);
+}
+
+// What was done can be undone. Returns a function that keeps the values of a scene at rest.
+function addHistory(figure, addTool) {
+    const states = [figure.values];
+    let now = 0;
+    const showState = step => {
+        if (!states[now + step]) return;
+        now += step;
+        figure.values = states[now];
+        figure.drawWhole();
+    };
+    const buttons = [["Undo", -1], ["Redo", 1]].map(([words, step]) => [addTool(words, () => showState(step)), step]);
+    const showButtons = () => { for (const [button, step] of buttons) button.disabled = !states[now + step]; };
+    showButtons();
+    addEventListener("keydown", event => {
+        const isTyping = /^(text|search)$/.test(event.target.type) || event.target.isContentEditable;
+        if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isTyping) return;
+        event.preventDefault();
+        showState(event.shiftKey ? 1 : -1);
+    });
+    figure.reset.addEventListener("click", event => {
+        if (!confirm("Begin again with the scene of step 5? Undo brings yours back.")) event.stopImmediatePropagation();
+    }, { capture: true });
+    return () => {
+        if (figure.values.some((value, k) => value !== states[now][k])) {
+            now += 1;
+            states.splice(now, states.length, figure.values);
+        }
+        showButtons();
+    };
+}
+
+// The address of the page holds the scene, once a gesture has come to rest.
+function followAddress(figure, keepState) {
+    let restTimer = 0;
+    const readAddress = () => figure.answer.numbers.address;
+    const writeAddress = () => {
+        const address = readAddress();
+        const isOther = location.hash.slice("#scene=".length) !== address && (address || location.hash.startsWith("#scene="));
+        if (isOther) history.replaceState(null, "", address ? `#scene=${address}` : location.pathname + location.search);
+        keepState();
+    };
     figure.afterShow = () => {
-        const { address } = figure.answer.numbers;
-        if (address === sceneAddress) return;
-        sceneAddress = address;
-        clearTimeout(addressTimer);
-        addressTimer = setTimeout(writeAddress, 200, address);
+        clearTimeout(restTimer);
+        restTimer = setTimeout(writeAddress, 200);
     };
     const openScene = () => {
-        if (!location.hash.startsWith("#scene=")) {
-            // A heading was pressed: the page has gone there, and the address is the scene's again.
-            if (sceneAddress) writeAddress(sceneAddress);
-            return;
-        }
+        // Where a heading was pressed, the page has gone there, and the address is the scene's again.
+        if (!location.hash.startsWith("#scene=")) return readAddress() && writeAddress();
         // Some mail programs write a colon as %3A.
         const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
         try {
-            const answer = figure.ask("open", address);
-            sceneAddress = answer.numbers.address;
-            figure.show(answer);
+            figure.show(figure.ask("open", address));
         } catch ({ message }) {
             figure.fault.textContent = `${message} Nothing has changed.`;
         }
     };
-    addEventListener("hashchange", openScene);
+    addEventListener("hashchange", () => {
+        openScene();
+        if (location.hash.startsWith("#scene=")) figure.root.scrollIntoView({ block: "nearest" });
+    });
     openScene();
+}
+
+// The next sphere or light that is not there comes into the scene; its switch is before its x.
+function addSphereButton(figure, addTool) {
+    addTool("+ Sphere", () => {
+        const isMissing = ({ about: { mark, parameters: [x] } }) => mark === "point" && figure.values[x - 1] === 0;
+        const handle = figure.handles.find(isMissing);
+        if (!handle) return void (figure.fault.textContent = "Twelve spheres are all that there are.");
+        figure.setValue(handle.about.parameters[0] - 1, 1);
+        figure.drawWhole();
+        figure.selectGroup(handle.about.group);
+        handle.focus({ preventScroll: true });
+    });
+}
+
+// One field sets red, green and blue of what was touched last.
+function addColourField(figure, tools) {
+    const field = make("input", { type: "color" });
+    const label = tools.appendChild(make("label", {}, "Colour ", field));
+    const channels = () => ["red", "green", "blue"].map(name => figure.parameterControls.findIndex(control =>
+        control?.group === figure.groupSelect.value && control.element.querySelector("label span").textContent.trim() === name));
+    field.addEventListener("input", () => {
+        channels().forEach((channel, k) => figure.setValue(channel, parseInt(field.value.slice(1 + 2 * k, 3 + 2 * k), 16) / 255));
+        figure.drawNextFrame("colour", () => figure.request("show"));
+    });
+    figure.afterControls = () => {
+        const values = channels().map(channel => figure.values[channel]);
+        label.hidden = values.includes(undefined);
+        const byte = value => Math.round(255 * Math.min(value, 1)).toString(16).padStart(2, "0");
+        if (!label.hidden) field.value = `#${values.map(byte).join("")}`;
+    };
+    figure.afterControls();
+}
+
+function addCopies(figure, addTool) {
+    const copy = (button, text) => navigator.clipboard.writeText(text).then(() => "Copied", () => "Not copied").then(words => {
+        const label = button.textContent;
+        button.textContent = words;
+        setTimeout(() => { button.textContent = label; }, 1500);
+    });
+    const link = addTool("Copy link", () => copy(link, location.href));
+    const rust = addTool("Copy Rust", () => copy(rust, figure.answer.numbers.rust));
+    addTool("Download PNG", () => {
+        const large = document.createElement("canvas"), kept = document.createElement("canvas");
+        const values = figure.values.map((value, k) => k === figure.about.columns ? 2 * KEPT_COLUMNS : value);
+        const answer = figure.ask("show", ...values);
+        [large.width, large.height] = answer.size;
+        paint(large, answer);
+        [kept.width, kept.height] = answer.size.map(side => side / 2);
+        kept.getContext("2d").drawImage(large, 0, 0, kept.width, kept.height);
+        kept.toBlob(blob => make("a", { href: URL.createObjectURL(blob), download: "own_scene.png" }).click());
+    });
+}
+
+// A ball is dragged where it is pressed. Its depth changes by a pinch on a touchpad, by the wheel with Alt,
+// or by dragging with Shift.
+function dragObjects(figure) {
+    const find = event => {
+        const { group } = figure.ask("press", ...figure.placeOfPointer(event), ...figure.values);
+        return figure.handles.find(({ about, hidden }) => about.group === group && !hidden);
+    };
+    figure.stage.addEventListener("pointerdown", event => {
+        if (event.target === figure.output) find(event)?.grab(event);
+    });
+    // A finger beside the balls scrolls the page.
+    figure.stage.addEventListener("touchstart", event => {
+        if (event.touches.length === 1 && find(event.touches[0])) event.preventDefault();
+    }, { passive: false });
+    figure.stage.addEventListener("wheel", event => {
+        const chosen = figure.handles.find(handle => handle.about.group === figure.groupSelect.value);
+        if (!chosen || !(event.ctrlKey || event.altKey)) return;
+        event.preventDefault();
+        chosen.changeDepth(event.deltaY * (event.ctrlKey ? 1.5 : 0.3));
+    }, { passive: false });
 }

@@ -8,6 +8,7 @@ for (const [k, [name, figure, before]] of figures.entries()) {
   const isFirst = figures.findIndex(([other]) => other === name) === k;
   test(`${name}: the figure ${figure}${place} answers`, { tag: isFirst ? [] : '@thorough' }, async ({ page, home, isThorough }) => {
     await open(page, home + name);
+    page.on('dialog', dialog => dialog.accept()); // A scene of one's own is not wiped unasked.
     const root = page.locator(`figure[data-live="${figure}"]`).nth(before);
     await root.scrollIntoViewIfNeeded();
     await root.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });

@@ -30,7 +30,7 @@ const view = (width, colorScheme) => ({ viewport: { width, height: 900 }, colorS
 const QUICK = { grepInvert: /@thorough/ };
 const PAGES = ['pages.spec.js', 'search.spec.js'];
 const ANSWERS = [
-  'figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js', 'problems.spec.js',
+  'figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js', 'problems.spec.js', 'own_scene.spec.js',
 ];
 
 export default defineConfig({

@@ -110,8 +110,10 @@ fn find_address_fault(
     if !site.files.0.contains_key(&path) {
         return Some(format!("leads to {path}, which is not in the book"));
     }
-    let is_there =
-        id.is_empty() || ids.contains(&(&path, Some(id))) || is_pixel_link(site, &path, id);
+    let is_there = id.is_empty()
+        || ids.contains(&(&path, Some(id)))
+        || is_pixel_link(site, &path, id)
+        || is_scene_link(site, &path, id);
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
 }
 
@@ -126,6 +128,14 @@ fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
     let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
     let pixel = id.strip_prefix("pixel=").and_then(|pixel| pixel.split_once(','));
     pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
+}
+
+/// Whether an address ends in a scene of the reader's own, on the page that draws it.
+fn is_scene_link(site: &Site, path: &str, id: &str) -> bool {
+    let draws_scene = |page: &Page| !page.select_all("[data-live=own_scene]").is_empty();
+    let scene = figures::find("own_scene").zip(id.strip_prefix("scene="));
+    scene.is_some_and(|(figure, scene)| figures::parse_address(figure, scene).is_ok())
+        && site.pages.get(path).is_some_and(draws_scene)
 }
 
 /// The address of everything that a style fetches: what is in `url(…)`, or after `@import`.

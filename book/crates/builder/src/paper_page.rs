@@ -104,7 +104,7 @@ fn remove_what_is_for_screens(page: &mut Page) {
         if let Node::Element(element) = node {
             element.attrs.retain(|(name, value)| match &*name.local {
                 "loading" => false,
-                "href" => !value.contains("#pixel="),
+                "href" => !value.contains("#pixel=") && !value.contains("#scene="),
                 _ => true,
             });
         }

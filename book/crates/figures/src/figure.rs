@@ -19,6 +19,8 @@ pub struct Figure {
     pub draw: fn(&[f64]) -> Output,
     /// The numbers in the text that depend on these values.
     pub numbers: fn(&[f64]) -> Numbers,
+    /// The group of the object that is seen at a place, at these values.
+    pub group_at: fn(&[f64], DVec2) -> Option<&'static str>,
     is_allowed: fn(&[f64]) -> bool,
 }
 
@@ -34,6 +36,7 @@ impl Figure {
             handles: T::handles(),
             draw: |values| T::from_values(values).draw(),
             numbers: |values| T::from_values(values).numbers(),
+            group_at: |values, place| T::from_values(values).group_at(place),
             is_allowed: |values| T::from_values(values).is_allowed(),
         }
     }

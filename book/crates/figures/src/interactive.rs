@@ -43,6 +43,11 @@ pub trait Interactive: Sized + 'static {
         Numbers::new()
     }
 
+    /// The group of the object that is seen at a place of the picture; None where none is.
+    fn group_at(&self, _place: DVec2) -> Option<&'static str> {
+        None
+    }
+
     /// A handle that sets two parameters; the second grows upwards. `locate` gives its place,
     /// in the coordinates of the drawing or in pixels, or None if there is nothing to drag;
     /// `coordinates_at` the values of the two that bring it to a place, or near it.

@@ -51,7 +51,7 @@ pub use parameter::{ControlKind, Parameter};
 mod figures;
 mod own_scene;
 mod pictures;
-pub use own_scene::own_scene;
+pub use own_scene::{own_scene, parse_address};
 
 mod figure_list;
 mod reply;

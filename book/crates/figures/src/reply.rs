@@ -27,6 +27,7 @@ impl Reply {
 /// - `tell NAME VALUES`: the same without the drawing or the pixels.
 /// - `drag NAME HANDLE X Y VALUES`: as `show`, after a handle was dragged to a place.
 /// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
+/// - `press NAME X Y VALUES`: the group of the object that is seen at a place, or nothing.
 /// - `open NAME ADDRESS`: as `show`, at the values of an address.
 ///
 /// A probe leaves the picture as it is: after it was moved, nothing is drawn.
@@ -53,6 +54,10 @@ fn try_reply(request: &str) -> Option<Reply> {
         ("about", _) => Some(handles_and_defaults_reply(figure)),
         ("show", values) => Some(full_reply(figure, &figure.snap_if_allowed(values)?)),
         ("tell", values) => Some(text_reply(figure, &figure.snap_if_allowed(values)?)),
+        ("press", [x, y, values @ ..]) => {
+            let group = (figure.group_at)(&figure.snap_if_allowed(values)?, dvec2(*x, *y));
+            Some(Reply::from_json_fields([("group", json::quote(group.unwrap_or_default()))]))
+        }
         (_, [handle, x, y, values @ ..]) => {
             let handle = figure.handles.get(*handle as usize)?;
             let (values, vector) = (figure.snap_if_allowed(values)?, dvec2(*x, *y));

@@ -11,8 +11,9 @@ use crate::output::collect_numbers;
 use crate::projection::SIZE;
 use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
 use course::{OwnScene, Owner, format_scene_program};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use parameters::{PARAMETERS, Target};
+use step05_phong::nearest;
 
 /// The picture of the scene, and the values that it was made from.
 pub struct OwnScenePicture {
@@ -54,6 +55,12 @@ impl Interactive for OwnScenePicture {
     fn draw(&self) -> Output {
         // The first parameter is the columns.
         self.own.picture(self.values[0]).into()
+    }
+
+    fn group_at(&self, place: DVec2) -> Option<&'static str> {
+        let pixel = place - 0.5;
+        let ray = self.own.camera(SIZE.x).ray(pixel.x, pixel.y);
+        nearest(&self.own.scene.objects, &ray).map(|hit| hit.object.name)
     }
 
     fn numbers(&self) -> Numbers {

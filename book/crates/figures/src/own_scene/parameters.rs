@@ -30,7 +30,9 @@ pub enum Target {
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
     let switch = |words, group, is_on| Parameter { group, ..Parameter::switch(words, is_on) };
-    let mut parameters = vec![(Target::Columns, columns_parameter())];
+    // A picture that is kept is drawn large.
+    let columns = Parameter { range: [2.0, 3840.0], ..columns_parameter() };
+    let mut parameters = vec![(Target::Columns, columns)];
     parameters.extend(numbers(&own, Owner::Camera, 0, "camera"));
     parameters.extend(numbers(&own, Owner::Scene, 0, "ambient light"));
     let mirrors = switch("shadows and mirrors", "the way back", false);
