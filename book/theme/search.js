@@ -21,17 +21,17 @@
     // The chapters come first, and what stands in them early, as it is explained there; last comes what
     // repeats them.
     const weigh = ({ page, title, chapter }, id) => (1.4 - id / sections.length) * (title === chapter ? 0.8 : 1)
-        * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.7 : 1);
+        * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
 
     let sections = [], index;
     async function makeIndex() {
         await Promise.all([load("theme/minisearch.min.js"), load("search-index.js")]);
         sections = (window.searchIndex ?? []).flatMap(([page, chapter, parts]) =>
-            parts.map(([hash, title, text]) => ({ page, hash, chapter, title, text })));
+            parts.map(([hash, title, prose, listings]) => ({ page, hash, chapter, title, prose, listings })));
         index = new MiniSearch({
-            fields: ["title", "chapter", "text"], tokenize: findWords, processTerm: findTerms,
+            fields: ["title", "chapter", "prose", "listings"], tokenize: findWords, processTerm: findTerms,
             searchOptions: {
-                processTerm: stem, boost: { title: 3 }, boostDocument: id => weigh(sections[id], id),
+                processTerm: stem, boost: { title: 3, listings: 0.5 }, weights: { fuzzy: 0.7, prefix: 0.3 }, boostDocument: id => weigh(sections[id], id),
                 prefix: term => 2 < term.length, fuzzy: term => /^\p{L}{5,}$/u.test(term) && 0.2,
             },
         });
@@ -59,7 +59,8 @@
 
     // A section that is found: its title, and the words around the first that is found in it.
     function makeItem({ id, terms }) {
-        const { page, hash, chapter, title, text } = sections[id];
+        const { page, hash, chapter, title, prose, listings } = sections[id];
+        const text = `${prose} ${listings}`;
         const link = make("a", { href: `${path_to_root}${page}#${hash}` }, title === chapter ? title : `${chapter}: ${title}`);
         const isFound = ([word]) => findTerms(word).some(term => terms.includes(term));
         const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };

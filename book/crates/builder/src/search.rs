@@ -7,11 +7,11 @@ use scraper::{ElementRef, Node};
 pub const INDEX: &str = "search-index.js";
 
 /// The script from which the search has the text of the book: for each page its name, its
-/// title, and the id, the title and the words of each section.
+/// title, and the id, the title, the prose and the listings of each section.
 pub fn index_script(site: &Site) -> String {
     let pages = site.chapters_in_order().into_iter().map(|page| {
         let sections = sections(page);
-        let title = sections.first().map_or("", |[_, title, _]| title);
+        let title = sections.first().map_or("", |[_, title, ..]| title);
         let sections =
             sections.iter().map(|section| json::list(section.each_ref().map(quote_words)));
         json::list([json::quote(&page.name), quote_words(title), json::list(sections)])
@@ -19,14 +19,15 @@ pub fn index_script(site: &Site) -> String {
     format!("window.searchIndex = {};\n", json::list(pages))
 }
 
-/// The id, the title and the words of each section of a page.
-fn sections(page: &Page) -> Vec<[String; 3]> {
-    let mut sections: Vec<[String; 3]> = vec![];
+/// The id, the title, the prose and the listings of each section of a page.
+fn sections(page: &Page) -> Vec<[String; 4]> {
+    let mut sections: Vec<[String; 4]> = vec![];
     for part in page.select_all("main > :not(.cover), .cover > *") {
         if let ("h1" | "h2" | "h3", Some(id)) = (part.value().name(), part.attr("id")) {
-            sections.push([id.to_owned(), inner_text(part), String::new()]);
-        } else if let Some([_, _, words]) = sections.last_mut() {
-            *words += &visible_text(part);
+            sections.push([id.to_owned(), inner_text(part), String::new(), String::new()]);
+        } else if let Some([_, _, prose, listings]) = sections.last_mut() {
+            let is_listing = part.attr("data-path").is_some();
+            *(if is_listing { listings } else { prose }) += &visible_text(part);
         }
     }
     sections
