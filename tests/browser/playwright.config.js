@@ -32,6 +32,17 @@ const PAGES = ['pages.spec.js', 'search.spec.js'];
 const ANSWERS = [
   'figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js', 'problems.spec.js', 'own_scene.spec.js',
 ];
+// By THOROUGH=1 alone: they take minutes, and find little that the others miss.
+const THOROUGH = [
+  { name: 'html', testMatch: 'html.spec.js' },
+  { name: 'webkit', testMatch: 'webkit.spec.js' },
+  {
+    name: 'firefox-wide',
+    testMatch: [...PAGES, ...ANSWERS],
+    use: { ...firefox(true), ...view(1280, null), source: 'server' },
+    ...QUICK,
+  },
+];
 
 export default defineConfig({
   testDir: '.',
@@ -43,10 +54,9 @@ export default defineConfig({
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
   projects: [
-    { name: 'html', testMatch: 'html.spec.js' },
     {
       name: 'chromium-wide',
-      testMatch: [...PAGES, ...ANSWERS, 'accessibility.spec.js', 'loading.spec.js'],
+      testMatch: [...PAGES, ...ANSWERS, 'accessibility.spec.js', 'loading.spec.js', 'modules.spec.js'],
       use: { ...chromium, ...view(1280, 'light'), source: 'server', isThorough: true },
     },
     {
@@ -63,16 +73,10 @@ export default defineConfig({
     },
     {
       name: 'firefox-narrow',
-      testMatch: [...PAGES, ...ANSWERS],
+      testMatch: [...PAGES, 'line_editor.spec.js'],
       use: { ...firefox(false), ...view(390, null), source: 'folder' },
       ...QUICK,
     },
-    {
-      name: 'firefox-dark',
-      testMatch: PAGES,
-      use: { ...firefox(true), ...view(1280, null), source: 'server' },
-      ...QUICK,
-    },
-    { name: 'webkit', testMatch: 'webkit.spec.js' },
+    ...process.env.THOROUGH ? THOROUGH : [],
   ],
 });
