@@ -4,11 +4,11 @@
 {
     // The module works in a worker: the page can be read and moved meanwhile, and a check that is no longer
     // wanted is stopped.
-    const source = `${ask}
+    const source = `${ask} ${startModule}
         let check;
         onmessage = async ({ data: [module, request, file, port] }) => {
-            check ??= WebAssembly.instantiate(module);
-            const answer = ask((await check).exports, request, file);
+            check ??= startModule(module);
+            const answer = ask(await check, request, file);
             port.postMessage({ ...answer, pixels: answer.pixels?.slice() });
         };
         onunhandledrejection = ({ reason }) => { throw reason; };`;

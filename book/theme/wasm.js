@@ -1,33 +1,45 @@
 "use strict";
 
 // The modules, which are the code of the five crates: "live" draws the figures, "check" looks at the
-// reader's picture, and "expressions" draws with a line that the reader edits. Each is compiled once its
-// script is loaded.
+// reader's picture, and "expressions" draws with a line that the reader edits. These two know the list of
+// mistakes, which is a script of its own. Each is compiled once its script is loaded.
 const wasmModules = (() => {
-    const resolvers = {}, modules = {}, instances = {};
-    const load = name => modules[name] ??= new Promise((resolve, reject) => {
+    const resolvers = {}, files = {}, modules = {}, instances = {};
+    const loadFile = name => files[name] ??= new Promise((resolve, reject) => {
         if (!window.WebAssembly) throw new Error("This browser has no WebAssembly, or it is switched off.");
         resolvers[name] = resolve;
-        const script = make("script", { src: `${path_to_root}generated/${name}-module.js` });
+        const script = make("script", { src: `${path_to_root}generated/${name}.js` });
         script.onerror = () => reject(new Error("A part of this page did not load."));
         document.head.append(script);
     }).catch(error => {
         // The next request tries again.
-        delete modules[name];
+        delete files[name];
         throw error;
     }).then(base64 => {
         const letters = atob(base64);
         const bytes = new Uint8Array(letters.length);
         for (let k = 0; k < bytes.length; k += 1) bytes[k] = letters.charCodeAt(k);
-        return WebAssembly.compile(bytes);
+        return bytes;
     });
+    const load = async name => {
+        const names = name === "live" ? [`${name}-module`] : [`${name}-module`, "mistakes"];
+        const [bytes, mistakes] = await Promise.all(names.map(loadFile));
+        return { module: await (modules[name] ??= WebAssembly.compile(bytes)), mistakes };
+    };
     return {
         provide: (name, base64) => resolvers[name](base64),
         load,
-        get: name => instances[name] ??= load(name).then(async module => (await WebAssembly.instantiate(module)).exports)
+        get: name => instances[name] ??= load(name).then(startModule)
             .catch(error => { delete instances[name]; throw error; }),
     };
 })();
+
+// The exports of a module that is started, which has got the list of mistakes if it knows them.
+async function startModule({ module, mistakes }) {
+    const { exports } = await WebAssembly.instantiate(module);
+    if (mistakes) ask(exports, "mistakes", mistakes);
+    return exports;
+}
 
 // The answer of a module to a request, about a file if there is one; with pixels if it has a picture.
 function ask(module, request, file) {

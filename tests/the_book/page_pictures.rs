@@ -4,30 +4,36 @@
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use builder::{effect_and_step_of_picture, inner_text, select_all};
-use course::Step;
+use course::{Step, read_small_pictures, workspace};
+use image::RgbImage;
 use image::imageops::thumbnail;
 use std::collections::{BTreeMap, HashMap};
 use tests::camera;
 
-/// The locked pictures and those of mistakes, by the name that each has in the book.
-fn stored_pictures() -> HashMap<String, Vec<u8>> {
-    let mistakes = read_folder("book/crates/course/mistakes/pictures").0.into_iter();
-    let mistakes = mistakes.map(|(file, png)| (format!("mistake-{file}"), png));
+/// The locked pictures, by the name that each has in the book.
+fn locked_pictures() -> HashMap<String, Vec<u8>> {
     let snapshots = read_folder("tests/snapshots").0.into_iter();
-    mistakes.chain(snapshots.map(|(file, png)| (file.replace(".snap.", "."), png))).collect()
+    snapshots.map(|(file, png)| (file.replace(".snap.", "."), png)).collect()
 }
 
-/// Whether a file has the picture of the step that its name says, made small.
-fn is_small_picture(file: &str, png: &[u8]) -> bool {
-    let step = file.strip_suffix("-small.png").and_then(Step::from_name);
-    let picture = step.map(|step| thumbnail(&step.picture()(&camera(), 1), 320, 180));
-    let decoded = image::load_from_memory(png).map(|image| image.to_rgb8());
-    decoded.is_ok_and(|decoded| picture == Some(decoded))
+/// The pictures of mistakes, and those of the steps made small, by the name that each has in the
+/// book.
+fn small_pictures() -> HashMap<String, RgbImage> {
+    let mut pictures = HashMap::new();
+    for step in Step::ALL {
+        let small = thumbnail(&step.picture()(&camera(), 1), 320, 180);
+        pictures.insert(format!("{}-small.png", step.name()), small);
+        let mistakes = read_small_pictures(&workspace(), step).expect("small pictures");
+        pictures
+            .extend(mistakes.into_iter().map(|(name, one)| (format!("mistake-{name}.png"), one)));
+    }
+    pictures
 }
 
 #[test]
 fn pictures_are_those_that_our_code_draws() {
-    let (stored, book, mut locations) = (stored_pictures(), built_book(), BTreeMap::new());
+    let (locked, small, book) = (locked_pictures(), small_pictures(), built_book());
+    let mut locations = BTreeMap::new();
     for page in book.chapters_in_order() {
         for img in page.select_all("img") {
             let source = img.attr("src").unwrap_or_default();
@@ -36,9 +42,12 @@ fn pictures_are_those_that_our_code_draws() {
     }
     locations.retain(|source, _| {
         let file = source.rsplit('/').next().unwrap_or_default();
-        !book.files.0.get(*source).is_some_and(|png| match stored.get(file) {
-            Some(stored_png) => png == stored_png,
-            None => is_small_picture(file, png),
+        !book.files.0.get(*source).is_some_and(|png| match locked.get(file) {
+            Some(locked_png) => png == locked_png,
+            None => {
+                image::load_from_memory(png).ok().map(|image| image.to_rgb8()).as_ref()
+                    == small.get(file)
+            }
         })
     });
     let faults = locations.iter();

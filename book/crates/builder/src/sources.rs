@@ -6,6 +6,7 @@ use course::Step;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
 use image::{ImageReader, RgbImage};
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -41,9 +42,15 @@ impl Sources {
     pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
-        for (name, bytes) in Files::read(&workspace.join("book/crates/course/mistakes/pictures"))?.0
-        {
-            files.insert(format!("mistake-{name}"), bytes);
+        for step in Step::ALL {
+            let pictures = course::read_small_pictures(workspace, step);
+            for (name, picture) in pictures.with_context(|| step.name())? {
+                let name = format!("mistake-{name}.png");
+                let old = fs::read(old.join(&name)).ok().filter(|old| {
+                    image::load_from_memory(old).is_ok_and(|old| old.into_rgb8() == picture)
+                });
+                files.insert(name, old.map_or_else(|| encode_png(&picture), Ok)?);
+            }
         }
         for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
             let Some(name) = name.strip_suffix(".snap.png") else { continue };
@@ -58,13 +65,11 @@ impl Sources {
             files.insert(whole, bytes);
         }
         for name in MODULES {
-            // A page that was opened from a folder may load scripts, and nothing else.
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
-            let module = BASE64_STANDARD.encode(module);
-            let script = format!("wasmModules.provide(\"{name}\", \"{module}\");\n");
-            files.insert(format!("{name}-module.js"), script.into_bytes());
+            insert_script(files, &format!("{name}-module"), &module);
         }
+        insert_script(files, "mistakes", course::mistake_texts().join("\0").as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated })
     }
 
@@ -76,6 +81,14 @@ impl Sources {
             None => image::image_dimensions(self.workspace.join(CHAPTERS).join(source)).ok(),
         }
     }
+}
+
+/// Inserts a script with these bytes in it: a page that was opened from a folder may load scripts,
+/// and nothing else.
+fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
+    let bytes = BASE64_STANDARD.encode(bytes);
+    let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");
+    files.insert(format!("{name}.js"), script.into_bytes());
 }
 
 /// The smaller picture that goes with the locked picture `name`, and which part of it that is:

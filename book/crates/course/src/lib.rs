@@ -3,7 +3,8 @@
 //! - The five *steps* as a list, with the course's camera; the *examples* of the steps as a
 //!   library, and a list of the pictures that they draw.
 //! - The list of *mistakes* that readers make, each a diff, and the *table* of hashes of the
-//!   pictures that they give; the *places* of the listings that a reader may edit.
+//!   pictures that they give, with the small ones that the book shows; the *places* of the
+//!   listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - Two pictures *compared*, in a sentence and side by side.
 //! - The source of a crate as that of a *module*.
@@ -16,8 +17,12 @@ pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture, step_of_example};
 
 mod mistake;
+mod mistake_files;
+mod mistake_pictures;
 mod mistake_table;
 pub use mistake::{BookEntry, Mistake, mistakes};
+pub use mistake_files::{mistake_texts, provide_mistake_texts};
+pub use mistake_pictures::{SMALL_SIZE, read_small_pictures, small_pictures_path};
 pub use mistake_table::{
     TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names, table_rows,
 };
@@ -29,6 +34,7 @@ mod crate_as_module;
 pub use crate_as_module::crate_as_module;
 
 mod hash;
+pub use hash::fnv_1a;
 
 mod named_scene;
 mod own_scene;

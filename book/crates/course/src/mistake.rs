@@ -5,13 +5,14 @@
 //! one sees.
 
 use crate::Step;
+use crate::mistake_files::mistake_texts;
 
 /// Mistake that a reader may make: a place of a file, and the text written there instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
     /// Short description.
     pub title: &'static str,
-    /// The file, seen from the root of the workspace.
+    /// The file of a step, seen from the root of the workspace.
     pub file: String,
     /// Right text; blanks at the beginning of a line do not count.
     pub old: String,
@@ -35,23 +36,14 @@ pub struct BookEntry {
     pub effect: &'static str,
 }
 
-/// The lists, and the folder of the files in each, if it is one.
-const LISTS: [(&str, &str); 5] = [
-    ("steps/step01_rays/src/", include_str!("../mistakes/step01_rays.txt")),
-    ("steps/step02_sphere/src/", include_str!("../mistakes/step02_sphere.txt")),
-    ("steps/step03_nearest/src/", include_str!("../mistakes/step03_nearest.txt")),
-    ("steps/step04_diffuse/src/", include_str!("../mistakes/step04_diffuse.txt")),
-    ("steps/step05_phong/src/", include_str!("../mistakes/step05_phong.txt")),
-];
-
 /// All mistakes, in the order of the lists.
 pub fn mistakes() -> Vec<Mistake> {
     let mut mistakes = vec![];
-    for (folder, list) in LISTS {
+    for (step, list) in Step::NAMES.into_iter().zip(mistake_texts()) {
         let mut file = String::new();
         for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
             match block.strip_prefix("@ ") {
-                Some(path) => file = format!("{folder}{path}"),
+                Some(path) => file = format!("steps/{step}/src/{path}"),
                 None => mistakes.extend(parse_mistake(&file, block)),
             }
         }
@@ -90,15 +82,15 @@ impl Mistake {
         Step::from_path(&self.file)
     }
 
-    /// The names of the pictures that it may spoil, in their order.
-    pub fn affected_picture_names(&self) -> Vec<String> {
-        let exercise = self.file.split("/examples/").nth(1);
-        if let Some(name) = exercise.and_then(|file| file.strip_suffix(".rs")) {
-            return vec![name.to_owned()];
-        }
-        let steps = Step::ALL.into_iter();
-        let later = steps.filter(|step| self.step() <= Some(*step));
-        later.map(|step| step.name().to_owned()).collect()
+    /// The steps whose pictures it may spoil, in their order: its own and those after it.
+    pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
+        let own = self.step();
+        Step::ALL.into_iter().filter(move |step| own <= Some(*step))
+    }
+
+    /// The names of its pictures in the book, each with the step that is drawn.
+    pub fn shown_pictures(&self) -> impl Iterator<Item = (&'static str, Step)> {
+        self.book_entry.iter().flat_map(|entry| entry.pictures.iter().copied())
     }
 
     /// Lines of the right text, each after a `-`, and those written instead, after `+`.

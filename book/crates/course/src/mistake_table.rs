@@ -1,8 +1,13 @@
 use crate::hash::fnv_1a;
-use crate::{Mistake, mistakes};
+use crate::mistake_files::mistake_texts;
+use crate::{Mistake, Step, mistakes};
 use image::RgbImage;
 
-const TABLE: &str = include_str!("../mistakes/table.txt");
+/// The lines of the table.
+fn table_lines() -> std::str::Lines<'static> {
+    let [.., table] = mistake_texts();
+    table.lines()
+}
 
 /// A number that hardly any two pictures share: FNV-1a, 64 bits of it, of the columns, the
 /// rows and all bytes.
@@ -15,48 +20,44 @@ pub fn hash_picture(picture: &RgbImage) -> u64 {
 /// Hashes of the pictures of one mistake: a line of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// Hash of the mistake and of the code of its file when it was drawn.
+    /// Hash of what decides about the mistake's pictures, when they were drawn.
     pub key: u32,
-    /// The sum of the picture of its step and of each later one, or of its exercise; None
-    /// where that is right all the same, or can't be drawn.
+    /// The hash of the picture of its step and of each later one; None where that is right all
+    /// the same, or can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
 impl TableRow {
-    /// The key of a mistake, where `text` is that of its file: comments draw nothing.
-    pub fn compute_key(mistake: &Mistake, file_text: &str) -> u32 {
-        let lines = file_text.lines().map(str::trim);
-        let code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
-        let Mistake { file, old, new, .. } = mistake;
-        let all = [&file[..], old, new].into_iter().chain(code).flat_map(str::bytes);
-        (fnv_1a(all) >> 32) as u32
-    }
-
     /// Formats the line of the table.
     pub fn to_line(&self) -> String {
-        let sum = |sum: &Option<u64>| match sum {
-            Some(sum) => format!(" {sum:016x}"),
-            None => " -".to_owned(),
-        };
-        let hashes: String = self.hashes.iter().map(sum).collect();
+        let word =
+            |hash: &Option<u64>| hash.map_or(" -".to_owned(), |hash| format!(" {hash:016x}"));
+        let hashes: String = self.hashes.iter().map(word).collect();
         format!("{:08x}{hashes}\n", self.key)
     }
 }
 
-/// The sums of all pictures that are right, by their names.
+/// The hashes of all pictures that are right, by their names.
 pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
-    TABLE.lines().filter_map(|line| {
-        let (name, sum) = line.strip_prefix("= ")?.split_once(' ')?;
-        Some((name, u64::from_str_radix(sum, 16).ok()?))
+    table_lines().filter_map(|line| {
+        let (name, hash) = line.strip_prefix("= ")?.split_once(' ')?;
+        Some((name, u64::from_str_radix(hash, 16).ok()?))
     })
+}
+
+/// The names of the small pictures of a step, from top to bottom of their file.
+pub(crate) fn small_picture_names(step: Step) -> impl Iterator<Item = &'static str> {
+    let right = format!("= {} ", step.name());
+    let lines = table_lines().skip_while(move |line| !line.starts_with(&right)).skip(1);
+    lines.map_while(|line| line.strip_prefix("! "))
 }
 
 /// The rows of the table that is checked in, a mistake each, in the order of the list.
 pub fn table_rows() -> impl Iterator<Item = TableRow> {
-    TABLE.lines().filter_map(|line| {
+    table_lines().filter_map(|line| {
         let (key, hashes) = line.split_once(' ')?;
         let key = u32::from_str_radix(key, 16).ok()?;
-        let hashes = hashes.split(' ').map(|sum| u64::from_str_radix(sum, 16).ok());
+        let hashes = hashes.split(' ').map(|hash| u64::from_str_radix(hash, 16).ok());
         Some(TableRow { key, hashes: hashes.collect() })
     })
 }
@@ -68,7 +69,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, String)> {
     let mut mistakes_and_names: Vec<_> = all
         .filter_map(|(mistake, row)| {
             let index = row.hashes.iter().position(|one| *one == Some(hash))?;
-            let name = mistake.affected_picture_names().into_iter().nth(index)?;
+            let name = mistake.affected_steps().nth(index)?.name().to_owned();
             Some((mistake, name))
         })
         .collect();

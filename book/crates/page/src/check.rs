@@ -39,18 +39,6 @@ pub fn check(words: &str, file: &[u8]) -> Reply {
     LOCKED.with_borrow(|locked| page_answer(::check::check_png(file, file_name, name, locked)))
 }
 
-/// Keeps a locked picture that was drawn elsewhere: red, green and blue of each pixel.
-///
-/// # Panics
-///
-/// Panics where it has another size.
-pub fn keep_drawn_pixels(name: &str, pixels: &[u8]) -> Reply {
-    let [columns, rows] = SIZE;
-    let picture = RgbImage::from_raw(columns, rows, pixels.to_vec());
-    insert(name, picture.expect("all pixels of a locked picture"));
-    Reply::from_json_fields([])
-}
-
 fn insert(name: &str, picture: RgbImage) {
     let order = |name: &str| locked_names().iter().position(|known| *known == name);
     LOCKED.with_borrow_mut(|locked| {

@@ -43,11 +43,11 @@ pub fn edit(words: &str) -> Reply {
 
 /// A sentence about a picture that is the right one, or that of a mistake in the list.
 fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
-    let (step, sum) = (place.step_name(), hash_picture(picture));
-    if locked_hashes().any(|(name, right)| name == step && right == sum) {
+    let (step, hash) = (place.step_name(), hash_picture(picture));
+    if locked_hashes().any(|(name, right)| name == step && right == hash) {
         return Some("Not one pixel differs from the book's picture.".to_owned());
     }
-    let mut mistakes = find_mistakes_with_hash(sum);
+    let mut mistakes = find_mistakes_with_hash(hash);
     mistakes.retain(|(_, name)| name == step);
     // What was written here comes before what gives the same pixels elsewhere.
     let file = format!("steps/{}", place.file);

@@ -7,7 +7,7 @@ mod check;
 #[cfg(feature = "check")]
 mod draw_picture;
 #[cfg(feature = "check")]
-pub use check::{check, keep_drawn_pixels};
+pub use check::check;
 #[cfg(feature = "check")]
 pub use draw_picture::draw;
 
@@ -26,20 +26,21 @@ use figures::Reply;
 
 /// Answers a request.
 ///
+/// - `mistakes` brings the texts of the list of mistakes, to a module: they aren't in it.
 /// - `check NAME FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
-/// - `drawn NAME` brings its pixels, drawn elsewhere: see [`keep_drawn_pixels`].
 /// - `variables PLACE` gives the names that a line may use: see [`variables`].
 /// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
 /// - [`figures::reply`] gets all others.
-#[cfg_attr(not(feature = "check"), expect(unused_variables))]
 pub fn answer(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
+        None if request == "mistakes" => {
+            course::provide_mistake_texts(str::from_utf8(file).unwrap_or_default());
+            Reply::from_json_fields([])
+        }
         #[cfg(feature = "check")]
         Some(("check", words)) => check(words, file),
-        #[cfg(feature = "check")]
-        Some(("drawn", name)) => keep_drawn_pixels(name, file),
         #[cfg(feature = "check")]
         Some(("draw", name)) => draw(name),
         #[cfg(feature = "expressions")]

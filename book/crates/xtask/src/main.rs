@@ -1,16 +1,21 @@
-//! Makes anew what is made from the code and checked in: the table and the small pictures of
-//! the mistakes, then the modules of the book's pages, in which the table lies.
+//! Regenerates what is made from the code and checked in: the table and the small pictures of
+//! the mistakes, and the modules of the book's pages.
 
-mod batch;
+mod mistake_program;
 mod mistakes;
 mod modules;
+mod source_hash;
+#[cfg(test)]
+mod tests;
 
 use clap::Parser;
+use course::target_folder;
 use std::error::Error;
+use std::fs::File;
 use std::process::ExitCode;
 
-/// Draws the mistakes whose text, file or right picture has changed, then compiles the
-/// modules of the book's pages.
+/// Draws the mistakes whose code or right picture has changed, and compiles the modules of the
+/// book's pages that are made from other code than that of today.
 #[derive(Parser)]
 struct Options {
     /// Draw the mistakes that have one of these words in their title or file, too
@@ -21,19 +26,23 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let Err(error) = update_checked_in_files(&Options::parse()) else {
+    let Err(error) = regenerate(&Options::parse()) else {
         return ExitCode::SUCCESS;
     };
     eprintln!("error: {error}");
     ExitCode::FAILURE
 }
 
-fn update_checked_in_files(options: &Options) -> Result<(), Box<dyn Error>> {
-    // Minutes would be lost if this were told after the mistakes.
+fn regenerate(options: &Options) -> Result<(), Box<dyn Error>> {
     modules::fail_without_wasm_target()?;
-    mistakes::draw_outdated_and_chosen(|mistake| {
+    let lock = File::create(target_folder().join("xtask.lock"))?;
+    if lock.try_lock().is_err() {
+        eprintln!("Another cargo xtask is at work here: this one waits until it has finished.");
+        lock.lock()?;
+    }
+    mistakes::draw_unknown_and_chosen(|mistake| {
         let is_in = |word: &String| mistake.title.contains(word) || mistake.file.contains(word);
         options.all || options.words.iter().any(is_in)
     })?;
-    modules::compile_modules()
+    modules::compile_stale_modules()
 }

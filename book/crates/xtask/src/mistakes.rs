@@ -1,108 +1,144 @@
-use crate::batch::{self, Pictures, title_and_file};
-use check::Locked;
-use course::workspace;
-use course::{Mistake, TableRow, hash_picture, locked_hashes, mistakes, table_rows};
+//! The table of the mistakes, and the small pictures of those that the book shows.
+
+use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
+use crate::source_hash::{hash_texts, tokens};
+use course::{
+    Mistake, PICTURES, SMALL_SIZE, Step, TableRow, hash_picture, mistakes, read_small_pictures,
+    small_pictures_path, table_rows, workspace,
+};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::imageops::thumbnail;
+use image::imageops::{replace, thumbnail};
+use image::{ImageResult, RgbImage};
 use std::collections::HashMap;
 use std::error::Error;
-use std::path::PathBuf;
-use std::{fs, io};
+use std::fs::{self, File};
+use std::io;
+use std::time::Instant;
 
-/// Draws the mistakes about which the table is old, and those that `is_chosen` selects;
-/// writes the table and the small pictures.
-pub fn draw_outdated_and_chosen(
-    is_chosen: impl Fn(&Mistake) -> bool,
-) -> Result<(), Box<dyn Error>> {
-    let (locked, all) = (read_all_locked()?, mistakes());
-    let rows_with_hash = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
-    let mut table: HashMap<u32, TableRow> = rows_with_hash.map(|row| (row.key, row)).collect();
-    // Where a locked picture has changed, its mistakes are drawn anew.
-    let right: HashMap<_, _> = locked_hashes().collect();
-    let is_new = |one: &&Locked| right.get(&*one.name) != Some(&hash_picture(&one.picture));
-    let new: Vec<_> = locked.iter().filter(is_new).map(|one| &one.name).collect();
-    let is_current = |mistake: &Mistake| {
-        table.contains_key(&compute_table_key(mistake))
-            && !mistake.affected_picture_names().iter().any(|name| new.contains(&name))
-            && small_picture_paths(mistake).all(|(path, _)| path.exists())
-    };
-    let selected = all.iter().filter(|one| is_chosen(one) || !is_current(one));
-    batch::draw_mistakes(selected.collect(), |mistake, pictures| {
-        let row = table_row(mistake, &pictures, &locked);
-        if row.hashes.iter().all(Option::is_none) {
-            println!("shows nowhere: {}", title_and_file(mistake));
+/// The most mistakes in one program: as many as a compiler takes with little memory. What is
+/// drawn is written after each program, and not drawn again where the command was stopped.
+const COUNT: usize = 60;
+
+/// What is made from the mistakes: the rows by their keys, the small pictures by their names.
+pub struct Table {
+    /// The names and hashes of the right pictures.
+    pub right: Vec<(&'static str, u64)>,
+    rows: HashMap<u32, TableRow>,
+    small_pictures: HashMap<String, RgbImage>,
+}
+
+/// Draws the mistakes that the table does not know, and those that `is_chosen` selects.
+pub fn draw_unknown_and_chosen(is_chosen: impl Fn(&Mistake) -> bool) -> Result<(), Box<dyn Error>> {
+    let (mut table, all) = (Table::read()?, mistakes());
+    let mut selected = vec![];
+    for mistake in &all {
+        if is_chosen(mistake) || !table.knows(mistake)? {
+            selected.push(mistake);
         }
-        table.insert(row.key, row);
-        write_small_pictures(mistake, &pictures)
-    })?;
-    write_picture_hashes(&all, &table, &locked)?;
-    Ok(())
+    }
+    let (start, count) = (Instant::now(), selected.len());
+    println!("Mistakes to draw: {count}");
+    while !selected.is_empty() {
+        let some: Vec<_> = selected.drain(..COUNT.min(selected.len())).collect();
+        for (mistake, pictures) in some.iter().zip(mistake_program::draw(&some)?) {
+            table.insert(mistake, &pictures)?;
+        }
+        table.write(&all)?;
+        let done = count - selected.len();
+        let time_left = start.elapsed() * selected.len() as u32 / done as u32;
+        println!("{done} of {count} done, about {} s left", time_left.as_secs());
+    }
+    Ok(table.write(&all)?)
 }
 
-fn mistakes_folder() -> PathBuf {
-    workspace().join("book/crates/course/mistakes")
+/// A hash of what decides about a mistake's pictures: its code, and what is right.
+pub fn compute_key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
+    let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
+    let right = right.iter().filter(|(name, _)| steps.contains(name));
+    let right = right.map(|(_, hash)| hash.to_string());
+    Ok(hash_texts(right.chain([tokens(&text_with_mistake(mistake)?)])) as u32)
 }
 
-/// The key of a mistake in the table, with its file as it is now.
-fn compute_table_key(mistake: &Mistake) -> u32 {
-    let text = fs::read_to_string(workspace().join(&mistake.file));
-    TableRow::compute_key(mistake, &text.unwrap_or_default())
-}
+impl Table {
+    /// What is checked in.
+    pub fn read() -> ImageResult<Self> {
+        let mut right = vec![];
+        for (name, _) in PICTURES {
+            let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
+            right.push((*name, hash_picture(&image::open(path)?.into_rgb8())));
+        }
+        let drawn = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+        let small_pictures = Step::ALL
+            .into_iter()
+            .flat_map(|step| read_small_pictures(&workspace(), step))
+            .flatten();
+        Ok(Self {
+            right,
+            rows: drawn.map(|row| (row.key, row)).collect(),
+            small_pictures: small_pictures.map(|(name, one)| (name.to_owned(), one)).collect(),
+        })
+    }
 
-/// All locked pictures that somebody may draw.
-fn read_all_locked() -> Result<Vec<Locked>, String> {
-    course::PICTURES.iter().map(|(name, _)| Locked::read(name)).collect()
-}
+    /// Whether a mistake was drawn with the code and the right pictures of today.
+    pub fn knows(&self, mistake: &Mistake) -> io::Result<bool> {
+        let is_drawn = self.rows.contains_key(&compute_key(mistake, &self.right)?);
+        let mut names = mistake.shown_pictures().map(|(name, _)| name);
+        Ok(is_drawn && names.all(|name| self.small_pictures.contains_key(name)))
+    }
 
-/// The paths of a mistake's small pictures, each with the name of what is drawn.
-fn small_picture_paths(mistake: &Mistake) -> impl Iterator<Item = (PathBuf, &'static str)> {
-    let pictures = mistake.book_entry.iter().flat_map(|shown| &shown.pictures);
-    let path = |name: &str| mistakes_folder().join(format!("pictures/{name}.png"));
-    pictures.map(move |(name, step)| (path(name), step.name()))
-}
-
-/// A mistake's row of the table.
-fn table_row(mistake: &Mistake, pictures: &Pictures, locked: &[Locked]) -> TableRow {
-    let sums = mistake.affected_picture_names().into_iter().zip(0..).map(|(name, k)| {
-        let picture = pictures.get(k)?.as_ref()?;
-        let is_right = |one: &Locked| one.name == name && one.picture == *picture;
-        (!locked.iter().any(is_right)).then(|| hash_picture(picture))
-    });
-    TableRow { key: compute_table_key(mistake), hashes: sums.collect() }
-}
-
-fn write_small_pictures(mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
-    for (path, step) in small_picture_paths(mistake) {
-        let names = mistake.affected_picture_names().into_iter();
-        let mut pictures_of_step = names.zip(pictures).filter(|(name, _)| *name == step);
-        let Some((_, Some(picture))) = pictures_of_step.next() else {
-            println!("not drawn: {}", path.display());
-            continue;
+    fn insert(&mut self, mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
+        let steps: Vec<_> = mistake.affected_steps().collect();
+        let hash = |(step, picture): (&Step, &Option<RgbImage>)| {
+            let hash = hash_picture(picture.as_ref()?);
+            (!self.right.contains(&(step.name(), hash))).then_some(hash)
         };
-        let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
-        let mut file = vec![];
-        let encoder = PngEncoder::new_with_quality(&mut file, best, filter);
-        let small = thumbnail(picture, 320, 180);
-        small.write_with_encoder(encoder).map_err(io::Error::other)?;
-        fs::write(path, file)?;
+        let hashes: Vec<_> = steps.iter().zip(pictures).map(hash).collect();
+        if hashes.iter().all(Option::is_none) {
+            println!("shows in no picture: {}", title_and_file(mistake));
+        }
+        for (name, shown_step) in mistake.shown_pictures() {
+            let drawn = steps.iter().zip(pictures).find(|(step, _)| **step == shown_step);
+            if let Some((_, Some(picture))) = drawn {
+                let [columns, rows] = SMALL_SIZE;
+                self.small_pictures.insert(name.to_owned(), thumbnail(picture, columns, rows));
+            }
+        }
+        let key = compute_key(mistake, &self.right)?;
+        self.rows.insert(key, TableRow { key, hashes });
+        Ok(())
     }
-    Ok(())
+
+    /// Writes the small pictures, then the table: the hashes of what is right, the names of the
+    /// small pictures, and a row for each mistake.
+    fn write(&self, all: &[Mistake]) -> io::Result<()> {
+        let mut text = String::new();
+        for (name, hash) in &self.right {
+            text += &format!("= {name} {hash:016x}\n");
+            let Some(step) = Step::from_name(name) else { continue };
+            let shown = all.iter().flat_map(Mistake::shown_pictures);
+            let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
+            let known: Vec<_> =
+                names.filter_map(|name| self.small_pictures.get_key_value(name)).collect();
+            known.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
+            if !known.is_empty() {
+                write_small_pictures(step, &known)?;
+            }
+        }
+        for mistake in all {
+            let row = self.rows.get(&compute_key(mistake, &self.right)?);
+            text += &row.map_or("0 -\n".to_owned(), TableRow::to_line);
+        }
+        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), text)
+    }
 }
 
-/// Writes the table: the hashes of what is right, then a row for each mistake.
-fn write_picture_hashes(
-    all: &[Mistake],
-    table: &HashMap<u32, TableRow>,
-    locked: &[Locked],
-) -> io::Result<()> {
-    let mut text = String::new();
-    for Locked { name, picture } in locked {
-        text += &format!("= {name} {:016x}\n", hash_picture(picture));
+fn write_small_pictures(step: Step, pictures: &[(&String, &RgbImage)]) -> io::Result<()> {
+    let [columns, rows] = SMALL_SIZE;
+    let mut all = RgbImage::new(columns, rows * pictures.len() as u32);
+    for ((_, picture), k) in pictures.iter().zip(0..) {
+        replace(&mut all, *picture, 0, k * i64::from(rows));
     }
-    for mistake in all {
-        let key = compute_table_key(mistake);
-        let unknown = || TableRow { key, hashes: vec![None] };
-        text += &table.get(&key).cloned().unwrap_or_else(unknown).to_line();
-    }
-    fs::write(mistakes_folder().join("table.txt"), text)
+    let file = File::create(small_pictures_path(&workspace(), step))?;
+    let encoder = PngEncoder::new_with_quality(file, CompressionType::Best, FilterType::Adaptive);
+    all.write_with_encoder(encoder).map_err(io::Error::other)
 }

@@ -1,59 +1,151 @@
-//! Compiles the package `wasm` for the browser: a module of what answers in the pages, one of
-//! `check`, and one of the lines that a reader edits. They are checked in, as who builds the
-//! book needs no second target.
+//! The modules of the book's pages: the package `page`, compiled for the browser with one feature
+//! each. They are checked in, so that nobody needs a second target to build the book; modules.txt
+//! has a hash of what each was made from, and the compiler. A module whose line is removed there
+//! is compiled again.
 
+use crate::source_hash::{hash_texts, needed_packages, source_texts, tokens};
 use course::{target_folder, workspace};
+use std::collections::BTreeMap;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
+use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The modules: each is a feature of the package.
-const MODULES: [&str; 3] = ["live", "check", "expressions"];
+/// A line for each module: its name, the hash, the compiler.
+const HASHES: &str = "modules.txt";
+
+/// The modules, and the paths of sources that are in one of them alone.
+const MODULES: [(&str, &[&str]); 3] = [
+    ("live", &[]),
+    (
+        "check",
+        &[
+            "book/crates/check",
+            "book/crates/page/src/check.rs",
+            "book/crates/page/src/draw_picture.rs",
+        ],
+    ),
+    (
+        "expressions",
+        &[
+            "book/crates/course/places.txt",
+            "book/crates/page/build.rs",
+            "book/crates/page/src/edit.rs",
+            "book/crates/page/src/expressions",
+        ],
+    ),
+];
+
+/// The roots of paths on machines: no module has one in it.
+pub const ROOTS: [&str; 7] = ["/rustc/", "/rust/", "/usr/", "/home/", "/root/", "/Users/", "/tmp/"];
 
 /// Fails where this machine can't compile for the browser.
 pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
-    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let arguments = ["--print", "target-libdir", "--target", TARGET];
-    let output = Command::new(rustc).args(arguments).output()?;
-    let folder = String::from_utf8_lossy(&output.stdout);
-    if output.status.success() && fs::exists(folder.trim())? {
+    let folder = ask_compiler(&["--print", "target-libdir", "--target", TARGET])?;
+    if Path::new(&folder).exists() {
         return Ok(());
     }
     Err(format!("Rust's target for the browser is missing: `rustup target add {TARGET}`").into())
 }
 
-/// Compiles all modules; Cargo knows what has changed.
-pub fn compile_modules() -> Result<(), Box<dyn Error>> {
-    // No path of this machine stands in what is checked in.
-    let paths = registry_source_folders().into_iter().chain([target_folder()]);
-    let paths: Vec<_> =
-        paths.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
-    for feature in MODULES {
-        let folder = target_folder().join("wasm");
-        let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
-            .args(["rustc", "--package", "wasm", "--lib", "--profile", "wasm"])
-            .args(["--no-default-features", "--features", feature])
-            .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
-            .arg(&folder)
-            .args(["--", "-C", "strip=symbols", "-C", "link-arg=--compress-relocations"])
-            .env("CARGO_ENCODED_RUSTFLAGS", paths.join("\x1f"))
-            .current_dir(workspace())
-            .status()?;
-        if !status.success() {
-            return Err(format!("the module {feature} does not compile").into());
+/// The names of the modules that are made from other sources than those of today.
+pub fn stale_modules() -> io::Result<Vec<&'static str>> {
+    let lines = read_hashes();
+    let mut stale = vec![];
+    for (name, _) in MODULES {
+        let hash = format!("{:016x}", source_hash(name)?);
+        if lines.get(name).and_then(|line| line.split(' ').next()) != Some(&*hash) {
+            stale.push(name);
         }
-        let path = format!("book/crates/page/{feature}.wasm");
-        let module = fs::read(folder.join(TARGET).join("wasm/wasm.wasm"))?;
-        let is_new = fs::read(workspace().join(&path)).ok().as_ref() != Some(&module);
-        if is_new {
-            fs::write(workspace().join(&path), &module)?;
-        }
-        println!("{path}: {} bytes{}", module.len(), if is_new { ", new" } else { "" });
+    }
+    Ok(stale)
+}
+
+/// Compiles the stale modules.
+pub fn compile_stale_modules() -> Result<(), Box<dyn Error>> {
+    for name in stale_modules()? {
+        let hash = source_hash(name)?;
+        let mut module = compile(name)?;
+        hide_paths(&mut module);
+        println!("{name}.wasm: {} bytes", module.len());
+        fs::write(page_folder().join(format!("{name}.wasm")), module)?;
+        let mut lines = read_hashes();
+        lines.insert(name.to_owned(), format!("{hash:016x} {}", ask_compiler(&["--version"])?));
+        let text: String = lines.iter().map(|(name, line)| format!("{name} {line}\n")).collect();
+        fs::write(page_folder().join(HASHES), text)?;
     }
     Ok(())
+}
+
+/// The lines of modules.txt by the names of the modules.
+fn read_hashes() -> BTreeMap<String, String> {
+    let text = fs::read_to_string(page_folder().join(HASHES)).unwrap_or_default();
+    let lines = text.lines().filter_map(|line| line.split_once(' '));
+    lines.map(|(name, line)| (name.to_owned(), line.to_owned())).collect()
+}
+
+/// The hash of all that a module is made from.
+fn source_hash(name: &str) -> io::Result<u64> {
+    let others = MODULES.iter().filter(|(other, _)| *other != name);
+    let elsewhere: Vec<_> = others.flat_map(|(_, own)| *own).copied().collect();
+    let mut texts = source_texts(&elsewhere)?;
+    let manifest = fs::read_to_string(workspace().join("Cargo.toml"))?;
+    let profiles = manifest.split("\n[").filter(|table| table.starts_with("profile.wasm"));
+    texts.extend(profiles.map(tokens));
+    texts.extend(needed_packages(&fs::read_to_string(workspace().join("Cargo.lock"))?, "page"));
+    Ok(hash_texts(texts))
+}
+
+fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
+    let sources = registry_source_folders().into_iter().chain([target_folder(), workspace()]);
+    let flags: Vec<_> =
+        sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
+    let folder = target_folder().join("wasm");
+    let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
+        .args(["rustc", "--package", "page", "--lib", "--profile", "wasm"])
+        .args(["--no-default-features", "--features", name])
+        .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
+        .arg(&folder)
+        .args(["--", "-C", "strip=symbols", "-C", "link-arg=--compress-relocations"])
+        .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
+        .current_dir(workspace())
+        .status()?;
+    if !status.success() {
+        return Err(format!("the module {name} does not compile").into());
+    }
+    Ok(fs::read(folder.join(TARGET).join("wasm/page.wasm"))?)
+}
+
+/// Writes over where the compiler's own library was compiled: no option changes that.
+fn hide_paths(module: &mut [u8]) {
+    for start in path_starts(module) {
+        let is_in_path = |byte: &u8| byte.is_ascii_alphanumeric() || b"/._-".contains(byte);
+        let length = module[start..].iter().take_while(|byte| is_in_path(byte)).count();
+        let path = &mut module[start..start + length];
+        let is_library = |at: &usize| path[*at..].starts_with(b"/library/");
+        if let Some(end) = (0..length).find(is_library) {
+            path[..end].fill(b'-');
+        }
+    }
+}
+
+/// Where a path of a machine begins in a module.
+pub fn path_starts(module: &[u8]) -> Vec<usize> {
+    let is_start = |at: &usize| ROOTS.iter().any(|root| module[*at..].starts_with(root.as_bytes()));
+    (0..module.len()).filter(is_start).collect()
+}
+
+fn page_folder() -> PathBuf {
+    workspace().join("book/crates/page")
+}
+
+/// What the compiler prints.
+fn ask_compiler(arguments: &[&str]) -> io::Result<String> {
+    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+    let output = Command::new(rustc).args(arguments).output()?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 /// The folders of the packages' sources, one for each registry.

@@ -1,5 +1,6 @@
 //! Places as they stand draw the locked pictures, and what Rust would refuse is refused. That an
-//! edited place draws what the compiler's program draws is tested in book/update.
+//! edited place draws what a listed mistake there draws is tested with them.
 
+mod listed_mistakes;
 mod refused;
 mod unedited_places;

@@ -1,0 +1,64 @@
+//! What is checked in and made from the code is what the code says today.
+
+use crate::mistakes::{Table, compute_key};
+use crate::modules::{ROOTS, path_starts, stale_modules};
+use crate::source_hash::tokens;
+use course::{
+    Mistake, TableRow, find_mistakes_with_hash, locked_hashes, mistakes, table_rows, workspace,
+};
+use std::io::{Write, stderr};
+use std::{env, fs};
+
+#[test]
+fn comments_and_layout_do_not_count() {
+    let code =
+        "//! A file.\n\n/// A ball.\r\n#[derive(Clone)]\nstruct Ball {\n    r: f64, // Radius.\n}";
+    assert_eq!(tokens(code), tokens("#[derive(Clone)] struct Ball { r: f64, }"));
+    assert_ne!(tokens(code), tokens("#[derive(Clone)] struct Ball { r: f32, }"));
+    assert_ne!(tokens("f(\"// a\")"), tokens("f(\"// b\")"));
+}
+
+#[test]
+fn modules_are_made_from_the_code_of_today() {
+    let stale = stale_modules().expect("the sources can be read").join(", ");
+    let note = format!(
+        "The modules of the pages are older than the code: {stale}. `cargo xtask` compiles them again."
+    );
+    assert!(stale.is_empty() || env::var("CI").as_deref() != Ok("true"), "{note}");
+    if !stale.is_empty() {
+        // What a test prints is hidden where it passes; this is not.
+        let _ = writeln!(stderr(), "\nNote: {note}");
+    }
+}
+
+#[test]
+fn no_path_of_a_machine_is_in_a_module() {
+    for name in ["live", "check", "expressions"] {
+        let path = workspace().join(format!("book/crates/page/{name}.wasm"));
+        let module = fs::read(path).expect("a module");
+        let path = path_starts(&module).first().map(|at| &module[*at..*at + 40]);
+        let path = path.map(String::from_utf8_lossy);
+        assert!(path.is_none(), "{path:?} is in {name}.wasm: `cargo xtask` hides {ROOTS:?}");
+    }
+}
+
+#[test]
+fn the_table_knows_each_mistake_and_what_is_right() {
+    let table = Table::read().expect("the pictures and the table can be read");
+    let right: Vec<_> = locked_hashes().collect();
+    assert!(table.right == right, "pictures have changed: `cargo xtask` makes the table anew");
+    let (all, rows) = (mistakes(), table_rows().collect::<Vec<_>>());
+    let is_known = |(mistake, row): (&Mistake, Option<&TableRow>)| {
+        table.knows(mistake).unwrap_or(false)
+            && row.map(|row| row.key) == compute_key(mistake, &right).ok()
+    };
+    let rows = (0..).map(|k| rows.get(k));
+    let unknown: Vec<_> = all.iter().zip(rows).filter(|pair| !is_known(*pair)).collect();
+    let unknown: Vec<_> =
+        unknown.iter().map(|(one, _)| format!("{}: {}", one.file, one.title)).collect();
+    assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
+    for (name, hash) in right {
+        let mistakes = find_mistakes_with_hash(hash);
+        assert!(mistakes.iter().all(|(_, drawn)| drawn != name), "{name} is right");
+    }
+}
