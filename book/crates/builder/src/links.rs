@@ -113,6 +113,7 @@ fn find_address_fault(
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
         || is_pixel_link(site, &path, id)
+        || is_line_link(site, &path, id)
         || is_scene_link(site, &path, id);
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
 }
@@ -128,6 +129,17 @@ fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
     let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
     let pixel = id.strip_prefix("pixel=").and_then(|pixel| pixel.split_once(','));
     pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
+}
+
+/// Whether an address ends in a line as edited, such as `line=gate:true`, of a listing on the
+/// page.
+fn is_line_link(site: &Site, path: &str, id: &str) -> bool {
+    let line = id.strip_prefix("line=").and_then(|line| line.split_once(':'));
+    line.zip(site.pages.get(path)).is_some_and(|((name, _), page)| {
+        let listings = page.select_all("[data-places]");
+        let mut places = listings.iter().filter_map(|listing| listing.attr("data-places"));
+        places.any(|places| places.split([' ', ':']).any(|word| word == name))
+    })
 }
 
 /// Whether an address ends in a scene of the reader's own, on the page that draws it.

@@ -104,7 +104,9 @@ fn remove_what_is_for_screens(page: &mut Page) {
         if let Node::Element(element) = node {
             element.attrs.retain(|(name, value)| match &*name.local {
                 "loading" => false,
-                "href" => !value.contains("#pixel=") && !value.contains("#scene="),
+                "href" => {
+                    !["#pixel=", "#line=", "#scene="].iter().any(|start| value.contains(start))
+                }
                 _ => true,
             });
         }
