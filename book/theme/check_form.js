@@ -77,13 +77,15 @@
             try {
                 // A larger one is too large, whatever follows.
                 const bytes = new Uint8Array(await file.slice(0, 2 ** 27 + 1).arrayBuffer());
-                const answer = await askWorker(`check ${form.dataset.name} ${file.name}`, bytes);
+                const scene = form.elements.scene?.value.trim();
+                const name = scene ? `@${scene}` : form.dataset.name;
+                const answer = await askWorker(`check ${name}\n${file.name}`, bytes);
                 if (run === lastRun) show(answer.code, ...makeReport(answer));
             } catch {
                 if (run === lastRun) show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
             }
         };
-        input.addEventListener("change", () => checkFile(input.files[0]));
+        form.addEventListener("change", () => checkFile(input.files[0]));
         // The same file, written again, is looked at again.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => { lastRun += 1; stopWorker(); show(""); });

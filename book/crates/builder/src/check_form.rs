@@ -5,13 +5,15 @@ use crate::Sources;
 ///
 /// Hidden where no script can answer; see book/theme/check_form.js.
 pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
+    let mut scene_field = "";
     let (name, words) = match name {
-        "" => (
-            "*",
-            "Drop the picture of a step or an exercise here, or choose its file, \
-             whose name tells which it should be."
-                .to_owned(),
-        ),
+        "" => {
+            scene_field = "<label>If it is the scene of a name, the name: \
+                           <input name=\"scene\" autocomplete=\"off\"></label>";
+            let words = "Drop the picture of a step or an exercise here, or choose its file, \
+                         whose name tells which it should be.";
+            ("*", words.to_owned())
+        }
         name if sources.generated.0.contains_key(&format!("{name}.png")) => {
             (name, format!("Drop your <code>{name}.png</code> here, or choose it."))
         }
@@ -20,7 +22,7 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     Ok(format!(
         "<form class=\"check\" data-live=\"check\" data-name=\"{name}\" hidden>\
          <label><b>Is it right?</b> {words} It stays on your computer. \
-         <input type=\"file\" accept=\"image/png\"></label>\
+         <input type=\"file\" accept=\"image/png\"></label>{scene_field}\
          <button type=\"reset\" class=\"reset\" disabled>Reset</button>\
          <output></output></form>\n"
     ))
