@@ -1,50 +1,90 @@
-use image::ImageFormat;
+const LINE_ENDS: &str = "a PNG file whose line ends were changed, as by a copy in text mode: copy \
+                         it as binary";
+const READ_AS_TEXT: &str = "a PNG file that was read as text and written again; copy it as binary";
 
-/// First bytes of files that are no PNG files, and what such a file is.
-const STARTS: [(&[u8], &str); 10] = [
-    (b"%PDF", "a PDF; save the picture as PNG"),
-    (b"PK\x03\x04", "a ZIP archive; unpack it first"),
-    (b"\x1f\x8b", "packed by gzip; unpack it first"),
-    (b"version https://git-lfs", "a pointer of Git LFS: `git lfs pull` brings the picture"),
+/// Bytes of files that are no PNG files, from which byte on, and what such a file is.
+const FORMATS: [(usize, &[u8], &str); 32] = [
+    (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
+    (8, b"WEBP", "a WebP picture; save it as PNG"),
+    (8, b"AVI ", "a film (AVI); save a picture as PNG"),
+    (8, b"WAVE", "sound (WAV)"),
+    (0, b"GIF8", "a GIF, which has 256 colours at most; draw it again as PNG"),
+    (0, b"BM", "a BMP picture; save it as PNG"),
+    (0, b"P1\n", "a PBM picture; save it as PNG"),
+    (0, b"P2\n", "a PGM picture; save it as PNG"),
+    (0, b"P3\n", "a PPM picture; save it as PNG"),
+    (0, b"P5\n", "a PGM picture; save it as PNG"),
+    (0, b"P6\n", "a PPM picture; save it as PNG"),
+    (0, b"Pf\n", "a PFM picture; save it as PNG"),
+    (0, b"PF\n", "a PFM picture; save it as PNG"),
+    (0, b"II*\0", "a TIFF picture; save it as PNG"),
+    (0, b"MM\0*", "a TIFF picture; save it as PNG"),
+    (0, b"\0\0\x01\0", "an icon (ICO); save it as PNG"),
+    (0, b"#?RADIANCE", "a Radiance HDR picture; save it as PNG"),
+    (0, b"v/1\x01", "an OpenEXR picture; save it as PNG"),
+    (0, b"qoif", "a QOI picture; save it as PNG"),
+    (0, b"8BPS", "a Photoshop file; export it as PNG"),
+    (0, b"gimp xcf", "a GIMP file; export it as PNG"),
+    (0, b"\xff\x0a", "a JPEG XL picture; save it as PNG"),
+    (4, b"JXL ", "a JPEG XL picture; save it as PNG"),
+    (4, b"ftypavif", "an AVIF picture; save it as PNG"),
+    (4, b"ftyp", "a picture or film of a phone, such as HEIC; save it as PNG"),
+    (0, b"%PDF", "a PDF; save the picture as PNG"),
+    (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
+    (0, b"\x1f\x8b", "a gzip archive; unpack it first"),
+    (0, b"7z\xbc\xaf", "a 7z archive; unpack it first"),
+    (0, b"Rar!", "a RAR archive; unpack it first"),
+    (0, b"version https://git-lfs", "a pointer of Git LFS: `git lfs pull` fetches the picture"),
+    (0, b"iVBORw0KGgo", "a PNG file written in letters (base64); decode it first"),
+];
+
+/// Beginnings of PNG files that a copy has damaged.
+const DAMAGED: [(&[u8], &str); 5] = [
     (b"\x89PNG\n\x1a\n", LINE_ENDS),
     (b"\x89PNG\r\n\x1a\r\n", LINE_ENDS),
     (b"\x89PNG\r\r\n", LINE_ENDS),
     (b"\xEF\xBF\xBDPNG", READ_AS_TEXT),
     (b"\xC2\x89PNG", READ_AS_TEXT),
-    (b"iVBORw0KGgo", "a PNG file written in letters (base64); decode it first"),
 ];
-
-const LINE_ENDS: &str = "a PNG file whose line ends were changed, as by a copy in text mode: copy \
-                         it as binary";
-const READ_AS_TEXT: &str = "a PNG file that was read as text and written again; copy it as binary";
 
 /// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
 /// first bytes; None for a PNG file.
-pub(crate) fn other_format_clause(file: &[u8]) -> Option<String> {
-    let text = String::from_utf8_lossy(&file[..file.len().min(512)]);
-    let text = text.trim_start_matches('\u{feff}').trim_start().to_lowercase();
-    let is_text = text.chars().all(|c| c != '\u{fffd}' && (!c.is_control() || c.is_whitespace()));
-    let is_page = ["<!doctype html", "<html"].iter().any(|one| text.starts_with(one));
-    let format = image::guess_format(file).ok().filter(|format| {
-        // Other words than those of a PNM picture may begin with P and a digit.
-        *format != ImageFormat::Pnm || file.get(2).is_some_and(u8::is_ascii_whitespace)
-    });
-    let known = STARTS.iter().find(|(start, _)| file.starts_with(start));
-    let clause = match format {
-        Some(ImageFormat::Png) => return None,
-        Some(ImageFormat::Jpeg) => "a JPEG, which has lost details; draw it again as PNG",
-        Some(format) => {
-            return Some(format!("a picture in another format, {format:?}; save it as PNG"));
+pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
+    if file.starts_with(b"\x89PNG\r\n\x1a\n") {
+        return None;
+    }
+    let has = |start: usize, bytes: &[u8]| file.get(start..).is_some_and(|f| f.starts_with(bytes));
+    // A text may begin with the two letters of a BMP.
+    let is_told = |bytes: &[u8]| bytes != b"BM" || !is_text(&first_text(file));
+    let known = FORMATS.iter().find(|(start, bytes, _)| has(*start, bytes) && is_told(bytes));
+    let known = known.map(|one| one.2);
+    let damaged = DAMAGED.iter().find(|(bytes, _)| has(0, bytes)).map(|one| one.1);
+    Some(known.or(damaged).unwrap_or_else(|| text_clause(file)))
+}
+
+/// Half a sentence about a file that is none of the formats: a kind of text, or unknown.
+fn text_clause(file: &[u8]) -> &'static str {
+    let text = first_text(file);
+    match text.trim_matches(['\u{feff}', '\u{fffd}', ' ', '\n', '\r', '\t']) {
+        _ if file.is_empty() => "not a PNG file: it is empty",
+        text if text.starts_with("<!doctype html") || text.starts_with("<html") => {
+            "a web page, not the picture on it; save the picture itself"
         }
-        None if known.is_some() => known?.1,
-        None if file.get(4..8) == Some(b"ftyp") => {
-            "a picture or a film in a format of phones, such as HEIC; save it as PNG"
-        }
-        None if file.is_empty() => "not a PNG file: it is empty",
-        None if is_page => "a web page, not the picture on it; save the picture itself",
-        None if text.contains("<svg") => "an SVG drawing; save it as PNG",
-        None if is_text => "not a PNG file, but text",
-        None => "not a PNG file",
-    };
-    Some(clause.to_owned())
+        text if text.contains("<svg") => "an SVG drawing; save it as PNG",
+        text if is_text(text) => "not a PNG file, but text",
+        _ => "not a PNG file",
+    }
+}
+
+/// The first letters of a file, in lower case, of 8 or 16 bits each.
+fn first_text(file: &[u8]) -> String {
+    let start = &file[..file.len().min(512)];
+    let is_utf16 = start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff");
+    let letters = start.iter().copied().filter(|byte| !is_utf16 || *byte != 0);
+    String::from_utf8_lossy(&letters.collect::<Vec<_>>()).to_lowercase()
+}
+
+/// Whether a text has no other letters than one that is written for people.
+fn is_text(text: &str) -> bool {
+    text.chars().all(|c| c != '\u{fffd}' && (!c.is_control() || c.is_whitespace()))
 }

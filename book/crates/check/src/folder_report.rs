@@ -1,14 +1,9 @@
-use crate::{Answer, Locked, check_named_scene, check_png, escape_for_terminal, read_bounded_file};
-use course::Step;
-use course::{NAMED_SCENE_EXAMPLE, json};
+use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png};
+use crate::{escape_for_terminal, read_bounded_file};
+use course::{NAMED_SCENE_EXAMPLE, Step, json, locked_names};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-
-const MISSING: &str = "missing";
-const UNREADABLE: &str = "unreadable";
-const RIGHT: &str = "right";
-const WRONG: &str = "not right";
 
 /// The extensions of files that may have been meant as a picture, or hold some.
 const PICTURE_EXTENSIONS: [&str; 7] = ["png", "jpg", "jpeg", "webp", "gif", "bmp", "zip"];
@@ -16,28 +11,24 @@ const PICTURE_EXTENSIONS: [&str; 7] = ["png", "jpg", "jpeg", "webp", "gif", "bmp
 /// The most names that a line tells.
 const NAMES: usize = 8;
 
-/// Verdict on one picture in a folder: one of the four above, with what is to be said of it.
-struct Entry<'a> {
-    picture: &'a str,
-    verdict: &'static str,
-    text: String,
-}
-
-/// A folder with the verdicts on its pictures, and what is in it under another name.
-struct Report<'a> {
+/// A folder with the answers about its pictures, and what is in it under another name.
+struct Report {
     folder: String,
-    entries: Vec<Entry<'a>>,
+    /// Why nothing in it can be read.
+    refusal: Option<String>,
+    /// The answer about each picture of the course, by its name.
+    answers: Vec<(&'static str, Answer)>,
     unchecked: Vec<String>,
 }
 
-impl Report<'_> {
-    /// The entries of pictures that are there.
-    fn present(&self) -> impl Iterator<Item = &Entry<'_>> {
-        self.entries.iter().filter(|entry| entry.verdict != MISSING)
+impl Report {
+    /// The answers about pictures that are there.
+    fn present(&self) -> impl Iterator<Item = &(&'static str, Answer)> {
+        self.answers.iter().filter(|(_, answer)| answer.verdict != Verdict::Missing)
     }
 
     fn count_right(&self) -> usize {
-        self.entries.iter().filter(|entry| entry.verdict == RIGHT).count()
+        self.answers.iter().filter(|(_, answer)| answer.verdict == Verdict::Right).count()
     }
 }
 
@@ -50,13 +41,21 @@ impl Report<'_> {
 ///
 /// The exit code is 0 if all pictures that are there are right, 1 if one is not, and 2 if
 /// none is there.
-pub fn report_on_folder_or_class(folder: &Path, locked: &[Locked], as_json: bool) -> Answer {
-    let whole = report_on_folder(folder, locked, false);
+pub fn report_on_folder_or_class(folder: &Path, locked: &LockedPictures, as_json: bool) -> Answer {
+    if let Err(error) = fs::read_dir(folder) {
+        let path = escape_for_terminal(&folder.display().to_string());
+        return Answer::error(match error.kind() {
+            ErrorKind::PermissionDenied => format!("{path} may not be read by you"),
+            _ => format!("{path} is not a folder"),
+        });
+    }
+    let whole = report_on_folder(folder, &[], locked, false);
     let students = match folder.join("Cargo.toml").exists() {
         true => vec![],
         false => visible_folders_in(folder),
     };
-    let students = students.iter().map(|one| report_on_folder(one, locked, true));
+    let names: Vec<_> = students.iter().map(|student| name_of_path(student)).collect();
+    let students = students.iter().map(|student| report_on_folder(student, &names, locked, true));
     let students: Vec<_> = students.collect();
     let has_pictures = |report: &Report| report.present().next().is_some();
     let is_class =
@@ -68,27 +67,45 @@ pub fn report_on_folder_or_class(folder: &Path, locked: &[Locked], as_json: bool
         true => format_class(&reports, stray),
         false => format_table(&reports[0]),
     };
-    let present = reports.iter().flat_map(Report::present);
-    let codes = present.map(|entry| u8::from(entry.verdict != RIGHT));
-    Answer::new(codes.max().unwrap_or(2), text)
+    let verdicts = reports.iter().flat_map(Report::present).map(|(_, answer)| answer.verdict);
+    let verdict = match verdicts.map(|verdict| verdict == Verdict::Right).min() {
+        Some(true) => Verdict::Right,
+        Some(false) => Verdict::NotRight,
+        None => Verdict::Missing,
+    };
+    Answer::new(verdict, text)
 }
 
-/// The verdicts on the pictures of the course in a folder and, if it is a student's, on the
-/// scene of its name.
-fn report_on_folder<'a>(path: &Path, locked: &'a [Locked], is_students: bool) -> Report<'a> {
-    let full_path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let folder = name_of_path(&full_path);
-    let entry = |Locked { name, .. }: &'a Locked| {
-        let (verdict, text) = check_entry(path, name, locked);
-        Entry { picture: name, verdict, text }
+/// The answers about the pictures of the course in a folder and, if it is a student's, about
+/// the scene of its name; `names` are those of the class.
+fn report_on_folder(
+    path: &Path,
+    names: &[String],
+    locked: &LockedPictures,
+    is_students: bool,
+) -> Report {
+    let folder = match path.file_name() {
+        Some(_) => name_of_path(path),
+        None => name_of_path(&path.canonicalize().unwrap_or_default()),
     };
-    let mut entries: Vec<_> = locked.iter().map(entry).collect();
-    if is_students {
-        let (verdict, text) = check_scene_entry(path, &folder);
-        entries.push(Entry { picture: NAMED_SCENE_EXAMPLE, verdict, text });
+    let refusal = fs::read_dir(path).err().map(|error| match error.kind() {
+        ErrorKind::PermissionDenied => "may not be read by you".to_owned(),
+        _ => format!("can't be read: {error}"),
+    });
+    let mut answers: Vec<(_, Answer)> = vec![];
+    if refusal.is_none() {
+        answers.extend(locked_names().into_iter().map(|name| {
+            let check = |png: &[u8], file: &str| check_png(png, file, Some(name), locked);
+            (name, check_entry(path, name, check))
+        }));
+        if is_students {
+            let name = NAMED_SCENE_EXAMPLE;
+            let check = |png: &[u8], file: &str| check_scene_png(png, file, &folder, names, locked);
+            answers.push((name, check_entry(path, name, check)));
+        }
     }
     // Where no picture is, each folder may hold some, however deep.
-    let is_empty = entries.iter().all(|entry| entry.verdict == MISSING);
+    let is_empty = answers.iter().all(|(_, answer)| answer.verdict == Verdict::Missing);
     let folders = visible_folders_in(path);
     let folders = folders
         .iter()
@@ -96,11 +113,11 @@ fn report_on_folder<'a>(path: &Path, locked: &'a [Locked], is_students: bool) ->
         .map(|inner| format!("{}/", name_of_path(inner)));
     let is_checked = |file: &String| {
         let name = file.strip_suffix(".png").unwrap_or_default();
-        entries.iter().any(|entry| entry.picture == name)
+        answers.iter().any(|(picture, _)| *picture == name)
     };
     let pictures = visible_pictures_in(path).into_iter();
     let unchecked = pictures.filter(|file| !is_checked(file)).chain(folders).collect();
-    Report { folder, entries, unchecked }
+    Report { folder, refusal, answers, unchecked }
 }
 
 fn name_of_path(path: &Path) -> String {
@@ -133,69 +150,51 @@ fn visible_pictures_in(folder: &Path) -> Vec<String> {
     paths.map(|path| name_of_path(&path)).collect()
 }
 
-/// The verdict on the picture of the scene that belongs to a student's name.
-fn check_scene_entry(folder: &Path, student: &str) -> (&'static str, String) {
-    let path = folder.join(format!("{NAMED_SCENE_EXAMPLE}.png"));
-    if is_missing(&path) {
-        return (MISSING, String::new());
-    }
-    match check_named_scene(student, &path) {
-        Err(why) => (UNREADABLE, why),
-        Ok(Answer { code: 0, .. }) => (RIGHT, String::new()),
-        Ok(Answer { text, .. }) => (WRONG, text),
-    }
-}
-
-fn is_missing(path: &Path) -> bool {
-    let metadata = path.symlink_metadata();
-    metadata.is_err_and(|error| error.kind() == ErrorKind::NotFound)
-}
-
-/// The verdict on one picture, and what is to be said of it.
-fn check_entry(folder: &Path, name: &str, locked: &[Locked]) -> (&'static str, String) {
+/// The answer about one picture in a folder, by a function of its bytes and its name.
+fn check_entry(folder: &Path, name: &str, check: impl Fn(&[u8], &str) -> Answer) -> Answer {
     let file = format!("{name}.png");
     let path = folder.join(&file);
-    if is_missing(&path) {
-        return (MISSING, String::new());
+    let metadata = path.symlink_metadata();
+    if metadata.is_err_and(|error| error.kind() == ErrorKind::NotFound) {
+        return Answer::new(Verdict::Missing, "");
     }
-    let png = match read_bounded_file(&path) {
-        Err(why) => return (UNREADABLE, why),
-        Ok(png) => png,
-    };
-    let Answer { code, text, .. } = check_png(&png, &file, Some(name), locked);
-    match code {
-        0 => (RIGHT, text.lines().skip(1).collect::<Vec<_>>().join(" ")),
-        1 => (WRONG, text),
-        _ => (UNREADABLE, first_line_without_prefix(&text).to_owned()),
+    match read_bounded_file(&path) {
+        Err(why) => Answer::error(why),
+        Ok(png) => check(&png, &file),
     }
 }
 
-/// The first line of an answer, without what a table says itself.
-fn first_line_without_prefix(answer_text: &str) -> &str {
-    let line = answer_text.lines().next().unwrap_or_default();
-    let starts = ["Not right: ", "Not right yet, ", "error: "];
-    starts.iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line)
+/// What a table says of an answer beside its verdict: its first line, of a right picture what
+/// is noted.
+fn short_text(answer: &Answer) -> String {
+    let mut lines = answer.text.lines();
+    let first = lines.next().unwrap_or_default();
+    if answer.verdict == Verdict::Right {
+        return lines.collect::<Vec<_>>().join(" ");
+    }
+    let starts = ["Not right. ", "Right, but with other options: ", "error: "];
+    starts.iter().find_map(|start| first.strip_prefix(start)).unwrap_or(first).to_owned()
 }
 
 /// One line for each picture, and how many are right.
 fn format_table(report: &Report) -> String {
-    let entries = &report.entries;
-    let width = entries.iter().map(|entry| entry.picture.len()).max().unwrap_or(0);
-    let line = |Entry { picture, verdict, text }: &Entry| {
-        let words = match first_line_without_prefix(text) {
-            "" => (*verdict).to_owned(),
-            text => format!("{verdict}: {text}"),
+    let answers = &report.answers;
+    let width = answers.iter().map(|(picture, _)| picture.len()).max().unwrap_or(0);
+    let line = |(picture, answer): &(&str, Answer)| {
+        let words = match (answer.verdict.words(), short_text(answer)) {
+            (verdict, text) if text.is_empty() => verdict.to_owned(),
+            (verdict, text) => format!("{verdict}: {text}"),
         };
         format!("{picture:width$}  {words}\n")
     };
-    let lines: String = entries.iter().map(line).collect();
-    let count = format!("{} of {} are right.", report.count_right(), entries.len());
+    let lines: String = answers.iter().map(line).collect();
+    let count = format!("{} of {} are right.", report.count_right(), answers.len());
     format!("{lines}{count}{}", format_unchecked(report.unchecked.clone()))
 }
 
 /// One line for each student's folder: how many pictures are right, the verdict on each
 /// step and on the named scene, where anybody has it, and how many of the others are right.
-/// The first line names them; a last one has what was not looked at.
+/// The first line names them; then come notes on right pictures, and what was not looked at.
 fn format_class(students: &[Report], stray: Vec<String>) -> String {
     let column = |title: &str, word: &dyn Fn(&Report) -> String| {
         let words = students.iter().map(word);
@@ -203,27 +202,26 @@ fn format_class(students: &[Report], stray: Vec<String>) -> String {
     };
     let mut columns = vec![
         column("", &|student| escape_for_terminal(&student.folder)),
-        column(RIGHT, &|student| student.count_right().to_string()),
+        column("right", &|student| match &student.refusal {
+            Some(refusal) => refusal.clone(),
+            None => student.count_right().to_string(),
+        }),
     ];
-    let steps = Step::ALL.map(Step::name);
-    let is_other =
-        |entry: &&Entry| entry.picture != NAMED_SCENE_EXAMPLE && !steps.contains(&entry.picture);
-    let is_present = |name: &str| {
-        let mut entries = students.iter().flat_map(Report::present);
-        entries.any(|entry| entry.picture == name)
+    let is_other = |(name, _): &&(&str, Answer)| {
+        *name != NAMED_SCENE_EXAMPLE && Step::from_name(name).is_none()
     };
-    for name in steps.into_iter().chain([NAMED_SCENE_EXAMPLE]) {
-        if is_present(name) {
+    for name in Step::NAMES.into_iter().chain([NAMED_SCENE_EXAMPLE]) {
+        if students.iter().flat_map(Report::present).any(|(picture, _)| *picture == name) {
             columns.push(column(name, &|student| {
-                let entry = student.present().find(|entry| entry.picture == name);
-                entry.map_or(MISSING, |entry| entry.verdict).to_owned()
+                let answer = student.answers.iter().find(|(picture, _)| *picture == name);
+                answer.map_or("", |(_, answer)| answer.verdict.words()).to_owned()
             }));
         }
     }
     if students.iter().flat_map(Report::present).any(|entry| is_other(&entry)) {
         columns.push(column("others", &|student| {
             let others: Vec<_> = student.present().filter(is_other).collect();
-            let right = others.iter().filter(|entry| entry.verdict == RIGHT);
+            let right = others.iter().filter(|(_, answer)| answer.verdict == Verdict::Right);
             format!("{} of {}", right.count(), others.len())
         }));
     }
@@ -236,7 +234,14 @@ fn format_class(students: &[Report], stray: Vec<String>) -> String {
         let words = words.map(|(column, width)| format!("{:width$}", column[k]));
         words.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
-    let lines: Vec<_> = (0..=students.len()).map(line).collect();
+    let mut lines: Vec<_> = (0..=students.len()).map(line).collect();
+    for student in students {
+        let right = student.present().filter(|(_, answer)| answer.verdict == Verdict::Right);
+        let noted = right.map(|(name, answer)| (name, short_text(answer)));
+        lines.extend(noted.filter(|(_, note)| !note.is_empty()).map(|(name, note)| {
+            format!("{}/{name}.png: {note}", escape_for_terminal(&student.folder))
+        }));
+    }
     let mut unchecked = stray;
     for Report { folder, unchecked: names, .. } in students {
         unchecked.extend(names.iter().map(|name| format!("{folder}/{name}")));
@@ -257,22 +262,19 @@ fn format_unchecked(mut names: Vec<String>) -> String {
     format!("\nNot looked at: {names}{more}.")
 }
 
-/// A list of folders, each with the verdict on each picture.
+/// A list of folders, each with the answer about each picture.
 fn format_json(reports: &[Report]) -> String {
-    let entry = |Entry { picture, verdict, text }: &Entry| {
-        let [picture, verdict, text] = [picture, verdict, &text[..]].map(json::quote);
-        format!("    {{\"picture\": {picture}, \"verdict\": {verdict}, \"text\": {text}}}")
+    let report = |report: &Report| {
+        let pictures = report.answers.iter().map(|(picture, answer)| {
+            let fields = [("picture", json::quote(picture))];
+            format!("\n  {}", json::object(fields.into_iter().chain(answer.json_fields())))
+        });
+        let unchecked = report.unchecked.iter().map(|name| json::quote(name));
+        let mut fields = vec![("folder", json::quote(&report.folder))];
+        fields.extend(report.refusal.iter().map(|refusal| ("error", json::quote(refusal))));
+        fields.push(("pictures", json::list(pictures)));
+        fields.push(("not_looked_at", json::list(unchecked)));
+        json::object(fields)
     };
-    let report = |Report { folder, entries, unchecked }: &Report| {
-        let entries: Vec<_> = entries.iter().map(entry).collect();
-        let unchecked: Vec<_> = unchecked.iter().map(|name| json::quote(name)).collect();
-        format!(
-            "  {{\"folder\": {}, \"pictures\": [\n{}\n  ], \"not_looked_at\": [{}]}}",
-            json::quote(folder),
-            entries.join(",\n"),
-            unchecked.join(", ")
-        )
-    };
-    let reports: Vec<_> = reports.iter().map(report).collect();
-    format!("[\n{}\n]", reports.join(",\n"))
+    json::list(reports.iter().map(|one| format!("\n {}", report(one)))) + "\n"
 }

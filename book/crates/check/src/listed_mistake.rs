@@ -1,7 +1,5 @@
-use crate::source_ref::{SourceRef, go_back_sentences, test_command_sentence};
+use crate::answer::Cause;
 use course::{Mistake, Step};
-use course::{find_mistakes_with_hash, hash_picture};
-use image::RgbImage;
 use std::collections::BTreeMap;
 
 /// The most lines of a diff that is told.
@@ -10,39 +8,54 @@ const LINES: usize = 4;
 /// The most mistakes that are told with their titles.
 const TITLES: usize = 3;
 
-/// Tells which mistakes of the list give these very pixels.
-pub(crate) fn explain_listed_mistake(yours: &RgbImage, expected_name: &str) -> Option<String> {
-    let mut all = find_mistakes_with_hash(hash_picture(yours));
-    if all.iter().any(|(_, name)| name == expected_name) {
-        all.retain(|(_, name)| name == expected_name);
-    }
-    let (first, name) = all.first()?;
-    let start = match name == expected_name {
-        true => String::new(),
-        false => format!(
-            "These are the pixels of {name} with a mistake in it, not of {expected_name}.\n"
-        ),
-    };
+/// The heading in the book for each file of the steps, such as `step01_rays/rgb8.rs`.
+pub fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
+    include_str!("../sections.txt").lines().filter_map(|line| line.split_once(" | "))
+}
+
+/// Tells the listed mistakes that give a picture, drawn for one of another name or for its
+/// own, and the cause, as far as they have it in common.
+pub(crate) fn tell_listed_mistakes(
+    mistakes: &[Mistake],
+    drawn_for: Option<&str>,
+) -> Option<(String, Cause)> {
+    let first = mistakes.first()?;
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
-    all.iter().for_each(|(mistake, _)| *files.entry(&mistake.file).or_default() += 1);
-    if 1 < files.len() {
-        return Some(start + &explain_several_files(all.len(), first, files));
-    }
-    let explanation = match &first.book_entry {
-        Some(shown) if all.len() == 1 => format!("{}\n", shown.reason),
+    mistakes.iter().for_each(|mistake| *files.entry(&mistake.file).or_default() += 1);
+    let titles: Vec<_> = mistakes.iter().take(TITLES).map(|mistake| mistake.title).collect();
+    let start = match (mistakes.len(), files.len()) {
+        (1, _) => format!("This mistake gives this very picture: {}.", first.title),
+        (count, 1) => format!(
+            "{count} mistakes in one file give this very picture, such as: {}.",
+            titles.join("; ")
+        ),
+        (count, _) => {
+            let files = files.iter().map(|(file, count)| {
+                let name = file.rsplit('/').next().unwrap_or_default();
+                let step = Step::from_path(file).map_or(0, Step::number);
+                format!("{count} in {name} of step {step}")
+            });
+            let files: Vec<_> = files.collect();
+            format!(
+                "{count} mistakes that we know give this very picture: {}.\nOne is: {}.",
+                files.join(", "),
+                first.title
+            )
+        }
+    };
+    let start = drawn_for.map(|name| format!("Drawn for {name}: ")).unwrap_or_default() + &start;
+    let reason = match &first.book_entry {
+        Some(shown) if mistakes.len() == 1 => format!("{}\n", shown.reason),
         _ => String::new(),
     };
-    let titles: Vec<_> = all.iter().take(TITLES).map(|(mistake, _)| mistake.title).collect();
-    let give = match all.len() {
-        1 => "this mistake gives".to_owned(),
-        count => format!("{count} mistakes in one file give, such as"),
+    let is_one_file = files.len() == 1;
+    let text = format!("{start}\n{}{reason}{}", format_short_diff(first), format_place(first));
+    let cause = Cause {
+        step: first.step().filter(|step| mistakes.iter().all(|one| one.step() == Some(*step))),
+        file: is_one_file.then(|| first.file.clone()),
+        mistake: (mistakes.len() == 1).then(|| first.title.to_owned()),
     };
-    Some(format!(
-        "{start}Your picture is, in every pixel, what {give}: {}.\n{}{explanation}{}",
-        titles.join("; "),
-        format_short_diff(first),
-        go_back_to_mistake_sentences(first),
-    ))
+    Some((text, cause))
 }
 
 /// Formats its diff, indented, cut where it is long.
@@ -55,30 +68,12 @@ fn format_short_diff(mistake: &Mistake) -> String {
     }
 }
 
-fn go_back_to_mistake_sentences(mistake: &Mistake) -> String {
-    let Some(mut place) = SourceRef::from_path(&mistake.file) else {
-        return format!("Compare with {}.\n", mistake.file);
-    };
-    if let Some(shown) = &mistake.book_entry {
-        place.section = shown.section;
-    }
-    go_back_sentences(&[place])
-}
-
-/// Tells of mistakes in several files, of which there are so many each.
-fn explain_several_files(count: usize, first: &Mistake, files: BTreeMap<&str, usize>) -> String {
-    let (mut steps, mut counts) = (vec![], vec![]);
-    for (file, count) in files {
-        let name = file.rsplit('/').next().unwrap_or_default();
-        let Some(step) = Step::from_path(file) else { continue };
-        steps.push(step);
-        counts.push(format!("{count} in {name} of step {}", step.number()));
-    }
-    format!(
-        "{count} mistakes that we know give this very picture, such as: {}.\n\
-         By file: {}.\n{}",
-        first.title,
-        counts.join(", "),
-        test_command_sentence(&steps),
-    )
+/// The file of a mistake, and its section in the book.
+fn format_place(mistake: &Mistake) -> String {
+    let file = mistake.file.replace("steps/", "").replace("/src/", "/");
+    let known = sections().find(|(name, _)| *name == file).map(|(_, section)| section);
+    let section = mistake.book_entry.as_ref().map(|shown| shown.section).or(known);
+    let chapter = section.zip(mistake.step());
+    let chapter = chapter.map(|(title, step)| format!("step {}, \"{title}\"", step.number()));
+    format!("See {}{}.\n", chapter.map_or(String::new(), |text| text + ", and "), mistake.file)
 }

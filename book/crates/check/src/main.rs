@@ -1,11 +1,11 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, Locked, check_named_scene, check_png, escape_for_terminal, read_bounded_file,
-    report_on_folder_or_class,
+    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
+    read_bounded_file, report_on_folder_or_class,
 };
 use clap::Parser;
-use course::locked_names;
+use course::{json, locked_names};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -23,7 +23,7 @@ use std::{env, process::ExitCode};
 struct Arguments {
     /// The picture to look at, a PNG file
     file: Option<PathBuf>,
-    /// The picture that it should be, by default as the file is called, or the nearest
+    /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
     /// Where to look for every picture of the course; or a folder with one of them for
     /// each student, who gets one line
@@ -32,11 +32,11 @@ struct Arguments {
     folder: PathBuf,
     /// Prints the program of the scene that belongs to a name; with a file, tells
     /// whether it is what the program draws
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder", "json"])]
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
-    /// Tells all of a folder as JSON
-    #[arg(long, conflicts_with = "file")]
+    /// Prints JSON
+    #[arg(long)]
     json: bool,
 }
 
@@ -49,65 +49,75 @@ fn parse_scene_name(text: &str) -> Result<String, &'static str> {
 }
 
 fn main() -> ExitCode {
-    let Arguments { file, name, folder, scene, json } = Arguments::parse();
-    let result = match (scene, file) {
-        (Some(scene), Some(file)) => check_named_scene(&scene, &file),
-        (Some(scene), None) => {
-            let (program, _) = course::draw_named_scene(&scene);
-            Ok(Answer::new(0, program))
+    let is_json = env::args_os().any(|argument| argument == "--json");
+    let arguments = match Arguments::try_parse() {
+        Err(error) if is_json && error.use_stderr() => {
+            let text = error.to_string();
+            return print(&Answer::error(text.trim_start_matches("error: ").trim_end()), true);
         }
-        (None, None) => {
-            Locked::read_verified().and_then(|locked| check_folder(&folder, &locked, json))
-        }
-        (None, Some(file)) => {
-            Locked::read_verified().and_then(|locked| check_file(&file, name.as_deref(), &locked))
-        }
+        arguments => arguments.unwrap_or_else(|error| error.exit()),
     };
-    let Answer { code, text, .. } =
-        result.unwrap_or_else(|what| Answer::new(2, format!("error: {what}")));
+    let locked = LockedPictures::in_workspace();
+    match arguments {
+        Arguments { file: Some(file), name, scene, json, .. } => {
+            print(&check_file(&file, name.as_deref(), scene.as_deref(), &locked), json)
+        }
+        Arguments { scene: Some(scene), json, .. } => {
+            print(&Answer::new(Verdict::Right, course::draw_named_scene(&scene).0), json)
+        }
+        Arguments { folder, json, .. } => {
+            let answer = report_on_folder_or_class(&folder, &locked, json);
+            // A report is JSON already, an error isn't.
+            print(&answer, json && answer.verdict == Verdict::Unreadable)
+        }
+    }
+}
+
+/// Prints an answer, as JSON where that is asked for; gives its exit code.
+fn print(answer: &Answer, as_json: bool) -> ExitCode {
+    let code = answer.verdict.exit_code();
     // Write errors are ignored: the output may be a closed pipe.
-    let _ = match code {
-        2 if !json => writeln!(io::stderr(), "{text}"),
-        _ => writeln!(io::stdout(), "{text}"),
+    let _ = match answer.verdict {
+        _ if as_json => writeln!(io::stdout(), "{}", json::object(answer.json_fields())),
+        Verdict::Unreadable => writeln!(io::stderr(), "{}", answer.text),
+        _ => writeln!(io::stdout(), "{}", answer.text.trim_end()),
     };
     ExitCode::from(code)
 }
 
-/// Looks at every picture of the course in a folder.
-fn check_folder(folder: &Path, locked: &[Locked], json: bool) -> Result<Answer, String> {
-    if !folder.is_dir() {
-        let printable_path = escape_for_terminal(&folder.display().to_string());
-        return Err(format!("{printable_path} is not a folder"));
-    }
-    Ok(report_on_folder_or_class(folder, locked, json))
-}
-
 /// Looks at one picture, and saves the difference.
-fn check_file(file: &Path, name: Option<&str>, locked: &[Locked]) -> Result<Answer, String> {
-    let png = read_bounded_file(file)?;
-    let mut answer = check_png(&png, &file.display().to_string(), name, locked);
+fn check_file(
+    file: &Path,
+    name: Option<&str>,
+    scene: Option<&str>,
+    locked: &LockedPictures,
+) -> Answer {
+    let png = match read_bounded_file(file) {
+        Err(why) => return Answer::error(why),
+        Ok(png) => png,
+    };
+    let file_name = file.display().to_string();
+    let mut answer = match scene {
+        Some(scene) => check_scene_png(&png, &file_name, scene, &[], locked),
+        None => check_png(&png, &file_name, name, locked),
+    };
     if let Some(difference) = &answer.difference {
         answer.text += &format!("\n{}", save_difference(difference, file));
     }
-    Ok(answer)
+    answer
 }
 
-/// Writes the picture of a difference into the target folder, from which this program
-/// runs, under the name of the reader's, and tells where it is.
+/// Writes the picture of a difference into the target folder, under the name of the reader's,
+/// and tells where it is.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
-    let program = env::current_exe().unwrap_or_default();
-    let folder = program.ancestors().nth(2).unwrap_or(Path::new("target"));
-    let path = folder.join("check").join(file.file_name().unwrap_or_default());
+    let folder = course::target_folder().join("check");
+    let path = folder.join(file.file_name().unwrap_or_default());
     let path = path.with_extension("difference.png");
-    let result = fs::create_dir_all(folder.join("check"))
-        .map_err(Into::into)
-        .and_then(|()| difference.save(&path));
+    let result = fs::create_dir_all(folder).map_err(Into::into);
+    let result = result.and_then(|()| difference.save(&path));
     let path = escape_for_terminal(&path.display().to_string());
     match result {
-        Ok(()) => format!(
-            "Yours, ours and the difference (orange where yours is brighter, else \
-             blue), side by side: {path}"
-        ),
+        Ok(()) => format!("Yours, ours and the difference, side by side: {path}"),
         Err(error) => format!("{path} can't be written: {error}"),
     }
 }

@@ -1,13 +1,17 @@
 use crate::png_file::{FILE_BYTES, too_large_clause};
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
 /// device or a pipe, is not opened, and of a larger file than any picture nothing is read.
 pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
     let printable_path = escape_for_terminal(&path.display().to_string());
-    let unread = |error| format!("can't read {printable_path}: {error}");
+    let unread = |error: std::io::Error| match error.kind() {
+        ErrorKind::NotFound => format!("there is no file {printable_path}"),
+        ErrorKind::PermissionDenied => format!("{printable_path} may not be read by you"),
+        _ => format!("can't read {printable_path}: {error}"),
+    };
     let metadata = fs::metadata(path).map_err(unread)?;
     if !metadata.is_file() {
         return Err(format!("{printable_path} is not a file"));

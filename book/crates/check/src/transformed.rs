@@ -1,5 +1,6 @@
+use crate::Picture;
 use image::RgbImage;
-use image::imageops::{self, FilterType, resize};
+use image::imageops;
 
 /// How many places are compared pixel by pixel for a part that seems to be there.
 const MOST_PLACES: usize = 32;
@@ -12,85 +13,72 @@ type Turn = fn(&RgbImage) -> RgbImage;
 
 const TURNS: [(&str, Turn); 8] = [
     ("", RgbImage::clone),
-    (" upside down", imageops::flip_vertical),
-    (" mirrored, left for right", imageops::flip_horizontal),
-    (" turned half around", imageops::rotate180),
-    (" turned a quarter to the right", imageops::rotate90),
-    (" turned a quarter to the left", imageops::rotate270),
-    (" transposed, its rows as columns", |ours| {
+    ("upside down", imageops::flip_vertical),
+    ("mirrored, left for right", imageops::flip_horizontal),
+    ("turned half around", imageops::rotate180),
+    ("turned a quarter to the right", imageops::rotate90),
+    ("turned a quarter to the left", imageops::rotate270),
+    ("with rows and columns exchanged", |ours| {
         imageops::flip_horizontal(&imageops::rotate90(ours))
     }),
-    (" transposed and turned", |ours| imageops::flip_vertical(&imageops::rotate90(ours))),
+    ("with rows and columns exchanged, and turned half around", |ours| {
+        imageops::flip_vertical(&imageops::rotate90(ours))
+    }),
 ];
 
 /// The orders of red, green and blue.
 const ORDERS: [(&str, [usize; 3]); 6] = [
     ("", [0, 1, 2]),
-    (", with red and blue swapped", [2, 1, 0]),
-    (", with red and green swapped", [1, 0, 2]),
-    (", with green and blue swapped", [0, 2, 1]),
-    (", with green, blue, red for red, green, blue", [1, 2, 0]),
-    (", with blue, red, green for red, green, blue", [2, 0, 1]),
+    ("with red and blue exchanged", [2, 1, 0]),
+    ("with red and green exchanged", [1, 0, 2]),
+    ("with green and blue exchanged", [0, 2, 1]),
+    ("with green, blue, red for red, green, blue", [1, 2, 0]),
+    ("with blue, red, green for red, green, blue", [2, 0, 1]),
 ];
 
-/// What is said of a picture that is ours turned, mirrored or with its channels in another
-/// order, and the file to go back to.
-pub(crate) fn turned_or_swapped_clause(
-    yours: &RgbImage,
-    ours: &RgbImage,
-) -> Option<(String, &'static str)> {
-    let count_differing = |ours: &RgbImage, order: [usize; 3]| {
-        let pairs = yours.pixels().zip(ours.pixels());
-        pairs.filter(|(yours, ours)| yours.0 != order.map(|k| ours.0[k])).count()
-    };
-    let is_size = |ours: &RgbImage| ours.dimensions() == yours.dimensions();
-    let all = yours.pixels().len();
-    let wrong = if is_size(ours) { count_differing(ours, [0, 1, 2]) } else { all };
-    for (turned_words, turn) in TURNS {
-        let turned = turn(ours);
-        for (swapped_words, order) in ORDERS.iter().filter(|_| is_size(&turned)) {
-            // A mirrored ray may differ in its last bit.
-            let end = match count_differing(&turned, *order) {
-                0 => String::new(),
-                count if count <= (all / 500).min(wrong / 100) => {
-                    format!(" in all but {count} pixels")
-                }
-                _ => continue,
-            };
-            let file = match turned_words {
-                "" => "step01_rays/rgb8.rs",
-                _ => "step01_rays/camera.rs",
-            };
-            return Some((format!("{turned_words}{swapped_words}{end}"), file));
+/// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
+/// with its channels in another order.
+pub(crate) fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
+    let mut clauses = vec![];
+    for (turned, turn) in TURNS {
+        let ours = turn(ours);
+        if ours.dimensions() != yours.dimensions() {
+            continue;
+        }
+        for (swapped, order) in ORDERS {
+            let mut pairs = yours.pixels().zip(ours.pixels());
+            if pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k])) {
+                let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
+                clauses.push(words.collect::<Vec<_>>().join(", "));
+            }
         }
     }
-    None
+    clauses
 }
 
-/// Half a sentence: which part or scaled copy of ours it is, if that explains the
-/// picture. `ours_at_size` is our own at the picture's size.
-pub(crate) fn crop_or_scale_clause(
-    yours: &RgbImage,
-    ours: &RgbImage,
-    ours_at_size: Option<&RgbImage>,
-) -> Option<String> {
-    if yours.dimensions() == ours.dimensions() {
+/// A clause such as `enlarged 2 times`: which part of ours yours is, or ours of yours, or how
+/// many times larger each pixel.
+pub(crate) fn cut_or_enlarged_clause(picture: &Picture, ours: &RgbImage) -> Option<String> {
+    let (yours, (w, h)) = (&picture.rows, picture.size);
+    if picture.size == ours.dimensions() {
         return None;
     }
-    let (w, h) = yours.dimensions();
-    if let Some((i, j)) = find_corner_of_part(yours, ours) {
+    let is_whole = picture.row_step == 1;
+    if is_whole && let Some((i, j)) = find_corner_of_part(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
-        return Some(format!(", cut out: its columns {i} to {right} and rows {j} to {low}"));
+        return Some(format!("cut out: its columns {i} to {right} and rows {j} to {low}"));
     }
-    if let Some((i, j)) = find_corner_of_part(ours, yours) {
-        return Some(format!(
-            ", inside a larger picture, perhaps a screenshot, from column {i} and row {j} on"
-        ));
+    if is_whole && let Some((i, j)) = find_corner_of_part(ours, yours) {
+        let place = format!("from column {i} and row {j} on");
+        return Some(format!("inside a larger one, perhaps a screenshot, {place}"));
     }
-    let (our_columns, our_rows) = ours.dimensions();
-    let is_scaled =
-        w * h <= 9 * our_columns * our_rows && is_scaled_copy(yours, ours, ours_at_size);
-    is_scaled.then(|| format!(", scaled, {our_columns}×{our_rows} pixels made into {w}×{h}"))
+    let times = w / ours.width();
+    let is_size = times * ours.width() == w && times * ours.height() == h;
+    let is_enlarged = is_size
+        && yours.enumerate_pixels().all(|(i, row, pixel)| {
+            ours.get_pixel(i / times, row * picture.row_step / times) == pixel
+        });
+    is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
 /// The corner of the place in `whole` where all pixels of `part` are.
@@ -121,45 +109,8 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
         .find(|corner| (0..h).all(|l| is_there(*corner, (0, l), w)))
 }
 
-/// Whether the picture is nearer to ours scaled than to what is drawn at its size, and
-/// nowhere brighter or darker than what is there in ours allows.
-fn is_scaled_copy(yours: &RgbImage, ours: &RgbImage, ours_at_size: Option<&RgbImage>) -> bool {
-    let (w, h) = yours.dimensions();
-    let mean_difference = |picture: &RgbImage| {
-        let bytes = yours.as_raw().iter().zip(picture.as_raw());
-        let sum: u64 = bytes.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
-        sum as f64 / yours.as_raw().len().max(1) as f64
-    };
-    let filters = [FilterType::Nearest, FilterType::Triangle, FilterType::Lanczos3];
-    let scaled = filters.map(|filter| mean_difference(&resize(ours, w, h, filter)));
-    let least_difference = scaled.into_iter().fold(f64::INFINITY, f64::min);
-    let drawn = ours_at_size.map_or(f64::INFINITY, mean_difference);
-    if 1.0 < least_difference || drawn < least_difference {
-        return false;
-    }
-    let [x, y] = [(ours.width(), w), (ours.height(), h)]
-        .map(|(ours, yours)| f64::from(ours) / f64::from(yours));
-    yours.enumerate_pixels().all(|(i, j, pixel)| {
-        let span = |k: u32, scale: f64, end: u32| {
-            let reach = 3.0 * scale.max(1.0);
-            let middle = (f64::from(k) + 0.5) * scale - 0.5;
-            let low = (middle - reach).floor().max(0.0) as u32;
-            low..=((middle + reach).ceil() as u32).min(end - 1)
-        };
-        let mut range = [[255, 0]; 3];
-        for l in span(j, y, ours.height()) {
-            for k in span(i, x, ours.width()) {
-                for (c, [low, high]) in range.iter_mut().enumerate() {
-                    let byte = ours.get_pixel(k, l)[c];
-                    (*low, *high) = ((*low).min(byte), (*high).max(byte));
-                }
-            }
-        }
-        // A sharp filter goes beyond its neighbours.
-        (0..3).all(|c| {
-            let [low, high] = range[c];
-            let overshoot = 3 + (high - low) / 4;
-            low.saturating_sub(overshoot) <= pixel[c] && pixel[c] <= high.saturating_add(overshoot)
-        })
-    })
+/// The colour of all pixels, where it is one.
+pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
+    let first = picture.get_pixel_checked(0, 0)?;
+    picture.pixels().all(|pixel| pixel == first).then_some(first.0)
 }

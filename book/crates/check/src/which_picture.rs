@@ -1,4 +1,4 @@
-use crate::Locked;
+use crate::LockedPictures;
 use course::Step;
 use image::RgbImage;
 use image::imageops::thumbnail;
@@ -32,13 +32,19 @@ fn contains_whole_word(text: &str, word: &str) -> bool {
     })
 }
 
-/// The picture that is most like yours, whatever its size.
-pub(crate) fn find_most_similar<'a>(yours: &RgbImage, candidates: &[&'a Locked]) -> &'a Locked {
+/// The one of some locked pictures that is most like yours, whatever its size.
+pub(crate) fn find_most_similar<'a>(
+    yours: &RgbImage,
+    names: &[&'a str],
+    locked: &LockedPictures,
+) -> Result<&'a str, String> {
     let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
     let yours = small(yours);
-    let distance = |candidate: &&&Locked| {
-        let pairs = yours.iter().zip(small(&candidate.picture));
-        pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>()
-    };
-    candidates.iter().min_by_key(distance).unwrap_or(&candidates[0])
+    let mut distances = vec![];
+    for name in names {
+        let pairs = yours.iter().zip(small(&*locked.get(name)?));
+        distances.push((pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>(), *name));
+    }
+    let nearest = distances.into_iter().min_by_key(|(distance, _)| *distance);
+    Ok(nearest.map_or("", |(_, name)| name))
 }

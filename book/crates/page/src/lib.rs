@@ -27,7 +27,7 @@ use figures::Reply;
 /// Answers a request.
 ///
 /// - `mistakes` brings the texts of the list of mistakes, to a module: they aren't in it.
-/// - `check NAME FILE` is about the file whose bytes came with it: see
+/// - `check NAME`, a line break and `FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
 /// - `variables PLACE` gives the names that a line may use: see [`variables`].

@@ -1,0 +1,90 @@
+use course::{Step, json};
+use image::RgbImage;
+
+/// What an answer says of a picture in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Equal to ours in every pixel, and nothing of it is transparent.
+    Right,
+    /// Drawn by a right program with another size, field of view or number of samples.
+    RightWithOtherOptions,
+    /// Another picture.
+    NotRight,
+    /// No picture, or nothing to compare it with.
+    Unreadable,
+    /// No file.
+    Missing,
+}
+
+impl Verdict {
+    /// The verdict in the words of tables and JSON.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::RightWithOtherOptions => "other options",
+            Self::NotRight => "not right",
+            Self::Unreadable => "unreadable",
+            Self::Missing => "missing",
+        }
+    }
+
+    /// The exit code of the program: 0 if right, 1 if not, 2 if nothing was compared.
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Self::Right => 0,
+            Self::RightWithOtherOptions | Self::NotRight => 1,
+            Self::Unreadable | Self::Missing => 2,
+        }
+    }
+}
+
+/// What is known for certain of the cause; None each where several are possible.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cause {
+    /// The step whose code is at fault.
+    pub step: Option<Step>,
+    /// The file, seen from the root of the workspace.
+    pub file: Option<String>,
+    /// The mistake, in a few words.
+    pub mistake: Option<String>,
+}
+
+/// What `check` says of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// About eight lines, of which the first says the most.
+    pub text: String,
+    /// What is known of the cause.
+    pub cause: Cause,
+    /// The reader's picture, ours and the difference side by side, where they differ and
+    /// have one size.
+    pub difference: Option<RgbImage>,
+}
+
+impl Answer {
+    /// An answer of words alone.
+    pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
+        Self { verdict, text: text.into(), cause: Cause::default(), difference: None }
+    }
+
+    /// Says why nothing was compared.
+    pub fn error(reason: impl std::fmt::Display) -> Self {
+        Self::new(Verdict::Unreadable, format!("error: {reason}"))
+    }
+
+    /// The answer as fields of a JSON object; those of the cause only where they are known.
+    pub fn json_fields(&self) -> Vec<(&'static str, String)> {
+        let Cause { step, file, mistake } = &self.cause;
+        let known = [
+            ("verdict", Some(self.verdict.words())),
+            ("step", step.map(Step::name)),
+            ("file", file.as_deref()),
+            ("mistake", mistake.as_deref()),
+            ("text", Some(&*self.text)),
+        ];
+        let known = known.into_iter().filter_map(|(name, value)| Some((name, json::quote(value?))));
+        known.collect()
+    }
+}

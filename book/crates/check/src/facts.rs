@@ -1,0 +1,67 @@
+use crate::byte_facts::{black_block, byte_curve, byte_facts};
+use crate::comparison::{Comparison, Pixel};
+use crate::scene_facts::{hit_facts, light_facts, missing_objects, wrong_sky};
+
+/// The most facts that are told.
+const MOST_FACTS: usize = 3;
+
+/// How many pixels are asked of a fact before all are.
+pub(crate) const FIRST_PIXELS: usize = 500;
+
+/// Something that is true of wrong pixels.
+pub(crate) struct Fact<'a> {
+    /// Of the facts of one group, only the first is told.
+    group: &'static str,
+    /// It is told where it holds for one wrong pixel of so many.
+    of: usize,
+    /// What follows after `Each wrong pixel`.
+    words: String,
+    holds: Box<dyn Fn(&Pixel) -> bool + 'a>,
+}
+
+/// A fact, told where it holds for one wrong pixel of `of`.
+pub(crate) fn fact<'a>(
+    group: &'static str,
+    of: usize,
+    words: impl Into<String>,
+    holds: impl Fn(&Pixel) -> bool + 'a,
+) -> Fact<'a> {
+    Fact { group, of, words: words.into(), holds: Box::new(holds) }
+}
+
+/// Sentences that are true of the wrong pixels, the strongest first.
+pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
+    let wrong = comparison.wrong_pixels();
+    let block = black_block(comparison);
+    let mut groups =
+        if block.is_some() { vec!["grey", "brightness", "light", "lit"] } else { vec![] };
+    let mut told: Vec<_> = block.into_iter().chain(byte_curve(comparison)).collect();
+    let mut facts = vec![];
+    if let Some(drawing) = comparison.drawing {
+        told.extend(missing_objects(comparison, drawing));
+        told.extend(wrong_sky(comparison, drawing));
+        facts.extend(light_facts(comparison, drawing));
+        facts.extend(hit_facts(comparison, drawing));
+    }
+    facts.extend(byte_facts(comparison));
+    for Fact { group, of, words, holds } in facts {
+        let count_in = |pixels: &[Pixel]| pixels.iter().filter(|pixel| holds(pixel)).count();
+        // Where it holds for too few of the first, all need not be asked.
+        let first = &wrong[..wrong.len().min(FIRST_PIXELS)];
+        if groups.contains(&group) || 2 * of * count_in(first) < first.len() {
+            continue;
+        }
+        let (count, all) = (count_in(wrong), wrong.len());
+        if count == all {
+            told.push(format!("Each wrong pixel {words}."));
+        } else if all <= of * count {
+            let words = words.replacen("has ", "have ", 1).replace(" its ", " their ");
+            told.push(format!("{count} of {all} wrong pixels {words}."));
+        } else {
+            continue;
+        }
+        groups.push(group);
+    }
+    told.truncate(MOST_FACTS);
+    told
+}

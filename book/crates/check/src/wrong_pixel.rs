@@ -1,0 +1,74 @@
+use crate::comparison::{Comparison, Pixel};
+use crate::drawing::Drawing;
+use course::Step;
+use glam::DVec3;
+use step05_phong::{Ray, normal};
+
+/// How far the pixel is off that is off most.
+fn largest_difference(comparison: &Comparison) -> u8 {
+    comparison.wrong_pixels().iter().map(Pixel::largest_difference).max().unwrap_or(0)
+}
+
+/// A sentence about how many pixels differ, and by how much.
+pub(crate) fn count_sentence(comparison: &Comparison, title: &str) -> String {
+    let (count, all) = (comparison.wrong_pixels().len(), comparison.pixels.len());
+    let differ = if count == 1 { "differs" } else { "differ" };
+    let most = largest_difference(comparison);
+    format!("{count} of {all} pixels {differ} from {title}, by up to {most} of 255.\n")
+}
+
+/// One wrong pixel, among those that differ most: its colours, and what ours computes there.
+pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
+    let wrong = comparison.wrong_pixels();
+    let most = largest_difference(comparison);
+    let is_far = |pixel: &&Pixel| most.div_ceil(2) <= pixel.largest_difference();
+    let mut far: Vec<_> = wrong.iter().filter(is_far).collect();
+    if far.is_empty() {
+        return String::new();
+    }
+    let middle = far.len() / 2;
+    let (_, pixel, _) =
+        far.select_nth_unstable_by_key(middle, |pixel| (pixel.place.1, pixel.place.0));
+    let computed = comparison.drawing.map_or(String::new(), |drawing| {
+        format!(": {}", computed_values_clause(drawing, pixel, &comparison.ray(pixel)))
+    });
+    let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
+    let (i, j) = pixel.place;
+    format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
+}
+
+/// Half a sentence: the values that our program computes for one pixel, in the book's letters.
+fn computed_values_clause(drawing: &Drawing, pixel: &Pixel, ray: &Ray) -> String {
+    let Some(hit) = pixel.hit else {
+        return format!("the sky, V = {}", format_vector(ray.direction));
+    };
+    let mut text = format!("{} at t = {:.4}", drawing.object_name(hit.object), hit.t);
+    if drawing.step < Step::Diffuse {
+        return text;
+    }
+    let p = ray.at(hit.t);
+    let n = normal(&drawing.scene.objects[hit.object].sphere, p);
+    text += &format!(", n = {}", format_vector(n));
+    for (light, name) in drawing.scene.lights.iter().zip(drawing.light_names) {
+        let (l, d) = light.point_light.direction_from(p);
+        text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
+    }
+    let terms = drawing.terms_at_hit(ray, hit, None);
+    text += &format!(
+        ";\n  I_a = {}, I_d = {}",
+        format_vector(terms.ambient),
+        format_vector(terms.diffuse)
+    );
+    if drawing.step == Step::Phong {
+        text += &format!(", I_s = {}", format_vector(terms.specular));
+    }
+    text
+}
+
+fn format_vector(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(format_number).join(", "))
+}
+
+fn format_number(number: f64) -> String {
+    format!("{number:.4}").replace('-', "−")
+}
