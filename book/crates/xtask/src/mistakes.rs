@@ -138,7 +138,11 @@ fn write_small_pictures(step: Step, pictures: &[(&String, &RgbImage)]) -> io::Re
     for ((_, picture), k) in pictures.iter().zip(0..) {
         replace(&mut all, *picture, 0, k * i64::from(rows));
     }
-    let file = File::create(small_pictures_path(&workspace(), step))?;
+    let path = small_pictures_path(&workspace(), step);
+    if image::open(&path).is_ok_and(|old| old.into_rgb8() == all) {
+        return Ok(());
+    }
+    let file = File::create(path)?;
     let encoder = PngEncoder::new_with_quality(file, CompressionType::Best, FilterType::Adaptive);
     all.write_with_encoder(encoder).map_err(io::Error::other)
 }
