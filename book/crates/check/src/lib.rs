@@ -47,7 +47,7 @@ pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_picture, check_png, check_scene_png};
 pub use folder_report::report_on_folder_or_class;
 pub use listed_mistake::sections;
-pub use locked::{Locked, LockedPictures};
+pub use locked::LockedPictures;
 pub use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 pub use which_picture::find_name_in_file_name;

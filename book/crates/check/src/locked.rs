@@ -7,40 +7,6 @@ use std::collections::HashMap;
 use std::fs;
 use std::rc::Rc;
 
-/// A picture to compare with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Locked {
-    /// Name of a step or of an example of a step.
-    pub name: String,
-    /// Pixels that the picture has to have.
-    pub picture: RgbImage,
-}
-
-impl Locked {
-    /// The one of this name in the folder of the course, or a sentence about why it can't be
-    /// read.
-    pub fn read(name: &str) -> Result<Self, String> {
-        let path = format!("tests/snapshots/{name}.snap.png");
-        let file = fs::read(workspace().join(&path));
-        let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-        let picture = read_png(&file).map_err(|what| format!("{path} {what}"))?;
-        Ok(Self { name: name.to_owned(), picture: picture.rows })
-    }
-
-    /// The pixels, if they are those with which this program was compiled; else a sentence.
-    fn verify(self) -> Result<RgbImage, String> {
-        let hash = hash_picture(&self.picture);
-        match locked_hashes().any(|(name, right)| name == self.name && right == hash) {
-            true => Ok(self.picture),
-            false => Err(format!(
-                "the picture of {} in this folder of the course is of another version than \
-                 this program; after a change of the course, `cargo xtask` brings them together",
-                self.name
-            )),
-        }
-    }
-}
-
 /// The locked pictures, each read or drawn when it is first asked for.
 pub struct LockedPictures {
     read: fn(&str) -> Result<RgbImage, String>,
@@ -53,9 +19,10 @@ impl LockedPictures {
         Self { read, kept: RefCell::default() }
     }
 
-    /// Those in the folder of the course.
+    /// Those in the folder of the course, as far as they are the ones with which this program
+    /// was compiled.
     pub fn in_workspace() -> Self {
-        Self::new(|name| Locked::read(name)?.verify())
+        Self::new(|name| verify(name, read(name)?))
     }
 
     /// The picture of this name.
@@ -74,6 +41,25 @@ impl LockedPictures {
     }
 }
 
+/// Reads the locked picture of a name in the folder of the course.
+fn read(name: &str) -> Result<RgbImage, String> {
+    let path = format!("tests/snapshots/{name}.snap.png");
+    let file = fs::read(workspace().join(&path));
+    let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
+    Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rows)
+}
+
+/// The picture, if it is the one with which this program was compiled; else a sentence.
+fn verify(name: &str, picture: RgbImage) -> Result<RgbImage, String> {
+    if locked_hashes().any(|one| one == (name, hash_picture(&picture))) {
+        return Ok(picture);
+    }
+    Err(format!(
+        "the picture of {name} in this folder of the course is of another version than this \
+         program; after a change of the course, `cargo xtask` brings them together"
+    ))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,9 +67,9 @@ mod tests {
 
     #[test]
     fn changed_picture_is_of_another_version() {
-        let mut locked = Locked::read("step01_rays").expect("a locked picture");
-        assert!(locked.clone().verify().is_ok());
-        locked.picture.put_pixel(9, 9, Rgb([0; 3]));
-        assert!(locked.verify().is_err_and(|text| text.contains("another version")));
+        let mut picture = read("step01_rays").expect("a locked picture");
+        assert!(verify("step01_rays", picture.clone()).is_ok());
+        picture.put_pixel(9, 9, Rgb([0; 3]));
+        assert!(verify("step01_rays", picture).is_err_and(|text| text.contains("another version")));
     }
 }

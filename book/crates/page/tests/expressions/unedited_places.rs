@@ -1,4 +1,4 @@
-use check::Locked;
+use check::LockedPictures;
 use page::expressions::{draw_edited, editable_places, parse_expression, place_faults};
 
 #[test]
@@ -14,10 +14,11 @@ fn no_place_has_a_fault() {
 
 #[test]
 fn unedited_places_draw_the_locked_pictures() {
+    let locked = LockedPictures::in_workspace();
     for place in editable_places() {
         let expression = parse_expression(&place, place.code).expect("it stands in the book");
-        let locked = Locked::read(place.step_name()).expect("a locked picture").picture;
-        let is_same = draw_edited(&place, expression, 640) == locked;
+        let locked = locked.get(place.step_name()).expect("a locked picture");
+        let is_same = draw_edited(&place, expression, 640) == *locked;
         assert!(is_same, "{}: {} draws another picture", place.name, place.code);
     }
 }
