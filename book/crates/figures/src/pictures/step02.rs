@@ -42,7 +42,7 @@ impl Interactive for OneSphere {
     }
 
     fn numbers(&self) -> Numbers {
-        let object = Object { name: "the sphere", sphere: self.sphere, material: () };
+        let object = Object { name: "sphere", sphere: self.sphere, material: () };
         let colour = |ray: &_| colour(&self.sphere, ray);
         trace_pixel(&self.probe, &[object], |_| Numbers::new(), colour)
     }
