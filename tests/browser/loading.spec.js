@@ -62,6 +62,7 @@ test('paper is light, and forced colours keep the cross', async ({ page, home })
   await open(page, `${home}step03_nearest.html`);
   expect(await page.evaluate(() => getComputedStyle(document.querySelector('h1')).color)).toBe('rgb(35, 33, 30)');
   await page.emulateMedia({ media: 'screen', forcedColors: 'active' });
+  await page.locator('figure[data-live="step03_nearest"]').scrollIntoViewIfNeeded();
   const cross = page.locator('.handle-probe').first();
   await expect(cross).toBeVisible({ timeout: 20_000 });
   expect(await cross.evaluate(one => getComputedStyle(one).backgroundImage)).toContain('gradient');

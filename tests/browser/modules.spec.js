@@ -23,6 +23,7 @@ test.beforeEach(async ({ page }) => {
 
 test('check.wasm draws the locked pictures', async ({ page, home }) => {
   await open(page, home + chapters[0]);
+  await page.waitForFunction(() => typeof wasmModules === 'object' && typeof ask === 'function');
   const [count, wrong] = await page.evaluate(async names => {
     const module = await wasmModules.get('check');
     let [count, wrong] = [0, []];
@@ -46,6 +47,7 @@ test('check.wasm draws the locked pictures', async ({ page, home }) => {
 for (const name of pagesWithFigures) {
   test(`${name}: live.wasm draws what is printed`, async ({ page, home }) => {
     await open(page, home + name);
+    await page.waitForFunction(() => typeof wasmModules === 'object' && typeof ask === 'function');
     const wrong = await page.evaluate(async () => {
       const module = await wasmModules.get('live');
       const wrong = [];

@@ -23,6 +23,7 @@ test('an address that names a pixel opens with it', async ({ page, home }) => {
 
 test('a number that is typed counts, and the nearest allowed one follows', async ({ page, home }) => {
   await open(page, home + page3);
+  await page.locator(picture).scrollIntoViewIfNeeded();
   await page.locator(`${picture}[data-ready]`).waitFor({ timeout: 20_000 });
   await unfold(page);
   await field(page, 'i').fill('1000');
@@ -41,5 +42,6 @@ test('a pixel is told in one line below the picture, and Back leads to where one
   await expect(page.locator(`${picture} .handle-probe`)).toHaveAttribute('aria-valuetext', /^column 195, row 237: red, t = /);
   await expect(page.locator('[data-panel] tr.hit')).toHaveCount(1);
   await page.evaluate(() => history.back());
-  await expect.poll(async () => (await link.boundingBox()).y).toBeCloseTo(place, -1);
+  // What is told below the picture may be a line longer than before.
+  await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
 });
