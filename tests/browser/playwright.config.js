@@ -58,6 +58,7 @@ export default defineConfig({
       name: 'chromium-wide',
       testMatch: [...PAGES, ...ANSWERS, 'accessibility.spec.js', 'loading.spec.js', 'modules.spec.js'],
       use: { ...chromium, ...view(1280, 'light'), source: 'server', isThorough: true },
+      ...process.env.THOROUGH ? {} : QUICK,
     },
     {
       name: 'chromium-narrow',
@@ -67,7 +68,7 @@ export default defineConfig({
     },
     {
       name: 'chromium-dark',
-      testMatch: PAGES,
+      testMatch: 'pages.spec.js',
       use: { ...chromium, ...view(1280, 'dark'), source: 'folder' },
       ...QUICK,
     },
