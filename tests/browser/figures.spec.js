@@ -4,9 +4,9 @@ import { expect, open, test } from './fixtures.js';
 
 for (const [k, [name, figure, before]] of figures.entries()) {
   const place = before ? `, number ${before + 1} there,` : '';
-  // In other views than the first, one figure of a page will do.
+  // One figure of a page will do.
   const isFirst = figures.findIndex(([other]) => other === name) === k;
-  test(`${name}: the figure ${figure}${place} answers`, { tag: isFirst ? [] : '@thorough' }, async ({ page, home, isThorough }) => {
+  test(`${name}: the figure ${figure}${place} answers`, { tag: isFirst ? [] : '@thorough' }, async ({ page, home }) => {
     await open(page, home + name);
     page.on('dialog', dialog => dialog.accept()); // A scene of one's own is not wiped unasked.
     const root = page.locator(`figure[data-live="${figure}"]`).nth(before);
@@ -32,7 +32,7 @@ for (const [k, [name, figure, before]] of figures.entries()) {
     };
 
     const handles = await root.locator('.handle:visible').all();
-    for (const handle of isThorough ? handles : handles.slice(0, 1)) {
+    for (const handle of handles) {
       await handle.hover();
       const { x, y } = await handle.boundingBox();
       await page.mouse.down();
@@ -43,7 +43,7 @@ for (const [k, [name, figure, before]] of figures.entries()) {
     // Number fields set the same values as ranges and handles: one of each figure will do.
     const others = await root.locator('.controls [data-parameter] :is(input:not([type=text]), select):visible').all();
     const numbers = await root.locator('.controls [data-parameter] input[type=text]:visible').all();
-    for (const control of isThorough || moved === 0 ? [...others, ...numbers.slice(0, 1)] : []) {
+    for (const control of [...others, ...numbers.slice(0, 1)]) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
         checkbox: 'Space', range: value === min ? 'End' : 'Home',

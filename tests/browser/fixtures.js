@@ -16,8 +16,6 @@ const HARMLESS = /Incorrect number of children for <m/;
 export const test = base.extend({
   // 'server' or 'folder'.
   source: ['server', { option: true, scope: 'worker' }],
-  // Whether every handle and control is tried, or one of each figure.
-  isThorough: [false, { option: true, scope: 'worker' }],
 
   served: [async ({}, use) => {
     const { server, address } = await serve(policy);

@@ -26,21 +26,24 @@ const firefox = isDark => ({
   },
 });
 const view = (width, colorScheme) => ({ viewport: { width, height: 900 }, colorScheme });
-// One form of a page and one word of the search will do.
-const QUICK = { grepInvert: /@thorough/ };
-const PAGES = ['pages.spec.js', 'search.spec.js'];
+// One of each figure, one form and five words of the search will do.
+const QUICK = process.env.THOROUGH ? {} : { grepInvert: /@thorough/ };
 const ANSWERS = [
   'figures.spec.js', 'pixel.spec.js', 'check.spec.js', 'line_editor.spec.js', 'problems.spec.js', 'own_scene.spec.js',
 ];
+const PAGES = ['pages.spec.js', 'search.spec.js'];
 // By THOROUGH=1 alone: they take minutes, and find little that the others miss.
 const THOROUGH = [
-  { name: 'html', testMatch: 'html.spec.js' },
   { name: 'webkit', testMatch: 'webkit.spec.js' },
+  {
+    name: 'chromium-dark',
+    testMatch: PAGES,
+    use: { ...chromium, ...view(1280, 'dark'), source: 'folder' },
+  },
   {
     name: 'firefox-wide',
     testMatch: [...PAGES, ...ANSWERS],
     use: { ...firefox(true), ...view(1280, null), source: 'server' },
-    ...QUICK,
   },
 ];
 
@@ -53,30 +56,22 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
+  ...QUICK,
   projects: [
     {
       name: 'chromium-wide',
       testMatch: [...PAGES, ...ANSWERS, 'accessibility.spec.js', 'loading.spec.js', 'modules.spec.js'],
-      use: { ...chromium, ...view(1280, 'light'), source: 'server', isThorough: true },
-      ...process.env.THOROUGH ? {} : QUICK,
+      use: { ...chromium, ...view(1280, 'light'), source: 'server' },
     },
     {
       name: 'chromium-narrow',
-      testMatch: PAGES,
-      use: { ...chromium, ...view(390, 'light'), source: 'folder' },
-      ...QUICK,
-    },
-    {
-      name: 'chromium-dark',
       testMatch: 'pages.spec.js',
-      use: { ...chromium, ...view(1280, 'dark'), source: 'folder' },
-      ...QUICK,
+      use: { ...chromium, ...view(390, 'light'), source: 'folder' },
     },
     {
       name: 'firefox-narrow',
       testMatch: [...PAGES, 'line_editor.spec.js'],
       use: { ...firefox(false), ...view(390, null), source: 'folder' },
-      ...QUICK,
     },
     ...process.env.THOROUGH ? THOROUGH : [],
   ],

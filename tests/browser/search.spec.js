@@ -6,7 +6,7 @@ import { expect, open, test } from './fixtures.js';
 // [what a reader types, the places that are right].
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
-const GROUP = 10;
+const GROUP = 5;
 
 // Opens the search by its key, which works once its script has run.
 async function openSearch(page) {
@@ -66,7 +66,8 @@ test('the search keeps the reader’s place', async ({ page, home }) => {
   await search(page, 'sphere');
   await page.keyboard.press('Escape');
   await expect(page.locator('#search')).toBeHidden();
-  expect(await page.evaluate(() => scrollY)).toBe(place);
+  // A figure that becomes ready may move it by a line.
+  expect(Math.abs(await page.evaluate(() => scrollY) - place)).toBeLessThan(30);
 });
 
 test('arrow keys go through the results, and what is near is offered', async ({ page, home }) => {

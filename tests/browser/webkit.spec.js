@@ -4,7 +4,7 @@ import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { pagesWithFigures } from './book.js';
-import { expect, local, test as base } from './fixtures.js';
+import { expect, test as base } from './fixtures.js';
 
 async function freePort() {
   const server = createServer().listen(0, '127.0.0.1');
@@ -49,28 +49,10 @@ const wake = async () => {
   return asleep().map(one => one.dataset.live);
 };
 
-for (const source of ['server', 'folder']) {
-  for (const name of pagesWithFigures) {
-    test(`${name} from the ${source}: every figure becomes ready`, async ({ webkit, served }) => {
-      await webkit('url', { url: (source === 'server' ? served : local) + name });
-      const asleep = await webkit('execute/async', { script: `(${wake})().then(arguments[0])`, args: [] });
-      expect(asleep).toEqual([]);
-    });
-  }
+for (const name of pagesWithFigures) {
+  test(`${name}: every figure becomes ready`, async ({ webkit, served }) => {
+    await webkit('url', { url: served + name });
+    const asleep = await webkit('execute/async', { script: `(${wake})().then(arguments[0])`, args: [] });
+    expect(asleep).toEqual([]);
+  });
 }
-
-test('a line that is edited is drawn', async ({ webkit, served }) => {
-  await webkit('url', { url: `${served}step04_diffuse.html#step-4-ambient-and-diffuse-light` });
-  const run = (script, ...args) => webkit('execute/sync', { script, args });
-  await expect.poll(() => run(`return document.querySelectorAll('[data-line]').length`)).toBeGreaterThan(0);
-  const line = await webkit('element', { using: 'css selector', value: '[data-line=normal]' });
-  const [id] = Object.values(line);
-  await webkit(`element/${id}/value`, { text: '\uE007' }); // Enter: no layout can move it away.
-  const status = () => run(`return document.querySelector('figure [role=status]')?.textContent ?? ''`);
-  await expect.poll(status).toContain('sphere.centre');
-  await webkit(`element/${id}/value`, { text: '\uE010 * 2' });
-  await expect.poll(status).toContain('Write 2.0');
-  await webkit(`element/${id}/value`, { text: '\uE010.0' });
-  await expect.poll(status).toMatch(/^Drawn|known mistake/);
-  expect(await run(`return document.querySelector('.panel canvas').width`)).toBe(640);
-});
