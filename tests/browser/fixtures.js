@@ -8,7 +8,7 @@ import { serve } from './server.js';
 
 export { expect };
 
-export const local = `${pathToFileURL(folder).href}/`;
+const local = `${pathToFileURL(folder).href}/`;
 
 // Firefox says so of a formula that is drawn before all of it has come.
 const HARMLESS = /Incorrect number of children for <m/;
