@@ -20,11 +20,11 @@ pub fn opening_html(words: &str) -> Result<String, String> {
 }
 
 /// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each a title and a
-/// text, and then their answers.
+/// text, and then their answers without the way, which are what is bold in the chapter.
 pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) -> String {
     let (mut problems, mut answers) = (String::new(), String::new());
     for (title, text) in chapters {
-        let mut heading = Some(format!("## {title}\n\n"));
+        let mut heading = Some(format!("## {}\n\n", title.trim_end_matches(": practice")));
         for part in text.split("\n{{#problem ").skip(1) {
             let Some((words, problem, answer)) = split_problem(part) else {
                 continue; // a fault of its chapter, and told there
@@ -35,9 +35,9 @@ pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) ->
             let number = words.split(' ').next().unwrap_or_default();
             let _ = write!(
                 answers,
-                "<div class=\"answer\"><a href=\"#problem-{number}\">{number}</a>\n\n{}\n\n\
+                "<div class=\"answer\"><a href=\"#problem-{number}\">{number}</a>\n\n**{}**\n\n\
                  </div>\n\n",
-                answer.trim()
+                answer.split("**").nth(1).unwrap_or_default()
             );
         }
     }

@@ -43,9 +43,10 @@ fn what_nests_without_end_is_a_fault() {
 
 #[test]
 fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
-    let problem = "# A title\n\n{{#problem 7 camera-tan}}\n\nHow far?\n\n{{#answer}}\n\nSo far.\n\n\
+    let problem = "# A title\n\n{{#problem 7 camera-tan}}\n\nHow far?\n\n{{#answer}}\n\n**So far.** A way.\n\n\
                    {{#end}}\n\nText.\n";
-    let chapters = [("One", problem), ("None", "# None\n"), ("Two", &problem.replace('7', "8"))];
+    let chapters =
+        [("One: practice", problem), ("None", "# None\n"), ("Two", &problem.replace('7', "8"))];
     insta::assert_snapshot!(problem::sheet_markdown(chapters.into_iter()));
 }
 
