@@ -1,7 +1,7 @@
 use figures::{ControlKind, Figure, Handle, Parameter, escape, italic_letter};
 
-const HINT: &str = "<span class=\"hint\">Press on the picture, or move the cross by \
-                    the arrow keys, to ask a pixel. The answer is below.</span>";
+const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
+                    with the arrow keys, to choose a pixel.</span>";
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 

@@ -51,7 +51,7 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
 }
 
 #[test]
-fn problems_are_short_and_numbered_as_they_are_read() {
+fn problems_are_short_numbered_as_they_are_read_and_answered_in_bold() {
     let files = Files::read(&workspace().join("book/src")).expect("chapters");
     let summary = files.text("SUMMARY.md").expect("a summary");
     let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
@@ -61,6 +61,7 @@ fn problems_are_short_and_numbered_as_they_are_read() {
         assert!(problem.starts_with(&format!("{number} ")), "{number}: {problem}");
         let words = problem.split("\n{{#answer}}").next().map(str::split_whitespace);
         assert!(words.is_some_and(|words| words.count() <= 80), "{problem}");
+        assert!(problem.contains("{{#answer}}\n\n**"), "The sheet shows what is bold: {problem}");
     }
     assert!(10 < problems.len());
 }
