@@ -28,14 +28,14 @@ const FORMATS: [(usize, &[u8], &str); 32] = [
     (0, b"\xff\x0a", "a JPEG XL picture; save it as PNG"),
     (4, b"JXL ", "a JPEG XL picture; save it as PNG"),
     (4, b"ftypavif", "an AVIF picture; save it as PNG"),
-    (4, b"ftyp", "a picture or film of a phone, such as HEIC; save it as PNG"),
+    (4, b"ftyp", "a phone's picture or film, such as HEIC; save it as PNG"),
     (0, b"%PDF", "a PDF; save the picture as PNG"),
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
     (0, b"\x1f\x8b", "a gzip archive; unpack it first"),
     (0, b"7z\xbc\xaf", "a 7z archive; unpack it first"),
     (0, b"Rar!", "a RAR archive; unpack it first"),
     (0, b"version https://git-lfs", "a pointer of Git LFS: `git lfs pull` fetches the picture"),
-    (0, b"iVBORw0KGgo", "a PNG file written in letters (base64); decode it first"),
+    (0, b"iVBORw0KGgo", "a PNG file encoded as text (base64); decode it first"),
 ];
 
 /// Beginnings of PNG files that a copy has damaged.

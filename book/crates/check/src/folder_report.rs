@@ -45,7 +45,7 @@ pub fn report_on_folder_or_class(folder: &Path, locked: &LockedPictures, as_json
     if let Err(error) = fs::read_dir(folder) {
         let path = escape_for_terminal(&folder.display().to_string());
         return Answer::error(match error.kind() {
-            ErrorKind::PermissionDenied => format!("{path} may not be read by you"),
+            ErrorKind::PermissionDenied => format!("{path} can't be read: no permission"),
             _ => format!("{path} is not a folder"),
         });
     }
@@ -89,7 +89,7 @@ fn report_on_folder(
         None => name_of_path(&path.canonicalize().unwrap_or_default()),
     };
     let refusal = fs::read_dir(path).err().map(|error| match error.kind() {
-        ErrorKind::PermissionDenied => "may not be read by you".to_owned(),
+        ErrorKind::PermissionDenied => "can't be read: no permission".to_owned(),
         _ => format!("can't be read: {error}"),
     });
     let mut answers: Vec<(_, Answer)> = vec![];

@@ -14,8 +14,8 @@ use std::{env, process::ExitCode};
 
 /// Tells whether a picture is right and, if it is not, what happened.
 ///
-/// Without a file, it looks for every picture of the course, and says of each whether it
-/// is right.
+/// Without a file, it looks for every picture of the course, and says which are
+/// right.
 ///
 /// The exit code is 0 if all is right, 1 if not, 2 if there is nothing to look at.
 #[derive(Parser)]
@@ -25,8 +25,8 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
-    /// Where to look for every picture of the course; or a folder with one of them for
-    /// each student, who gets one line
+    /// The folder to look in for every picture of the course, or one with such a folder
+    /// for each student, who gets one line
     #[arg(long = "in", value_name = "FOLDER", default_value = ".")]
     #[arg(conflicts_with = "file")]
     folder: PathBuf,
@@ -43,7 +43,7 @@ struct Arguments {
 /// The name, if it is more than blanks.
 fn parse_scene_name(text: &str) -> Result<String, &'static str> {
     match text.trim() {
-        "" => Err("a name is more than blanks"),
+        "" => Err("a name can't be blank"),
         _ => Ok(text.to_owned()),
     }
 }

@@ -70,7 +70,7 @@ fn sentences(title: &str, yours: &Picture, options: &str, compared: usize) -> St
     };
     let hint = match find_mistakes_with_hash(hash_picture(&yours.rows)).first() {
         Some((mistake, _)) => {
-            format!(" Did you give none? Then perhaps {} ({}).", mistake.title, mistake.file)
+            format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
         }
         None => String::new(),
     };

@@ -102,7 +102,7 @@ fn read_spread_rows(file: &[u8]) -> Result<Picture, String> {
 
 /// Says that a file is larger than any picture.
 pub(crate) fn too_large_clause() -> String {
-    format!("is too large: a picture has at most {} MB", FILE_BYTES >> 20)
+    format!("is too large: the limit is {} MB", FILE_BYTES >> 20)
 }
 
 /// Says what a decoder's error means for the file.
@@ -111,9 +111,9 @@ fn damage_clause(error: impl Error) -> String {
     let cause = if text.contains("unexpected end") {
         "it is truncated; perhaps the copy was incomplete"
     } else if text.contains("CRC") {
-        "a checksum is wrong, so some bytes are not those that were written"
+        "a checksum is wrong, so some bytes have changed"
     } else {
-        "what is in it can't be unpacked"
+        "its contents can't be unpacked"
     };
     format!("is a damaged PNG file: {cause}")
 }

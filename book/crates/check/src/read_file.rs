@@ -9,7 +9,7 @@ pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
     let printable_path = escape_for_terminal(&path.display().to_string());
     let unread = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => format!("there is no file {printable_path}"),
-        ErrorKind::PermissionDenied => format!("{printable_path} may not be read by you"),
+        ErrorKind::PermissionDenied => format!("{printable_path} can't be read: no permission"),
         _ => format!("can't read {printable_path}: {error}"),
     };
     let metadata = fs::metadata(path).map_err(unread)?;

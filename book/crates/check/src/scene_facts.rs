@@ -44,8 +44,8 @@ pub(crate) fn light_facts<'a>(comparison: &'a Comparison, drawing: &'a Drawing) 
     }
     facts.extend([
         fact("lit", 1, "is where no light reaches", |one| !one.is_sky() && one.lit == [false; 2]),
-        fact("lit", 1, format!("is where {warm} alone reaches"), |one| one.lit == [true, false]),
-        fact("lit", 1, format!("is where {cool} alone reaches"), |one| one.lit == [false, true]),
+        fact("lit", 1, format!("is where only {warm} reaches"), |one| one.lit == [true, false]),
+        fact("lit", 1, format!("is where only {cool} reaches"), |one| one.lit == [false, true]),
         fact("lit", 1, "is where highlights may be", |one| one.in_highlight),
     ]);
     facts
@@ -96,7 +96,7 @@ pub(crate) fn missing_objects(comparison: &Comparison, drawing: &Drawing) -> Opt
     }
     let names = (0..missing.len()).filter(|k| missing[*k]).map(|k| drawing.object_name(k));
     let names = names.collect::<Vec<_>>().join(", ");
-    (!names.is_empty()).then(|| format!("Nowhere: {names}. What lies behind is seen there."))
+    (!names.is_empty()).then(|| format!("Missing: {names}. What lies behind shows instead."))
 }
 
 /// A sentence where the sky alone is wrong, nearly everywhere.
@@ -139,7 +139,9 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
     let wrong = wrong.join("; ");
     match right.len() {
         0 => format!("Wrong: {wrong}{more}.\n"),
-        _ if more.is_empty() => format!("Wrong: {wrong}. All else is right in every pixel.\n"),
+        _ if more.is_empty() => {
+            format!("Wrong: {wrong}. Everything else is right in every pixel.\n")
+        }
         _ => format!("Right in every pixel: {}. Wrong: {wrong}{more}.\n", right.join(", ")),
     }
 }

@@ -14,14 +14,14 @@ type Turn = fn(&RgbImage) -> RgbImage;
 const TURNS: [(&str, Turn); 8] = [
     ("", RgbImage::clone),
     ("upside down", imageops::flip_vertical),
-    ("mirrored, left for right", imageops::flip_horizontal),
-    ("turned half around", imageops::rotate180),
-    ("turned a quarter to the right", imageops::rotate90),
-    ("turned a quarter to the left", imageops::rotate270),
+    ("mirrored left to right", imageops::flip_horizontal),
+    ("turned by 180°", imageops::rotate180),
+    ("turned by 90° to the right", imageops::rotate90),
+    ("turned by 90° to the left", imageops::rotate270),
     ("with rows and columns exchanged", |ours| {
         imageops::flip_horizontal(&imageops::rotate90(ours))
     }),
-    ("with rows and columns exchanged, and turned half around", |ours| {
+    ("with rows and columns exchanged, and turned by 180°", |ours| {
         imageops::flip_vertical(&imageops::rotate90(ours))
     }),
 ];
@@ -32,8 +32,8 @@ const ORDERS: [(&str, [usize; 3]); 6] = [
     ("with red and blue exchanged", [2, 1, 0]),
     ("with red and green exchanged", [1, 0, 2]),
     ("with green and blue exchanged", [0, 2, 1]),
-    ("with green, blue, red for red, green, blue", [1, 2, 0]),
-    ("with blue, red, green for red, green, blue", [2, 0, 1]),
+    ("with green, blue, red instead of red, green, blue", [1, 2, 0]),
+    ("with blue, red, green instead of red, green, blue", [2, 0, 1]),
 ];
 
 /// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or

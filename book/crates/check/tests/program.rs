@@ -150,6 +150,6 @@ fn linked_and_locked_folders_go_by_their_names() {
     let is_root = fs::read_dir(&locked).is_ok();
     fs::set_permissions(&locked, fs::Permissions::from_mode(0o755)).expect("permissions");
     assert!(text.contains("\nada     1 ") && !text.contains("elsewhere"), "{text}");
-    let refusal = "locked  may not be read by you";
+    let refusal = "locked  can't be read: no permission";
     assert!(is_root || text.matches("locked").count() == 1 && text.contains(refusal), "{text}");
 }
