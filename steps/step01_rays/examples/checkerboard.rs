@@ -1,4 +1,4 @@
-//! A checkered floor to the horizon, with one ray a pixel.
+//! A checkered floor to the horizon, with one ray per pixel.
 
 use glam::DVec3;
 use image::{ImageResult, RgbImage};

@@ -1,4 +1,4 @@
-//! The picture of step 1, with one ray a pixel: the colour of each direction.
+//! The picture of step 1, with one ray per pixel: the colour of each direction.
 
 use image::ImageResult;
 use step01_rays::{Camera, direction_colour, draw_pixels, rgb8};

@@ -2,7 +2,7 @@
 
 use image::{ImageResult, Rgb, RgbImage};
 
-/// The picture: each pixel asks for the colour of its column i and row j.
+/// The picture: each pixel has the colour of its column i and row j.
 pub fn picture() -> RgbImage {
     RgbImage::from_fn(640, 360, |i, j| {
         let (right, up) = (f64::from(i) / 639.0, 1.0 - f64::from(j) / 359.0);

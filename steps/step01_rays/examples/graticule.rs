@@ -12,12 +12,12 @@ fn from_line(angle: f64) -> f64 {
     (angle - (angle / SPACING).round() * SPACING).abs()
 }
 
-/// The colour that `ray` sees: lines, two pixels wide, where a pixel is the angle
-/// `pixel` wide, in front of the colour of its direction.
+/// The colour that `ray` sees: lines over the colour of its direction, two pixels
+/// wide, where a pixel is the angle `pixel` wide.
 fn colour(ray: &Ray, pixel: f64) -> DVec3 {
     let v = ray.direction.normalize();
     let (longitude, latitude) = (v.x.atan2(-v.z), v.y.asin());
-    // Meridians come together at the poles: there the same angle is a shorter way.
+    // Meridians meet at the poles, so near them the same angle is a shorter way.
     let away = from_line(latitude).min(from_line(longitude) * latitude.cos());
     let covered = (1.5 - away / pixel).clamp(0.0, 1.0);
     direction_colour(ray).lerp(DVec3::ONE, covered)

@@ -1,4 +1,4 @@
-//! Better samples: one ray at a random place of each sub-pixel.
+//! Better samples: one ray at a random place in each sub-pixel.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -15,17 +15,17 @@ pub fn noise(x: u32, y: u32) -> [f64; 2] {
     [h >> 32, h & 0xffff_ffff].map(|half| half as f64 / 2_f64.powi(32))
 }
 
-/// The ray through a random place of the sub-pixel whose centre is at (i, j), where a
+/// The ray through a random place in the sub-pixel whose centre is at (i, j), where a
 /// pixel has `side` × `side` sub-pixels.
 pub fn jittered(camera: &Camera, side: u32, i: f64, j: f64) -> Ray {
     let side = f64::from(side);
-    // Column and row of the sub-pixel among those of the whole picture.
+    // Column and row of the sub-pixel, counted over the whole picture.
     let (x, y) = ((i + 0.5) * side, (j + 0.5) * side);
     let [u, v] = noise(x as u32, y as u32);
     camera.ray(i + (u - 0.5) / side, j + (v - 0.5) / side)
 }
 
-/// The colour that `ray` sees: rings around the middle, the further out the finer.
+/// The colour that `ray` sees: rings around the middle, finer further out.
 fn colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
     let rings = 2800.0 * (v.x * v.x + v.y * v.y);

@@ -22,7 +22,7 @@ pub fn look_at(
     Camera { centre: position, matrix: basis * camera.matrix, ..*camera }
 }
 
-/// How near `ray` passes to the point `p`, or None where `p` is behind its start.
+/// How close `ray` comes to the point `p`, or None where `p` is behind its start.
 pub fn passes(ray: &Ray, p: DVec3) -> Option<f64> {
     let v = ray.direction;
     let t = (p - ray.start).dot(v) / v.dot(v);
@@ -37,7 +37,7 @@ fn beads() -> Vec<DVec3> {
     for &x in &along {
         for &y in &along {
             for &z in &along {
-                // On an edge, two of the three are at one end or the other.
+                // On an edge, two of the three coordinates are at an end.
                 if 2 <= ends(x) + ends(y) + ends(z) {
                     beads.push(DVec3::new(x, y, z));
                 }
@@ -59,7 +59,7 @@ fn colour(beads: &[DVec3], ray: &Ray) -> DVec3 {
     }
 }
 
-/// The picture: the cube from the right, from above, with the head tilted.
+/// The picture: the cube seen from the upper right, with the head tilted.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let position = DVec3::new(5.8, 4.6, 8.4);
     let camera = look_at(camera, position, DVec3::ZERO, 20_f64.to_radians());

@@ -11,16 +11,16 @@ pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
     latitude.cos() * around + latitude.sin() * DVec3::Y
 }
 
-/// The direction V that belongs to column `i` and row `j` of the panorama.
+/// The direction V of column `i` and row `j` of the panorama.
 ///
-/// All columns share the whole circle, all rows the half circle from pole to pole.
+/// The columns divide the whole circle, the rows the half circle from pole to pole.
 pub fn panoramic(camera: &Camera, i: f64, j: f64) -> DVec3 {
     let across = (i + 0.5) / f64::from(camera.h_res);
     let down = (j + 0.5) / f64::from(camera.v_res);
     direction((across - 0.5) * TAU, (0.5 - down) * PI)
 }
 
-/// What one sees along `v` from the middle of a tiled cube with coloured walls.
+/// The colour along `v` from the middle of a tiled cube with coloured walls.
 fn colour(v: DVec3) -> DVec3 {
     let wall = v / v.abs().max_element();
     let colour = match wall.to_array() {
@@ -35,7 +35,7 @@ fn colour(v: DVec3) -> DVec3 {
     if tile < 1.0 { colour } else { 0.88 * colour }
 }
 
-/// The picture: the cube around the eye, all of it.
+/// The picture: the whole cube around the eye.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let centres = sub_pixels(samples);
     draw_pixels(camera, |i, j| {

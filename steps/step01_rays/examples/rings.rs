@@ -4,10 +4,10 @@ use glam::DVec3;
 use image::RgbImage;
 use step01_rays::{Camera, Ray, direction_colour, render, run};
 
-/// How many rings there are while the length of V grows by 1.
+/// The number of rings over which the length of V grows by 1.
 const RINGS: f64 = 50.0;
 
-/// The colour that `ray` sees: that of its direction, and half of it in every other
+/// The colour that `ray` sees: the colour of its direction, halved in every other
 /// ring.
 fn colour(ray: &Ray) -> DVec3 {
     let is_bright = (RINGS * ray.direction.length()).fract() < 0.5;

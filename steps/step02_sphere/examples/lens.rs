@@ -17,7 +17,7 @@ pub struct Interval {
 pub const RAY: Interval = Interval { enter: 0.0, leave: f64::INFINITY };
 
 impl Interval {
-    /// The piece of `ray` inside `sphere`, that behind its start included.
+    /// The piece of `ray` inside `sphere`, even where it is behind the start.
     pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
         match sphere.intersect(ray) {
             Roots::Two(enter, leave) => Some(Self { enter, leave }),
@@ -46,15 +46,15 @@ pub const SPHERES: [Sphere; 2] = [
     Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
 ];
 
-/// The colour seen through coloured glass of the form that all `spheres` have in
-/// common: the longer the way through it, the less of `behind` is left.
+/// The colour `behind`, seen through coloured glass where all `spheres` overlap: the
+/// longer the way through it, the less of `behind` is left.
 fn through(spheres: &[Sphere], glass: DVec3, behind: DVec3, ray: &Ray) -> DVec3 {
     let Some(piece) = inside_all(spheres, ray) else { return behind };
     let length = (piece.leave - piece.enter) * ray.direction.length();
     glass.lerp(behind, 1.0 / (1.0 + 2.0 * length))
 }
 
-/// The colour that `ray` sees: each sphere of pale glass, and the lens of red.
+/// The colour that `ray` sees: spheres of pale glass, and a lens of red glass.
 fn colour(spheres: &[Sphere], ray: &Ray) -> DVec3 {
     let mut behind = direction_colour(ray);
     for sphere in spheres {

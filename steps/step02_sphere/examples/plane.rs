@@ -6,9 +6,9 @@ use step02_sphere::{Camera, Ray, SPHERE, Sphere, direction_colour, render, run};
 
 /// A plane, the points p with n·(p − q) = 0.
 pub struct Plane {
-    /// q, any point of it.
+    /// q, any point on it.
     pub point: DVec3,
-    /// n, at a right angle to it; of any length but 0.
+    /// n, perpendicular to it, of any length but 0.
     pub normal: DVec3,
 }
 
@@ -56,7 +56,7 @@ fn colour(sphere: &Sphere, ground: &Plane, ray: &Ray) -> DVec3 {
     }
 }
 
-/// The picture: the sphere of step 2 on a ground without end.
+/// The picture: the sphere of step 2 on an endless ground.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     render(camera, samples, |ray| colour(&SPHERE, &GROUND, ray))
 }

@@ -9,9 +9,9 @@ use step02_sphere::{Camera, Ray, Roots, direction_colour, quadratic, render, run
 pub struct Quadric {
     /// Q, symmetric: the squares and the products of two coordinates.
     pub squares: DMat3,
-    /// u, half of the factors of the coordinates alone.
+    /// u, half of the coefficients of x, y and z.
     pub linear: DVec3,
-    /// w, the number without a coordinate.
+    /// w, the constant.
     pub constant: f64,
 }
 

@@ -18,7 +18,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// A box with nothing in it.
+    /// An empty box.
     pub const EMPTY: Self =
         Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
@@ -35,7 +35,7 @@ impl Bounds {
 
     /// The t at which `ray` enters the box; 0 from inside, infinity for a miss.
     ///
-    /// It is inside while it is between the two planes of all three axes.
+    /// It is inside while it is between the two planes of each of the three axes.
     pub fn enter(&self, ray: &Ray) -> f64 {
         let one = (self.low - ray.start) / ray.direction;
         let other = (self.high - ray.start) / ray.direction;
@@ -48,23 +48,23 @@ impl Bounds {
 /// A tree of boxes: each holds a few objects, or two smaller trees.
 #[derive(Debug)]
 pub struct Tree<'a, M> {
-    /// The box around all that is in it.
+    /// The box around its objects.
     pub bounds: Bounds,
-    /// What is in it.
+    /// Its content.
     pub content: Content<'a, M>,
 }
 
-/// What is in a box.
+/// The content of a box.
 #[derive(Debug)]
 pub enum Content<'a, M> {
     /// At most two objects.
     Few(&'a [Object<M>]),
-    /// The two halves of more.
+    /// More objects, in two halves.
     Halves(Box<[Tree<'a, M>; 2]>),
 }
 
 impl<'a, M> Tree<'a, M> {
-    /// The tree around all `objects`, which it sorts for that.
+    /// The tree around all `objects`, which it sorts.
     pub fn new(objects: &'a mut [Object<M>]) -> Self {
         let boxes = objects.iter().map(|object| Bounds::around(&object.sphere));
         let bounds = boxes.fold(Bounds::EMPTY, Bounds::with);
@@ -80,7 +80,7 @@ impl<'a, M> Tree<'a, M> {
         Self { bounds, content: Content::Halves(Box::new(halves)) }
     }
 
-    /// The hit with the smallest t below `end`; `ask` finds that of a few objects.
+    /// The hit with the smallest t below `end`; `ask` finds it among a few objects.
     pub fn nearest(
         &self,
         ray: &Ray,

@@ -1,4 +1,4 @@
-//! Where the surfaces of the scene face, as a colour.
+//! The direction in which each surface faces, as a colour.
 
 use image::RgbImage;
 use step04_diffuse::{

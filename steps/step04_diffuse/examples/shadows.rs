@@ -1,5 +1,5 @@
-//! The scene of step 4 with a moon, and with shadows: a light counts where nothing is
-//! in between.
+//! The scene of step 4 with a moon, and with shadows: a light counts only where
+//! nothing is in its way.
 
 use glam::DVec3;
 use image::RgbImage;

@@ -14,14 +14,14 @@ pub struct SpotLight {
     pub point_light: PointLight,
     /// e, the unit vector along the axis of the cone, away from the light.
     pub axis: DVec3,
-    /// Up to this angle from the axis the light is whole, in radians.
+    /// The angle from the axis up to which the light is full, in radians.
     pub inner: f64,
-    /// From this angle on there is none; above `inner`.
+    /// The angle from which on there is no light; above `inner`.
     pub outer: f64,
 }
 
 impl SpotLight {
-    /// The part of its light that goes along −l: 1 in the cone, and 0 outside of it.
+    /// The part of its light that goes along −l: 1 within `inner`, 0 beyond `outer`.
     pub fn cone(&self, l: DVec3) -> f64 {
         let (inner, outer) = (self.inner.cos(), self.outer.cos());
         let x = ((self.axis.dot(-l) - outer) / (inner - outer)).clamp(0.0, 1.0);

@@ -1,4 +1,4 @@
-//! The scene of step 4 in the light of a low sun, in the place of its warm light.
+//! The scene of step 4 in the light of a low sun instead of its warm light.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -7,7 +7,7 @@ use step04_diffuse::{
     direction_colour, render, run, scene, visible_point,
 };
 
-/// A light so far away that it shines from the same side everywhere, and as bright.
+/// A light so far away that its direction and brightness are the same everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {
     /// The direction to it, of any length but 0.

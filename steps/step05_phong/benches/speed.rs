@@ -71,7 +71,7 @@ const FIVE: [Sphere; 5] = [
     Sphere { centre: DVec3::new(0.0, -21.0, -8.0), radius: 20.0 },
 ];
 
-/// As many spheres as told, ten in a row and ten rows in a square, in front of the
+/// This number of spheres, ten in a row and ten rows in a square, in front of the
 /// camera.
 fn cube(count: u32) -> Vec<Sphere> {
     let place = |k: u32| {

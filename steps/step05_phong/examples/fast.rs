@@ -75,7 +75,7 @@ impl<S: Simd> Packet<'_, S> {
             if d.simd_lt(zero).all_true() {
                 continue;
             }
-            // Below 0, D has a root that is no number, and no comparison holds.
+            // Below 0, D has a root that is not a number, and no comparison holds.
             let mut t = (-b - d.sqrt()) / (2.0 * a);
             if t.simd_le(zero).any_true() {
                 t = t.simd_gt(zero).select(t, (-b + d.sqrt()) / (2.0 * a));
@@ -165,7 +165,7 @@ fn objects_cut<'a, M>(
 /// A camera, what it sees, the tree of that, and where in a pixel the rays go.
 type View<'a> = (&'a Camera, &'a Lit, &'a Tree<'a, usize>, &'a [f64]);
 
-/// Draws row `j`, three bytes a pixel. Its rays, along xi + w, lie in one plane.
+/// Draws row `j`, three bytes per pixel. Its rays, along xi + w, lie in one plane.
 #[inline(always)]
 fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
     let (camera, scene, tree, offsets) = view;
@@ -213,7 +213,7 @@ pub fn draw(level: Level, camera: &Camera, samples: u32, scene: &Lit) -> RgbImag
     image
 }
 
-/// The picture of step 5, with the best instructions that there are.
+/// The picture of step 5, with the best instructions of this processor.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     draw(Level::new(), camera, samples, &scene())
 }

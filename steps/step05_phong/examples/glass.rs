@@ -1,5 +1,5 @@
-//! The scene of step 5 with glass: rays that a surface bends by Snell's law and
-//! mirrors in Fresnel's part.
+//! The scene of step 5 with glass, which bends rays by Snell's law and mirrors a
+//! part of them, as much as Fresnel's equations say.
 
 #[path = "mirror.rs"]
 #[allow(dead_code, reason = "it is a program of its own, too")]
@@ -16,9 +16,9 @@ use step05_phong::{
 
 /// A material that may be glass.
 pub struct Glass {
-    /// What it is like; glass has its highlights only.
+    /// Its material, of which glass has the highlights only.
     pub material: Material,
-    /// The refractive index, None where it is no glass.
+    /// The refractive index; None where it isn't glass.
     pub index: Option<f64>,
 }
 
@@ -34,7 +34,7 @@ pub fn glasses(index: f64) -> Scene<Glass, Light> {
 }
 
 /// `v` of any length, bent by Snell's law where it meets a surface whose unit normal
-/// `n` faces it; or None where the surface mirrors it all.
+/// `n` faces it; or None where all of it is mirrored.
 ///
 /// `ratio` is η, the refractive index that the ray leaves over the one it enters.
 pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {
@@ -53,7 +53,7 @@ pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     (across * across + within * within) / 2.0
 }
 
-/// Says whether something not of glass stands between `point` and a light at `q`.
+/// Says whether anything but glass stands between `point` and a light at `q`.
 pub fn hidden_by_opaque(
     objects: &[Object<Glass>],
     point: &SurfacePoint<Glass>,
@@ -64,7 +64,7 @@ pub fn hidden_by_opaque(
     opaque.any(|object| hidden(slice::from_ref(object), point, q, OFFSET))
 }
 
-/// The colour that `ray` sees by way of at most `depth` surfaces of glass.
+/// The colour that `ray` sees via at most `depth` surfaces of glass.
 pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

@@ -29,7 +29,7 @@ fn polished(
     object.with_material(Material { matte, specular, shininess })
 }
 
-/// A part of the snowman, in what its name asks for; the carrot is amber now.
+/// A part of the snowman, in the material for its name; the carrot is amber now.
 fn repainted(part: Object<DVec3>) -> Object<Material> {
     match part.name {
         "ground" => polished(part, [0.30, 0.31, 0.42], STONE),
@@ -41,7 +41,7 @@ fn repainted(part: Object<DVec3>) -> Object<Material> {
     }
 }
 
-/// A marble on the ground, where its middle is at x and z.
+/// A marble on the ground, with its centre at x and z.
 fn marble(x: f64, z: f64, radius: f64, paint: [f64; 3]) -> Object<Material> {
     let away = DVec3::new(x, 0.0, z + 8.0).length_squared();
     let y = ((40.0 + radius).powi(2) - away).sqrt() - 41.5;

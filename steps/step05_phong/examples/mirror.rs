@@ -32,9 +32,9 @@ pub fn shadowed_phong(
     terms
 }
 
-/// A material that is a mirror in part.
+/// A material that is partly a mirror.
 pub struct Mirror {
-    /// What it is for the rest.
+    /// The material of the rest.
     pub material: Material,
     /// k, the part of its colour that it mirrors, 0 to 1.
     pub k: f64,
@@ -58,7 +58,7 @@ pub fn mirrors() -> Scene<Mirror, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// The colour that `ray` sees by way of at most `depth` mirrors, where rays start
+/// The colour that `ray` sees via at most `depth` mirrors, where new rays start
 /// `offset` above a surface.
 pub fn colour(
     scene: &Scene<Mirror, Light>,
