@@ -42,7 +42,7 @@
         isWorking = false;
     }
 
-    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue, with a white square around a pixel that is alone"];
+    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue, with a white square around a single pixel"];
 
     // What is shown of an answer: its lines, and the pictures side by side.
     function makeReport({ text, size, pixels }) {
@@ -92,7 +92,7 @@
         form.addEventListener("dragover", () => form.classList.add("held"));
         for (const end of ["dragleave", "drop"]) form.addEventListener(end, () => form.classList.remove("held"));
         form.addEventListener("drop", ({ dataTransfer: { files } }) => {
-            if (files.length === 0) return show(2, "That is no file. Save the picture first, and drop the file.");
+            if (files.length === 0) return show(2, "That isn't a file. Save the picture first, then drop the file.");
             input.files = files;
             checkFile(files[0]);
         });

@@ -88,7 +88,7 @@ function addSphereButton(figure, addTool) {
     addTool("+ Sphere", () => {
         const isMissing = ({ about: { mark, parameters: [x] } }) => mark === "point" && figure.values[x - 1] === 0;
         const handle = figure.handles.find(isMissing);
-        if (!handle) return void (figure.fault.textContent = "Twelve spheres are all that there are.");
+        if (!handle) return void (figure.fault.textContent = "There can be twelve spheres at most.");
         figure.setValue(handle.about.parameters[0] - 1, 1);
         figure.drawWhole();
         figure.selectGroup(handle.about.group);

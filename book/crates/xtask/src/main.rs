@@ -15,10 +15,10 @@ use std::fs::File;
 use std::process::ExitCode;
 
 /// Draws the mistakes whose code or right picture has changed, and compiles the modules of the
-/// book's pages that are made from other code than that of today.
+/// book's pages whose code has changed.
 #[derive(Parser)]
 struct Options {
-    /// Draw the mistakes that have one of these words in their title or file, too
+    /// Also draw the mistakes that have one of these words in their title or file
     words: Vec<String>,
     /// Draw all mistakes
     #[arg(long)]
@@ -37,7 +37,7 @@ fn regenerate(options: &Options) -> Result<(), Box<dyn Error>> {
     modules::fail_without_wasm_target()?;
     let lock = File::create(target_folder().join("xtask.lock"))?;
     if lock.try_lock().is_err() {
-        eprintln!("Another cargo xtask is at work here: this one waits until it has finished.");
+        eprintln!("Another cargo xtask is running here; waiting for it to finish.");
         lock.lock()?;
     }
     mistakes::draw_unknown_and_chosen(|mistake| {
