@@ -41,5 +41,5 @@ test('a file is looked at again, and a drop beside a form does not leave the pag
   const isKept = await page.locator('h1').evaluate(heading => !heading.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true })));
   expect(isKept).toBe(true);
   await form.evaluate(one => one.dispatchEvent(new DragEvent('drop', { dataTransfer: new DataTransfer(), bubbles: true, cancelable: true })));
-  await expect(form.locator('output')).toContainText('no file');
+  await expect(form.locator('output')).toContainText("isn't a file");
 });
