@@ -1,13 +1,13 @@
 //! The numbers of chapter 4 that are not in the trace of a pixel.
 
-use super::rays::{count_rays, object_of_pixel, pixel_ray};
+use super::rays::{object_of_pixel, pixel_ray};
 use super::value::{
-    Value::{Column, Count, Fixed, Number, Vector},
+    Value::{Column, Fixed, Number, Vector},
     Values,
 };
 use glam::DVec3;
 use step02_sphere::quadratic;
-use step04_diffuse::{AMBIENT, Attenuation, COOL, WARM, colour, nearest, scene, visible_point};
+use step04_diffuse::{AMBIENT, Attenuation, COOL, WARM, scene, visible_point};
 
 pub const VALUES: &Values = &[
     ("step04-p-column", || Column(point_and_normal(PIXEL).0)),
@@ -17,18 +17,9 @@ pub const VALUES: &Values = &[
     ("step04-n-column", || Column(point_and_normal(PIXEL).1)),
     ("step04-surface", || Vector(object_of_pixel(PIXEL).material.matte.diffuse)),
     ("step04-warm-a", || Number(WARM.attenuation.a)),
-    ("step04-cool-a", || Number(COOL.attenuation.a)),
     ("step04-warm-brighter", || Number(distance_of_full_light(&WARM.attenuation))),
-    ("step04-cool-brighter", || Number(distance_of_full_light(&COOL.attenuation))),
     ("step04-peach", || Number(blue_per_red(WARM.diffuse))),
     ("step04-orange", || Fixed(2, blue_per_red(plaster_light()))),
-    ("step04-clipped", || {
-        let scene = scene();
-        Count(count_rays(|ray| {
-            let is_clipped = 1.0 < colour(&scene, ray).max_element();
-            is_clipped && nearest(&scene.objects, ray).is_some()
-        }))
-    }),
 ];
 
 /// The pixel of the worked example.
