@@ -1,6 +1,6 @@
 //! The numbers of the chapter on the slips of the lecture.
 
-use super::rays::{camera, discriminant, length_in_pixels, row};
+use super::rays::{camera, length_in_pixels, row};
 use super::value::{
     Functions,
     Value::{Fixed, Number},
@@ -9,7 +9,6 @@ use super::value::{
 use course::slide_matrix;
 use glam::{DVec2, DVec3};
 use step01_rays::Camera;
-use step02_sphere::{Ray, SPHERE};
 use step05_phong::reflect;
 
 pub const VALUES: &Values = &[
@@ -22,16 +21,9 @@ pub const VALUES: &Values = &[
     ("slips-meant-ratio", || Number(length_in_pixels(2.0 * first_v_0_y() / 359.0))),
     ("slips-slide-times", || Fixed(0, slide_matrix().matrix.y_axis.y / camera().matrix.y_axis.y)),
     ("slips-row-last", || Number(direction(639.0).x)),
-    ("slips-row-beyond", || Number(direction(640.0).x)),
-    ("slips-row-angle", || Number(direction(640.0).angle_to(direction(0.0)).to_degrees())),
     ("slips-i-twice-2", || Number(length_in_pixels(direction(4.0).x - direction(0.0).x))),
     // If D itself had a factor i, ray i would have the direction of ray i².
     ("slips-i-twice-last", || Number(direction(639.0 * 639.0).x)),
-    ("slips-pass-b", || Number(SPHERE.coefficients(&PASSING_RAY).1)),
-    ("slips-pass-c", || Number(SPHERE.coefficients(&PASSING_RAY).2)),
-    ("slips-pass-discriminant", || Number(discriminant(&SPHERE, &PASSING_RAY))),
-    ("slips-pass-real", || Number(complex_root().x)),
-    ("slips-pass-imaginary", || Number(complex_root().y)),
     ("slips-gate-n-l", || Number(DVec3::Y.dot(low_light()))),
     ("slips-gate-r-v", || Number(reflect(DVec3::Y, low_light()).dot(DVec3::new(-0.8, 0.6, 0.0)))),
     ("slips-v-angle", || Number(degrees_down(&camera(), 359.0) - degrees_down(&camera(), 0.0))),
@@ -63,15 +55,6 @@ fn degrees_down(camera: &Camera, j: f64) -> f64 {
 /// The direction of ray i of a row with the columns of the course's pictures.
 fn direction(i: f64) -> DVec2 {
     row(640).direction(i)
-}
-
-/// A ray along −z that passes the sphere at a distance of 1.1 from its centre.
-const PASSING_RAY: Ray = Ray { start: DVec3::new(1.1, 0.0, 0.0), direction: DVec3::NEG_Z };
-
-/// The real and the imaginary part of its root.
-fn complex_root() -> DVec2 {
-    let (a, b, _) = SPHERE.coefficients(&PASSING_RAY);
-    DVec2::new(-b, (-discriminant(&SPHERE, &PASSING_RAY)).sqrt()) / (2.0 * a)
 }
 
 /// The direction from the surface y = 0 to a light that is low behind it.
