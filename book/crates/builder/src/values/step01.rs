@@ -15,7 +15,6 @@ pub const VALUES: &Values = &[
     ("step01-row-v6", || Number(row(7).direction(6.0).x)),
     ("step01-row-middle-angle", || Fixed(1, angle_between(2.0, 3.0))),
     ("step01-row-edge-angle", || Fixed(1, angle_between(0.0, 1.0))),
-    ("step01-row-short-angle", || Fixed(1, angle_between(0.0, 6.0 * 6.0 / 7.0))),
     ("step01-step", || Fixed(6, camera().matrix.x_axis.x)),
     ("step01-down", || Fixed(6, camera().matrix.y_axis.y)),
     ("step01-pixel-x", || Number(pixel_ray(PIXEL).direction.x)),
