@@ -1,16 +1,17 @@
 use crate::files::{CHAPTERS, resolve_path};
 use crate::{Sources, numbers};
-use course::Place;
+use course::{Place, Step};
 use figures::escape;
 use std::fs;
 use std::ops::Range;
+use std::path::Path;
 use std::sync::LazyLock;
 
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
 /// The listing for `{{#include path}}` or a part of a file, such as
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
-/// caption that says which file it is from; what it goes after, the chapter says.
+/// caption that says which file it is from, and whether a part begins it or goes on at its end.
 ///
 /// A path is relative to the chapters; what is in `book/reader` is of the reader's own
 /// folder. The first listing of a file on a page has an
@@ -35,11 +36,17 @@ pub fn html(
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
     let (first, last) = (range.start + 1, range.end);
-    let is_whole = range.len() == lines.len();
-    let part = if is_whole { "" } else { r#" <span class="part">a part</span>"# };
+    let part = match (range.start, range.len() == lines.len()) {
+        (_, true) => "",
+        (0, _) => r#" <span class="part">its beginning</span>"#,
+        _ => r#" <span class="part">add below</span>"#,
+    };
     let code = lines[range].join("\n");
-    let attributes = format!("data-lines=\"{first}-{last}\"{}", places_attribute(path, &code));
-    Ok(figure_markdown(path, &attributes, part, language, &code, ids))
+    let old = file_of_step_before(path, &sources.workspace);
+    let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
+    let places = places_attribute(path, &code);
+    let attributes = format!("data-lines=\"{first}-{last}\"{places}");
+    Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
 }
 
 /// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/own_scene.rs}}`:
@@ -50,7 +57,31 @@ pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String,
     let code = numbers::default_text_of_number(number_name)?;
     let lines = code.lines().count();
     let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
-    Ok(figure_markdown(path, &attributes, "", "rust", code, ids))
+    Ok(figure_markdown(path, &attributes, "", "", ("rust", code), ids))
+}
+
+/// The text of the file of the same name in the last step before that has one.
+fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
+    let step = Step::from_path(path)?;
+    let file = path.split_once(step.name())?.1;
+    let mut before = Step::ALL.into_iter().rev().filter(|before| *before < step);
+    before.find_map(|step| {
+        fs::read_to_string(workspace.join(format!("steps/{}{file}", step.name()))).ok()
+    })
+}
+
+/// The style that paints a bar beside each line which the `old` text doesn't have; None where
+/// those are more than half of all.
+fn changed_lines_style(code: &str, old: &str) -> Option<String> {
+    let is_new = |line: &str| !old.lines().any(|known| known == line);
+    let new: Vec<_> = code.lines().enumerate().filter(|(_, line)| is_new(line)).collect();
+    let bars = new.iter().map(|(k, _)| {
+        format!(
+            "linear-gradient(var(--accent), var(--accent)) 0 calc({k} * 1lh) / 3px 1lh no-repeat"
+        )
+    });
+    let bars = bars.collect::<Vec<_>>().join(", ");
+    (2 * new.len() <= code.lines().count()).then(|| format!("; --changed: {bars}"))
 }
 
 /// The attribute that says where a reader may edit the code: for each place its name, and its
@@ -74,13 +105,14 @@ fn places_attribute(path: &str, code: &str) -> String {
     }
 }
 
-/// Code from the file `path` under its caption; `part` says which of it.
+/// Code, after its language, from the file `path` under its caption; `part` says which of it, and
+/// the style `changed` marks lines.
 fn figure_markdown(
     path: &str,
     attributes: &str,
     part: &str,
-    language: &str,
-    code: &str,
+    changed: &str,
+    (language, code): (&str, &str),
     ids: &mut Vec<String>,
 ) -> String {
     let short_path = path.strip_prefix("steps/").unwrap_or(path);
@@ -93,7 +125,7 @@ fn figure_markdown(
     let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(3.max(ticks + 1));
     format!(
-        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}\">\
+        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}{changed}\">\
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
          {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
         escape(path),
