@@ -43,8 +43,6 @@ pub enum Owner {
 pub struct Typed {
     /// The first step that has it.
     pub since: Step,
-    /// The file in which it is typed.
-    pub file: &'static str,
     /// The smallest and the largest number that somebody may have typed, wrong ones too.
     pub range: [i32; 2],
     /// The number of such numbers from one whole number to the next.
@@ -88,9 +86,18 @@ from_numbers! {
     Attenuation: |[a, b, c]| Attenuation { a, b, c }, |one| [one.a, one.b, one.c];
 }
 
-/// A row of the table, whose last entry is the place in the scene.
+/// The place of a number or three in the scene of one's own.
+macro_rules! place {
+    ($own:ident, $k:ident, Camera, $field:ident) => { $own.$field };
+    ($own:ident, $k:ident, Scene, $field:ident) => { $own.scene.$field };
+    ($own:ident, $k:ident, Object, mirror_part) => { $own.mirror_parts[$k] };
+    ($own:ident, $k:ident, Object, $($field:ident).+) => { $own.scene.objects[$k].$($field).+ };
+    ($own:ident, $k:ident, Light, $($field:ident).+) => { $own.scene.lights[$k].$($field).+ };
+}
+
+/// A row of the table, whose last entry is the field of its owner.
 macro_rules! quantity {
-    ($owner:ident, $name:literal, $typed:expr, $numbers:expr, |$own:ident, $k:pat_param| $place:expr) => {
+    ($owner:ident, $name:literal, $typed:expr, $numbers:expr, $($field:ident).+) => {
         Quantity {
             name: $name,
             owner: Owner::$owner,
@@ -98,86 +105,37 @@ macro_rules! quantity {
             numbers: &$numbers,
             ground_ranges: None,
             needs_mirrors: false,
-            get: |$own, $k| $place.to_numbers(),
-            set: |$own, $k, numbers| $place = FromNumbers::from_numbers(numbers),
+            get: |own, _k| place!(own, _k, $owner, $($field).+).to_numbers(),
+            set: |own, _k, numbers| {
+                place!(own, _k, $owner, $($field).+) = FromNumbers::from_numbers(numbers);
+            },
         }
     };
 }
 
 /// All quantities of a scene, those of one owner after each other.
 pub const QUANTITIES: &[Quantity] = &[
-    quantity!(Camera, "the field of view", None, [FIELD_OF_VIEW], |own, _| own.fov_degrees),
-    quantity!(Camera, "the position", None, POSITION_OF_CAMERA, |own, _| own.position),
-    quantity!(Camera, "the target", None, TARGET, |own, _| own.target),
-    quantity!(Camera, "the roll", None, [ROLL], |own, _| own.roll_degrees),
-    quantity!(Scene, "L_a", LAMP, rgb(RGB, 1.0), |own, _| own.scene.ambient_light),
+    quantity!(Camera, "the field of view", None, [FIELD_OF_VIEW], fov_degrees),
+    quantity!(Camera, "the position", None, POSITION_OF_CAMERA, position),
+    quantity!(Camera, "the target", None, TARGET, target),
+    quantity!(Camera, "the roll", None, [ROLL], roll_degrees),
+    quantity!(Scene, "L_a", LAMP, rgb(RGB, 1.0), ambient_light),
     Quantity {
         ground_ranges: Some(&[[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]]),
-        ..quantity!(
-            Object,
-            "the position",
-            typed(Step::Sphere, OBJECTS_FILE, [-50, 50], 100),
-            xyz(XYZ, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
-            |own, k| own.scene.objects[k].sphere.centre
-        )
+        ..quantity!(Object, "the position", CENTRE, xyz(XYZ, CENTRE_RANGES), sphere.centre)
     },
     Quantity {
         ground_ranges: Some(&[[10.0, 60.0]]),
-        ..quantity!(
-            Object,
-            "the radius",
-            typed(Step::Sphere, OBJECTS_FILE, [0, 60], 100),
-            [number("r", "radius", [0.05, 3.0], 100.0)],
-            |own, k| own.scene.objects[k].sphere.radius
-        )
+        ..quantity!(Object, "the radius", RADIUS, [RADIUS_NUMBER], sphere.radius)
     },
-    quantity!(
-        Object,
-        "R_s",
-        HIGHLIGHT,
-        [number("Rₛ", "mirrored", [0.0, 1.0], 100.0)],
-        |own, k| own.scene.objects[k].material.specular
-    ),
-    quantity!(
-        Object,
-        "n",
-        typed(Step::Phong, HIGHLIGHT_FILE, [0, 1000], 1),
-        [number("n", "shininess", [1.0, 300.0], 1.0)],
-        |own, k| own.scene.objects[k].material.shininess
-    ),
-    quantity!(
-        Object,
-        "the colour",
-        typed(Step::Nearest, OBJECTS_FILE, [0, 5], 100),
-        rgb(RGB, 1.0),
-        |own, k| own.scene.objects[k].material.matte
-    ),
-    Quantity {
-        needs_mirrors: true,
-        ..quantity!(Object, "k", None, [MIRROR_PART], |own, k| own.mirror_parts[k])
-    },
-    quantity!(
-        Light,
-        "the position",
-        typed(Step::Diffuse, LAMP_FILE, [-20, 20], 100),
-        xyz(XYZ, [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]]),
-        |own, k| own.scene.lights[k].point_light.position
-    ),
-    quantity!(Light, "L_d", LAMP, rgb(RGB, 2.0), |own, k| own.scene.lights[k].point_light.diffuse),
-    quantity!(
-        Light,
-        "L_s",
-        HIGHLIGHT,
-        rgb(["red in highlights", "green in highlights", "blue in highlights"], 2.0),
-        |own, k| own.scene.lights[k].specular
-    ),
-    quantity!(
-        Light,
-        "(a, b, c)",
-        typed(Step::Diffuse, LAMP_FILE, [0, 20], 1000),
-        FADING,
-        |own, k| own.scene.lights[k].point_light.attenuation
-    ),
+    quantity!(Object, "R_s", HIGHLIGHT, [REFLECTANCE], material.specular),
+    quantity!(Object, "n", typed(Step::Phong, [0, 1000], 1), [SHININESS], material.shininess),
+    quantity!(Object, "the colour", COLOUR, rgb(RGB, 1.0), material.matte),
+    Quantity { needs_mirrors: true, ..quantity!(Object, "k", None, [MIRROR_PART], mirror_part) },
+    quantity!(Light, "the position", LAMP_POSITION, xyz(XYZ, LAMP_RANGES), point_light.position),
+    quantity!(Light, "L_d", LAMP, rgb(RGB, 2.0), point_light.diffuse),
+    quantity!(Light, "L_s", HIGHLIGHT, rgb(RGB_OF_HIGHLIGHTS, 2.0), specular),
+    quantity!(Light, "(a, b, c)", FADING, FADING_NUMBERS, point_light.attenuation),
 ];
 
 const FIELD_OF_VIEW: Number =
@@ -189,8 +147,13 @@ const TARGET: [Number; 3] =
     xyz(["target sideways", "target upwards", "target backwards"], CAMERA_RANGES);
 const ROLL: Number = Number { unit: "°", ..number("", "roll", [-180.0, 180.0], 1.0) };
 const MIRROR_PART: Number = number("k", "mirror image", [0.0, 1.0], 100.0);
+const REFLECTANCE: Number = number("Rₛ", "mirrored", [0.0, 1.0], 100.0);
+const SHININESS: Number = number("n", "shininess", [1.0, 300.0], 1.0);
+const RADIUS_NUMBER: Number = number("r", "radius", [0.05, 3.0], 100.0);
+const CENTRE_RANGES: [[f64; 2]; 3] = [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]];
+const LAMP_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]];
 /// The first is above 0, so that a + bd + cd² is.
-const FADING: [Number; 3] = [
+const FADING_NUMBERS: [Number; 3] = [
     number("a", "constant fading", [0.1, 2.0], 100.0),
     number("b", "linear fading", [0.0, 1.0], 1000.0),
     number("c", "quadratic fading", [0.0, 1.0], 1000.0),
@@ -198,20 +161,19 @@ const FADING: [Number; 3] = [
 
 const XYZ: [&str; 3] = ["sideways", "upwards", "towards you"];
 const RGB: [&str; 3] = ["red", "green", "blue"];
+const RGB_OF_HIGHLIGHTS: [&str; 3] =
+    ["red in highlights", "green in highlights", "blue in highlights"];
 
-const OBJECTS_FILE: &str = "step03_nearest/objects.rs";
-const LAMP_FILE: &str = "step04_diffuse/scene.rs";
-const HIGHLIGHT_FILE: &str = "step05_phong/scene.rs";
-const LAMP: Option<Typed> = typed(Step::Diffuse, LAMP_FILE, [0, 5], 100);
-const HIGHLIGHT: Option<Typed> = typed(Step::Phong, HIGHLIGHT_FILE, [0, 5], 100);
+const CENTRE: Option<Typed> = typed(Step::Sphere, [-50, 50], 100);
+const RADIUS: Option<Typed> = typed(Step::Sphere, [0, 60], 100);
+const COLOUR: Option<Typed> = typed(Step::Nearest, [0, 5], 100);
+const LAMP_POSITION: Option<Typed> = typed(Step::Diffuse, [-20, 20], 100);
+const LAMP: Option<Typed> = typed(Step::Diffuse, [0, 5], 100);
+const FADING: Option<Typed> = typed(Step::Diffuse, [0, 20], 1000);
+const HIGHLIGHT: Option<Typed> = typed(Step::Phong, [0, 5], 100);
 
-const fn typed(
-    since: Step,
-    file: &'static str,
-    range: [i32; 2],
-    steps_per_unit: i32,
-) -> Option<Typed> {
-    Some(Typed { since, file, range, steps_per_unit })
+const fn typed(since: Step, range: [i32; 2], steps_per_unit: i32) -> Option<Typed> {
+    Some(Typed { since, range, steps_per_unit })
 }
 
 const fn number(

@@ -33,30 +33,26 @@ impl Drawing {
 
     /// A line through all `points`.
     pub fn path(&mut self, class: &str, points: &[DVec2]) {
-        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, svg_path_commands(points));
+        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, commands(points));
     }
 
     /// The area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: &[DVec2]) {
-        self.body +=
-            &format!(r#"<path class="{class} area" d="{}Z"></path>"#, svg_path_commands(points));
+        self.body += &format!(r#"<path class="{class} area" d="{}Z"></path>"#, commands(points));
     }
 
     /// A rectangle, from its middle to its upper right corner.
     pub fn rectangle(&mut self, class: &str, middle: DVec2, half_diagonal: DVec2) {
         let flip = dvec2(half_diagonal.x, -half_diagonal.y);
-        self.area(
-            class,
-            &[-half_diagonal, flip, half_diagonal, -flip].map(|corner| middle + corner),
-        );
+        let corners = [-half_diagonal, flip, half_diagonal, -flip];
+        self.area(class, &corners.map(|corner| middle + corner));
     }
 
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
-        let (x, y) = (centre.x, centre.y);
-        self.body += &format!(
-            r#"<circle class="{class}" cx="{x:.2}" cy="{y:.2}" r="{radius:.2}"></circle>"#
-        );
+        let DVec2 { x, y } = centre;
+        let place = format!(r#"cx="{x:.2}" cy="{y:.2}" r="{radius:.2}""#);
+        self.body += &format!(r#"<circle class="{class}" {place}></circle>"#);
     }
 
     /// A small filled circle, which marks a point.
@@ -66,7 +62,7 @@ impl Drawing {
 
     /// A pixel as a disc in its own colour.
     pub fn pixel(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
-        let (x, y) = (centre.x, centre.y);
+        let DVec2 { x, y } = centre;
         self.body += &format!(
             r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
         );
@@ -74,18 +70,11 @@ impl Drawing {
 
     /// An arc about `centre` from one angle to another, in radians from the x axis,
     /// upwards.
-    pub fn arc(
-        &mut self,
-        class: &str,
-        centre: DVec2,
-        radius: f64,
-        [start_radians, end_radians]: [f64; 2],
-    ) {
-        let angle = |k: i32| start_radians + (end_radians - start_radians) * f64::from(k) / 24.0;
+    pub fn arc(&mut self, class: &str, centre: DVec2, radius: f64, [start, end]: [f64; 2]) {
+        let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };
-        let points: Vec<_> =
-            (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))).collect();
-        self.path(class, &points);
+        let points = (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k))));
+        self.path(class, &points.collect::<Vec<_>>());
     }
 
     /// A text with its middle at a point, with symbols between dollar signs: `$V_0$`
@@ -105,20 +94,12 @@ impl Drawing {
     }
 
     fn text(&mut self, class: &str, place: DVec2, anchor: &str, text: &str) {
-        let spans: String = text
-            .split('$')
-            .enumerate()
-            .map(|(k, part)| if k % 2 == 0 { escape(part) } else { symbol_spans(part) })
-            .collect();
-        let (x, y) = (place.x, place.y);
+        let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
+        let spans: String = parts.map(|(part, spans)| spans(part)).collect();
+        let DVec2 { x, y } = place;
         self.body += &format!(
             r#"<text class="{class}" x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{spans}</text>"#
         );
-    }
-
-    /// The width and the height.
-    pub fn width_and_height(&self) -> [f64; 2] {
-        self.size.to_array()
     }
 
     /// The elements, as the children of an element of SVG.
@@ -126,20 +107,18 @@ impl Drawing {
         &self.body
     }
 
-    /// The drawing as an element of HTML, with a `title` for those who can't see
-    /// it.
+    /// The drawing as an element of HTML, with a `title` for those who can't see it.
     pub fn html(&self, title: &str) -> String {
-        let (width, height) = (self.size.x, self.size.y);
+        let Self { size: DVec2 { x, y }, body } = self;
+        let title = escape(title);
         format!(
-            r#"<svg role="img" viewBox="0 0 {width} {height}" width="{width}" height="{height}"><title>{}</title><g>{}</g></svg>"#,
-            escape(title),
-            self.body
+            r#"<svg role="img" viewBox="0 0 {x} {y}" width="{x}" height="{y}"><title>{title}</title><g>{body}</g></svg>"#
         )
     }
 }
 
 /// The commands of a path through `points`.
-fn svg_path_commands(points: &[DVec2]) -> String {
+fn commands(points: &[DVec2]) -> String {
     let pair = |point: &DVec2| format!("{:.2} {:.2}", point.x, point.y);
     format!("M{}", points.iter().map(pair).collect::<Vec<_>>().join("L"))
 }

@@ -60,10 +60,8 @@ impl Figure {
     /// there.
     pub fn drag_handle(&self, values: &[f64], handle: &Handle, place: DVec2) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
-        let coordinates = (handle.coordinates_at)(values, place).to_array();
-        for (index, value) in handle.parameters.into_iter().zip(coordinates) {
-            new[index] = value;
-        }
+        let [first, second] = handle.parameters;
+        [new[first], new[second]] = (handle.coordinates_at)(values, place).to_array();
         self.snap_if_allowed(&new)
     }
 
@@ -76,7 +74,7 @@ impl Figure {
             new[index] += steps / self.parameters[index].steps_per_unit;
         }
         // As by dragging, it stays inside the picture.
-        self.drag_handle(&new, handle, handle.place(&new)?)
+        self.drag_handle(&new, handle, (handle.locate)(&new)?)
     }
 
     /// The allowed values that are nearest to these; None if there is nothing to draw.

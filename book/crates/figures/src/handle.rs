@@ -21,7 +21,7 @@ pub struct Handle {
 type Locate = dyn Fn(&[f64]) -> Option<DVec2> + Send + Sync;
 type CoordinatesAt = dyn Fn(&[f64], DVec2) -> DVec2 + Send + Sync;
 
-/// The mark of a handle.
+/// The mark of a handle; a reply has its name in small letters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A ring, which moves a part of the output.
@@ -30,17 +30,6 @@ pub enum Mark {
     Light,
     /// A cross at the pixel whose trace is told; it moves nothing.
     Probe,
-}
-
-impl Mark {
-    /// The name of the mark in a reply.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Point => "point",
-            Self::Light => "light",
-            Self::Probe => "probe",
-        }
-    }
 }
 
 impl Handle {
@@ -54,15 +43,5 @@ impl Handle {
             locate: Box::new(move |values| Some(view.to_drawing(DVec2::from_slice(&values[x..])))),
             coordinates_at: Box::new(move |_, place| view.to_world(place)),
         }
-    }
-
-    /// The same handle with another mark.
-    pub fn with_mark(self, mark: Mark) -> Self {
-        Self { mark, ..self }
-    }
-
-    /// The place at these values of all parameters.
-    pub fn place(&self, values: &[f64]) -> Option<DVec2> {
-        (self.locate)(values)
     }
 }

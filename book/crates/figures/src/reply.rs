@@ -85,7 +85,7 @@ fn handles_and_defaults_reply(figure: &Figure) -> Reply {
         json::object([
             ("words", json::quote(&handle.words)),
             ("parameters", json::list(handle.parameters)),
-            ("mark", json::quote(handle.mark.name())),
+            ("mark", json::quote(&format!("{:?}", handle.mark).to_lowercase())),
             ("min", min.to_string()),
             ("max", max.to_string()),
             ("group", json::quote(figure.parameters[first].group)),
@@ -125,7 +125,7 @@ fn text_fields(figure: &Figure, values: &[f64]) -> Vec<(&'static str, String)> {
     let visible = pairs.map(|(p, _)| p.has_control(values));
     let places = figure.handles.iter().map(|handle| {
         let rounded = |x: f64| (100.0 * x).round() / 100.0;
-        let place = handle.place(values);
+        let place = (handle.locate)(values);
         place.map_or("null".into(), |place| json::list(place.to_array().map(rounded)))
     });
     let numbers = (figure.numbers)(values);

@@ -25,7 +25,7 @@ fn dragged_handle_of_a_picture_is_near_the_pointer() {
     for figure in FIGURES.iter().filter(|figure| figure.name.starts_with("step")) {
         for handle in &figure.handles {
             let values = figure.drag_handle(&figure.default_values(), handle, pointer);
-            let place = handle.place(&values.expect("allowed values")).expect("a place");
+            let place = (handle.locate)(&values.expect("allowed values")).expect("a place");
             assert!(place.distance(pointer) < 20.0, "{}: {}", figure.name, handle.words);
         }
     }
@@ -39,7 +39,7 @@ fn light_that_is_moved_by_keys_stays_inside_the_picture() {
     for _ in 0..100 {
         values = figure.step_handle(&values, warm, dvec2(1.0, 0.0)).expect("allowed values");
     }
-    let place = warm.place(&values).expect("a place");
+    let place = (warm.locate)(&values).expect("a place");
     assert_eq!(place, place.clamp(DVec2::ZERO, dvec2(640.0, 360.0)));
 }
 
@@ -49,7 +49,7 @@ fn light_behind_the_eye_has_no_place() {
     let (warm, mut values) = (&figure.handles[1], figure.default_values());
     for (z, has_place) in [(-2.0, true), (0.0, false), (2.0, false)] {
         values[3..6].copy_from_slice(&[0.0, 0.5, z]);
-        assert_eq!(warm.place(&values).is_some(), has_place, "z = {z}");
+        assert_eq!((warm.locate)(&values).is_some(), has_place, "z = {z}");
         let new = figure.step_handle(&values, warm, dvec2(1.0, 0.0));
         assert_eq!(new.is_some(), has_place, "z = {z}");
     }
@@ -79,9 +79,9 @@ fn dragged_sphere_of_the_own_scene_is_at_the_pointer_of_any_camera() {
         &[("camera position backwards", -20.0), ("camera target upwards", 1.0)],
     ] {
         let (figure, values, handle) = own_scene_with(camera);
-        let pointer = handle.place(&values).expect("a place") + dvec2(20.0, -30.0);
+        let pointer = (handle.locate)(&values).expect("a place") + dvec2(20.0, -30.0);
         let new = figure.drag_handle(&values, handle, pointer).expect("values");
-        let place = handle.place(&new).expect("a place");
+        let place = (handle.locate)(&new).expect("a place");
         assert!(place.distance(pointer) < 1.0, "{camera:?}: {place}");
         let z = handle.parameters[1] + 1;
         assert_eq!(values[z], new[z], "{camera:?}");
@@ -93,7 +93,7 @@ fn dragged_sphere_stays_where_its_plane_is_edge_on() {
     let (side, depth) = (("camera position sideways", 6.0), -7.4);
     let camera = [side, ("camera position backwards", depth), ("camera target backwards", depth)];
     let (figure, values, handle) = own_scene_with(&camera);
-    assert!(handle.place(&values).is_some());
+    assert!((handle.locate)(&values).is_some());
     assert_eq!(figure.drag_handle(&values, handle, dvec2(300.0, 100.0)), Some(values));
 }
 
@@ -101,7 +101,7 @@ fn dragged_sphere_stays_where_its_plane_is_edge_on() {
 fn eye_in_a_ball_of_the_flat_world_is_not_allowed() {
     let figure = find_figure("flat-world");
     let (values, eye) = (figure.default_values(), &figure.handles[0]);
-    let place = eye.place(&values).expect("a place");
+    let place = (eye.locate)(&values).expect("a place");
     assert_eq!(figure.drag_handle(&values, eye, place), Some(values.clone()));
     assert_eq!(figure.drag_handle(&values, eye, place + dvec2(190.0, 40.0)), None);
 }
@@ -137,7 +137,7 @@ fn material_controls_are_those_of_the_sphere_at_the_probe() {
 fn angle_of_the_drawn_light_is_that_of_the_caption() {
     let figure = find_figure("phong-vectors");
     for turn in [-30.0, 0.0, 25.0, 70.0] {
-        let place = figure.handles[0].place(&[turn]).expect("a place");
+        let place = (figure.handles[0].locate)(&[turn]).expect("a place");
         let angle = figures::degrees_left_of_up(dvec2(240.0, 240.0), place);
         let number = parse_number(figure, &[turn], "angle")[0];
         assert!((angle.abs() - number).abs() < 0.1, "{angle}, {number}");

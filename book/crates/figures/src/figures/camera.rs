@@ -1,9 +1,9 @@
 use super::view_pyramid::{draw_steps, draw_view_pyramid};
-use crate::aspect_ratio::{aspect_ratio, aspect_ratio_parameter, camera};
+use crate::aspect_ratio::{aspect_ratio_parameter, camera};
 use crate::output::collect_numbers;
 use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, format_number, format_vector,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, format_number, format_vector,
 };
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};
@@ -25,10 +25,9 @@ impl CameraFigure {
     /// perspective. A wide view is drawn smaller.
     fn project(&self, point: DVec3) -> DVec2 {
         let tan = -self.camera.matrix.z_axis.x;
-        let scale = 250.0 * (0.5774 / tan).min(1.0);
-        let DVec3 { x, y, .. } =
-            DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72) * point;
-        dvec2(82.0, 216.0) + scale * dvec2(x, -y)
+        let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
+        let scale = DVec2::splat(250.0 * (0.5774 / tan).min(1.0));
+        View { origin: dvec2(82.0, 216.0), scale }.to_drawing((turn * point).truncate())
     }
 
     /// The pixel at a place on the image plane.
@@ -64,26 +63,21 @@ impl Interactive for CameraFigure {
     }
 
     fn from_values(values: &[f64]) -> Self {
-        let [field_of_view, choice, columns, i, j] = array(values);
-        let camera = camera(field_of_view, aspect_ratio(choice), columns);
-        let pixel = nearest_pixel(&camera, dvec2(i, j));
-        Self { camera, pixel }
+        let [degrees, choice, columns, i, j] = array(values);
+        let camera = camera(degrees, choice, columns);
+        Self { camera, pixel: nearest_pixel(&camera, dvec2(i, j)) }
     }
 
     fn handles() -> Vec<Handle> {
-        let handle = Self::handle(
-            "the pixel of the ray",
-            [3, 4],
-            |figure| Some(figure.project(figure.ray().at(1.0))),
-            Self::pixel_at,
-        );
+        let locate = |figure: &Self| Some(figure.project(figure.ray().at(1.0)));
+        let handle = Self::handle("the pixel of the ray", [3, 4], locate, Self::pixel_at);
         vec![Handle { is_down: true, ..handle }]
     }
 
     fn draw(&self) -> Output {
         let Self { camera, pixel } = self;
         let project = |point: DVec3| self.project(point);
-        let c = project(camera.centre);
+        let c = project(DVec3::ZERO);
         let mut drawing = Drawing::new(480.0, 310.0);
         draw_view_pyramid(&mut drawing, camera, project);
         draw_steps(&mut drawing, camera, *pixel, project);
@@ -104,7 +98,7 @@ impl Interactive for CameraFigure {
             drawing.arrow("axis", corner, corner + arrow);
             drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
         }
-        drawing.into()
+        Output::Drawing(drawing)
     }
 
     fn numbers(&self) -> Numbers {

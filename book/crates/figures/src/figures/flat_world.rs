@@ -6,9 +6,6 @@ use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
-/// The largest x and y of what is dragged; the smallest is 0.4 each.
-const LARGEST: DVec2 = dvec2(9.6, 5.6);
-
 /// The number of mirrors that a ray may meet.
 const DEPTH: usize = 2;
 
@@ -47,11 +44,8 @@ impl FlatWorld {
     fn trace(&self) -> (Vec<Hit<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..=DEPTH {
-            let hit = nearest(&self.balls, &ray);
-            let point = visible_point(&self.balls, &ray);
-            let Some((hit, point)) = hit.zip(point) else {
-                return (hits, Some(ray));
-            };
+            let hit = nearest(&self.balls, &ray).zip(visible_point(&self.balls, &ray));
+            let Some((hit, point)) = hit else { return (hits, Some(ray)) };
             let start = point.p + OFFSET * point.n;
             let is_hidden = hidden(&self.balls, &point, self.q, OFFSET);
             let to_light = Ray { start, direction: self.q - start };
@@ -59,19 +53,6 @@ impl FlatWorld {
             ray = Ray { start, direction: reflect(point.n, -ray.direction) };
         }
         (hits, None)
-    }
-
-    /// The sentence about what the ray meets.
-    fn path_words(&self) -> String {
-        let (hits, leaving) = self.trace();
-        let words = hits.iter().map(|hit| {
-            let ball = hit.point.material;
-            let t = format_fixed(hit.t, 2);
-            let place = if hit.is_hidden { "in shadow" } else { "in the light" };
-            format!("ball {ball} at t = {t}, {place}")
-        });
-        let words = words.chain(leaving.map(|_| "nothing".into()));
-        words.collect::<Vec<_>>().join("; then ")
     }
 }
 
@@ -83,41 +64,37 @@ impl Interactive for FlatWorld {
                   <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        let ranges = LARGEST.to_array().map(|largest| [0.4, largest]);
-        let parameters = HANDLES.iter().flat_map(|(.., place)| {
-            let pairs = place.iter().zip(ranges);
-            pairs.map(|(x, range)| Parameter::coordinate(*x, range, 20.0))
+        let parameters = HANDLES.iter().flat_map(|(.., [x, y])| {
+            let ranges = [(*x, [0.4, 9.6]), (*y, [0.4, 5.6])];
+            ranges.map(|(default, range)| Parameter::coordinate(default, range, 20.0))
         });
         parameters.collect()
     }
 
     fn from_values(values: &[f64]) -> Self {
-        let points = values.chunks_exact(2).map(DVec2::from_slice);
-        let points: Vec<_> = points.map(|point| point.extend(0.0)).collect();
-        let spheres = points[3..].iter().zip(RADII);
-        let spheres = spheres.map(|(&centre, radius)| Sphere { centre, radius });
-        let balls =
-            spheres.zip(1..).map(|(sphere, material)| Object { name: "ball", sphere, material });
+        let points = values.chunks_exact(2).map(|point| DVec2::from_slice(point).extend(0.0));
+        let points: Vec<_> = points.collect();
+        let balls = points[3..].iter().zip(RADII).zip(1..).map(|((&centre, radius), material)| {
+            let sphere = Sphere { centre, radius };
+            Object { name: "ball", sphere, material }
+        });
         let ray = Ray { start: points[0], direction: points[1] - points[0] };
         Self { ray, q: points[2], balls: balls.collect() }
     }
 
     fn handles() -> Vec<Handle> {
-        HANDLES
+        let handles = HANDLES
             .iter()
-            .enumerate()
-            .map(|(k, (words, mark, _))| Handle::of_point(words, 2 * k, VIEW).with_mark(*mark))
-            .collect()
+            .zip(0..)
+            .map(|(&(words, mark, _), k)| Handle { mark, ..Handle::of_point(words, 2 * k, VIEW) });
+        handles.collect()
     }
 
     /// Whether the eye is outside of the balls, and V long enough to be seen.
     fn is_allowed(&self) -> bool {
         let Ray { start, direction } = self.ray;
-        let is_outside = |ball: &Object<usize>| {
-            let Sphere { centre, radius } = ball.sphere;
-            radius < centre.distance(start)
-        };
-        0.3 < direction.length() && self.balls.iter().all(is_outside)
+        let is_outside = |sphere: Sphere| sphere.radius < sphere.centre.distance(start);
+        0.3 < direction.length() && self.balls.iter().all(|ball| is_outside(ball.sphere))
     }
 
     fn draw(&self) -> Output {
@@ -126,8 +103,8 @@ impl Interactive for FlatWorld {
         let (hits, leaving) = self.trace();
         for Object { sphere, material, .. } in &self.balls {
             let is_seen = hits.iter().any(|hit| hit.point.material == material);
-            let class = if is_seen { "object seen" } else { "object" };
             let centre = place(sphere.centre);
+            let class = if is_seen { "object seen" } else { "object" };
             drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
             // Beside the handle.
             drawing.label("over", centre + dvec2(21.0, 5.0), &material.to_string());
@@ -140,8 +117,7 @@ impl Interactive for FlatWorld {
         for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
             let class = if *is_hidden { "guide" } else { "light" };
             drawing.line(class, place(*p), place(self.q));
-            let blocking = nearest(&self.balls, to_light).filter(|_| *is_hidden);
-            if let Some(blocking) = blocking {
+            if *is_hidden && let Some(blocking) = nearest(&self.balls, to_light) {
                 drawing.dot("behind", place(to_light.at(blocking.t)));
             }
             drawing.arrow("normal", place(*p), place(p + 0.7 * n));
@@ -152,19 +128,25 @@ impl Interactive for FlatWorld {
         drawing.dot("eye", s);
         drawing.circle("light head", q, 7.0);
         let above = dvec2(0.0, -19.0);
-        let mut labels = vec![(s + above, "$S$"), (v + above, "$V$"), (q + above, "$q$")];
+        for (place, text) in [(s, "$S$"), (v, "$V$"), (q, "$q$")] {
+            drawing.label("strong over", place + above, text);
+        }
         if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
-            let [inside, outside] = [-0.4, 0.95].map(|length| place(p + length * n));
-            let down = dvec2(0.0, 5.0);
-            labels.extend([(inside + down, "$p$"), (outside + down, "$n$")]);
+            for (text, length) in [("$p$", -0.4), ("$n$", 0.95)] {
+                drawing.label("strong over", place(p + length * n) + dvec2(0.0, 5.0), text);
+            }
         }
-        for (place, text) in labels {
-            drawing.label("strong over", place, text);
-        }
-        drawing.into()
+        Output::Drawing(drawing)
     }
 
+    /// The sentence about what the ray meets.
     fn numbers(&self) -> Numbers {
-        collect_numbers([("path", self.path_words())])
+        let (hits, leaving) = self.trace();
+        let words = hits.iter().map(|Hit { t, point, is_hidden, .. }| {
+            let place = if *is_hidden { "in shadow" } else { "in the light" };
+            format!("ball {} at t = {}, {place}", point.material, format_fixed(*t, 2))
+        });
+        let words = words.chain(leaving.map(|_| "nothing".into()));
+        collect_numbers([("path", words.collect::<Vec<_>>().join("; then "))])
     }
 }

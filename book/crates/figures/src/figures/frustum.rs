@@ -13,10 +13,11 @@ fn place(point: DVec3) -> DVec2 {
 }
 
 /// The three balls: near, in the middle and far away.
-fn spheres() -> [Sphere; 3] {
-    [[-0.19, 0.85, 0.12], [0.45, 2.35, 0.33], [-0.25, 4.72, 0.42]]
-        .map(|[height, depth, radius]| Sphere { centre: DVec3::new(0.0, height, -depth), radius })
-}
+const SPHERES: [Sphere; 3] = [
+    Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
+    Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },
+    Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 },
+];
 
 /// The rays along the upper and the lower side of the view.
 fn sides() -> [Ray; 2] {
@@ -60,34 +61,26 @@ impl Interactive for Frustum {
     }
 
     fn handles() -> Vec<Handle> {
-        [("the near plane", 0), ("the far plane", 1)]
-            .map(|(words, k)| {
-                Self::handle_of_one(
-                    words,
-                    k,
-                    move |figure| place(sides()[1].at(figure.planes[k])),
-                    |_, place| VIEW.to_world(place).x,
-                )
-            })
-            .into()
+        let handle = |words, k: usize| {
+            let locate = move |figure: &Self| place(sides()[1].at(figure.planes[k]));
+            Self::handle_of_one(words, k, locate, |_, place| VIEW.to_world(place).x)
+        };
+        vec![handle("the near plane", 0), handle("the far plane", 1)]
     }
 
     fn draw(&self) -> Output {
         let (planes, sides) = (self.planes, sides());
         let mut drawing = Drawing::new(480.0, 292.0);
-        let [[upper_near, lower_near], [upper_far, lower_far]] =
-            planes.map(|t| sides.map(|ray| place(ray.at(t))));
-        drawing.area("plane", &[upper_near, upper_far, lower_far, lower_near]);
+        let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
+        drawing.area("plane", &[near[0], far[0], far[1], near[1]]);
         for ray in sides {
             drawing.line("guide", place(ray.start), place(ray.at(5.4)));
         }
-        for (name, upper, lower) in
-            [("near plane", upper_near, lower_near), ("far plane", upper_far, lower_far)]
-        {
+        for (name, [upper, lower]) in [("near plane", near), ("far plane", far)] {
             drawing.line("ground", upper, lower);
             drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
         }
-        for sphere in spheres() {
+        for sphere in SPHERES {
             let part = part_between(&sphere, planes);
             let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
             let class = if part == "cut away" { "behind" } else { "object" };
@@ -103,6 +96,6 @@ impl Interactive for Frustum {
         }
         drawing.dot("eye", VIEW.origin);
         drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
-        drawing.into()
+        Output::Drawing(drawing)
     }
 }

@@ -18,23 +18,15 @@ impl Interactive for HitsAlongARay {
                   <span class='move'>Drag another sphere in front.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]]
-            .into_iter()
-            .flat_map(|[x, y]| {
-                [
-                    Parameter::coordinate(x, [-2.2, 6.2], 20.0),
-                    Parameter::coordinate(y, [-1.0, 1.0], 20.0),
-                ]
-            })
-            .collect()
+        let x = |default| Parameter::coordinate(default, [-2.2, 6.2], 20.0);
+        let y = |default| Parameter::coordinate(default, [-1.0, 1.0], 20.0);
+        vec![x(5.3), y(0.35), x(-1.5), y(0.2), x(2.4), y(-0.3)]
     }
 
     fn from_values(values: &[f64]) -> Self {
-        let centres = values.chunks_exact(2).map(DVec2::from_slice);
-        let spheres = centres.zip([1.0, 0.7, 0.8]).enumerate();
-        let objects = spheres.map(|(k, (centre, radius))| {
-            let sphere = Sphere { centre: centre.extend(0.0), radius };
-            Object { name: "sphere", sphere, material: k }
+        let centres = values.chunks_exact(2).map(|centre| DVec2::from_slice(centre).extend(0.0));
+        let objects = centres.zip([1.0, 0.7, 0.8]).zip(0..).map(|((centre, radius), material)| {
+            Object { name: "sphere", sphere: Sphere { centre, radius }, material }
         });
         Self { objects: objects.collect() }
     }
@@ -57,16 +49,15 @@ impl Interactive for HitsAlongARay {
             let centre = VIEW.to_drawing(sphere.centre.truncate());
             let radius = VIEW.scale.x * sphere.radius;
             drawing.circle(class, centre, radius);
-            let above = centre - dvec2(0.0, radius + 9.0);
-            let label = above.max(dvec2(0.0, 14.0));
+            let label = (centre - dvec2(0.0, radius + 9.0)).max(dvec2(0.0, 14.0));
             drawing.label("quiet", label, &format!("$k$ = {k}"));
         }
         drawing.line("guide", place(-2.7), place(0.0));
         drawing.arrow("ray", place(0.0), place(7.2));
         drawing.dot("eye", place(0.0));
         drawing.label("strong", place(0.0) + dvec2(0.0, -12.0), "$S$");
-        let mut roots: Vec<f64> =
-            objects.iter().flat_map(|o| o.sphere.intersect(&ray).iter()).collect();
+        let roots = objects.iter().flat_map(|object| object.sphere.intersect(&ray).iter());
+        let mut roots: Vec<f64> = roots.collect();
         roots.sort_by(f64::total_cmp);
         // A label that would lie on another goes below; "t =" is the first.
         let mut label_xs = vec![place(0.0).x];
@@ -76,18 +67,18 @@ impl Interactive for HitsAlongARay {
                 _ if t < 0.0 => "behind",
                 _ => "ray",
             };
-            let DVec2 { x, y } = place(t);
-            drawing.dot(class, dvec2(x, y));
-            drawing.line("leader", dvec2(x, y + 8.0), dvec2(x, 172.0));
+            let root = place(t);
+            drawing.dot(class, root);
+            drawing.line("leader", root + dvec2(0.0, 8.0), root.with_y(172.0));
             let class = if class == "hit" { "hit" } else { "quiet" };
-            let has_room = label_xs.iter().all(|label_x| 27.0 <= (x - label_x).abs());
-            let y = if has_room { 190.0 } else { 206.0 };
-            if has_room {
-                label_xs.push(x);
+            let mut y = 206.0;
+            if label_xs.iter().all(|x| 27.0 <= (root.x - x).abs()) {
+                label_xs.push(root.x);
+                y = 190.0;
             }
-            drawing.label(class, dvec2(x, y), &format_fixed(t, 1));
+            drawing.label(class, root.with_y(y), &format_fixed(t, 1));
         }
-        drawing.label("", dvec2(place(0.0).x, 190.0), "$t$ =");
-        drawing.into()
+        drawing.label("", place(0.0).with_y(190.0), "$t$ =");
+        Output::Drawing(drawing)
     }
 }

@@ -1,8 +1,7 @@
 use crate::output::collect_numbers;
-use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, degrees_left_of_up, format_number,
-    format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, degrees_left_of_up,
+    format_number, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -12,21 +11,11 @@ use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 /// in the drawing.
 const LARGEST_ANGLE: f64 = 115.0;
 
-/// The place that the light on the right falls on.
-const GROUND: DVec2 = dvec2(352.0, 210.0);
+/// The map whose origin is the place that the light on the right falls on.
+const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
 
 /// The length of a beam.
 const LENGTH: f64 = 165.0;
-
-/// The labels of the cosine and of the strip that is lit.
-fn labels(degrees: f64, cosine: f64, share: f64) -> [String; 2] {
-    let strip = if 0.0005 <= share {
-        format!("strip × {}", format_rounded(1.0 / share, 2))
-    } else {
-        format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3))
-    };
-    [format!("$n$·$l$ = cos {degrees}° = {}", format_rounded(cosine, 3)), strip]
-}
 
 /// A beam of light that falls straight down, and one whose angle the reader sets.
 pub struct Lambert {
@@ -47,35 +36,27 @@ impl Interactive for Lambert {
     }
 
     fn from_values(values: &[f64]) -> Self {
-        let [degrees] = array(values);
-        Self { degrees }
+        Self { degrees: values[0] }
     }
 
     fn handles() -> Vec<Handle> {
-        vec![Self::handle_of_one(
-            "the light on the right",
-            0,
-            |figure| {
-                let l = direction_to_light(figure.degrees);
-                GROUND + LENGTH * dvec2(l.x, -l.y)
-            },
-            // To the right of n, the angle is 0 above the ground, and the largest below.
-            |_, place| match degrees_left_of_up(GROUND, place) {
-                ..-90.0 => LARGEST_ANGLE,
-                angle => angle.max(0.0),
-            },
-        )]
+        let locate = |figure: &Self| VIEW.to_drawing(LENGTH * direction_to_light(figure.degrees));
+        // To the right of n, the angle is 0 above the ground, and the largest below.
+        let angle_at = |_: &Self, place| match degrees_left_of_up(VIEW.origin, place) {
+            ..-90.0 => LARGEST_ANGLE,
+            angle => angle.max(0.0),
+        };
+        vec![Self::handle_of_one("the light on the right", 0, locate, angle_at)]
     }
 
     fn draw(&self) -> Output {
         let mut drawing = Drawing::new(480.0, 292.0);
-        for (x, degrees) in [(106.0, 0.0), (GROUND.x, self.degrees)] {
+        for (ground, degrees) in [(dvec2(106.0, 210.0), 0.0), (VIEW.origin, self.degrees)] {
             let angle = f64::to_radians(degrees);
-            let ground = dvec2(x, 210.0);
-            let l = dvec2(-angle.sin(), angle.cos());
+            let l = direction_to_light(degrees);
             let to_light = dvec2(l.x, -l.y);
             let share = brightness(l);
-            let cosine = DVec2::Y.dot(l);
+            let cosine = l.y;
             // The beam has one width; the strip it lights is wider by 1 / cos.
             let half = 26.0 / cosine;
             // A beam that is nearly level lights more ground than is drawn.
@@ -84,8 +65,7 @@ impl Interactive for Lambert {
             // Across the beam, at a right angle to it.
             let across = dvec2(-to_light.y, to_light.x);
             let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
-            let corners = [foot(-edge), foot(edge), start(edge), start(-edge)];
-            drawing.area("beam", &corners);
+            drawing.area("beam", &[foot(-edge), foot(edge), start(edge), start(-edge)]);
             for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
                 drawing.arrow("light", start(k * edge), foot(k * edge));
             }
@@ -102,27 +82,28 @@ impl Interactive for Lambert {
                 drawing.label_ending_at("", ground + dvec2(-30.0, -100.0), "$α$");
             }
             if 0.0 < angle && is_strip {
-                // The triangle whose leg is the beam's width and whose hypotenuse is
-                // the strip.
+                // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
                 let corner = foot(-1.0);
                 drawing.line("vector", corner, corner + 52.0 * across);
                 drawing.arc("angle", corner, 24.0, [0.0, angle]);
                 drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
-                let label = corner + 66.0 * across + dvec2(3.0, 3.0);
-                drawing.label("strong", label, "$w$");
+                drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
             } else if is_strip {
                 let top = start(0.0) + dvec2(0.0, 26.0);
                 drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
-                let label = top - 38.0 * across.abs() + dvec2(0.0, 5.0);
-                drawing.label("strong", label, "$w$");
+                drawing.label("strong", top - 38.0 * across.abs() + dvec2(0.0, 5.0), "$w$");
             }
-            let [cosine_label, strip_label] = labels(degrees, cosine, share);
             // A light from below needs the room below the ground.
             let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
-            drawing.label("", ground + shift, &cosine_label);
-            drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &strip_label);
+            let label = format!("$n$·$l$ = cos {degrees}° = {}", format_rounded(cosine, 3));
+            drawing.label("", ground + shift, &label);
+            let label = match share {
+                ..0.0005 => format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3)),
+                _ => format!("strip × {}", format_rounded(1.0 / share, 2)),
+            };
+            drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &label);
         }
-        drawing.into()
+        Output::Drawing(drawing)
     }
 
     fn numbers(&self) -> Numbers {
@@ -135,7 +116,8 @@ impl Interactive for Lambert {
 
 /// The direction to a light so many degrees to the left of n, which is up.
 fn direction_to_light(degrees: f64) -> DVec2 {
-    DVec2::from_angle(FRAC_PI_2 + degrees.to_radians())
+    let angle = degrees.to_radians();
+    dvec2(-angle.sin(), angle.cos())
 }
 
 /// The step's diffuse term of a white light in the direction `l`; n is up.

@@ -6,11 +6,6 @@ use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
-/// The unit vector r, right of n by the angle of the light, in degrees.
-fn reflection(light_angle: f64) -> DVec2 {
-    DVec2::from_angle((90.0 - light_angle).to_radians())
-}
-
 /// The lobes of several exponents, one of which the reader sets, and the light.
 pub struct Lobes {
     /// The n of the first lobe.
@@ -36,16 +31,14 @@ impl Interactive for Lobes {
 
     fn from_values(values: &[f64]) -> Self {
         let [n, light_angle] = array(values);
-        Self { n: n as i32, r: reflection(light_angle) }
+        // It is right of n by the angle of the light.
+        Self { n: n as i32, r: DVec2::from_angle((90.0 - light_angle).to_radians()) }
     }
 
     fn handles() -> Vec<Handle> {
-        vec![Self::handle_of_one(
-            "the light l",
-            1,
-            |Self { r, .. }| VIEW.to_drawing(0.85 * dvec2(-r.x, r.y)),
-            |_, place| degrees_left_of_up(VIEW.origin, place),
-        )]
+        let locate = |Self { r, .. }: &Self| VIEW.to_drawing(0.85 * dvec2(-r.x, r.y));
+        let angle_at = |_: &Self, place| degrees_left_of_up(VIEW.origin, place);
+        vec![Self::handle_of_one("the light l", 1, locate, angle_at)]
     }
 
     fn draw(&self) -> Output {
@@ -53,23 +46,25 @@ impl Interactive for Lobes {
         let mut drawing = Drawing::new(480.0, 300.0);
         drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
         for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
-            let lobe: Vec<DVec2> = (0..=180)
-                .map(|k| DVec2::from_angle(f64::from(k).to_radians()))
-                .map(|v| VIEW.to_drawing(highlight(r, v, n) * v))
-                .collect();
-            drawing.area(&format!("lobe lobe-{}", k + 1), &lobe);
+            let lobe = (0..=180).map(|k| {
+                let v = DVec2::from_angle(f64::from(k).to_radians());
+                VIEW.to_drawing(highlight(r, v, n) * v)
+            });
+            drawing.area(&format!("lobe lobe-{}", k + 1), &lobe.collect::<Vec<_>>());
         }
         let l = dvec2(-r.x, r.y);
         drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
-        drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
-        drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
-        drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
+        for (class, vector) in
+            [("light", 0.85 * l), ("normal", 0.85 * DVec2::Y), ("vector", 1.12 * r)]
+        {
+            drawing.arrow(class, VIEW.origin, VIEW.to_drawing(vector));
+        }
         drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
         drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
         drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
-        for (n, angle, y) in
-            [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)]
-        {
+        let labels =
+            [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)];
+        for (n, angle, y) in labels {
             // The leader ends beside r, on the side of the labels, and above the ground.
             let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
             let place = VIEW.to_drawing(highlight(r, v, n) * v);
@@ -78,9 +73,8 @@ impl Interactive for Lobes {
             drawing.label_starting_at("quiet", label, &n.to_string());
         }
         drawing.label_starting_at("quiet", dvec2(418.0, 90.0), "$n$ =");
-        let label = VIEW.origin + dvec2(-111.0, 22.0);
-        drawing.label("quiet", label, "one half");
-        drawing.into()
+        drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");
+        Output::Drawing(drawing)
     }
 }
 

@@ -1,5 +1,4 @@
 use crate::output::collect_numbers;
-use crate::parameter::array;
 use crate::{
     Drawing, Handle, Interactive, Numbers, Output, Parameter, View, camera, degrees_left_of_up,
     format_rounded,
@@ -30,12 +29,7 @@ impl PhongVectors {
         let tangent = (l - l.dot(n) * n).normalize_or_zero();
         let rotation = DVec2::from_angle(turn.to_radians());
         let DVec2 { x, y } = rotation.rotate(dvec2(l.dot(n), l.dot(tangent)));
-        let l = x * n + y * tangent;
-        Self { n, l, v: -ray.direction.normalize(), tangent }
-    }
-
-    fn r(&self) -> DVec3 {
-        reflect(self.n, self.l)
+        Self { n, l: x * n + y * tangent, v: -ray.direction.normalize(), tangent }
     }
 
     /// The angle between n and l, in degrees.
@@ -61,28 +55,23 @@ impl Interactive for PhongVectors {
     }
 
     fn from_values(values: &[f64]) -> Self {
-        let [turn] = array(values);
-        Self::with_turned_light(turn)
+        Self::with_turned_light(values[0])
     }
 
     fn handles() -> Vec<Handle> {
-        vec![Self::handle_of_one(
-            "the light l",
-            0,
-            |vectors| VIEW.to_drawing(vectors.project(vectors.l)),
-            |_, place| {
-                let angle_without_turn = Self::with_turned_light(0.0).angle();
-                degrees_left_of_up(VIEW.origin, place) - angle_without_turn
-            },
-        )]
+        let locate = |vectors: &Self| VIEW.to_drawing(vectors.project(vectors.l));
+        let turn_at = |_: &Self, place| {
+            degrees_left_of_up(VIEW.origin, place) - Self::with_turned_light(0.0).angle()
+        };
+        vec![Self::handle_of_one("the light l", 0, locate, turn_at)]
     }
 
     fn draw(&self) -> Output {
         let mut drawing = Drawing::new(480.0, 320.0);
         let p = VIEW.origin;
-        let radius = 300.0;
-        drawing.circle("object", p + dvec2(0.0, radius), radius);
-        let [n, l, r, v] = [self.n, self.l, self.r(), self.v].map(|vector| self.project(vector));
+        drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
+        let [n, l, r, v] =
+            [self.n, self.l, reflect(self.n, self.l), self.v].map(|vector| self.project(vector));
         drawing.arc("angle", p, 62.0, [n.to_angle(), n.to_angle() + n.angle_to(l)]);
         drawing.arc("angle", p, 62.0, [n.to_angle() + n.angle_to(r), n.to_angle()]);
         // The names of l and r stand on different sides of n, wherever the light is.
@@ -99,7 +88,7 @@ impl Interactive for PhongVectors {
             drawing.label("strong", tip + shift, name);
         }
         drawing.dot("hit", p);
-        drawing.into()
+        Output::Drawing(drawing)
     }
 
     fn numbers(&self) -> Numbers {

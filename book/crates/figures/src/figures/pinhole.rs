@@ -1,5 +1,5 @@
 use crate::{Drawing, Interactive, Output, View};
-use glam::{DVec3, dvec2};
+use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Ray;
 
 /// A pinhole camera from the side: the image behind the pinhole, and the one in front.
@@ -16,16 +16,16 @@ impl Interactive for Pinhole {
     }
 
     fn draw(&self) -> Output {
-        let view = View { origin: dvec2(180.0, 94.0), scale: dvec2(96.0, 96.0) };
-        let [top, bottom] =
-            [0.34, -0.2].map(|y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) });
+        let view = View { origin: dvec2(180.0, 94.0), scale: DVec2::splat(96.0) };
+        let ray = |y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) };
+        let [top, bottom] = [ray(0.34), ray(-0.2)];
         let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
         let (film, plane, object) = (-1.0, 1.0, 2.3);
-        let c = view.xy_to_drawing(0.0, 0.0);
+        let c = view.origin;
+        let at_t = |t: f64, y: f64| view.xy_to_drawing(t, 0.0).with_y(y);
         let mut drawing = Drawing::new(480.0, 236.0);
         for t in [film, plane] {
-            let x = view.xy_to_drawing(t, 0.0).x;
-            drawing.line("plane", dvec2(x, 16.0), dvec2(x, 172.0));
+            drawing.line("plane", at_t(t, 16.0), at_t(t, 172.0));
         }
         let wall = |y: f64| view.xy_to_drawing(0.0, y);
         drawing.line("ground", wall(0.82), wall(0.07));
@@ -37,14 +37,13 @@ impl Interactive for Pinhole {
         for t in [film, plane, object] {
             drawing.arrow("second", place(&bottom, t), place(&top, t));
         }
-        let label = |t: f64, y: f64| dvec2(view.xy_to_drawing(t, 0.0).x, y);
         for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")] {
-            drawing.label("quiet", label(t, 198.0), name);
+            drawing.label("quiet", at_t(t, 198.0), name);
         }
         for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
-            drawing.label("quiet", label(t, 222.0), text);
+            drawing.label("quiet", at_t(t, 222.0), text);
         }
-        drawing.label("quiet", label(object, 198.0), "scene");
-        drawing.into()
+        drawing.label("quiet", at_t(object, 198.0), "scene");
+        Output::Drawing(drawing)
     }
 }

@@ -70,36 +70,29 @@ impl Interactive for RayFigure {
 
     fn from_values(values: &[f64]) -> Self {
         let [s_x, s_y, v_x, v_y, distance] = array(values);
-        let start = dvec2(s_x, s_y).extend(0.0);
-        let direction = dvec2(v_x, v_y).extend(0.0);
+        let [start, direction] = [dvec2(s_x, s_y), dvec2(v_x, v_y)].map(|point| point.extend(0.0));
         Self { ray: Ray { start, direction }, t: distance / direction.length() }
     }
 
     fn handles() -> Vec<Handle> {
+        let from_start =
+            |Self { ray, .. }: &Self, place| VIEW.to_world(place) - ray.start.truncate();
+        let tip = |figure: &Self| Some(figure.tip());
+        let v_at = move |figure: &Self, place| from_start(figure, place - V_SHIFT);
+        let point = |figure: &Self| figure.place(figure.t);
+        let distance_at = move |figure: &Self, place| {
+            from_start(figure, place).dot(figure.ray.direction.truncate().normalize())
+        };
         vec![
             Handle::of_point("the start S", 0, VIEW),
-            Self::handle(
-                "the tip of V",
-                [2, 3],
-                |figure| Some(figure.tip()),
-                |figure, place| VIEW.to_world(place - V_SHIFT) - figure.ray.start.truncate(),
-            ),
-            Self::handle_of_one(
-                "the point's distance from S",
-                4,
-                |figure| figure.place(figure.t),
-                |Self { ray, .. }, place| {
-                    let to_place = VIEW.to_world(place).extend(0.0) - ray.start;
-                    to_place.dot(ray.direction.normalize())
-                },
-            ),
+            Self::handle("the tip of V", [2, 3], tip, v_at),
+            Self::handle_of_one("the point's distance from S", 4, point, distance_at),
         ]
     }
 
     fn is_allowed(&self) -> bool {
-        0.5 <= self.ray.direction.length()
-            && is_in_drawing(self.place(0.0))
-            && is_in_drawing(self.tip())
+        let places = [self.place(0.0), self.tip()];
+        0.5 <= self.ray.direction.length() && places.into_iter().all(is_in_drawing)
     }
 
     fn draw(&self) -> Output {
@@ -124,14 +117,12 @@ impl Interactive for RayFigure {
             }
         }
         if v.x < 0.0 {
-            let start = place(0.0) + dvec2(12.0, -16.0);
-            drawing.label_starting_at("strong", start, "$S$");
+            drawing.label_starting_at("strong", place(0.0) + dvec2(12.0, -16.0), "$S$");
         } else {
-            let end = place(0.0) + dvec2(-14.0, -10.0);
-            drawing.label_ending_at("strong", end, "$S$");
+            drawing.label_ending_at("strong", place(0.0) + dvec2(-14.0, -10.0), "$S$");
         }
         draw_point_label(&mut drawing, self.t, place(self.t), v.length());
-        drawing.into()
+        Output::Drawing(drawing)
     }
 
     fn numbers(&self) -> Numbers {

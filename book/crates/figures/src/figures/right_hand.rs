@@ -23,21 +23,18 @@ impl Interactive for RightHand {
         let forward = Camera::new(3, 3, 1.0).ray(1.0, 1.0).direction;
         let mut drawing = Drawing::new(480.0, 208.0);
         drawing.line("guide", c, project(1.25 * forward));
-        drawing.label_starting_at(
-            "quiet",
-            project(1.25 * forward) + dvec2(8.0, 0.0),
-            "the camera looks here",
-        );
-        for (class, axis, label, finger, shift) in [
-            ("vector", DVec3::X, "$x$", "thumb", dvec2(10.0, 6.0)),
-            ("second", DVec3::Y, "$y$", "index finger", dvec2(12.0, 8.0)),
-            ("accent", DVec3::Z, "$z$", "middle finger", dvec2(14.0, 12.0)),
+        let beside = project(1.25 * forward) + dvec2(8.0, 0.0);
+        drawing.label_starting_at("quiet", beside, "the camera looks here");
+        for (class, axis, label, shift) in [
+            ("vector", DVec3::X, "$x$: thumb", dvec2(10.0, 6.0)),
+            ("second", DVec3::Y, "$y$: index finger", dvec2(12.0, 8.0)),
+            ("accent", DVec3::Z, "$z$: middle finger", dvec2(14.0, 12.0)),
         ] {
             drawing.arrow(class, c, project(axis));
-            drawing.label_starting_at("", project(axis) + shift, &format!("{label}: {finger}"));
+            drawing.label_starting_at("", project(axis) + shift, label);
         }
         drawing.dot("eye", c);
         drawing.label_ending_at("strong", c + dvec2(-12.0, -6.0), "$C$");
-        drawing.into()
+        Output::Drawing(drawing)
     }
 }

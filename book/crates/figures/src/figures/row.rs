@@ -49,12 +49,10 @@ impl Interactive for RowFigure {
     }
 
     fn handles() -> Vec<Handle> {
-        vec![Self::handle_of_one(
-            "the tip of V0, which opens the field of view",
-            1,
-            |figure| figure.view().to_drawing(figure.row.direction(0.0)),
-            |_, place| 2.0 * degrees_left_of_up(ORIGIN, place),
-        )]
+        let words = "the tip of V0, which opens the field of view";
+        let tip = |figure: &Self| figure.view().to_drawing(figure.row.direction(0.0));
+        let fov_at = |_: &Self, place| 2.0 * degrees_left_of_up(ORIGIN, place);
+        vec![Self::handle_of_one(words, 1, tip, fov_at)]
     }
 
     fn draw(&self) -> Output {
@@ -62,6 +60,7 @@ impl Interactive for RowFigure {
         let last = self.rays as usize - 1;
         let c = ORIGIN;
         let directions: Vec<DVec2> = (0..=last).map(|i| row.direction(i as f64)).collect();
+        let tips: Vec<DVec2> = directions.iter().map(|&v| view.to_drawing(v)).collect();
         let mut drawing = Drawing::new(480.0, 332.0);
         let tan = -directions[0].x;
         let side = (1.02 * tan).max(0.86);
@@ -71,29 +70,25 @@ impl Interactive for RowFigure {
             drawing.line("ray faint", c, view.to_drawing(1.28 * v));
         }
         let v_0 = directions[0];
-        drawing.line("ray faint", view.to_drawing(v_0), view.to_drawing(1.28 * v_0));
-        for &v in &directions {
-            drawing.dot("ray", view.to_drawing(v));
+        drawing.line("ray faint", tips[0], view.to_drawing(1.28 * v_0));
+        for tip in &tips {
+            drawing.dot("ray", *tip);
         }
         drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
         drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
-        drawing.arrow("vector", c, view.to_drawing(v_0));
-        let step = |i: usize| [view.to_drawing(directions[i]), view.to_drawing(directions[i + 1])];
-        for i in 0..last.min(2) {
-            let [start, tip] = step(i);
-            drawing.arrow("accent", start, tip);
+        drawing.arrow("vector", c, tips[0]);
+        let steps = || tips.windows(2).take(2);
+        for step in steps() {
+            drawing.arrow("accent", step[0], step[1]);
         }
-        let [start, tip] = step(last.min(2) - 1);
-        drawing.label("accent over", (start + tip) / 2.0 + dvec2(0.0, -10.0), "$D$");
+        let middle = steps().last().map_or(c, |step| (step[0] + step[1]) / 2.0);
+        drawing.label("accent over", middle + dvec2(0.0, -10.0), "$D$");
         let middle = view.to_drawing(0.55 * v_0);
         drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
-        let [start, tip] = step(0);
-        let has_room = 36.0 < tip.x - start.x;
-        let labelled = (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room);
-        for i in labelled {
+        let has_room = 36.0 < tips[1].x - tips[0].x;
+        for i in (0..=last).filter(|i| [0, last].contains(i) || *i < 3 && has_room) {
             let end = view.to_drawing(1.28 * directions[i]);
-            let label = format!("$i$ = {i}");
-            drawing.label("quiet", end + dvec2(0.0, -8.0), &label);
+            drawing.label("quiet", end + dvec2(0.0, -8.0), &format!("$i$ = {i}"));
         }
         if self.degrees <= 75.0 {
             let right = view.xy_to_drawing(side, 1.0) + dvec2(-14.0, 20.0);
@@ -106,10 +101,9 @@ impl Interactive for RowFigure {
         drawing.line("guide", c, corner);
         let label = view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0);
         drawing.label_starting_at("quiet", label, "1");
-        let label =
-            (view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0)).max(c + dvec2(46.0, 0.0));
-        drawing.label("quiet", label, "tan($θ$/2)");
-        drawing.into()
+        let label = view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
+        drawing.label("quiet", label.max(c + dvec2(46.0, 0.0)), "tan($θ$/2)");
+        Output::Drawing(drawing)
     }
 
     fn numbers(&self) -> Numbers {

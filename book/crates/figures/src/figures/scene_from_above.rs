@@ -13,16 +13,6 @@ const SIDE: f64 = 13.0;
 /// The smallest and the largest t that is drawn.
 const T_RANGE: [f64; 2] = [-5.4, 13.2];
 
-/// A line across at every t that 5 divides.
-fn draw_depths(drawing: &mut Drawing) {
-    for t in [0.0, 5.0, 10.0] {
-        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
-        drawing.line("grid", left, right);
-        let label = left + dvec2(0.0, -5.0);
-        drawing.label_starting_at("quiet", label, &format!("$t$ = {t}"));
-    }
-}
-
 /// The circle that the plane through the row of `ray` cuts out of a sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
@@ -34,8 +24,7 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let middle = dvec2(sphere.centre.x, sphere.centre.dot(along));
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
-        let DVec2 { x, y } = middle + radius * side;
-        VIEW.xy_to_drawing(x, y / ahead.length())
+        VIEW.to_drawing((middle + radius * side) / dvec2(1.0, ahead.length()))
     });
     Some(points.collect())
 }
@@ -63,7 +52,11 @@ impl Interactive for SceneFromAbove {
         let ray = self.0.ray();
         let nearest_hit = nearest(&OBJECTS, &ray);
         let mut drawing = Drawing::new(480.0, 330.0);
-        draw_depths(&mut drawing);
+        for t in [0.0, 5.0, 10.0] {
+            let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
+            drawing.line("grid", left, right);
+            drawing.label_starting_at("quiet", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
+        }
         // The ground, the largest, lies below the others.
         let mut objects = OBJECTS;
         objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
@@ -94,6 +87,6 @@ impl Interactive for SceneFromAbove {
             drawing.label_ending_at("hit small", right + dvec2(0.0, -5.0), &label);
             drawing.dot("hit", place(t));
         }
-        drawing.into()
+        Output::Drawing(drawing)
     }
 }

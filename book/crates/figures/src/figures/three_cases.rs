@@ -23,11 +23,9 @@ fn labels(ray: &Ray) -> [String; 2] {
     };
     let format = |number: f64| format_rounded(number, 2);
     let roots = match SPHERE.intersect(ray) {
-        Roots::Zero => "no root".to_string(),
+        Roots::Zero => "no root".into(),
         Roots::One(t) => format!("one root: {}", format(t)),
-        Roots::Two(near, far) => {
-            format!("two roots: {}, {}", format(near), format(far))
-        }
+        Roots::Two(near, far) => format!("two roots: {}, {}", format(near), format(far)),
     };
     [format!("$D$ = {}{sign}", format(d)), roots]
 }
@@ -49,28 +47,24 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
     }
     drawing.arrow("ray", on_ray(0.0), on_ray(last));
     drawing.dot("eye", on_ray(0.0));
-    drawing.arrow(
-        "axis",
-        parabola_view.xy_to_drawing(first - 0.1, 0.0),
-        parabola_view.xy_to_drawing(last + 0.1, 0.0),
-    );
-    let zero = parabola_view.xy_to_drawing(0.0, 0.0);
+    let on_axis = |t: f64| parabola_view.xy_to_drawing(t, 0.0);
+    drawing.arrow("axis", on_axis(first - 0.1), on_axis(last + 0.1));
     let tick = dvec2(0.0, 4.0);
-    drawing.line("axis", zero - tick, zero + tick);
-    drawing.label("quiet", zero + dvec2(0.0, 18.0), "0");
+    drawing.line("axis", origin - tick, origin + tick);
+    drawing.label("quiet", origin + dvec2(0.0, 18.0), "0");
     let (a, b, c) = SPHERE.coefficients(ray);
-    let curve: Vec<DVec2> = (0..=60)
-        .map(|k| first + (last - first) * f64::from(k) / 60.0)
-        .map(|t| parabola_view.xy_to_drawing(t, a * t * t + b * t + c))
-        .collect();
-    drawing.path("curve", &curve);
+    let curve = (0..=60).map(|k| {
+        let t = first + (last - first) * f64::from(k) / 60.0;
+        parabola_view.xy_to_drawing(t, a * t * t + b * t + c)
+    });
+    drawing.path("curve", &curve.collect::<Vec<_>>());
     for t in SPHERE.intersect(ray).iter() {
         let class = if t <= 0.0 { "behind" } else { "hit" };
-        drawing.line("guide", on_ray(t), parabola_view.xy_to_drawing(t, 0.0));
+        drawing.line("guide", on_ray(t), on_axis(t));
         drawing.dot(class, on_ray(t));
-        drawing.dot(class, parabola_view.xy_to_drawing(t, 0.0));
+        drawing.dot(class, on_axis(t));
     }
-    drawing.label("quiet", parabola_view.xy_to_drawing(last + 0.1, 0.0) + dvec2(-2.0, 18.0), "$t$");
+    drawing.label("quiet", on_axis(last + 0.1) + dvec2(-2.0, 18.0), "$t$");
 }
 
 /// Three rays and a circle, each above its parabola at² + bt + c.
@@ -86,13 +80,11 @@ impl Interactive for ThreeCases {
                   <span class='move'>Drag a ray until it touches.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        [1.375, 1.0, 0.4375]
-            .into_iter()
-            .flat_map(|y| {
-                let x = Parameter::coordinate(-2.125, [-2.25, 1.875], 16.0);
-                [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
-            })
-            .collect()
+        let parameters = [1.375, 1.0, 0.4375].into_iter().flat_map(|y| {
+            let x = Parameter::coordinate(-2.125, [-2.25, 1.875], 16.0);
+            [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
+        });
+        parameters.collect()
     }
 
     fn from_values(values: &[f64]) -> Self {
@@ -100,17 +92,11 @@ impl Interactive for ThreeCases {
     }
 
     fn handles() -> Vec<Handle> {
-        ["left", "middle", "right"]
-            .iter()
-            .enumerate()
-            .map(|(case, name)| {
-                Handle::of_point(
-                    &format!("the start of the {name} ray"),
-                    2 * case,
-                    circle_view(case),
-                )
-            })
-            .collect()
+        let handles = ["left", "middle", "right"].iter().zip(0..).map(|(name, case)| {
+            let words = format!("the start of the {name} ray");
+            Handle::of_point(&words, 2 * case, circle_view(case))
+        });
+        handles.collect()
     }
 
     fn draw(&self) -> Output {
@@ -120,6 +106,6 @@ impl Interactive for ThreeCases {
             draw_case(&mut drawing, &ray, case);
         }
         drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
-        drawing.into()
+        Output::Drawing(drawing)
     }
 }

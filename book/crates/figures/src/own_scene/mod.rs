@@ -37,13 +37,12 @@ impl Interactive for OwnScenePicture {
         let handles = PARAMETERS.iter().enumerate().filter_map(|(k, (target, parameter))| {
             let Target::Presence(owner, _) = *target else { return None };
             let mark = if owner == Owner::Light { Mark::Light } else { Mark::Point };
-            let handle =
-                Self::handle_in_picture(parameter.group, k + 1, 0.0, move |picture: &Self| {
-                    let (presence, position) = (picture.values[k], &picture.values[k + 1..]);
-                    let point = DVec3::from_slice(position);
-                    (presence == 1.0).then(|| (picture.own.camera(SIZE.x), point))
-                });
-            Some(handle.with_mark(mark))
+            let camera_and_point = move |Self { own, values }: &Self| {
+                let point = DVec3::from_slice(&values[k + 1..]);
+                (values[k] == 1.0).then(|| (own.camera(SIZE.x), point))
+            };
+            let handle = Self::handle_in_picture(parameter.group, k + 1, 0.0, camera_and_point);
+            Some(Handle { mark, ..handle })
         });
         handles.collect()
     }
@@ -54,7 +53,7 @@ impl Interactive for OwnScenePicture {
 
     fn draw(&self) -> Output {
         // The first parameter is the columns.
-        self.own.picture(self.values[0]).into()
+        Output::Pixels(self.own.picture(self.values[0]))
     }
 
     fn group_at(&self, place: DVec2) -> Option<&'static str> {

@@ -107,7 +107,7 @@ impl Interactive for Mirrors {
     }
 
     fn draw(&self) -> Output {
-        render(&self.probe.camera(), 1, |ray| self.colour(ray, self.depth)).into()
+        Output::Pixels(render(&self.probe.camera(), 1, |ray| self.colour(ray, self.depth)))
     }
 
     /// The way of the probe's ray, row by row; the numbers of rows that it does not have

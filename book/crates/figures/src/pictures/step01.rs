@@ -1,4 +1,4 @@
-use crate::aspect_ratio::{aspect_ratio, aspect_ratio_parameter, camera};
+use crate::aspect_ratio::{aspect_ratio_parameter, camera};
 use crate::parameter::array;
 use crate::{Interactive, Output, Parameter};
 use step01_rays::{Camera, direction_colour, render};
@@ -19,10 +19,10 @@ impl Interactive for Rays {
 
     fn from_values(values: &[f64]) -> Self {
         let [degrees, choice, columns] = array(values);
-        Self(camera(degrees, aspect_ratio(choice), columns))
+        Self(camera(degrees, choice, columns))
     }
 
     fn draw(&self) -> Output {
-        render(&self.0, 1, direction_colour).into()
+        Output::Pixels(render(&self.0, 1, direction_colour))
     }
 }

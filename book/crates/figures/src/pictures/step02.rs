@@ -38,7 +38,7 @@ impl Interactive for OneSphere {
     }
 
     fn draw(&self) -> Output {
-        render(&self.probe.camera(), 1, |ray| colour(&self.sphere, ray)).into()
+        Output::Pixels(render(&self.probe.camera(), 1, |ray| colour(&self.sphere, ray)))
     }
 
     fn numbers(&self) -> Numbers {

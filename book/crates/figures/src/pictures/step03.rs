@@ -22,7 +22,7 @@ impl Interactive for FlatSpheres {
     }
 
     fn draw(&self) -> Output {
-        render(&self.0.camera(), 1, |ray| colour(&OBJECTS, ray)).into()
+        Output::Pixels(render(&self.0.camera(), 1, |ray| colour(&OBJECTS, ray)))
     }
 
     fn numbers(&self) -> Numbers {

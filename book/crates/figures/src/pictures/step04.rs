@@ -2,6 +2,7 @@ use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::Probe;
 use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
 use glam::DVec3;
+use std::iter::zip;
 use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};
 use step05_phong::{Light, Material};
 
@@ -16,26 +17,23 @@ impl Interactive for MovedLights {
 
     fn parameters() -> Vec<Parameter> {
         let mut parameters = Probe::parameters(470.0, 120.0);
-        let (warm, cool) = (WARM.position, COOL.position);
-        let coordinates = [
-            (["x", "of the warm light", ""], warm.x, [-8.0, 8.0]),
-            (["y", "of the warm light", ""], warm.y, [-1.0, 8.0]),
-            (["z", "of the warm light", ""], warm.z, [-12.0, 2.0]),
-            // Everywhere in these ranges, the cool light is in the picture.
-            (["x", "of the cool light", ""], cool.x, [-6.0, 6.0]),
-            (["y", "of the cool light", ""], cool.y, [-3.4, 3.4]),
-            (["z", "of the cool light", ""], cool.z, [-16.0, -11.0]),
-        ];
-        parameters.extend(
-            coordinates.map(|(words, value, range)| Parameter::new(words, value, range, 10.0)),
-        );
+        for (words, position, ranges) in [
+            ("of the warm light", WARM.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
+            // Everywhere in these ranges, it is in the picture.
+            ("of the cool light", COOL.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
+        ] {
+            for (symbol, (default, range)) in zip(["x", "y", "z"], zip(position.to_array(), ranges))
+            {
+                parameters.push(Parameter::new([symbol, words, ""], default, range, 10.0));
+            }
+        }
         parameters
     }
 
     fn from_values(values: &[f64]) -> Self {
         let (probe, others) = Probe::split_values(values);
         let mut scene = step04_diffuse::scene();
-        for (light, position) in scene.lights.iter_mut().zip(others.chunks_exact(3)) {
+        for (light, position) in zip(&mut scene.lights, others.chunks_exact(3)) {
             light.position = DVec3::from_slice(position);
         }
         Self { probe, scene }
@@ -45,13 +43,14 @@ impl Interactive for MovedLights {
         let handle = |words, k: usize| {
             let position =
                 move |picture: &Self| Some((course::camera(), picture.scene.lights[k].position));
-            Self::handle_in_picture(words, 3 + 3 * k, 24.0, position).with_mark(Mark::Light)
+            let handle = Self::handle_in_picture(words, 3 + 3 * k, 24.0, position);
+            Handle { mark: Mark::Light, ..handle }
         };
         vec![Probe::handle(), handle("the warm light", 0), handle("the cool light", 1)]
     }
 
     fn draw(&self) -> Output {
-        render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)).into()
+        Output::Pixels(render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)))
     }
 
     fn numbers(&self) -> Numbers {

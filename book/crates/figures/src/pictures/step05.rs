@@ -52,7 +52,7 @@ impl Interactive for SwitchedTerms {
     }
 
     fn draw(&self) -> Output {
-        render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)).into()
+        Output::Pixels(render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)))
     }
 
     fn numbers(&self) -> Numbers {
