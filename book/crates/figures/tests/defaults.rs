@@ -1,6 +1,6 @@
-//! Pictures at their defaults against the programs, and addresses there and back.
+//! Pictures at their defaults against the programs.
 
-use figures::{Output, find, own_scene, reply};
+use figures::{Output, find, own_scene};
 use image::RgbImage;
 
 /// The picture of this name, where the parameter with these words, if any, is 1.
@@ -30,18 +30,4 @@ fn own_scene_is_that_of_step_5_and_with_mirrors_that_of_the_example() {
     assert_eq!(own_scene(&values).scene, step05_phong::scene());
     let mirror = course::examples::mirror::picture(&figures::camera(), 1);
     assert!(draw("own_scene", "shadows and mirrors") == mirror);
-}
-
-#[test]
-fn address_is_parsed_and_formatted_without_change() {
-    for address in [
-        "",
-        "ambient-light-blue:0.07",
-        "camera-field-of-view:20,red-sphere-radius:2,cool-light-on:0",
-        "camera-position-sideways:3,camera-target-backwards:-7,camera-roll:-20",
-        "the-way-back-shadows-and-mirrors:1,red-sphere-mirror-image:0.5",
-    ] {
-        let text = reply(&format!("open own_scene {address}")).text;
-        assert!(text.contains(&format!("\"address\":\"{address}\"")), "{text}");
-    }
 }

@@ -1,7 +1,8 @@
 //! What a page gets of each figure and picture, locked as text: one element of a drawing, or
 //! one field of JSON, a line.
 
-use figures::{FIGURES, Figure, Output, reply};
+use figures::{FIGURES, Figure, Output, find, parse_address, reply};
+use glam::dvec2;
 use insta::{Settings, assert_snapshot};
 
 /// The reply to a request, in lines.
@@ -17,19 +18,15 @@ fn reply_lines(request: &str) -> String {
 /// Allowed values all over their ranges, others for each seed.
 fn spread_values(figure: &Figure, seed: usize) -> Vec<f64> {
     let golden_ratio = 0.618_033_988_749_895;
-    let attempts = (0..10_000).map(|attempt| {
-        let fractions =
-            (1..).map(|k| ((k + attempt * 97 + seed * 31) as f64 * golden_ratio).fract());
-        let parameters = figure.parameters.iter().zip(fractions);
-        let values: Vec<_> = parameters
-            .map(|(parameter, fraction)| {
-                let [min, max] = parameter.range;
-                min + fraction * (max - min)
-            })
-            .collect();
-        figure.snap_if_allowed(&values)
+    let mut attempts = (0..10_000).filter_map(|attempt| {
+        let values = (1..).zip(&figure.parameters).map(|(k, parameter)| {
+            let [min, max] = parameter.range;
+            let fraction = ((k + attempt * 97 + seed * 31) as f64 * golden_ratio).fract();
+            min + fraction * (max - min)
+        });
+        figure.snap_if_allowed(&values.collect::<Vec<_>>())
     });
-    attempts.flatten().next().expect("allowed values")
+    attempts.next().expect("allowed values")
 }
 
 /// Compares a text with the snapshot of this name.
@@ -61,6 +58,51 @@ fn drawings_and_numbers_are_as_locked() {
         let parts = requests.iter().map(|request| format!("{request}\n{}\n", reply_lines(request)));
         assert_locked(figure.name, parts);
     }
+}
+
+/// Each handle with its place at these values; below it, its place and its parameters after it
+/// was dragged, and after arrow keys.
+fn handle_lines(figure: &Figure, values: &[f64]) -> String {
+    let lines = figure.handles.iter().flat_map(|handle| {
+        let place_at = |values: &[f64]| {
+            let place = (handle.locate)(values).map(|place| place.to_array());
+            place.map_or("nowhere".into(), |[x, y]| format!("at ({x:.0}, {y:.0})"))
+        };
+        let moved = |new: Option<Vec<f64>>| match new {
+            Some(new) => format!("  {}: {:?}", place_at(&new), handle.parameters.map(|k| new[k])),
+            None => "  nothing is allowed".into(),
+        };
+        let dragged = figure.drag_handle(values, handle, dvec2(300.0, 120.0));
+        let stepped = figure.step_handle(values, handle, dvec2(2.0, 1.0));
+        [format!("{}, {}", handle.words, place_at(values)), moved(dragged), moved(stepped)]
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn dragged_and_stepped_handles_are_as_locked() {
+    let figures = FIGURES.iter().filter(|figure| !figure.handles.is_empty());
+    let parts = figures.flat_map(|figure| {
+        let spread = [1, 2].map(|seed| spread_values(figure, seed));
+        [figure.default_values()].into_iter().chain(spread).map(|values| {
+            let lines = handle_lines(figure, &values);
+            format!("{}\n{lines}\n", figure.name)
+        })
+    });
+    let own_scene = find("own_scene").expect("a picture");
+    let cameras = [
+        "camera-roll:90",
+        "camera-position-sideways:6,camera-roll:-30,camera-target-backwards:-8",
+        // It looks back at the scene.
+        "camera-position-backwards:-20,camera-target-upwards:1",
+        // The plane in which the red sphere is dragged is seen from its edge.
+        "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
+    ];
+    let cameras = cameras.into_iter().map(|address| {
+        let values = parse_address(own_scene, address).expect("a scene");
+        format!("own_scene at {address}\n{}\n", handle_lines(own_scene, &values))
+    });
+    assert_locked("handles", parts.chain(cameras));
 }
 
 #[test]

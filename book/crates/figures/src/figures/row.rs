@@ -81,7 +81,7 @@ impl Interactive for RowFigure {
         for step in steps() {
             drawing.arrow("accent", step[0], step[1]);
         }
-        let middle = steps().last().map_or(c, |step| (step[0] + step[1]) / 2.0);
+        let middle = steps().next_back().map_or(c, |step| (step[0] + step[1]) / 2.0);
         drawing.label("accent over", middle + dvec2(0.0, -10.0), "$D$");
         let middle = view.to_drawing(0.55 * v_0);
         drawing.label_ending_at("strong", middle + dvec2(-14.0, 4.0), "$V_0$");
