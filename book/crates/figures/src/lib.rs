@@ -29,6 +29,7 @@ mod projection;
 mod text_markup;
 mod view;
 pub use drawing::Drawing;
+use output::collect_numbers;
 pub use output::{Numbers, Output};
 pub use text_markup::{escape, italic_letter};
 pub use view::{View, degrees_left_of_up};
@@ -46,7 +47,9 @@ mod probe;
 pub use figure::Figure;
 pub use handle::{Handle, Mark};
 pub use interactive::Interactive;
+use parameter::array;
 pub use parameter::{ControlKind, Parameter};
+use probe::Probe;
 
 mod figures;
 mod own_scene;

@@ -1,8 +1,7 @@
 //! The probe of a picture: a cross at the pixel whose trace is told.
 
-use crate::parameter::array;
 use crate::projection::SIZE;
-use crate::{ControlKind, Handle, Mark, Parameter, View};
+use crate::{ControlKind, Handle, Mark, Parameter, View, array};
 use glam::{DVec2, dvec2};
 use step01_rays::{Camera, Ray};
 

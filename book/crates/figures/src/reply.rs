@@ -2,7 +2,7 @@ use crate::own_scene::parse_address;
 use crate::{ControlKind, Figure, Mark, Output, find};
 use course::json;
 use glam::dvec2;
-use image::RgbImage;
+use image::{Rgb, RgbImage};
 
 /// The reply to a request of the page.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,31 +32,27 @@ impl Reply {
 ///
 /// A probe leaves the picture as it is: after it was moved, nothing is drawn.
 pub fn reply(request: &str) -> Reply {
-    try_reply(request).unwrap_or_else(|| error_reply(&format!("There is no answer to {request}.")))
+    let reply = try_reply(request);
+    let reply = reply.unwrap_or_else(|| Err(format!("There is no answer to {request}.")));
+    reply.unwrap_or_else(|error| Reply::from_json_fields([("error", json::quote(&error))]))
 }
 
-/// The reply that says, in a sentence, what was wrong with the request.
-fn error_reply(sentence: &str) -> Reply {
-    Reply::from_json_fields([("error", json::quote(sentence))])
-}
-
-fn try_reply(request: &str) -> Option<Reply> {
+/// The reply, or a sentence that says what is wrong; None where nothing fits the request.
+fn try_reply(request: &str) -> Option<Result<Reply, String>> {
     let mut words = request.split_whitespace();
     let (verb, figure) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
-        return Some(match parse_address(figure, words.next().unwrap_or_default()) {
-            Ok(values) => full_reply(figure, &values),
-            Err(sentence) => error_reply(&sentence),
-        });
+        let values = parse_address(figure, words.next().unwrap_or_default());
+        return Some(values.map(|values| full_reply(figure, &values)));
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
-    match (verb, &numbers?[..]) {
-        ("about", _) => Some(handles_and_defaults_reply(figure)),
-        ("show", values) => Some(full_reply(figure, &figure.snap_if_allowed(values)?)),
-        ("tell", values) => Some(text_reply(figure, &figure.snap_if_allowed(values)?)),
+    Some(Ok(match (verb, &numbers?[..]) {
+        ("about", _) => handles_and_defaults_reply(figure),
+        ("show", values) => full_reply(figure, &figure.snap_if_allowed(values)?),
+        ("tell", values) => text_reply(figure, &figure.snap_if_allowed(values)?),
         ("press", [x, y, values @ ..]) => {
             let group = (figure.group_at)(&figure.snap_if_allowed(values)?, dvec2(*x, *y));
-            Some(Reply::from_json_fields([("group", json::quote(group.unwrap_or_default()))]))
+            Reply::from_json_fields([("group", json::quote(group.unwrap_or_default()))])
         }
         (_, [handle, x, y, values @ ..]) => {
             let handle = figure.handles.get(*handle as usize)?;
@@ -66,13 +62,11 @@ fn try_reply(request: &str) -> Option<Reply> {
                 "step" => figure.step_handle(&values, handle, vector),
                 _ => return None,
             };
-            let new = new.unwrap_or(values);
-            let is_probe = handle.mark == Mark::Probe;
-            let respond = if is_probe { text_reply } else { full_reply };
-            Some(respond(figure, &new))
+            let respond = if handle.mark == Mark::Probe { text_reply } else { full_reply };
+            respond(figure, &new.unwrap_or(values))
         }
-        _ => None,
-    }
+        _ => return None,
+    }))
 }
 
 /// The handles, the default values, and which of them is the columns of a picture; the
@@ -101,16 +95,13 @@ fn handles_and_defaults_reply(figure: &Figure) -> Reply {
 /// All that the page shows at these values.
 fn full_reply(figure: &Figure, values: &[f64]) -> Reply {
     let mut fields = text_fields(figure, values);
-    let mut pixels = vec![];
-    match (figure.draw)(values) {
-        Output::Drawing(drawing) => {
-            fields.push(("drawing", json::quote(drawing.svg_elements())));
-        }
+    let (field, pixels) = match (figure.draw)(values) {
+        Output::Drawing(drawing) => (("drawing", json::quote(drawing.svg_elements())), vec![]),
         Output::Pixels(image) => {
-            fields.push(("size", json::list([image.width(), image.height()])));
-            pixels = rgba_bytes(&image);
+            (("size", json::list([image.width(), image.height()])), rgba_bytes(&image))
         }
-    }
+    };
+    fields.push(field);
     Reply { pixels, ..Reply::from_json_fields(fields) }
 }
 
@@ -141,9 +132,5 @@ fn text_fields(figure: &Figure, values: &[f64]) -> Vec<(&'static str, String)> {
 
 /// Red, green, blue and 255 for each pixel, row by row, as a canvas takes them.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
-    let mut pixels = vec![255; 4 * image.as_raw().len() / 3];
-    for (rgba, rgb) in pixels.chunks_exact_mut(4).zip(image.pixels()) {
-        rgba[..3].copy_from_slice(&rgb.0);
-    }
-    pixels
+    image.pixels().flat_map(|Rgb([red, green, blue])| [*red, *green, *blue, 255]).collect()
 }

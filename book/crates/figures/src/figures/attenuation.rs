@@ -1,6 +1,6 @@
-use crate::output::collect_numbers;
-use crate::parameter::array;
-use crate::{Drawing, Interactive, Numbers, Output, Parameter, View, format_number};
+use crate::{
+    Drawing, Interactive, Numbers, Output, Parameter, View, array, collect_numbers, format_number,
+};
 use glam::dvec2;
 use step04_diffuse::{Attenuation, WARM};
 

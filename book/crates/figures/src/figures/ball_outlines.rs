@@ -1,7 +1,6 @@
-use crate::output::collect_numbers;
 use crate::{
-    Drawing, Interactive, Numbers, Output, Parameter, View, discriminant, format_fixed,
-    format_number,
+    Drawing, Interactive, Numbers, Output, Parameter, View, collect_numbers, discriminant,
+    format_fixed, format_number,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};

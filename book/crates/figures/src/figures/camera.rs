@@ -1,9 +1,8 @@
 use super::view_pyramid::{draw_steps, draw_view_pyramid};
 use crate::aspect_ratio::{aspect_ratio_parameter, camera};
-use crate::output::collect_numbers;
-use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, format_number, format_vector,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
+    format_number, format_vector,
 };
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
 use step01_rays::{Camera, Ray};

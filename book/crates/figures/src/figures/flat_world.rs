@@ -1,5 +1,7 @@
-use crate::output::collect_numbers;
-use crate::{Drawing, Handle, Interactive, Mark, Numbers, Output, Parameter, View, format_fixed};
+use crate::{
+    Drawing, Handle, Interactive, Mark, Numbers, Output, Parameter, View, collect_numbers,
+    format_fixed,
+};
 use course::examples::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point};

@@ -1,5 +1,4 @@
-use crate::parameter::array;
-use crate::{Drawing, Handle, Interactive, Output, Parameter, View};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};

@@ -1,7 +1,6 @@
-use crate::output::collect_numbers;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, degrees_left_of_up,
-    format_number, format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
+    degrees_left_of_up, format_number, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;

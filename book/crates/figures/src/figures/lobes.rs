@@ -1,5 +1,4 @@
-use crate::parameter::array;
-use crate::{Drawing, Handle, Interactive, Output, Parameter, View, degrees_left_of_up};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array, degrees_left_of_up};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};

@@ -1,7 +1,6 @@
-use crate::output::collect_numbers;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, camera, degrees_left_of_up,
-    format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, camera, collect_numbers,
+    degrees_left_of_up, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{OBJECTS, WARM, reflect, visible_point};

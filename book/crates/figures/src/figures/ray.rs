@@ -1,7 +1,6 @@
-use crate::output::collect_numbers;
-use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, format_number, format_rounded,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
+    format_number, format_rounded,
 };
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;

@@ -1,8 +1,6 @@
-use crate::output::collect_numbers;
-use crate::parameter::array;
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, Row, View, degrees_left_of_up,
-    format_number,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, Row, View, array, collect_numbers,
+    degrees_left_of_up, format_number,
 };
 use glam::{DVec2, dvec2};
 

@@ -1,5 +1,4 @@
-use crate::probe::Probe;
-use crate::{Drawing, Interactive, Output, Parameter, View, format_rounded, short_name};
+use crate::{Drawing, Interactive, Output, Parameter, Probe, View, format_rounded, short_name};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};

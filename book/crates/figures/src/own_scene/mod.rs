@@ -7,9 +7,8 @@ mod parameters;
 pub use address::parse_address;
 pub use parameters::own_scene;
 
-use crate::output::collect_numbers;
 use crate::projection::SIZE;
-use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, collect_numbers};
 use course::{OwnScene, Owner, format_scene_program};
 use glam::{DVec2, DVec3};
 use parameters::{PARAMETERS, Target};

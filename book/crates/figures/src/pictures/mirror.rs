@@ -1,9 +1,7 @@
 use super::step05::object_parameters;
-use crate::output::collect_numbers;
-use crate::parameter::array;
-use crate::probe::Probe;
 use crate::{
-    Handle, Interactive, Numbers, Output, Parameter, format_number, format_vector, short_name,
+    Handle, Interactive, Numbers, Output, Parameter, Probe, array, collect_numbers, format_number,
+    format_vector, short_name,
 };
 use course::examples::mirror::{Mirror, colour, hidden, mirrors, shadowed_phong};
 use glam::DVec3;
@@ -19,9 +17,6 @@ const OFFSETS: &[&str] = &[
 
 /// The largest depth, that of the example.
 const MAX_DEPTH: u32 = 10;
-
-/// Texts by the names of the columns of a table.
-type Row = Vec<(&'static str, String)>;
 
 /// The columns of the table of what a ray meets.
 const COLUMNS: [&str; 9] = ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
@@ -42,12 +37,12 @@ impl Mirrors {
     }
 
     /// The row of what `ray` meets, and the mirrored ray.
-    fn trace_hit(&self, ray: &Ray, depth: u32) -> (Row, Option<Ray>) {
+    fn trace_hit(&self, ray: &Ray, depth: u32) -> (Numbers, Option<Ray>) {
         let Scene { objects, ambient_light, lights } = &self.scene;
         let intensity = format_vector(self.colour(ray, depth));
         let hit = nearest(objects, ray).zip(visible_point(objects, ray));
         let Some((hit, point)) = hit else {
-            return (vec![("object", "sky".into()), ("I", intensity)], None);
+            return (collect_numbers([("object", "sky".into()), ("I", intensity)]), None);
         };
         let SurfacePoint { p, n, material: Mirror { material, k } } = point;
         let is_hidden =
@@ -58,9 +53,8 @@ impl Mirrors {
         let shaded = SurfacePoint { p, n, material };
         let terms = shadowed_phong(&shaded, ray, *ambient_light, lights, is_hidden);
         let direction = reflect(n, -ray.direction);
-        let mirrored = Ray { start: p + self.offset * n, direction };
         let is_mirror = 0.0 < *k && 0 < depth;
-        let row = vec![
+        let row = collect_numbers([
             ("object", short_name(hit.object.name).into()),
             ("t", format_number(hit.t)),
             ("p", format_vector(p)),
@@ -70,8 +64,8 @@ impl Mirrors {
             ("specular", format_vector(terms.specular)),
             ("k", if is_mirror { format_number(*k) } else { "0".into() }),
             ("I", intensity),
-        ];
-        (row, is_mirror.then_some(mirrored))
+        ]);
+        (row, is_mirror.then_some(Ray { start: p + self.offset * n, direction }))
     }
 }
 
@@ -121,12 +115,11 @@ impl Interactive for Mirrors {
             ("bytes", format_vector(bytes.map(f64::from))),
         ]);
         for k in 0..=MAX_DEPTH {
-            let empty = COLUMNS.map(|name| (format!("{name}{k}"), String::new()));
-            numbers.extend(empty);
-            let Some(incident) = ray else { continue };
-            let (row, mirrored) = self.trace_hit(&incident, self.depth - k);
-            let row = row.into_iter().map(|(name, text)| (format!("{name}{k}"), text));
-            numbers.extend(row);
+            let hit = ray.map(|ray| self.trace_hit(&ray, self.depth - k));
+            let (mut row, mirrored) = hit.unwrap_or_default();
+            for name in COLUMNS {
+                numbers.insert(format!("{name}{k}"), row.remove(name).unwrap_or_default());
+            }
             ray = mirrored;
         }
         numbers

@@ -1,8 +1,8 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
-use crate::output::collect_numbers;
-use crate::probe::Probe;
-use crate::{Numbers, discriminant, format_number, format_vector, short_name};
+use crate::{
+    Numbers, Probe, collect_numbers, discriminant, format_number, format_vector, short_name,
+};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step05_phong::{

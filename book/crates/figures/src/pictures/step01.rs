@@ -1,6 +1,5 @@
 use crate::aspect_ratio::{aspect_ratio_parameter, camera};
-use crate::parameter::array;
-use crate::{Interactive, Output, Parameter};
+use crate::{Interactive, Output, Parameter, array};
 use step01_rays::{Camera, direction_colour, render};
 
 /// The picture of step 1, with its camera to set.

@@ -1,7 +1,5 @@
 use super::pixel_trace::trace_pixel;
-use crate::parameter::array;
-use crate::probe::Probe;
-use crate::{Handle, Interactive, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Numbers, Output, Parameter, Probe, array};
 use step02_sphere::{SPHERE, Sphere, colour, render};
 use step03_nearest::Object;
 

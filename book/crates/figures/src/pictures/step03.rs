@@ -1,6 +1,5 @@
 use super::pixel_trace::trace_pixel;
-use crate::probe::Probe;
-use crate::{Handle, Interactive, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Numbers, Output, Parameter, Probe};
 use step03_nearest::{OBJECTS, colour, render};
 
 /// The picture of step 3, with a probe.

@@ -1,6 +1,5 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use crate::probe::Probe;
-use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, Probe};
 use glam::DVec3;
 use std::iter::zip;
 use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};

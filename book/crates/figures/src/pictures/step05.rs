@@ -1,7 +1,5 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use crate::parameter::array;
-use crate::probe::Probe;
-use crate::{Handle, Interactive, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Numbers, Output, Parameter, Probe, array};
 use glam::DVec3;
 use std::iter::zip;
 use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest, render};
