@@ -32,7 +32,7 @@ impl Interactive for AttenuationFigure {
     }
 
     fn draw(&self) -> Output {
-        let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(24.0, 100.0) };
+        let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(22.0, 100.0) };
         let place = |d: f64, share: f64| view.xy_to_drawing(d, share);
         let mut drawing = Drawing::new(480.0, 280.0);
         for share in [0.5, 1.0, 1.5, 2.0] {
@@ -46,22 +46,25 @@ impl Interactive for AttenuationFigure {
         drawing.arrow("axis", view.origin, place(14.4, 0.0));
         drawing.arrow("axis", view.origin, place(0.0, 2.16));
         let from_1 = |b, c| Attenuation { a: 1.0, b, c };
-        // The name stands beside the curve, or where every curve begins.
         let is_warm = self.0 == WARM.attenuation;
-        let (name, name_d, shift) =
-            if is_warm { ("the warm light", 4.2, -10.0) } else { ("your curve", 0.3, -8.0) };
-        let curves = [
-            (from_1(0.0, 0.0), 9.0, -8.0, "$a$ = 1"),
-            (from_1(0.2, 0.0), 6.0, -8.0, "$a$ = 1, $b$ = 0.2"),
-            (from_1(0.0, 0.1), 0.4, 88.0, "$a$ = 1, $c$ = 0.1"),
-            (self.0, name_d, shift, name),
+        let mut curves = [
+            ("curve curve-1", from_1(0.0, 0.0), "$a$ = 1"),
+            ("curve curve-2", from_1(0.2, 0.0), "$a$ = 1, $b$ = 0.2"),
+            ("curve curve-3", from_1(0.0, 0.1), "$a$ = 1, $c$ = 0.1"),
+            ("curve curve-4", self.0, if is_warm { "the warm light" } else { "your curve" }),
         ];
-        for (k, (attenuation, d, shift, text)) in (1..).zip(curves) {
-            let class = &format!("curve curve-{k}");
-            let on_curve = |d: f64| place(d, 1.0 / attenuation.divisor(d));
-            let points = (0..=100).map(|k| on_curve(f64::from(k) * 0.14));
+        for (class, attenuation, _) in &curves {
+            let distances = (0..=100).map(|k| f64::from(k) * 0.14);
+            let points = distances.map(|d| place(d, 1.0 / attenuation.divisor(d)));
             drawing.path(class, &points.collect::<Vec<_>>());
-            drawing.label_starting_at(class, on_curve(d) + dvec2(0.0, shift), text);
+        }
+        // The names stand at the ends, from the lowest up, each above the one before.
+        curves.sort_by(|(_, a, _), (_, b, _)| b.divisor(14.0).total_cmp(&a.divisor(14.0)));
+        let mut y = f64::INFINITY;
+        for (class, attenuation, name) in curves {
+            let end = place(14.0, 1.0 / attenuation.divisor(14.0)) + dvec2(14.0, 5.0);
+            y = end.y.min(y - 18.0);
+            drawing.label_starting_at(class, end.with_y(y), name);
         }
         drawing.label("", place(14.0, 0.0) + dvec2(4.0, 22.0), "$d$");
         Output::Drawing(drawing)

@@ -4,18 +4,18 @@ use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
 
 /// The map of (depth, height) to the drawing: the camera looks to the right.
-const VIEW: View = View { origin: dvec2(26.0, 146.0), scale: dvec2(84.0, 84.0) };
+const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
 /// The place of a point of the world, seen from the side.
 fn place(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
-/// The three balls: near, in the middle and far away.
-const SPHERES: [Sphere; 3] = [
-    Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
-    Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },
-    Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 },
+/// The three balls, near, in the middle and far away, and where the words stand beside each.
+const BALLS: [(Sphere, DVec2); 3] = [
+    (Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 }, dvec2(0.0, 42.0)),
+    (Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 }, dvec2(62.0, 5.0)),
+    (Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 }, dvec2(0.0, 49.0)),
 ];
 
 /// The rays along the upper and the lower side of the view.
@@ -69,24 +69,24 @@ impl Interactive for Frustum {
 
     fn draw(&self) -> Output {
         let (planes, sides) = (self.planes, sides());
-        let mut drawing = Drawing::new(480.0, 292.0);
+        let mut drawing = Drawing::new(480.0, 334.0);
         let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
         drawing.area("plane", &[near[0], far[0], far[1], near[1]]);
         for ray in sides {
             drawing.line("guide", place(ray.start), place(ray.at(5.4)));
         }
-        for (name, [upper, lower]) in [("near plane", near), ("far plane", far)] {
+        for [upper, lower] in [near, far] {
             drawing.line("ground", upper, lower);
-            drawing.label("quiet over", upper - dvec2(0.0, 10.0), name);
         }
-        for sphere in SPHERES {
+        // However near the planes are to each other, their names don't meet.
+        let names = [near, far].map(|[upper, _]| upper - dvec2(0.0, 10.0));
+        drawing.label_ending_at("quiet over", names[0].max(dvec2(76.0, 0.0)), "near plane");
+        drawing.label_starting_at("quiet over", names[1].min(dvec2(408.0, 300.0)), "far plane");
+        for (sphere, words_shift) in BALLS {
             let part = part_between(&sphere, planes);
-            let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
             let class = if part == "cut away" { "behind" } else { "object" };
-            drawing.circle(class, centre, radius);
-            // The name of a small ball stands below it.
-            let down = if radius < 20.0 { radius + 32.0 } else { 5.0 };
-            drawing.label("quiet", centre + dvec2(0.0, down), part);
+            drawing.circle(class, place(sphere.centre), VIEW.scale.x * sphere.radius);
+            drawing.label("quiet over", place(sphere.centre) + words_shift, part);
             let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
             if let Some(t) = sphere.intersect(&ray).first_hit() {
                 drawing.line("ray", place(ray.start), place(ray.at(t)));

@@ -5,11 +5,11 @@ use crate::{
 use glam::{DVec2, dvec2};
 use step01_rays::Ray;
 
-const SIZE: DVec2 = dvec2(480.0, 240.0);
+const SIZE: DVec2 = dvec2(480.0, 250.0);
 const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
 
-/// The shift by which V is drawn above the ray.
-const V_SHIFT: DVec2 = dvec2(-5.0, -14.0);
+/// The distance in the drawing between the ray and V.
+const GAP: f64 = 13.0;
 
 /// A ray in the plane z = 0 with the points at several t, and a point that keeps its distance
 /// from S when V is made longer.
@@ -25,29 +25,27 @@ impl RayFigure {
         VIEW.to_drawing(self.ray.at(t).truncate())
     }
 
+    /// The unit vector in the drawing that leads from the ray to V, to the left of it.
+    fn left(&self) -> DVec2 {
+        (self.place(0.0) - self.place(1.0)).perp().normalize()
+    }
+
     /// The place of the tip of V.
     fn tip(&self) -> DVec2 {
-        self.place(1.0) + V_SHIFT
+        self.place(1.0) + GAP * self.left()
     }
 }
 
-/// Whether a place is in the drawing, with room for a mark.
-fn is_in_drawing(place: DVec2) -> bool {
-    place.clamp(dvec2(8.0, 8.0), SIZE - 8.0) == place
+/// Whether a place is in the drawing, with so much room around it.
+fn is_in_drawing(place: DVec2, room: DVec2) -> bool {
+    place.clamp(room, SIZE - room) == place
 }
 
-/// The label S + tV of the point, above V and its name if the point is beside them.
-fn draw_point_label(drawing: &mut Drawing, t: f64, point: DVec2, v_length: f64) {
-    if !is_in_drawing(point) {
-        return;
-    }
-    let sign = if t < 0.0 { '−' } else { '+' };
-    let factor = format_rounded(t.abs(), 2);
-    let factor = if factor == "1" { "" } else { &factor };
-    let is_beside_v = (-10.0..v_length + 70.0).contains(&(t * v_length));
-    let height = if is_beside_v { 52.0 } else { 16.0 };
-    let end = (point - dvec2(8.0, height)).max(dvec2(76.0, 18.0));
-    drawing.label_ending_at("", end, &format!("$S$ {sign} {factor}$V$"));
+/// The place of a label that begins at this distance from a point, in this direction.
+fn label_place(label: &str, point: DVec2, direction: DVec2, distance: f64) -> DVec2 {
+    let half_width = 4.0 * label.replace('$', "").chars().count() as f64;
+    let extent = dvec2(half_width, 8.0).dot(direction.abs());
+    point + (distance + extent) * direction + dvec2(0.0, 5.0)
 }
 
 impl Interactive for RayFigure {
@@ -60,7 +58,7 @@ impl Interactive for RayFigure {
     fn parameters() -> Vec<Parameter> {
         vec![
             Parameter::coordinate(0.0, [-2.0, 7.0], 10.0),
-            Parameter::coordinate(0.0, [-1.0, 3.0], 10.0),
+            Parameter::coordinate(0.0, [-0.5, 2.5], 10.0),
             Parameter::coordinate(2.4, [-4.0, 7.0], 10.0),
             Parameter::coordinate(0.7, [-4.0, 4.0], 10.0),
             Parameter::coordinate(5.0, [-2.0, 8.0], 10.0),
@@ -77,7 +75,7 @@ impl Interactive for RayFigure {
         let from_start =
             |Self { ray, .. }: &Self, place| VIEW.to_world(place) - ray.start.truncate();
         let tip = |figure: &Self| Some(figure.tip());
-        let v_at = move |figure: &Self, place| from_start(figure, place - V_SHIFT);
+        let v_at = move |figure: &Self, place| from_start(figure, place - GAP * figure.left());
         let point = |figure: &Self| figure.place(figure.t);
         let distance_at = move |figure: &Self, place| {
             from_start(figure, place).dot(figure.ray.direction.truncate().normalize())
@@ -90,37 +88,49 @@ impl Interactive for RayFigure {
     }
 
     fn is_allowed(&self) -> bool {
-        let places = [self.place(0.0), self.tip()];
-        0.5 <= self.ray.direction.length() && places.into_iter().all(is_in_drawing)
+        let is_in_drawing = |place| is_in_drawing(place, DVec2::splat(8.0));
+        0.5 <= self.ray.direction.length()
+            && [self.place(0.0), self.tip()].into_iter().all(is_in_drawing)
     }
 
     fn draw(&self) -> Output {
         let place = |t: f64| self.place(t);
-        let v = place(1.0) - place(0.0);
+        let (v, left) = (place(1.0) - place(0.0), self.left());
+        let back = -v.normalize();
+        let is_visible = |t: f64| is_in_drawing(place(t), DVec2::splat(8.0));
         let mut drawing = Drawing::new(SIZE.x, SIZE.y);
         let steps = (0..).map(|k| 0.1 * f64::from(k));
-        let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
-        drawing.line("guide", place(0.0) - 90.0 * v.normalize(), place(0.0));
+        let end = steps.take_while(|t| is_visible(*t)).last().unwrap_or(0.0);
+        drawing.line("guide", place(0.0) + 90.0 * back, place(0.0));
         drawing.arrow("ray", place(0.0), place(end));
-        drawing.arrow("vector", place(0.0) + V_SHIFT, self.tip());
-        drawing.label("strong", place(0.5) + 2.0 * V_SHIFT, "$V$");
+        drawing.arrow("vector", place(0.0) + GAP * left, self.tip());
+        drawing.label("strong", label_place("V", place(0.5), left, 20.0), "$V$");
+        drawing.label("strong", label_place("S", place(0.0) + GAP * left, back, 6.0), "$S$");
         // Each whole t that has room gets a label; where V is short or steep, only some do.
         let step = (52.0 / v.x.abs().max(1.7 * v.y.abs())).ceil();
-        let margin = dvec2(26.0, 32.0);
         for t in (-1..40).map(|k| if k < 0 { -0.5 } else { step * f64::from(k) }) {
-            let has_room = place(t).clamp(margin, SIZE - margin) == place(t);
+            let label = format!("$t$ = {}", format_number(t));
+            let middle = label_place(&label, place(t), -left, 7.0);
+            let has_room = is_visible(t) && is_in_drawing(middle, dvec2(28.0, 14.0));
             if has_room && (0.0 <= t || step == 1.0) {
                 drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
-                let label = format!("$t$ = {}", format_number(t));
-                drawing.label("quiet", place(t) + dvec2(9.0, 25.0), &label);
+                drawing.label("quiet", middle, &label);
             }
         }
-        if v.x < 0.0 {
-            drawing.label_starting_at("strong", place(0.0) + dvec2(12.0, -16.0), "$S$");
-        } else {
-            drawing.label_ending_at("strong", place(0.0) + dvec2(-14.0, -10.0), "$S$");
+        if is_visible(self.t) {
+            let sign = if self.t < 0.0 { '−' } else { '+' };
+            let factor = format_rounded(self.t.abs(), 2);
+            let label = format!("$S$ {sign} {}$V$", if factor == "1" { "" } else { &factor });
+            // Beyond the name of V, if the point is beside it, or else beyond those of the t.
+            let is_beside_v = (-60.0..v.length() + 60.0).contains(&(self.t * v.length()));
+            let distance = if is_beside_v { 44.0 } else { 12.0 };
+            let places = [(left, distance), (-left, 28.0)]
+                .map(|(side, distance)| label_place(&label, place(self.t), side, distance));
+            let mut places = places.into_iter();
+            if let Some(place) = places.find(|place| is_in_drawing(*place, dvec2(44.0, 14.0))) {
+                drawing.label("", place, &label);
+            }
         }
-        draw_point_label(&mut drawing, self.t, place(self.t), v.length());
         Output::Drawing(drawing)
     }
 

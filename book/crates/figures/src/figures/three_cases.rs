@@ -34,13 +34,13 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
     let circle_view = circle_view(case);
     let x = circle_view.origin.x;
     // The parabola is straight below the ray: t = 0 is below the start.
-    let origin = dvec2(x + 33.0 * ray.start.x, 246.0);
-    let parabola_view = View { origin, scale: dvec2(33.0, 17.0) };
+    let origin = dvec2(x + 33.0 * ray.start.x, 262.0);
+    let parabola_view = View { origin, scale: dvec2(33.0, 16.0) };
     let [first, last] = X_RANGE.map(|end| end - ray.start.x);
     let on_ray = |t: f64| circle_view.to_drawing(ray.at(t).truncate());
-    let [discriminant, roots] = labels(ray);
+    let [discriminant, root_words] = labels(ray);
     drawing.label("strong", dvec2(x, 20.0), &discriminant);
-    drawing.label("quiet", dvec2(x, 40.0), &roots);
+    drawing.label("quiet", dvec2(x, 40.0), &root_words);
     drawing.circle("object", circle_view.origin, 33.0);
     if first < 0.0 {
         drawing.line("guide", on_ray(first), on_ray(0.0));
@@ -58,8 +58,13 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
         parabola_view.xy_to_drawing(t, a * t * t + b * t + c)
     });
     drawing.path("curve", &curve.collect::<Vec<_>>());
-    for t in SPHERE.intersect(ray).iter() {
-        let class = if t <= 0.0 { "behind" } else { "hit" };
+    let roots = SPHERE.intersect(ray);
+    for t in roots.iter() {
+        let class = match roots.first_hit() {
+            Some(hit) if hit == t => "hit",
+            _ if t <= 0.0 => "behind",
+            _ => "ray",
+        };
         drawing.line("guide", on_ray(t), on_axis(t));
         drawing.dot(class, on_ray(t));
         drawing.dot(class, on_axis(t));
@@ -81,7 +86,7 @@ impl Interactive for ThreeCases {
 
     fn parameters() -> Vec<Parameter> {
         let parameters = [1.375, 1.0, 0.4375].into_iter().flat_map(|y| {
-            let x = Parameter::coordinate(-2.125, [-2.25, 1.875], 16.0);
+            let x = Parameter::coordinate(-2.125, [-2.25, 1.5], 16.0);
             [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
         });
         parameters.collect()
@@ -100,12 +105,12 @@ impl Interactive for ThreeCases {
     }
 
     fn draw(&self) -> Output {
-        let mut drawing = Drawing::new(480.0, 330.0);
+        let mut drawing = Drawing::new(480.0, 346.0);
         for (case, start) in self.starts.iter().enumerate() {
             let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
             draw_case(&mut drawing, &ray, case);
         }
-        drawing.label("", dvec2(240.0, 318.0), "$at^2$ + $bt$ + $c$ along each ray");
+        drawing.label("", dvec2(240.0, 334.0), "$at^2$ + $bt$ + $c$ along each ray");
         Output::Drawing(drawing)
     }
 }
