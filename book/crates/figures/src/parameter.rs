@@ -1,5 +1,4 @@
 use crate::format_number;
-use std::sync::Arc;
 
 /// A number that the reader sets, by a control below a figure or by a handle in it.
 #[derive(Clone)]
@@ -19,11 +18,9 @@ pub struct Parameter {
     /// The object that it belongs to, where a page has the controls of one object at a
     /// time; otherwise empty.
     pub group: &'static str,
-    pub(crate) condition: Option<Arc<Condition>>,
+    /// Whether, at some values of all parameters, the page has a control for this one.
+    pub condition: fn(&Self, &[f64]) -> bool,
 }
-
-/// A condition on the values of all parameters.
-type Condition = dyn Fn(&[f64]) -> bool + Send + Sync;
 
 /// The kind of control that sets a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +52,7 @@ impl Parameter {
             steps_per_unit,
             control: ControlKind::Number(unit),
             group: "",
-            condition: None,
+            condition: |_, _| true,
         }
     }
 
@@ -73,22 +70,13 @@ impl Parameter {
 
     /// A switch.
     pub fn switch(words: &'static str, is_on: bool) -> Self {
-        let default = f64::from(is_on);
-        let control = ControlKind::Switch;
-        Self { control, ..Self::new(["", words, ""], default, [0.0, 1.0], 1.0) }
-    }
-
-    /// The same parameter, with a control only where the values of all fulfil a condition.
-    pub fn with_control_if(
-        self,
-        condition: impl Fn(&[f64]) -> bool + Send + Sync + 'static,
-    ) -> Self {
-        Self { condition: Some(Arc::new(condition)), ..self }
+        let number = Self::new(["", words, ""], is_on.into(), [0.0, 1.0], 1.0);
+        Self { control: ControlKind::Switch, ..number }
     }
 
     /// Whether, at these values of all parameters, the page has a control for it.
     pub fn has_control(&self, values: &[f64]) -> bool {
-        self.condition.as_ref().is_none_or(|condition| condition(values))
+        (self.condition)(self, values)
     }
 
     /// The allowed value that is nearest to `value`.

@@ -1,17 +1,14 @@
 //! The part of an address that keeps a scene: the values that differ from the defaults,
 //! such as `red-sphere-radius:2,camera-field-of-view:45`.
 
+use super::parameters::PARAMETERS;
 use crate::{Figure, Parameter};
 
 /// The address of these values.
-pub fn format_address<'a>(
-    parameters: impl Iterator<Item = &'a Parameter>,
-    values: &[f64],
-) -> String {
-    let pairs = parameters.zip(values);
+pub fn format_address(values: &[f64]) -> String {
+    let pairs = PARAMETERS.iter().map(|(_, parameter)| parameter).zip(values);
     let different = pairs.filter(|(parameter, value)| parameter.default != **value);
-    let parts =
-        different.filter_map(|(parameter, value)| Some(format!("{}:{value}", key(parameter)?)));
+    let parts = different.filter_map(|(one, value)| Some(format!("{}:{value}", key(one)?)));
     parts.collect::<Vec<_>>().join(",")
 }
 
@@ -28,14 +25,10 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String>
             format!("The address speaks of “{name}”, and nothing here is called so.")
         })?;
         let [min, max] = figure.parameters[index].range;
-        values[index] = match value.parse() {
-            Ok(number) if (min..=max).contains(&number) => number,
-            _ => {
-                return Err(format!(
-                    "The address says “{value}” for {name}; allowed are {min} to {max}."
-                ));
-            }
-        };
+        let number = value.parse().ok().filter(|number| (min..=max).contains(number));
+        values[index] = number.ok_or_else(|| {
+            format!("The address says “{value}” for {name}; allowed are {min} to {max}.")
+        })?;
     }
     figure.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
 }

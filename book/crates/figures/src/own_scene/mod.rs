@@ -62,10 +62,9 @@ impl Interactive for OwnScenePicture {
     }
 
     fn numbers(&self) -> Numbers {
-        let parameters = PARAMETERS.iter().map(|(_, parameter)| parameter);
         collect_numbers([
             ("rust", format_scene_program(&self.own)),
-            ("address", address::format_address(parameters, &self.values)),
+            ("address", address::format_address(&self.values)),
         ])
     }
 }

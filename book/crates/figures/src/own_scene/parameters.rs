@@ -55,24 +55,23 @@ fn numbers(
     owner: Owner,
     k: usize,
     group: &'static str,
-) -> Vec<(Target, Parameter)> {
-    let mut parameters = vec![];
-    for quantity in QUANTITIES.iter().filter(|quantity| quantity.owner == owner) {
+) -> impl Iterator<Item = (Target, Parameter)> {
+    let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
+    quantities.flat_map(move |quantity| {
         let defaults = (quantity.get)(own, k);
         let ground_ranges = quantity.ground_ranges.filter(|_| group == "ground");
-        for (place, number) in quantity.numbers.iter().enumerate() {
+        quantity.numbers.iter().enumerate().map(move |(place, number)| {
             let course::Number { symbol, words, unit, range, steps_per_unit } = *number;
             let range = ground_ranges.map_or(range, |ranges| ranges[place]);
             let names = [symbol, words, unit];
-            let mut parameter = Parameter::new(names, defaults[place], range, steps_per_unit);
-            parameter.group = group;
+            let parameter = Parameter::new(names, defaults[place], range, steps_per_unit);
+            let mut parameter = Parameter { group, ..parameter };
             if quantity.needs_mirrors {
-                parameter = parameter.with_control_if(|values| own_scene(values).has_mirrors);
+                parameter.condition = |_, values| own_scene(values).has_mirrors;
             }
-            parameters.push((Target::Number(quantity, k, place), parameter));
-        }
-    }
-    parameters
+            (Target::Number(quantity, k, place), parameter)
+        })
+    })
 }
 
 /// The scene of these values of all parameters.
@@ -81,10 +80,9 @@ pub fn own_scene(values: &[f64]) -> OwnScene {
     let mut absent = vec![];
     for ((target, _), &value) in zip(&*PARAMETERS, values) {
         match *target {
-            Target::Columns => {}
             Target::Mirrors => own.has_mirrors = value == 1.0,
             Target::Presence(owner, k) if value == 0.0 => absent.push((owner, k)),
-            Target::Presence(..) => {}
+            Target::Columns | Target::Presence(..) => {}
             Target::Number(quantity, k, place) => {
                 let mut numbers = match quantity.numbers {
                     [_] => [value; 3],

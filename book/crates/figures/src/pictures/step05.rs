@@ -68,13 +68,12 @@ pub fn object_parameters(
     range: [f64; 2],
     steps_per_unit: f64,
 ) -> impl Iterator<Item = Parameter> {
-    zip(OBJECTS, defaults).map(move |(object, default)| {
-        let words = format!("of the {}", object.name);
-        let parameter = Parameter::new([symbol, "", ""], default, range, steps_per_unit);
-        Parameter { words, ..parameter }.with_control_if(move |values| {
-            let (probe, _) = Probe::split_values(values);
-            let hit = nearest(&OBJECTS, &probe.ray());
-            hit.is_some_and(|hit| hit.object.sphere == object.sphere)
-        })
+    zip(OBJECTS, defaults).map(move |(object, default)| Parameter {
+        words: format!("of the {}", object.name),
+        condition: |parameter, values| {
+            let hit = nearest(&OBJECTS, &Probe::split_values(values).0.ray());
+            hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
+        },
+        ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
     })
 }
