@@ -44,20 +44,17 @@ impl Interactive for Lobes {
         let Self { n: reader_n, r } = *self;
         let mut drawing = Drawing::new(480.0, 300.0);
         drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-        for (k, n) in [1, 10, 40, reader_n].into_iter().enumerate() {
-            let lobe = (0..=180).map(|k| {
-                let v = DVec2::from_angle(f64::from(k).to_radians());
-                VIEW.to_drawing(highlight(r, v, n) * v)
-            });
-            drawing.area(&format!("lobe lobe-{}", k + 1), &lobe.collect::<Vec<_>>());
+        let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
+        for (k, n) in (1..).zip([1, 10, 40, reader_n]) {
+            let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
+            let lobe: Vec<_> = directions.map(|v| on_lobe(n, v)).collect();
+            drawing.area(&format!("lobe lobe-{k}"), &lobe);
         }
         let l = dvec2(-r.x, r.y);
         drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
-        for (class, vector) in
-            [("light", 0.85 * l), ("normal", 0.85 * DVec2::Y), ("vector", 1.12 * r)]
-        {
-            drawing.arrow(class, VIEW.origin, VIEW.to_drawing(vector));
-        }
+        drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
+        drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
+        drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
         drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
         drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
         drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
@@ -66,9 +63,8 @@ impl Interactive for Lobes {
         for (n, angle, y) in labels {
             // The leader ends beside r, on the side of the labels, and above the ground.
             let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
-            let place = VIEW.to_drawing(highlight(r, v, n) * v);
             let label = dvec2(418.0, y);
-            drawing.line("leader", place, label - dvec2(5.0, 5.0));
+            drawing.line("leader", on_lobe(n, v), label - dvec2(5.0, 5.0));
             drawing.label_starting_at("quiet", label, &n.to_string());
         }
         drawing.label_starting_at("quiet", dvec2(418.0, 90.0), "$n$ =");
