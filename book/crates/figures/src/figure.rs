@@ -5,7 +5,8 @@ use glam::DVec2;
 pub struct Figure {
     /// The name in chapters and requests.
     pub name: &'static str,
-    /// The title of a figure; empty for a picture.
+    /// The title of a figure, for those who can't see it; empty for a picture, whose chapter
+    /// has it.
     pub title: &'static str,
     /// The caption of a figure; Markdown, with formulas.
     pub caption: &'static str,
@@ -21,12 +22,13 @@ pub struct Figure {
     pub numbers: fn(&[f64]) -> Numbers,
     /// The group of the object that is seen at a place, at these values.
     pub group_at: fn(&[f64], DVec2) -> Option<&'static str>,
-    is_allowed: fn(&[f64]) -> bool,
+    /// Whether there is something to draw at these values.
+    pub is_allowed: fn(&[f64]) -> bool,
 }
 
 impl Figure {
     /// The figure or picture `T`.
-    pub fn of<T: Interactive>() -> Self {
+    pub(crate) fn of<T: Interactive>() -> Self {
         Self {
             name: T::NAME,
             title: T::TITLE,

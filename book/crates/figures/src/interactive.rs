@@ -5,45 +5,36 @@ use step01_rays::Camera;
 
 /// What a figure or picture shows, made from the values of its parameters.
 ///
-/// Here numbers get their names: `from_values` takes those of all parameters, in order.
+/// Here numbers get their names: `from_values` takes those of all parameters, in order. The
+/// other items are the fields of [`Figure`], which says what each is.
+///
+/// [`Figure`]: crate::Figure
 pub trait Interactive: Sized + 'static {
-    /// The name in chapters and requests.
     const NAME: &'static str;
-    /// The title of a figure, for those who can't see it; empty for a picture, whose chapter
-    /// has it.
     const TITLE: &'static str = "";
-    /// The caption of a figure; Markdown, with formulas.
     const CAPTION: &'static str = "";
-    /// The figure whose values this one takes, instead of having controls.
     const FOLLOWED: Option<&'static str> = None;
 
-    /// The numbers that the reader sets.
+    fn from_values(values: &[f64]) -> Self;
+
+    fn draw(&self) -> Output;
+
     fn parameters() -> Vec<Parameter> {
         vec![]
     }
 
-    /// What these values of the parameters show.
-    fn from_values(values: &[f64]) -> Self;
-
-    /// The marks that the reader drags.
     fn handles() -> Vec<Handle> {
         vec![]
     }
 
-    /// Whether there is something to draw.
     fn is_allowed(&self) -> bool {
         true
     }
 
-    /// The drawing or the pixels.
-    fn draw(&self) -> Output;
-
-    /// The numbers in the text that depend on the values.
     fn numbers(&self) -> Numbers {
         Numbers::new()
     }
 
-    /// The group of the object that is seen at a place of the picture; None where none is.
     fn group_at(&self, _place: DVec2) -> Option<&'static str> {
         None
     }

@@ -32,7 +32,7 @@ pub use drawing::Drawing;
 use output::collect_numbers;
 pub use output::{Numbers, Output};
 pub use text_markup::{escape, italic_letter};
-pub use view::{View, degrees_left_of_up};
+use view::{View, degrees_left_of_up};
 
 mod discriminant;
 pub use course::{camera, examples::row::Row};
@@ -46,7 +46,7 @@ mod parameter;
 mod probe;
 pub use figure::Figure;
 pub use handle::{Handle, Mark};
-pub use interactive::Interactive;
+use interactive::Interactive;
 use parameter::array;
 pub use parameter::{ControlKind, Parameter};
 use probe::Probe;

@@ -11,17 +11,17 @@ pub struct View {
 
 impl View {
     /// The place of a point of the world.
-    pub fn to_drawing(&self, world_point: DVec2) -> DVec2 {
+    pub fn to_drawing(self, world_point: DVec2) -> DVec2 {
         self.xy_to_drawing(world_point.x, world_point.y)
     }
 
     /// The place of the point (x, y).
-    pub fn xy_to_drawing(&self, x: f64, y: f64) -> DVec2 {
+    pub fn xy_to_drawing(self, x: f64, y: f64) -> DVec2 {
         self.origin + self.scale * dvec2(x, -y)
     }
 
     /// The point of the world at a place in the drawing.
-    pub fn to_world(&self, place: DVec2) -> DVec2 {
+    pub fn to_world(self, place: DVec2) -> DVec2 {
         (place - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
 }
