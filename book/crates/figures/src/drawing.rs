@@ -19,7 +19,7 @@ impl Drawing {
 
     /// A straight line.
     pub fn line(&mut self, class: &str, start: DVec2, end: DVec2) {
-        self.path(class, &[start, end]);
+        self.path(class, [start, end]);
     }
 
     /// An arrow whose tip is at `tip`.
@@ -28,16 +28,16 @@ impl Drawing {
         let back = tip - 9.0 * along;
         self.line(class, start, back + 2.0 * along);
         let side = 3.8 * along.perp();
-        self.area(&format!("{class} head"), &[tip, back + side, back - side]);
+        self.area(&format!("{class} head"), [tip, back + side, back - side]);
     }
 
     /// A line through all `points`.
-    pub fn path(&mut self, class: &str, points: &[DVec2]) {
+    pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, commands(points));
     }
 
     /// The area whose corners are `points`.
-    pub fn area(&mut self, class: &str, points: &[DVec2]) {
+    pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.body += &format!(r#"<path class="{class} area" d="{}Z"></path>"#, commands(points));
     }
 
@@ -45,7 +45,7 @@ impl Drawing {
     pub fn rectangle(&mut self, class: &str, middle: DVec2, half_diagonal: DVec2) {
         let flip = dvec2(half_diagonal.x, -half_diagonal.y);
         let corners = [-half_diagonal, flip, half_diagonal, -flip];
-        self.area(class, &corners.map(|corner| middle + corner));
+        self.area(class, corners.map(|corner| middle + corner));
     }
 
     /// A circle.
@@ -73,8 +73,7 @@ impl Drawing {
     pub fn arc(&mut self, class: &str, centre: DVec2, radius: f64, [start, end]: [f64; 2]) {
         let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };
-        let points = (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k))));
-        self.path(class, &points.collect::<Vec<_>>());
+        self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
     /// A text with its middle at a point, with symbols between dollar signs: `$V_0$`
@@ -118,7 +117,7 @@ impl Drawing {
 }
 
 /// The commands of a path through `points`.
-fn commands(points: &[DVec2]) -> String {
-    let pair = |point: &DVec2| format!("{:.2} {:.2}", point.x, point.y);
-    format!("M{}", points.iter().map(pair).collect::<Vec<_>>().join("L"))
+fn commands(points: impl IntoIterator<Item = DVec2>) -> String {
+    let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
+    format!("M{}", pairs.collect::<Vec<_>>().join("L"))
 }

@@ -55,8 +55,7 @@ impl Interactive for AttenuationFigure {
         ];
         for (class, attenuation, _) in &curves {
             let distances = (0..=100).map(|k| f64::from(k) * 0.14);
-            let points = distances.map(|d| place(d, 1.0 / attenuation.divisor(d)));
-            drawing.path(class, &points.collect::<Vec<_>>());
+            drawing.path(class, distances.map(|d| place(d, 1.0 / attenuation.divisor(d))));
         }
         // The names stand at the ends, from the lowest up, each above the one before.
         curves.sort_by(|(_, a, _), (_, b, _)| b.divisor(14.0).total_cmp(&a.divisor(14.0)));

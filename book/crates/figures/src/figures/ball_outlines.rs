@@ -73,7 +73,7 @@ impl BallOutlines {
         drawing.circle(class, centre, above.scale.x * ball.radius);
         if is_visible {
             let cut = |point: &DVec2| picture.xy_to_drawing(point.x.clamp(-tan, *tan), point.y);
-            drawing.area("object", &outline.iter().map(cut).collect::<Vec<_>>());
+            drawing.area("object", outline.iter().map(cut));
         }
     }
 

@@ -114,8 +114,7 @@ impl Interactive for FlatWorld {
         // A ray that meets nothing leaves the drawing.
         let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
         let corners = hits.iter().map(|hit| hit.point.p).chain(end);
-        let corners = [self.ray.start].into_iter().chain(corners).map(place);
-        drawing.path("ray", &corners.collect::<Vec<_>>());
+        drawing.path("ray", [self.ray.start].into_iter().chain(corners).map(place));
         for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
             let class = if *is_hidden { "guide" } else { "light" };
             drawing.line(class, place(*p), place(self.q));

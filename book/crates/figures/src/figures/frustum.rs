@@ -71,7 +71,7 @@ impl Interactive for Frustum {
         let (planes, sides) = (self.planes, sides());
         let mut drawing = Drawing::new(480.0, 334.0);
         let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
-        drawing.area("plane", &[near[0], far[0], far[1], near[1]]);
+        drawing.area("plane", [near[0], far[0], far[1], near[1]]);
         for ray in sides {
             drawing.line("guide", place(ray.start), place(ray.at(5.4)));
         }

@@ -64,7 +64,7 @@ impl Interactive for Lambert {
             // Across the beam, at a right angle to it.
             let across = dvec2(-to_light.y, to_light.x);
             let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
-            drawing.area("beam", &[foot(-edge), foot(edge), start(edge), start(-edge)]);
+            drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
             for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
                 drawing.arrow("light", start(k * edge), foot(k * edge));
             }

@@ -47,8 +47,7 @@ impl Interactive for Lobes {
         let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
         for (k, n) in (1..).zip([1, 10, 40, reader_n]) {
             let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
-            let lobe: Vec<_> = directions.map(|v| on_lobe(n, v)).collect();
-            drawing.area(&format!("lobe lobe-{k}"), &lobe);
+            drawing.area(&format!("lobe lobe-{k}"), directions.map(|v| on_lobe(n, v)));
         }
         let l = dvec2(-r.x, r.y);
         drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);

@@ -66,7 +66,7 @@ impl Interactive for SceneFromAbove {
         for Object { name, sphere, .. } in &objects {
             let Some(outline) = cut_outline(sphere, &ray) else { continue };
             let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
-            drawing.area(if is_hit { "object seen" } else { "object" }, &outline);
+            drawing.area(if is_hit { "object seen" } else { "object" }, outline.iter().copied());
             let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
             let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
             drawing.label("quiet", place, short_name(name));

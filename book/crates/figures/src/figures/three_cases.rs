@@ -57,7 +57,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, case: usize) {
         let t = first + (last - first) * f64::from(k) / 60.0;
         parabola_view.xy_to_drawing(t, a * t * t + b * t + c)
     });
-    drawing.path("curve", &curve.collect::<Vec<_>>());
+    drawing.path("curve", curve);
     let roots = SPHERE.intersect(ray);
     for t in roots.iter() {
         let class = match roots.first_hit() {

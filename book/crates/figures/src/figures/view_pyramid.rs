@@ -8,7 +8,7 @@ pub fn draw_view_pyramid(drawing: &mut Drawing, camera: &Camera, project: impl F
     let [right, bottom] = [camera.h_res, camera.v_res].map(|n| f64::from(n - 1));
     let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
     let rays = corners.map(|(i, j)| camera.ray(i, j));
-    drawing.area("plane", &rays.map(|ray| project(ray.at(1.0))));
+    drawing.area("plane", rays.map(|ray| project(ray.at(1.0))));
     for ray in rays {
         drawing.line("ray faint", c, project(ray.at(1.0)));
         drawing.line("guide", project(ray.at(1.0)), project(ray.at(1.26)));
