@@ -10,7 +10,7 @@ use step05_phong::{
 
 /// A ball of one colour that mirrors `r_s` of the light; `n` is its shininess.
 #[allow(dead_code, reason = "there may be no ball")]
-fn ball(
+pub fn ball(
     name: &'static str,
     centre: [f64; 3],
     radius: f64,
@@ -25,7 +25,7 @@ fn ball(
 
 /// A lamp: where it is, L_d, L_s, and a, b and c.
 #[allow(dead_code, reason = "there may be no lamp")]
-fn lamp(
+pub fn lamp(
     position: [f64; 3],
     diffuse: [f64; 3],
     specular: [f64; 3],

@@ -39,6 +39,7 @@ examples! {
     mirror: "../../../../steps/step05_phong/examples/mirror.rs",
     my_scene: "../../../../steps/step03_nearest/examples/my_scene.rs",
     normals: "../../../../steps/step04_diffuse/examples/normals.rs",
+    own_scene: "../../../../steps/step05_phong/examples/own_scene.rs",
     panorama: "../../../../steps/step01_rays/examples/panorama.rs",
     plane: "../../../../steps/step02_sphere/examples/plane.rs",
     plaster: "../../../../steps/step04_diffuse/examples/plaster.rs",

@@ -5,13 +5,11 @@
 use crate::Parameter;
 use crate::probe::columns_parameter;
 use course::examples::mirror::mirrors;
+use course::examples::own_scene::{ball, lamp};
 use course::{OwnScene, Owner, QUANTITIES, Quantity};
-use glam::DVec3;
 use std::iter::zip;
 use std::sync::LazyLock;
-use step05_phong::{
-    Attenuation, Light, Material, Matte, OBJECTS, Object, PointLight, Sphere, scene,
-};
+use step05_phong::{OBJECTS, scene};
 
 /// What a parameter sets.
 #[derive(Clone, Copy)]
@@ -109,34 +107,12 @@ pub fn own_scene(values: &[f64]) -> OwnScene {
 fn largest_scene() -> OwnScene {
     let mut scene = scene();
     scene.objects.extend([
-        sphere("tenth sphere", [1.25, -1.1, -5.0], 0.35, [0.45, 0.2, 0.6], (0.8, 80)),
-        sphere("eleventh sphere", [-1.2, 1.6, -7.0], 0.4, [0.1, 0.3, 0.75], (0.6, 60)),
-        sphere("twelfth sphere", [1.6, 1.7, -8.0], 0.45, [0.85, 0.15, 0.35], (0.3, 20)),
+        ball("tenth sphere", [1.25, -1.1, -5.0], 0.35, [0.45, 0.2, 0.6], 0.8, 80),
+        ball("eleventh sphere", [-1.2, 1.6, -7.0], 0.4, [0.1, 0.3, 0.75], 0.6, 60),
+        ball("twelfth sphere", [1.6, 1.7, -8.0], 0.45, [0.85, 0.15, 0.35], 0.3, 20),
     ]);
-    scene.lights.push(ROSE);
+    scene.lights.push(lamp([0.3, 1.5, -5.0], [0.9, 0.3, 0.6], [1.0, 0.6, 0.8], [0.6, 0.0, 0.1]));
     let mirror_parts = mirrors().objects.into_iter().map(|object| object.material.k);
     let mirror_parts = mirror_parts.chain([0.5, 0.3, 0.1]).collect();
     OwnScene { mirror_parts, ..OwnScene::new(scene) }
 }
-
-fn sphere(
-    name: &'static str,
-    centre: [f64; 3],
-    radius: f64,
-    rgb: [f64; 3],
-    (r_s, shininess): (f64, i32),
-) -> Object<Material> {
-    let (matte, specular) = (Matte::of(rgb.into()), DVec3::splat(r_s));
-    let sphere = Sphere { centre: centre.into(), radius };
-    Object { name, sphere, material: Material { matte, specular, shininess } }
-}
-
-/// A light among the spheres.
-const ROSE: Light = Light {
-    point_light: PointLight {
-        position: DVec3::new(0.3, 1.5, -5.0),
-        diffuse: DVec3::new(0.9, 0.3, 0.6),
-        attenuation: Attenuation { a: 0.6, b: 0.0, c: 0.1 },
-    },
-    specular: DVec3::new(1.0, 0.6, 0.8),
-};
