@@ -5,7 +5,7 @@ use super::assert_no_faults;
 use super::support::reader_workspace::ReaderWorkspace;
 use super::typed_book::typed_workspace;
 use course::Difference;
-use figures::{ControlKind, Figure, Output, Parameter, find};
+use figures::{ControlKind, Figure, Output, find, parse_address};
 use image::RgbImage;
 use std::collections::HashSet;
 use step05_phong::Object;
@@ -29,24 +29,9 @@ fn page_picture(values: &[f64]) -> RgbImage {
     }
 }
 
-/// The default values, but 0 for the parameters for which `is_zero`.
-fn zeroed_values(is_zero: fn(&Parameter) -> bool) -> Vec<f64> {
-    let value = |parameter: &Parameter| {
-        if is_zero(parameter) { 0.0 } else { parameter.default }
-    };
-    own_scene().parameters.iter().map(value).collect()
-}
-
-/// The default values, but these for parameters of these groups and words.
-fn changed_values(changes: &[([&str; 2], f64)]) -> Vec<f64> {
-    let mut values = own_scene().default_values();
-    for ([group, words], value) in changes {
-        let is_changed =
-            |parameter: &Parameter| parameter.group == *group && parameter.words == *words;
-        let index = own_scene().parameters.iter().position(is_changed);
-        values[index.expect(words)] = *value;
-    }
-    values
+/// The values at an address.
+fn values_at(address: &str) -> Vec<f64> {
+    parse_address(own_scene(), address).expect("a scene")
 }
 
 /// Values anywhere in their ranges, the same for the same seed, of a small picture.
@@ -82,28 +67,23 @@ fn program_of_a_scene_draws_the_picture_on_the_page() {
     let difference =
         Difference::between(&tests::read_snapshot("step05_phong"), &page_picture(&default));
     assert!(difference.is_none());
-    let without_objects = zeroed_values(|parameter| parameter.control == ControlKind::Switch);
-    let eye_in_a_sphere = zeroed_values(|parameter| {
-        parameter.group == "red sphere" && ["x", "y", "z"].contains(&parameter.symbol)
+    let parameters = own_scene().parameters.iter();
+    let without_objects = parameters.map(|parameter| match parameter.control {
+        ControlKind::Switch => 0.0,
+        _ => parameter.default,
     });
+    let eye_in_a_sphere = "red-sphere-sideways:0,red-sphere-upwards:0,red-sphere-towards-you:0";
+    let mirrors = "the-way-back-shadows-and-mirrors:1,ground-mirror-image:0.5";
+    let camera = "camera-field-of-view:50,camera-position-sideways:6,camera-position-upwards:3.5,\
+                  camera-target-sideways:-0.5,camera-target-backwards:-8,camera-roll:-20";
     let [random_1, random_2, random_3] = [0, 1000, 2000].map(random_values);
-    let mirrors =
-        [(["the way back", "shadows and mirrors"], 1.0), (["ground", "mirror image"], 0.5)];
-    let camera = [
-        (["camera", "field of view"], 50.0),
-        (["camera", "position sideways"], 6.0),
-        (["camera", "position upwards"], 3.5),
-        (["camera", "target sideways"], -0.5),
-        (["camera", "target backwards"], -8.0),
-        (["camera", "roll"], -20.0),
-    ];
     let scenes = [
         default,
-        without_objects,
-        eye_in_a_sphere,
-        changed_values(&mirrors),
-        changed_values(&camera),
-        changed_values(&[&mirrors[..], &camera].concat()),
+        without_objects.collect(),
+        values_at(eye_in_a_sphere),
+        values_at(mirrors),
+        values_at(camera),
+        values_at(&format!("{mirrors},{camera}")),
         random_1,
         random_2,
         random_3,
