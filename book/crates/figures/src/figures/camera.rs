@@ -21,12 +21,15 @@ impl CameraFigure {
     }
 
     /// The place in the drawing of a point of the world: turned about y, tilted, without
-    /// perspective. A wide view is drawn smaller.
+    /// perspective. A wide view is drawn smaller, so that the lowest ray stays inside.
     fn project(&self, point: DVec3) -> DVec2 {
-        let tan = -self.camera.matrix.z_axis.x;
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
-        let scale = DVec2::splat(250.0 * (0.5774 / tan).min(1.0));
-        View { origin: dvec2(82.0, 216.0), scale }.to_drawing((turn * point).truncate())
+        let Camera { h_res, v_res, matrix, .. } = self.camera;
+        let last = self.camera.ray(f64::from(h_res - 1), f64::from(v_res - 1));
+        let depth = -(turn * last.direction).y;
+        let scale = (144.35 / -matrix.z_axis.x).min(58.0 / depth.max(0.2)).min(250.0);
+        let view = View { origin: dvec2(82.0, 216.0), scale: DVec2::splat(scale) };
+        view.to_drawing((turn * point).truncate())
     }
 
     /// The pixel at a place on the image plane.

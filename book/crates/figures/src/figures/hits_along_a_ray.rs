@@ -42,7 +42,7 @@ impl Interactive for HitsAlongARay {
         let objects = &self.objects;
         let place = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
         let nearest_hit = nearest(objects, &ray);
-        let mut drawing = Drawing::new(480.0, 210.0);
+        let mut drawing = Drawing::new(480.0, 226.0);
         for Object { sphere, material: k, .. } in objects {
             let is_hit = nearest_hit.is_some_and(|hit| hit.object.material == *k);
             let class = if is_hit { "object seen" } else { "object" };
@@ -59,8 +59,8 @@ impl Interactive for HitsAlongARay {
         let roots = objects.iter().flat_map(|object| object.sphere.intersect(&ray).iter());
         let mut roots: Vec<f64> = roots.collect();
         roots.sort_by(f64::total_cmp);
-        // A label that would lie on another goes below; "t =" is the first.
-        let mut label_xs = vec![place(0.0).x];
+        // A label that would lie on another goes a row below; "t =" is the first.
+        let mut labels = vec![(place(0.0).x, 0)];
         for t in roots {
             let class = match nearest_hit {
                 Some(hit) if hit.t == t => "hit",
@@ -71,12 +71,12 @@ impl Interactive for HitsAlongARay {
             drawing.dot(class, root);
             drawing.line("leader", root + dvec2(0.0, 8.0), root.with_y(172.0));
             let class = if class == "hit" { "hit" } else { "quiet" };
-            let mut y = 206.0;
-            if label_xs.iter().all(|x| 27.0 <= (root.x - x).abs()) {
-                label_xs.push(root.x);
-                y = 190.0;
-            }
-            drawing.label(class, root.with_y(y), &format_fixed(t, 1));
+            let is_near = |x: f64| (root.x - x).abs() < 27.0;
+            let is_free = |row: &i32| labels.iter().all(|(x, known)| known != row || !is_near(*x));
+            let row = (0..).find(is_free).unwrap_or_default();
+            labels.push((root.x, row));
+            let label = root.with_y(190.0 + 16.0 * f64::from(row));
+            drawing.label(class, label, &format_fixed(t, 1));
         }
         drawing.label("", place(0.0).with_y(190.0), "$t$ =");
         Output::Drawing(drawing)

@@ -84,7 +84,7 @@ impl Interactive for PhongVectors {
         for (class, vector, name, shift) in arrows {
             let tip = VIEW.to_drawing(vector);
             drawing.arrow(class, p, tip);
-            drawing.label("strong", tip + shift, name);
+            drawing.label("strong over", tip + shift, name);
         }
         drawing.dot("hit", p);
         Output::Drawing(drawing)
