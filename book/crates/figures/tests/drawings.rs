@@ -29,6 +29,13 @@ fn spread_values(figure: &Figure, seed: usize) -> Vec<f64> {
     attempts.next().expect("allowed values")
 }
 
+/// The default values and, if there are parameters, two others all over their ranges.
+fn values_to_lock(figure: &Figure) -> Vec<Vec<f64>> {
+    let seeds = if figure.parameters.is_empty() { 0..0 } else { 1..3 };
+    let spread = seeds.map(|seed| spread_values(figure, seed));
+    [figure.default_values()].into_iter().chain(spread).collect()
+}
+
 /// Compares a text with the snapshot of this name.
 #[track_caller]
 fn assert_locked(name: &str, parts: impl Iterator<Item = String>) {
@@ -47,11 +54,7 @@ fn drawings_and_numbers_are_as_locked() {
             Output::Pixels(_) => "tell",
         };
         let mut requests = vec![format!("about {}", figure.name)];
-        let mut values = vec![figure.default_values()];
-        if !figure.parameters.is_empty() {
-            values.extend([1, 2].map(|seed| spread_values(figure, seed)));
-        }
-        requests.extend(values.iter().map(|values| {
+        requests.extend(values_to_lock(figure).iter().map(|values| {
             let values = values.iter().map(|value| format!(" {value}"));
             format!("{verb} {}{}", figure.name, values.collect::<String>())
         }));
@@ -83,11 +86,8 @@ fn handle_lines(figure: &Figure, values: &[f64]) -> String {
 fn dragged_and_stepped_handles_are_as_locked() {
     let figures = FIGURES.iter().filter(|figure| !figure.handles.is_empty());
     let parts = figures.flat_map(|figure| {
-        let spread = [1, 2].map(|seed| spread_values(figure, seed));
-        [figure.default_values()].into_iter().chain(spread).map(|values| {
-            let lines = handle_lines(figure, &values);
-            format!("{}\n{lines}\n", figure.name)
-        })
+        let lines = values_to_lock(figure).into_iter().map(|values| handle_lines(figure, &values));
+        lines.map(|lines| format!("{}\n{lines}\n", figure.name))
     });
     let own_scene = find("own_scene").expect("a picture");
     let cameras = [
