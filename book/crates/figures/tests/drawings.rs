@@ -63,6 +63,22 @@ fn drawings_and_numbers_are_as_locked() {
     }
 }
 
+#[test]
+fn pictures_of_eight_columns_are_as_locked() {
+    let pictures = FIGURES.iter().filter(|figure| figure.title.is_empty());
+    let parts = pictures.flat_map(|figure| {
+        let draw = |mut values: Vec<f64>| {
+            let columns = figure.parameters.iter().position(|one| one.symbol == "hRes");
+            values[columns.expect("columns")] = 8.0;
+            let Output::Pixels(image) = (figure.draw)(&values) else { panic!("a drawing") };
+            let rows = image.rows().map(|row| row.map(|pixel| format!("{:?}\n", pixel.0)));
+            format!("{}\n{}", figure.name, rows.flatten().collect::<String>())
+        };
+        values_to_lock(figure).into_iter().map(draw)
+    });
+    assert_locked("pictures", parts);
+}
+
 /// Each handle with its place at these values; below it, its place and its parameters after it
 /// was dragged, and after arrow keys.
 fn handle_lines(figure: &Figure, values: &[f64]) -> String {
