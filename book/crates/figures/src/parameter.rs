@@ -98,12 +98,8 @@ impl Parameter {
     }
 }
 
-/// The values of N parameters, to be named one by one.
-///
-/// # Panics
-///
-/// Panics if there are not N: a request with another number of values gets an error
-/// before.
+/// The values of N parameters, to be named one by one; a request with another number of
+/// values got an error before.
 pub fn array<const N: usize>(values: &[f64]) -> [f64; N] {
     values.try_into().expect("a value for each parameter")
 }

@@ -36,8 +36,8 @@ pub struct FlatWorld {
 struct Hit<'a> {
     t: f64,
     point: SurfacePoint<'a, usize>,
-    is_hidden: bool,
-    to_light: Ray,
+    /// The point that hides the light, if one does.
+    blocking: Option<DVec3>,
 }
 
 impl FlatWorld {
@@ -49,9 +49,10 @@ impl FlatWorld {
             let hit = nearest(&self.balls, &ray).zip(visible_point(&self.balls, &ray));
             let Some((hit, point)) = hit else { return (hits, Some(ray)) };
             let start = point.p + OFFSET * point.n;
-            let is_hidden = hidden(&self.balls, &point, self.q, OFFSET);
             let to_light = Ray { start, direction: self.q - start };
-            hits.push(Hit { t: hit.t, point, is_hidden, to_light });
+            let blocking = nearest(&self.balls, &to_light).map(|hit| to_light.at(hit.t));
+            let blocking = blocking.filter(|_| hidden(&self.balls, &point, self.q, OFFSET));
+            hits.push(Hit { t: hit.t, point, blocking });
             ray = Ray { start, direction: reflect(point.n, -ray.direction) };
         }
         (hits, None)
@@ -115,11 +116,11 @@ impl Interactive for FlatWorld {
         let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
         let corners = hits.iter().map(|hit| hit.point.p).chain(end);
         drawing.path("ray", [self.ray.start].into_iter().chain(corners).map(place));
-        for Hit { point: SurfacePoint { p, n, .. }, is_hidden, to_light, .. } in &hits {
-            let class = if *is_hidden { "guide" } else { "light" };
+        for Hit { point: SurfacePoint { p, n, .. }, blocking, .. } in &hits {
+            let class = if blocking.is_some() { "guide" } else { "light" };
             drawing.line(class, place(*p), place(self.q));
-            if *is_hidden && let Some(blocking) = nearest(&self.balls, to_light) {
-                drawing.dot("behind", place(to_light.at(blocking.t)));
+            if let Some(blocking) = blocking {
+                drawing.dot("behind", place(*blocking));
             }
             drawing.arrow("normal", place(*p), place(p + 0.7 * n));
             drawing.dot("hit", place(*p));
@@ -143,8 +144,8 @@ impl Interactive for FlatWorld {
     /// The sentence about what the ray meets.
     fn numbers(&self) -> Numbers {
         let (hits, leaving) = self.trace();
-        let words = hits.iter().map(|Hit { t, point, is_hidden, .. }| {
-            let place = if *is_hidden { "in shadow" } else { "in the light" };
+        let words = hits.iter().map(|Hit { t, point, blocking }| {
+            let place = if blocking.is_some() { "in shadow" } else { "in the light" };
             format!("ball {} at t = {}, {place}", point.material, format_fixed(*t, 2))
         });
         let words = words.chain(leaving.map(|_| "nothing".into()));

@@ -41,10 +41,9 @@ pub fn trace_pixel<M>(
         numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
     // A ray has either a nearest hit or a colour of the sky; the other is empty.
-    let empty = String::new();
     let [object, t, sky] = match nearest(objects, &ray) {
-        Some(Hit { object, t }) => [short_name(object.name).into(), format_number(t), empty],
-        None => [empty.clone(), empty, format_vector(direction_colour(&ray))],
+        Some(Hit { object, t }) => [short_name(object.name).into(), format_number(t), "".into()],
+        None => ["".into(), "".into(), format_vector(direction_colour(&ray))],
     };
     numbers.extend(collect_numbers([("object", object), ("t", t), ("sky", sky)]));
     numbers.extend(trace_shading(&ray));
