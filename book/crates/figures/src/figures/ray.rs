@@ -72,13 +72,18 @@ impl Interactive for RayFigure {
     }
 
     fn handles() -> Vec<Handle> {
-        let from_start =
-            |Self { ray, .. }: &Self, place| VIEW.to_world(place) - ray.start.truncate();
         let tip = |figure: &Self| Some(figure.tip());
-        let v_at = move |figure: &Self, place| from_start(figure, place - GAP * figure.left());
+        let v_at = |figure: &Self, place| {
+            // V and the gap are at a right angle, and lead from S to the place.
+            let way: DVec2 = place - figure.place(0.0);
+            let length = (way.length_squared() - GAP * GAP).max(0.0).sqrt();
+            let v = length / way.length_squared() * way.rotate(dvec2(length, GAP));
+            v / VIEW.scale * dvec2(1.0, -1.0)
+        };
         let point = |figure: &Self| figure.place(figure.t);
-        let distance_at = move |figure: &Self, place| {
-            from_start(figure, place).dot(figure.ray.direction.truncate().normalize())
+        let distance_at = |Self { ray, .. }: &Self, place| {
+            let way = VIEW.to_world(place).extend(0.0) - ray.start;
+            way.dot(ray.direction.normalize())
         };
         vec![
             Handle::of_point("the start S", 0, VIEW),
