@@ -115,7 +115,10 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
         try {
             const copy = code.cloneNode(true);
             for (const line of copy.querySelectorAll("[data-book]")) line.textContent = line.dataset.book;
-            await navigator.clipboard.writeText(copy.textContent);
+            // The file's own line ends and blank lines, so that its parts can be put below each other.
+            const [first, last] = caption.parentElement.dataset.lines.split("-");
+            const ends = last - first + 1 - copy.textContent.split("\n").length + 1;
+            await navigator.clipboard.writeText(copy.textContent + "\n".repeat(Math.max(0, ends)));
             button.textContent = "Copied";
         } catch {
             button.textContent = "Not copied";

@@ -1,4 +1,6 @@
 // Pages tell what they can't do, and work in places that are strange.
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
 const name = 'step01_rays.html';
@@ -79,4 +81,18 @@ test('a prompt is not copied, and code is not translated', async ({ page, home }
   expect(copied[0]).toMatch(/^\$ cargo/);
   expect(copied[1]).toMatch(/^cargo/);
   expect(copied[2]).toBe(false);
+});
+
+test('parts of a file are copied as they stand in it', async ({ page, home }) => {
+  await page.addInitScript(() => {
+    globalThis.copied = '';
+    Object.defineProperty(navigator, 'clipboard', { value: { writeText: async text => { copied += text; } } });
+  });
+  await open(page, `${home}step02_sphere.html`);
+  for (const path of ['lib.rs', 'quadratic.rs']) {
+    for (const button of await page.locator(`.listing[data-path$="src/${path}"] .copy`).all()) await button.click();
+    const file = resolve(import.meta.dirname, '../../steps/step02_sphere/src', path);
+    expect((await page.evaluate(() => copied))).toBe(readFileSync(file, 'utf8'));
+    await page.evaluate(() => { copied = ''; });
+  }
 });
