@@ -14,7 +14,7 @@ impl Interactive for OneSphere {
 
     fn parameters() -> Vec<Parameter> {
         let Sphere { centre, radius } = SPHERE;
-        let mut parameters = Probe::parameters(370.0, 140.0);
+        let mut parameters = Probe::parameters(300.0, 150.0);
         parameters.extend([
             Parameter::coordinate(centre.x, [-2.8, 2.8], 20.0),
             Parameter::coordinate(centre.y, [-1.6, 1.6], 20.0),

@@ -9,7 +9,7 @@ impl Interactive for FlatSpheres {
     const NAME: &str = "step03_nearest";
 
     fn parameters() -> Vec<Parameter> {
-        Probe::parameters(470.0, 120.0)
+        Probe::parameters(195.0, 237.0)
     }
 
     fn from_values(values: &[f64]) -> Self {
