@@ -1,10 +1,9 @@
 use course::{Difference, draw_panels, target_folder, workspace};
+use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ImageResult, RgbImage};
-use insta::internals::SnapshotContents;
-use insta::{Comparator, Settings, Snapshot};
+use insta::Settings;
 use std::path::PathBuf;
-use std::{env, fs, thread};
+use std::{env, fs};
 
 /// Reads the locked picture `name` from its snapshot.
 pub fn read_snapshot(name: &str) -> RgbImage {
@@ -13,87 +12,63 @@ pub fn read_snapshot(name: &str) -> RgbImage {
     picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
 }
 
-/// Compares `picture` with the snapshot `name`, pixel by pixel: `assert` hands the PNG file
-/// that it is given to insta.
+/// Compares `picture` with the snapshot `name`, pixel by pixel, as another encoder may write the
+/// same ones otherwise: `assert` hands the PNG file that it is given to insta, the locked file
+/// where the pixels are equal.
 ///
-/// Prints how they differ in one sentence before insta says anything, writes both and their
-/// difference into the target folder, and prints, last, the command that accepts the picture.
+/// Prints how they differ in one sentence, and the command that accepts the picture, before insta
+/// says anything, and writes both and their difference into the target folder.
 pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8>)) {
-    let _review = PendingReview::read(name);
-    let snapshot = snapshot_path(name, "snap");
-    if !snapshot.exists() {
-        println!("{name}: it is not locked, there is no file {}.", snapshot.display());
-    }
     let mut settings = Settings::clone_current();
-    settings.set_comparator(Box::new(PixelComparator { name: name.to_owned() }));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    if let Ok(path) = panels_path(name).strip_prefix(workspace()) {
+    let panels = panels_path(name);
+    if let Ok(path) = panels.strip_prefix(workspace()) {
         settings.set_description(path.to_string_lossy().replace('\\', "/"));
     }
-    // Encoding takes longer than drawing: a picture that is locked keeps its file.
-    let locked_png = fs::read(snapshot_path(name, "snap.png")).ok();
-    let is_locked = |png: &Vec<u8>| decode(png).is_ok_and(|locked| locked == *picture);
-    let png = locked_png.filter(is_locked).unwrap_or_else(|| encode_small(picture));
+    let locked_png = fs::read(snapshot_path(name, "snap.png")).unwrap_or_default();
+    let mismatch = describe_mismatch(name, &locked_png, picture);
+    match &mismatch {
+        Some(text) => {
+            let command = "INSTA_UPDATE=always cargo test --test pictures";
+            println!("{name}: {text}\nIs it meant? `{command} {name}` accepts it.");
+        }
+        None => drop(fs::remove_file(panels)),
+    }
+    if insta_update() == "no" {
+        // insta would delete a picture that waits for review.
+        return assert!(mismatch.is_none(), "{name} is not the locked picture");
+    }
+    let png = if mismatch.is_none() { locked_png } else { encode_small(picture) };
     settings.bind(|| assert(png));
-}
-
-/// Compares the pixels of two pictures, as another encoder may write the same ones otherwise.
-#[derive(Clone)]
-struct PixelComparator {
-    /// The name of the locked picture.
-    name: String,
-}
-
-impl Comparator for PixelComparator {
-    fn matches(&self, locked: &Snapshot, new: &Snapshot) -> bool {
-        let mismatch = describe_mismatch(&self.name, locked.contents(), new.contents());
-        match &mismatch {
-            Some(text) => println!("{}: {text}", self.name),
-            None => drop(fs::remove_file(panels_path(&self.name))),
-        }
-        mismatch.is_none()
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
+    if insta_update() == "always" {
+        // insta leaves half of what waited, and the picture is accepted now.
+        let _ = fs::remove_file(snapshot_path(name, "snap.new"));
     }
 }
 
-/// How the pixels of two pictures differ, or why that can't be told; None if they are equal.
+/// How a picture differs from the locked one, or why that can't be told; None if it does not.
 /// Writes the panels of a difference.
-fn describe_mismatch(
-    name: &str,
-    locked: &SnapshotContents,
-    new: &SnapshotContents,
-) -> Option<String> {
-    if locked == new {
-        return None;
-    }
+fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Option<String> {
     let path = snapshot_path(name, "snap.png");
-    let SnapshotContents::Binary(Some(locked)) = locked else {
-        return Some(format!("there is no picture {}.", path.display()));
-    };
-    let SnapshotContents::Binary(Some(new)) = new else { return Some("it is no picture.".into()) };
-    let [locked, new] = match [decode(locked), decode(new)] {
-        [Ok(locked), Ok(new)] => [locked, new],
-        [Err(error), _] | [_, Err(error)] => {
-            return Some(format!("{} can't be read: {error}.", path.display()));
+    for path in [&path, &snapshot_path(name, "snap")] {
+        if !path.exists() {
+            return Some(format!("it is not locked, there is no file {}.", path.display()));
         }
+    }
+    let locked = match image::load_from_memory(locked_png) {
+        Ok(locked) => locked.into_rgb8(),
+        Err(error) => return Some(format!("{} can't be read: {error}.", path.display())),
     };
-    let difference = Difference::between(&locked, &new)?;
+    let difference = Difference::between(&locked, picture)?;
     let path = panels_path(name);
     let is_written = fs::create_dir_all(path.with_file_name("")).is_ok()
-        && draw_panels(&new, &locked).save(&path).is_ok();
+        && draw_panels(picture, &locked).save(&path).is_ok();
     let caption = match is_written {
         true => "New, locked and difference (orange where the new one is brighter):",
         false => "The difference can't be written to",
     };
     Some(format!("{difference}.\n{caption} {}", path.display()))
-}
-
-fn decode(png: &[u8]) -> ImageResult<RgbImage> {
-    Ok(image::load_from_memory(png)?.to_rgb8())
 }
 
 /// Encodes a picture as small as the encoder can, as the book shows this very file.
@@ -116,43 +91,8 @@ fn panels_path(name: &str) -> PathBuf {
     target_folder().join(format!("differences/{name}.png"))
 }
 
-/// A picture that waits for review. insta deletes it before it compares another, even where it
-/// may write none: there it is put back in the end.
-struct PendingReview<'a> {
-    /// The name of the locked picture.
-    name: &'a str,
-    /// The files to put back.
-    files: Vec<(PathBuf, Vec<u8>)>,
-}
-
-/// Whether insta is told to `update` snapshots so.
-fn insta_updates(update: &str) -> bool {
+/// What insta does with a snapshot that differs.
+fn insta_update() -> String {
     let default = if env::var_os("CI").is_some() { "no" } else { "new" };
-    env::var("INSTA_UPDATE").unwrap_or(default.to_owned()) == update
-}
-
-impl<'a> PendingReview<'a> {
-    /// Reads what waits, where insta may not write.
-    fn read(name: &'a str) -> Self {
-        let paths = ["snap.new", "snap.new.png"].map(|extension| snapshot_path(name, extension));
-        let paths = paths.into_iter().filter(|_| insta_updates("no"));
-        let files = paths.filter_map(|path| fs::read(&path).ok().map(|bytes| (path, bytes)));
-        Self { name, files: files.collect() }
-    }
-}
-
-impl Drop for PendingReview<'_> {
-    fn drop(&mut self) {
-        for (path, bytes) in self.files.iter().filter(|(path, _)| !path.exists()) {
-            let _ = fs::write(path, bytes);
-        }
-        if insta_updates("always") {
-            // insta leaves half of what waited, and the picture is accepted now.
-            let _ = fs::remove_file(snapshot_path(self.name, "snap.new"));
-        }
-        if thread::panicking() {
-            let command = "INSTA_UPDATE=always cargo test --test pictures";
-            println!("Is it meant? `{command} {}` accepts it.", self.name);
-        }
-    }
+    env::var("INSTA_UPDATE").unwrap_or(default.to_owned())
 }
