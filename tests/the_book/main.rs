@@ -1,7 +1,8 @@
 //! Promises of the book, checked in the HTML that a reader opens.
 //!
 //! The book is built once for all of these tests. The build itself fails where a chapter
-//! can't be expanded, a link is broken, or a page would fetch anything from elsewhere.
+//! can't be expanded, a picture is none of the locked ones or has no text, a link is broken, or
+//! a page would fetch anything from elsewhere.
 
 mod built_book;
 mod support;
@@ -9,9 +10,6 @@ mod support;
 // The book is the source.
 mod code_names;
 mod source_listings;
-
-// The picture is the output.
-mod page_pictures;
 
 // The book suffices.
 mod crate_states;

@@ -65,7 +65,6 @@ mod tests;
 pub use build::build;
 pub use built_site::Site;
 pub use files::Files;
-pub use mistake_list::effect_and_step_of_picture;
 pub use page::{Page, inner_text, select_all};
 pub use preprocessor::Course;
 pub use sources::Sources;

@@ -1,4 +1,4 @@
-use course::{BookEntry, Mistake, Step, mistakes};
+use course::{BookEntry, Mistake, mistakes};
 use std::sync::LazyLock;
 
 static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(mistakes);
@@ -8,12 +8,11 @@ pub fn shown_mistakes() -> impl Iterator<Item = (&'static Mistake, &'static Book
     MISTAKES.iter().filter_map(|mistake| Some((mistake, mistake.book_entry.as_ref()?)))
 }
 
-/// The sentence of the list about the picture of a mistake, and the step that is drawn in
-/// it; None for any other picture.
-pub fn effect_and_step_of_picture(source: &str) -> Option<(String, Step)> {
+/// The sentence of the list about the picture of a mistake; None for any other picture.
+pub fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
-    shown_mistakes().find_map(|(_, entry)| {
-        let (_, step) = *entry.pictures.iter().find(|(known, _)| *known == name)?;
-        Some((entry.effect.replace('`', ""), step))
-    })
+    let mut shown = shown_mistakes();
+    let shows = |entry: &BookEntry| entry.pictures.iter().any(|(known, _)| *known == name);
+    let (_, entry) = shown.find(|(_, entry)| shows(entry))?;
+    Some(entry.effect.replace('`', ""))
 }

@@ -1,6 +1,6 @@
 use crate::controls;
 use crate::markdown::inline_html;
-use crate::mistake_list::effect_and_step_of_picture;
+use crate::mistake_list::effect_of_picture;
 use crate::sources::{HALF_SUFFIX, Sources};
 use figures::{Figure, escape};
 use std::path::Path;
@@ -22,18 +22,14 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Takes the alt text from the Markdown of the picture; a mistake's picture has none
-    /// there, as the list of mistakes says what it shows.
+    /// Takes the alt text from the Markdown of the picture; what a mistake's picture shows, the
+    /// list of mistakes says.
     pub fn from_markdown(markdown: &str, source: &str, caption: &str) -> Self {
         // The caption may hold links of its own; the alt text ends before the first.
         let end = format!("]({source}");
         let alt = markdown.trim_start_matches("![").split(&end);
         let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
-        let effect = effect_and_step_of_picture(source).map(|(effect, _)| effect);
-        let alt = match (alt.join(" "), effect) {
-            (alt, Some(effect)) if alt.is_empty() => effect,
-            (alt, _) => alt,
-        };
+        let alt = effect_of_picture(source).unwrap_or(alt.join(" "));
         let (source, caption) = (source.to_string(), caption.to_string());
         Self { alt, source, caption }
     }

@@ -1,5 +1,4 @@
 use crate::Files;
-use crate::files::CHAPTERS;
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use course::Step;
@@ -38,7 +37,7 @@ pub struct Sources {
 
 impl Sources {
     /// Takes the locked snapshots as they are, the pictures of the mistakes, and the modules.
-    /// A smaller picture is taken from the folder `old`, if it is there with its original.
+    /// A smaller picture is taken from the folder `old`, if it is there.
     pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
@@ -46,10 +45,8 @@ impl Sources {
             let pictures = course::read_small_pictures(workspace, step);
             for (name, picture) in pictures.with_context(|| step.name())? {
                 let name = format!("mistake-{name}.png");
-                let old = fs::read(old.join(&name)).ok().filter(|old| {
-                    image::load_from_memory(old).is_ok_and(|old| old.into_rgb8() == picture)
-                });
-                files.insert(name, old.map_or_else(|| encode_png(&picture), Ok)?);
+                let png = read_or_encode_png(&old.join(&name), &picture)?;
+                files.insert(name, png);
             }
         }
         for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
@@ -57,10 +54,9 @@ impl Sources {
             let whole = format!("{name}.png");
             let small = name_smaller_picture(name, &bytes).with_context(|| whole.clone())?;
             if let Some((small, part)) = small {
-                let is_old = fs::read(old.join(&whole)).is_ok_and(|old| old == bytes);
-                let old = fs::read(old.join(&small)).ok().filter(|_| is_old);
-                let small_bytes = old.map_or_else(|| shrink_picture(&bytes, part), Ok)?;
-                files.insert(small, small_bytes);
+                let picture = shrink_picture(&bytes, part)?;
+                let png = read_or_encode_png(&old.join(&small), &picture)?;
+                files.insert(small, png);
             }
             files.insert(whole, bytes);
         }
@@ -73,13 +69,10 @@ impl Sources {
         Ok(Self { workspace: workspace.to_owned(), generated })
     }
 
-    /// Width and height, in pixels, of a picture that a chapter shows; None if it isn't there.
+    /// Width and height, in pixels, of a picture that a chapter shows: a locked one, or one that
+    /// is made from code. None for any other.
     pub fn picture_size(&self, source: &str) -> Option<(u32, u32)> {
-        let generated = source.strip_prefix(GENERATED);
-        match generated.and_then(|name| self.generated.0.get(name)) {
-            Some(bytes) => parse_size(bytes).ok(),
-            None => image::image_dimensions(self.workspace.join(CHAPTERS).join(source)).ok(),
-        }
+        parse_size(self.generated.0.get(source.strip_prefix(GENERATED)?)?).ok()
     }
 }
 
@@ -102,10 +95,10 @@ fn name_smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, u32)>
     })
 }
 
-/// The PNG file of a picture with a width and a height so many times smaller.
-fn shrink_picture(file: &[u8], part: u32) -> Result<Vec<u8>> {
+/// The picture in a PNG file with a width and a height so many times smaller.
+fn shrink_picture(file: &[u8], part: u32) -> Result<RgbImage> {
     let picture = image::load_from_memory(file)?.into_rgb8();
-    encode_png(&thumbnail(&picture, picture.width() / part, picture.height() / part))
+    Ok(thumbnail(&picture, picture.width() / part, picture.height() / part))
 }
 
 /// Width and height that a PNG file names.
@@ -113,8 +106,13 @@ fn parse_size(file: &[u8]) -> Result<(u32, u32)> {
     Ok(ImageReader::new(Cursor::new(file)).with_guessed_format()?.into_dimensions()?)
 }
 
-/// A PNG file of the picture, packed as well as the encoder can: a page waits for it.
-fn encode_png(picture: &RgbImage) -> Result<Vec<u8>> {
+/// A PNG file of the picture, packed as well as the encoder can, as a page waits for it: the
+/// `old` file if it has this picture, since that takes seconds.
+fn read_or_encode_png(old: &Path, picture: &RgbImage) -> Result<Vec<u8>> {
+    let old = fs::read(old).unwrap_or_default();
+    if image::load_from_memory(&old).is_ok_and(|old| old.into_rgb8() == *picture) {
+        return Ok(old);
+    }
     let mut png = vec![];
     let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
     let encoder = PngEncoder::new_with_quality(&mut png, best, filter);
