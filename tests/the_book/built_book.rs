@@ -3,14 +3,11 @@ use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use anyhow::Result;
 use builder::{Files, Page, Site, inner_text};
 use course::{target_folder, workspace};
-use std::collections::{BTreeMap, BTreeSet};
 use std::env;
-use std::ffi::OsString;
 use std::fs::{self, File};
-use std::hash::{DefaultHasher, Hash, Hasher};
-use std::mem;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::time::SystemTime;
 
 /// The book, or the fault for which it can't be built; one test reads it at a time.
 static BOOK: LazyLock<Result<Mutex<Site>>> = LazyLock::new(|| read_or_build().map(Mutex::new));
@@ -28,62 +25,40 @@ pub fn built_book() -> MutexGuard<'static, Site> {
     book.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Reads the book, which one process builds for all: a file beside it has the hash of what it
-/// was made from.
+/// Reads the book, which one process builds for all, where it is older than what it is made from.
 fn read_or_build() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     fs::create_dir_all(folder.with_file_name(""))?;
     let lock = File::create(folder.with_extension("reading"))?;
-    lock.lock_shared()?;
-    let (hash_file, mut hash) = (folder.with_extension("hash"), hash_sources()?);
-    let is_built = |hash: &str| fs::read_to_string(&hash_file).is_ok_and(|built| built == hash);
-    if !is_built(&hash) {
-        lock.unlock()?;
-        lock.lock()?;
-    }
-    while !is_built(&hash) {
-        fs::write(&hash_file, "")?;
+    lock.lock()?;
+    let time_file = folder.with_extension("time");
+    let source_time = newest_change(&workspace())?.max(newest_change(&env::current_exe()?)?);
+    if fs::metadata(&time_file).and_then(|file| file.modified()).ok() <= Some(source_time) {
+        let start = SystemTime::now();
         builder::build(&workspace(), &folder)?;
-        let old_hash = mem::replace(&mut hash, hash_sources()?);
-        // Where a file was edited in the meantime, it is built again.
-        if hash == old_hash {
-            fs::write(&hash_file, &hash)?;
-        }
+        File::create(time_file)?.set_modified(start)?;
     }
+    lock.unlock()?;
+    lock.lock_shared()?;
     let files = Files::read(&folder)?;
     let pages = files.texts_with_suffix(".html");
     let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
     Ok(Site { files, pages })
 }
 
-/// The hash of what a book is made from: this program, the files of the workspace, and the
-/// settings of mdBook in the environment.
-fn hash_sources() -> Result<String> {
-    let (mut hasher, program) = (DefaultHasher::new(), fs::metadata(env::current_exe()?)?);
-    (program.modified()?, program.len(), workspace()).hash(&mut hasher);
-    let is_setting = |name: &OsString| name.to_string_lossy().starts_with("MDBOOK_");
-    let settings: BTreeMap<_, _> = env::vars_os().filter(|(name, _)| is_setting(name)).collect();
-    settings.hash(&mut hasher);
-    hash_folder(&workspace(), &mut hasher)?;
-    Ok(format!("{:016x}", hasher.finish()))
-}
-
-/// Hashes the files in a folder, but for what is hidden, built or installed.
-fn hash_folder(folder: &Path, hasher: &mut DefaultHasher) -> Result<()> {
-    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
-    for path in entries.collect::<Result<BTreeSet<_>>>()? {
+/// The time of the last change of a file, or of any in a folder and of those in it, but for what
+/// is hidden, built or installed.
+fn newest_change(path: &Path) -> Result<SystemTime> {
+    let mut newest = fs::metadata(path)?.modified()?;
+    for entry in fs::read_dir(path).into_iter().flatten() {
+        let path = entry?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_source = !["target", "node_modules"].contains(&&*name);
-        if !is_source || name.starts_with('.') || path == target_folder() {
-            continue;
-        }
-        if path.is_dir() {
-            hash_folder(&path, hasher)?;
-        } else {
-            (&path, fs::read(&path).ok()).hash(hasher);
+        let is_made = ["target", "node_modules"].contains(&&*name) || path == target_folder();
+        if !is_made && !name.starts_with('.') {
+            newest = newest.max(newest_change(&path)?);
         }
     }
-    Ok(())
+    Ok(newest)
 }
 
 /// Reads the files in a folder of the workspace.
