@@ -53,7 +53,7 @@ fn runs_unlisted_solution(command: &PageCommand, typed: &TypedListings) -> bool 
 
 /// Types all listings of the book into the reader's workspace.
 pub fn typed_workspace() -> ReaderWorkspace {
-    let (book, reader) = (built_book(), ReaderWorkspace::new());
+    let (book, reader) = (built_book(), ReaderWorkspace::open());
     let mut typed = TypedListings::new();
     for listing in book.chapters_in_order().into_iter().flat_map(page_listings) {
         typed.entry(listing.path).or_default().push(listing);
@@ -65,7 +65,7 @@ pub fn typed_workspace() -> ReaderWorkspace {
 #[test]
 #[ignore = "takes minutes: cargo test -- --include-ignored"]
 fn commands_do_what_their_pages_say() -> Result<()> {
-    let (book, reader) = (built_book(), ReaderWorkspace::new());
+    let (book, reader) = (built_book(), ReaderWorkspace::open_empty());
     let mut typed = TypedListings::new();
     let mut pages = book.chapters_in_order().into_iter();
     pages.try_for_each(|page| type_and_run_page(page, &reader, &mut typed))

@@ -1,11 +1,10 @@
 use super::listing::{Listing, join_listings};
 use anyhow::{Result, ensure};
-use builder::Files;
 use course::{Step, target_folder, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// The names of the five crates, in the order in which a reader writes them.
@@ -29,34 +28,26 @@ pub struct ReaderWorkspace {
 }
 
 impl ReaderWorkspace {
-    /// Makes an empty workspace.
-    ///
-    /// Files that an earlier run has typed are moved aside, until they are typed again:
-    /// moving keeps their times, so Cargo need not compile them again.
-    pub fn new() -> Self {
+    /// Opens the workspace, in which files of an earlier run may lie: what is written again as it
+    /// was, Cargo need not compile again.
+    pub fn open() -> Self {
         let folder = target_folder().join("typed");
-        let (steps, aside) = (folder.join("steps"), folder.join("later/steps"));
-        let move_aside = || -> Result<()> {
-            fs::create_dir_all(&steps)?;
-            for path in Files::read(&steps)?.0.keys() {
-                move_file(&steps.join(path), &aside.join(path))?;
-            }
-            Ok(fs::remove_dir_all(&steps)?)
-        };
         fs::create_dir_all(&folder).expect("a folder in the target folder");
         let lock = File::create(folder.join("lock")).expect("a file there");
         lock.lock().expect("other processes end");
-        move_aside().expect("the files can be moved");
         Self { folder, _lock: lock }
+    }
+
+    /// Opens the workspace without any crate.
+    pub fn open_empty() -> Self {
+        let workspace = Self::open();
+        let _ = fs::remove_dir_all(workspace.folder.join("steps"));
+        workspace
     }
 
     /// Writes the files that were typed so far.
     pub fn write_listings(&self, typed: &TypedListings) -> Result<()> {
         for (path, listings) in typed {
-            let aside = self.folder.join("later").join(path);
-            if aside.is_file() {
-                move_file(&aside, &self.folder.join(path))?;
-            }
             self.write_if_changed(path, &join_listings(listings))?;
         }
         fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
@@ -117,12 +108,6 @@ impl ReaderWorkspace {
         cargo.env_remove("CARGO_BUILD_TARGET");
         cargo
     }
-}
-
-/// Moves a file into a folder, which is made where it is missing.
-fn move_file(from: &Path, to: &Path) -> Result<()> {
-    fs::create_dir_all(to.with_file_name(""))?;
-    Ok(fs::rename(from, to)?)
 }
 
 /// The first line with an error in Cargo's output, and the line after it.

@@ -20,9 +20,7 @@ pub fn run_and_verify_command(
     for path in reader.picture_paths()? {
         fs::remove_file(path)?;
     }
-    if command.exit_code == FAILED_TEST_EXIT_CODE {
-        change_direction_colour(reader)?;
-    }
+    make_edit(reader, command)?;
     let (arguments, is_small) = quick_arguments(command);
     let separator = arguments.iter().position(|word| *word == "--");
     let (cargo_arguments, program_arguments) =
@@ -75,13 +73,25 @@ fn quick_arguments(command: &PageCommand) -> (Vec<&str>, bool) {
     (arguments, true)
 }
 
-/// Makes the change for which step 1 shows a failing test: a colour of its picture. The
-/// next page that is typed changes it back.
-fn change_direction_colour(reader: &ReaderWorkspace) -> Result<()> {
-    let path = "steps/step01_rays/src/direction_colour.rs";
+/// What a page asks to change before the command, in words: a file, and what is written in it
+/// instead of what is there. The next listings that are typed change it back.
+fn asked_edit(command: &PageCommand) -> Option<(&'static str, [&'static str; 2])> {
+    if command.exit_code == FAILED_TEST_EXIT_CODE {
+        return Some(("steps/step01_rays/src/direction_colour.rs", ["0.3 *", "0.31 *"]));
+    }
+    let new = match command.option_value("--output")? {
+        "rash.png" => "0, 0.0",
+        "shadowed.png" => "0, OFFSET",
+        _ => return None,
+    };
+    Some(("steps/step05_phong/examples/mirror.rs", ["10, OFFSET", new]))
+}
+
+fn make_edit(reader: &ReaderWorkspace, command: &PageCommand) -> Result<()> {
+    let Some((path, [old, new])) = asked_edit(command) else { return Ok(()) };
     let text = fs::read_to_string(reader.folder.join(path))?;
-    ensure!(text.contains("0.3 *"), "{path} has no 0.3 to change");
-    reader.write_if_changed(path, &text.replace("0.3 *", "0.31 *"))
+    ensure!(text.contains(old), "{path} has no {old} to change");
+    reader.write_if_changed(path, &text.replace(old, new))
 }
 
 /// Fails unless the picture `name` in the reader's folder is the locked one.
