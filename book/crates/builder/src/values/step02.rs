@@ -20,10 +20,10 @@ pub const VALUES: &Values = &[
     ("step02-edge", || Number(image_radius())),
     ("step02-edge-pixels", || Fixed(1, length_in_pixels(image_radius()))),
     ("step02-fifth-pixels", || Fixed(1, length_in_pixels(0.2))),
-    ("step02-rim-radius", || Fixed(2, rim().radius)),
-    ("step02-rim-depth", || Number(rim().distance)),
-    ("step02-rim-narrower", || Fixed(0, 100.0 - 100.0 * rim().radius / SPHERE.radius)),
-    ("step02-rim-nearer", || Fixed(0, 100.0 - 100.0 * rim().distance / SPHERE.centre.length())),
+    ("step02-rim-radius", || Fixed(2, SPHERE.radius * rim_share().sqrt())),
+    ("step02-rim-depth", || Number(SPHERE.centre.length() * rim_share())),
+    ("step02-rim-narrower", || Fixed(0, 100.0 - 100.0 * rim_share().sqrt())),
+    ("step02-rim-nearer", || Fixed(0, 100.0 - 100.0 * rim_share())),
     ("step02-columns", || {
         Count((0..camera().h_res).filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
     }),
@@ -78,17 +78,10 @@ fn image_radius() -> f64 {
     (1.0_f64 / 24.0).sqrt()
 }
 
-/// The circle of the tangent points, at a distance from the eye.
-struct Rim {
-    radius: f64,
-    distance: f64,
-}
-
-fn rim() -> Rim {
-    let Sphere { centre, radius } = SPHERE;
-    let square_of_cosine = 1.0 - radius * radius / centre.length_squared();
-    let distance = centre.length() * square_of_cosine;
-    Rim { radius: radius * square_of_cosine.sqrt(), distance }
+/// How near the tangent points are, as a share of the distance of the centre: the square of the
+/// cosine between them.
+fn rim_share() -> f64 {
+    1.0 - SPHERE.radius * SPHERE.radius / SPHERE.centre.length_squared()
 }
 
 /// The number of those of 360 rays of whose discriminant the predicate holds; in real

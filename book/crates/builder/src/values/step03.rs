@@ -30,10 +30,10 @@ pub const VALUES: &Values = &[
         let Sphere { centre, radius } = OBJECTS[1].sphere;
         Fixed(1, (centre.length_squared() - radius * radius).sqrt())
     }),
-    ("step03-long", || Fixed(2, length_in_pixels(WHITE.length()))),
-    ("step03-wide", || Fixed(2, length_in_pixels(WHITE.width()))),
-    ("step03-red-long", || Fixed(2, length_in_pixels(RED.length()))),
-    ("step03-red-wide", || Fixed(2, length_in_pixels(RED.width()))),
+    ("step03-long", || Fixed(2, oval(&OBJECTS[6])[0])),
+    ("step03-wide", || Fixed(2, oval(&OBJECTS[6])[1])),
+    ("step03-red-long", || Fixed(2, oval(&OBJECTS[0])[0])),
+    ("step03-red-wide", || Fixed(2, oval(&OBJECTS[0])[1])),
     ("step03-eye", || Fixed(2, -0.5 / camera().matrix.z_axis.x)),
 ];
 
@@ -54,39 +54,13 @@ fn line_meets(ray: &Ray, object: &Object<DVec3>) -> bool {
     object.sphere.intersect(ray) != Roots::Zero
 }
 
-/// The oval in which the image plane cuts the cone of rays that touch a sphere.
-struct Oval(Sphere);
-
-const RED: Oval = Oval(OBJECTS[0].sphere);
-const WHITE: Oval = Oval(OBJECTS[6].sphere);
-
-impl Oval {
-    /// The angle from −z to the axis of the cone.
-    fn angle_off_axis(&self) -> f64 {
-        DVec3::NEG_Z.angle_between(self.0.centre)
-    }
-
-    /// The angle from the axis of the cone to its side.
-    fn half_angle_of_cone(&self) -> f64 {
-        (self.0.radius / self.0.centre.length()).asin()
-    }
-
-    /// The distance from the middle of the picture to the near end.
-    fn near_end(&self) -> f64 {
-        (self.angle_off_axis() - self.half_angle_of_cone()).tan()
-    }
-
-    /// The distance from the middle of the picture to the far end.
-    fn far_end(&self) -> f64 {
-        (self.angle_off_axis() + self.half_angle_of_cone()).tan()
-    }
-
-    fn length(&self) -> f64 {
-        self.far_end() - self.near_end()
-    }
-
-    fn width(&self) -> f64 {
-        let (angle_off_axis, sin) = (self.angle_off_axis(), self.half_angle_of_cone().sin());
-        2.0 * sin / (angle_off_axis.cos().powi(2) - sin.powi(2)).sqrt()
-    }
+/// The length and the width, in pixels, of the oval in which the image plane cuts the cone of rays
+/// that touch an object.
+fn oval(object: &Object<DVec3>) -> [f64; 2] {
+    let Sphere { centre, radius } = object.sphere;
+    let (to_axis, to_side) =
+        (DVec3::NEG_Z.angle_between(centre), (radius / centre.length()).asin());
+    let length = (to_axis + to_side).tan() - (to_axis - to_side).tan();
+    let width = 2.0 * to_side.sin() / (to_axis.cos().powi(2) - to_side.sin().powi(2)).sqrt();
+    [length, width].map(length_in_pixels)
 }
