@@ -112,42 +112,32 @@ fn find_address_fault(
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
-        || is_pixel_link(site, &path, id)
-        || is_line_link(site, &path, id)
-        || is_scene_link(site, &path, id);
+        || site.pages.get(&path).is_some_and(|page| is_answered(page, id));
     (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
 }
 
-/// Whether an address ends in a pixel, such as `pixel=470,120`, of a picture on the page whose
-/// pixels can be asked.
-fn is_pixel_link(site: &Site, path: &str, id: &str) -> bool {
-    let camera = figures::camera();
-    let is_inside = |(i, j): (&str, &str)| {
-        let is_below = |text: &str, count| text.parse().is_ok_and(|k: u32| k < count);
-        is_below(i, camera.h_res) && is_below(j, camera.v_res)
-    };
-    let has_probe = |page: &Page| !page.select_all("[data-panel]").is_empty();
-    let pixel = id.strip_prefix("pixel=").and_then(|pixel| pixel.split_once(','));
-    pixel.is_some_and(is_inside) && site.pages.get(path).is_some_and(has_probe)
-}
-
-/// Whether an address ends in a line as edited, such as `line=gate:true`, of a listing on the
-/// page.
-fn is_line_link(site: &Site, path: &str, id: &str) -> bool {
-    let line = id.strip_prefix("line=").and_then(|line| line.split_once(':'));
-    line.zip(site.pages.get(path)).is_some_and(|((name, _), page)| {
-        let listings = page.select_all("[data-places]");
-        let mut places = listings.iter().filter_map(|listing| listing.attr("data-places"));
-        places.any(|places| places.split([' ', ':']).any(|word| word == name))
-    })
-}
-
-/// Whether an address ends in a scene of the reader's own, on the page that draws it.
-fn is_scene_link(site: &Site, path: &str, id: &str) -> bool {
-    let draws_scene = |page: &Page| !page.select_all("[data-live=own_scene]").is_empty();
-    let scene = figures::find("own_scene").zip(id.strip_prefix("scene="));
-    scene.is_some_and(|(figure, scene)| figures::parse_address(figure, scene).is_ok())
-        && site.pages.get(path).is_some_and(draws_scene)
+/// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture
+/// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
+fn is_answered(page: &Page, id: &str) -> bool {
+    let Some((kind, words)) = id.split_once('=') else { return false };
+    let has = |selector: &str| !page.select_all(selector).is_empty();
+    match kind {
+        "pixel" => {
+            let camera = figures::camera();
+            let numbers: Vec<u32> = words.split(',').flat_map(str::parse).collect();
+            matches!(numbers[..], [i, j] if i < camera.h_res && j < camera.v_res)
+                && has("[data-panel]")
+        }
+        "line" => words
+            .split_once(':')
+            .is_some_and(|(name, _)| has(&format!("[data-places*=\"{name}:\"]"))),
+        "scene" => {
+            let figure = figures::find("own_scene");
+            figure.is_some_and(|figure| figures::parse_address(figure, words).is_ok())
+                && has("[data-live=own_scene]")
+        }
+        _ => false,
+    }
 }
 
 /// The address of everything that a style fetches: what is in `url(…)`, or after `@import`.

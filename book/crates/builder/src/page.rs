@@ -51,16 +51,6 @@ impl Page {
         }
     }
 
-    /// Writes each element that a CSS selector names anew, as `edit` makes it from its HTML.
-    pub(crate) fn replace_each(&mut self, selector: &str, edit: impl Fn(&str) -> String) {
-        let all = self.select_all(selector).into_iter();
-        let all: Vec<_> = all.map(|one| (one.id(), edit(&one.html()))).collect();
-        for (node, html) in all {
-            self.insert_html_before(node, &html);
-            self.remove_node(node);
-        }
-    }
-
     /// Takes a node away, with all that is in it.
     pub(crate) fn remove_node(&mut self, node: NodeId) {
         self.html.tree.get_mut(node).iter_mut().for_each(|node| node.detach());
