@@ -1,7 +1,7 @@
 //! The table of the mistakes, and the small pictures of those that the book shows.
 
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
-use crate::source_hash::{hash_texts, tokens};
+use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, PICTURES, SMALL_SIZE, Step, TableRow, hash_picture, mistakes, read_small_pictures,
     small_pictures_path, table_rows, workspace,
@@ -27,12 +27,12 @@ pub struct Table {
     small_pictures: HashMap<String, RgbImage>,
 }
 
-/// Draws the mistakes that the table does not know, and those that `is_chosen` selects.
-pub fn draw_unknown_and_chosen(is_chosen: impl Fn(&Mistake) -> bool) -> Result<(), Box<dyn Error>> {
+/// Draws the mistakes that the table does not know.
+pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
     let (mut table, all) = (Table::read()?, mistakes());
     let mut selected = vec![];
     for mistake in &all {
-        if is_chosen(mistake) || !table.knows(mistake)? {
+        if !table.knows(mistake)? {
             selected.push(mistake);
         }
     }
@@ -56,7 +56,7 @@ pub fn compute_key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> 
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
-    Ok(hash_texts(right.chain([tokens(&text_with_mistake(mistake)?)])) as u32)
+    Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
 }
 
 impl Table {

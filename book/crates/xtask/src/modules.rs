@@ -1,11 +1,10 @@
 //! The modules of the book's pages: the package `page`, compiled for the browser with one feature
 //! each. They are checked in, so that nobody needs a second target to build the book; modules.txt
-//! has a hash of what each was made from, and the compiler. A module whose line is removed there
-//! is compiled again.
+//! has a hash of what they were made from, and the compiler.
 
-use crate::source_hash::{hash_texts, needed_packages, source_texts, tokens};
+use crate::source_hash::{code_lines, hash_texts, insert_needed_packages, source_texts};
 use course::{target_folder, workspace};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,30 +12,8 @@ use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// A line for each module: its name, the hash, the compiler.
-const HASHES: &str = "modules.txt";
-
-/// The modules, and the paths of sources that are in one of them alone.
-const MODULES: [(&str, &[&str]); 3] = [
-    ("live", &[]),
-    (
-        "check",
-        &[
-            "book/crates/check",
-            "book/crates/page/src/check.rs",
-            "book/crates/page/src/draw_picture.rs",
-        ],
-    ),
-    (
-        "expressions",
-        &[
-            "book/crates/course/places.txt",
-            "book/crates/page/build.rs",
-            "book/crates/page/src/edit.rs",
-            "book/crates/page/src/expressions",
-        ],
-    ),
-];
+/// The modules.
+pub const NAMES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The roots of paths on machines: no module has one in it.
 pub const ROOTS: [&str; 7] = ["/rustc/", "/rust/", "/usr/", "/home/", "/root/", "/Users/", "/tmp/"];
@@ -50,52 +27,40 @@ pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
     Err(format!("Rust's target for the browser is missing: `rustup target add {TARGET}`").into())
 }
 
-/// The names of the modules that are made from other sources than those of today.
-pub fn stale_modules() -> io::Result<Vec<&'static str>> {
-    let lines = read_hashes();
-    let mut stale = vec![];
-    for (name, _) in MODULES {
-        let hash = format!("{:016x}", source_hash(name)?);
-        if lines.get(name).and_then(|line| line.split(' ').next()) != Some(&*hash) {
-            stale.push(name);
-        }
-    }
-    Ok(stale)
+/// Whether the modules were made from other sources than those of today.
+pub fn are_stale() -> io::Result<bool> {
+    let text = fs::read_to_string(page_folder().join("modules.txt")).unwrap_or_default();
+    Ok(text.split(' ').next() != Some(&*source_hash()?))
 }
 
-/// Compiles the stale modules.
-pub fn compile_stale_modules() -> Result<(), Box<dyn Error>> {
-    for name in stale_modules()? {
-        let hash = source_hash(name)?;
+/// Compiles the modules, if they are stale.
+pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
+    if !are_stale()? {
+        return Ok(());
+    }
+    let hash = source_hash()?;
+    for name in NAMES {
         let mut module = compile(name)?;
         hide_paths(&mut module);
         println!("{name}.wasm: {} bytes", module.len());
         fs::write(page_folder().join(format!("{name}.wasm")), module)?;
-        let mut lines = read_hashes();
-        lines.insert(name.to_owned(), format!("{hash:016x} {}", ask_compiler(&["--version"])?));
-        let text: String = lines.iter().map(|(name, line)| format!("{name} {line}\n")).collect();
-        fs::write(page_folder().join(HASHES), text)?;
     }
-    Ok(())
+    let text = format!("{hash} {}\n", ask_compiler(&["--version"])?);
+    Ok(fs::write(page_folder().join("modules.txt"), text)?)
 }
 
-/// The lines of modules.txt by the names of the modules.
-fn read_hashes() -> BTreeMap<String, String> {
-    let text = fs::read_to_string(page_folder().join(HASHES)).unwrap_or_default();
-    let lines = text.lines().filter_map(|line| line.split_once(' '));
-    lines.map(|(name, line)| (name.to_owned(), line.to_owned())).collect()
-}
-
-/// The hash of all that a module is made from.
-fn source_hash(name: &str) -> io::Result<u64> {
-    let others = MODULES.iter().filter(|(other, _)| *other != name);
-    let elsewhere: Vec<_> = others.flat_map(|(_, own)| *own).copied().collect();
-    let mut texts = source_texts(&elsewhere)?;
+/// The hash of all that the modules are made from.
+fn source_hash() -> io::Result<String> {
+    let mut texts = source_texts()?;
     let manifest = fs::read_to_string(workspace().join("Cargo.toml"))?;
     let profiles = manifest.split("\n[").filter(|table| table.starts_with("profile.wasm"));
-    texts.extend(profiles.map(tokens));
-    texts.extend(needed_packages(&fs::read_to_string(workspace().join("Cargo.lock"))?, "page"));
-    Ok(hash_texts(texts))
+    texts.extend(profiles.map(code_lines));
+    let lock = fs::read_to_string(workspace().join("Cargo.lock"))?.replace('\r', "");
+    let blocks: Vec<_> = lock.split("[[package]]\n").collect();
+    let mut needed = BTreeSet::new();
+    insert_needed_packages(&blocks, "page", &mut needed);
+    texts.extend(needed.into_iter().map(str::to_owned));
+    Ok(format!("{:016x}", hash_texts(texts)))
 }
 
 fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
