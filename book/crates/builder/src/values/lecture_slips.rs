@@ -25,7 +25,7 @@ pub const VALUES: &Values = &[
     // If D itself had a factor i, ray i would have the direction of ray i².
     ("slips-i-twice-last", || Number(direction(639.0 * 639.0).x)),
     ("slips-gate-n-l", || Number(DVec3::Y.dot(low_light()))),
-    ("slips-gate-r-v", || Number(reflect(DVec3::Y, low_light()).dot(DVec3::new(-0.8, 0.6, 0.0)))),
+    ("slips-gate-r-v", || Number(reflect(DVec3::Y, low_light()).dot(-low_light()))),
     ("slips-v-angle", || Number(degrees_down(&camera(), 359.0) - degrees_down(&camera(), 0.0))),
 ];
 
@@ -59,5 +59,5 @@ fn direction(i: f64) -> DVec2 {
 
 /// The direction from the surface y = 0 to a light that is low behind it.
 fn low_light() -> DVec3 {
-    DVec3::new(4.0, -3.0, 0.0).normalize()
+    DVec3::new(40.0, -9.0, 0.0) / 41.0
 }
