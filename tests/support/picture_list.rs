@@ -1,5 +1,5 @@
 use course::examples::{checkerboard, mirror, terms};
-use course::{Picture, camera};
+use course::{Picture, camera, camera_with_size};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -14,7 +14,7 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
     let exercises = course::PICTURES.iter();
     let mut pictures: Vec<LockedPicture> =
         exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
-    let large_camera = Camera::new(1280, 720, 60_f64.to_radians());
+    let large_camera = camera_with_size(1280, 720);
     pictures.extend([
         ("slide_matrix", course::slide_matrix(), step05_phong::picture as Picture),
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
@@ -67,7 +67,7 @@ fn draw_large_pixels(camera: &Camera, samples: u32) -> RgbImage {
 /// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:
 /// the white sphere.
 fn close_up_camera() -> Camera {
-    let large_camera = Camera::new(2560, 1440, 60_f64.to_radians());
+    let large_camera = camera_with_size(2560, 1440);
     let corner = DVec3::new(213.0, 926.0, 1.0);
     let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
     Camera { matrix: large_camera.matrix * crop, ..camera() }

@@ -103,6 +103,13 @@ pub const PICTURES: &[(&str, Picture)] = &[
     ("mirror", mirror::picture),
 ];
 
+impl Step {
+    /// The function that draws its picture.
+    pub fn picture(self) -> Picture {
+        PICTURES[self as usize].1
+    }
+}
+
 /// The step that an example extends: it lies in the folder of that step.
 pub fn step_of_example(name: &str) -> Option<Step> {
     let (_, path) = PATHS.iter().find(|(known, _)| *known == name)?;

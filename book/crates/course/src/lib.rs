@@ -11,7 +11,7 @@
 //! - The folders of the *workspace*, and JSON.
 
 mod step;
-pub use step::{Step, camera, camera_with_fov, camera_with_size, slide_matrix};
+pub use step::{FIELD_OF_VIEW, Step, camera, camera_with_fov, camera_with_size, slide_matrix};
 
 pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture, step_of_example};

@@ -1,15 +1,17 @@
-use crate::{PICTURES, Picture};
 use step01_rays::{AspectRatio, Camera};
+
+/// The field of view of the course's camera: 60 degrees, turned into radians as by the programs,
+/// as π/3 is another number in its last digit.
+pub const FIELD_OF_VIEW: f64 = 60_f64.to_radians();
 
 /// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
 pub fn camera() -> Camera {
     camera_with_size(640, 360)
 }
 
-/// The camera of the course with so many columns and rows. Its 60 degrees are turned into
-/// radians, as by the programs: π/3 is another number in its last digit.
+/// The camera of the course with so many columns and rows.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
-    Camera::new(columns, rows, 60_f64.to_radians())
+    Camera::new(columns, rows, FIELD_OF_VIEW)
 }
 
 /// The camera with this field of view, in degrees, and so many columns, 16:9.
@@ -79,10 +81,5 @@ impl Step {
     /// The step whose folder or file a path leads to.
     pub fn from_path(path: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| path.contains(step.name()))
-    }
-
-    /// The function that draws its picture.
-    pub fn picture(self) -> Picture {
-        PICTURES[self as usize].1
     }
 }

@@ -7,7 +7,7 @@ use step05_phong::{Material, Object, Ray, Sphere, nearest, scene};
 
 /// A row of so many rays in 2D, with the angle of the course's camera.
 pub fn row(rays: u32) -> Row {
-    Row::new(rays, 60_f64.to_radians())
+    Row::new(rays, course::FIELD_OF_VIEW)
 }
 
 /// The ray through a pixel.
