@@ -2,11 +2,9 @@
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
-use super::support::listing::{Listing, page_listings};
+use super::support::listing::{join_listings, page_listings};
 use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use builder::Files;
-use course::workspace;
-use std::fs;
 use std::sync::LazyLock;
 
 /// The files that a reader types, by path: those of the five crates, with their settings of
@@ -27,50 +25,6 @@ fn may_be_on_several_pages(path: &str) -> bool {
     parts.iter().any(|part| path.contains(part))
 }
 
-#[test]
-fn listings_are_lines_of_their_files() {
-    let (book, mut faults) = (built_book(), vec![]);
-    for listing in book.chapters_in_order().into_iter().flat_map(page_listings) {
-        let Listing { location, path, lines: (first, last), code } = listing;
-        // `Cargo.toml` is the name of the reader's manifest and of the course's own.
-        let course_file = fs::read_to_string(workspace().join(path)).ok();
-        let reader_file = SOURCE_FILES.text(path);
-        let Some(file) = reader_file
-            .filter(|text| text.contains(&code))
-            .or(course_file.as_deref())
-            .or(reader_file)
-        else {
-            faults.push(format!("{location}: there is no file {path}."));
-            continue;
-        };
-        let file_lines: Vec<_> = file.lines().collect();
-        let file_lines = file_lines.get(first - 1..last).unwrap_or_default();
-        if file_lines.join("\n") != code {
-            let mut pairs = file_lines.iter().zip(code.lines());
-            let equal_count = pairs.position(|(line, listed)| *line != listed).unwrap_or(0);
-            let line = first + equal_count;
-            faults.push(format!("{location}: line {line} of {path} differs."));
-        }
-    }
-    assert_no_faults(&faults);
-}
-
-#[test]
-fn code_outside_listings_is_not_rust() {
-    let (book, mut faults) = (built_book(), vec![]);
-    let selector = "figure:not(.listing) > pre code, :not(figure) > pre code";
-    for page in book.chapters_in_order() {
-        for code in page.select_all(selector) {
-            let class = code.attr("class").unwrap_or_default();
-            if class.is_empty() || class.contains("rust") {
-                let location = page.address_for_fault(code);
-                faults.push(format!("The code at {location} is from no file."));
-            }
-        }
-    }
-    assert_no_faults(&faults);
-}
-
 /// The first of the pages that list a file has all of it; that of a crate is in its step.
 #[test]
 fn every_line_of_every_file_is_listed_once() {
@@ -84,19 +38,19 @@ fn every_line_of_every_file_is_listed_once() {
             continue;
         };
         let may_be_on_any_page = path.contains("/examples/") || !STEP_NAMES.contains(&step);
-        let listings: Vec<_> = listings.iter().filter(|(_, one)| one.path == path).collect();
-        let mut pages = listings.iter().map(|(page, _)| *page);
-        let home_page = pages.find(|page| may_be_on_any_page || step_of_page(page) == Some(step));
-        let mut listing_counts = vec![0; text.lines().count()];
-        for (page, Listing { location, lines: (first, last), .. }) in listings {
-            if Some(*page) != home_page && !may_be_on_several_pages(path) {
-                faults.push(format!("{location}: {path} is of {}.", home_page.unwrap_or(step)));
-            }
-            listing_counts[first - 1..*last].iter_mut().for_each(|count| *count += 1);
+        let (pages, listings): (Vec<_>, Vec<_>) =
+            listings.iter().filter(|(_, one)| one.path == path).cloned().unzip();
+        let is_home = |page: &&&str| may_be_on_any_page || step_of_page(page) == Some(step);
+        let home_page = pages.iter().find(is_home);
+        let others = pages.iter().filter(|page| Some(*page) != home_page);
+        for page in others.filter(|_| !may_be_on_several_pages(path)) {
+            faults.push(format!("{page} lists a part of {path}, and should not."));
         }
-        let mut counts = (1..).zip(listing_counts);
-        if let Some((line, count)) = counts.find(|(_, count)| *count != 1) {
-            faults.push(format!("Line {line} of {path} is listed {count} times."));
+        let listed = join_listings(&listings);
+        if listed != text {
+            let pairs = text.lines().zip(listed.lines());
+            let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
+            faults.push(format!("Line {} of {path} is not listed once.", equal_count + 1));
         }
     }
     assert_no_faults(&faults);

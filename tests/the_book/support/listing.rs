@@ -4,8 +4,6 @@ use scraper::ElementRef;
 /// A listing: contiguous lines of a file.
 #[derive(Clone, Debug)]
 pub struct Listing<'a> {
-    /// The page, and the place on it.
-    pub location: String,
     /// The path of the file in the workspace.
     pub path: &'a str,
     /// The numbers of its first and of its last line, from 1.
@@ -39,7 +37,6 @@ impl<'a> Listing<'a> {
         Self {
             path: figure.attr("data-path").unwrap_or_default(),
             lines: lines.unwrap_or_else(|| panic!("{location} has no data-lines")),
-            location,
             code,
         }
     }

@@ -144,7 +144,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A fence: an include becomes a listing, commands get a caption.
+    /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
+    /// compiles.
     fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
         let CodeBlockKind::Fenced(info) = kind else { return Part::Code };
         let (language, folder) = info.split_once(',').unwrap_or((info, ""));
@@ -154,6 +155,8 @@ impl<'a> Chapter<'a> {
             listing::html(language, &content, self.sources, &mut self.listings)
         } else if language == "console" {
             console::figure_markdown(folder, &content)
+        } else if ["", "rust", "toml"].contains(&language) {
+            Err("code is from a file: {{#include path}}".to_owned())
         } else {
             return Part::Code;
         };
