@@ -16,7 +16,7 @@ pub type Pictures = Vec<Option<RgbImage>>;
 const MANIFEST: &str = "[package]\nname = \"mistakes\"\nedition = \"2024\"\n\n[workspace]\n\n\
     [profile.dev]\ndebug = false\nincremental = false\n";
 
-/// The program, up to its modules and the lists of what it draws.
+/// The program, up to its modules and the list of what it draws.
 const MAIN: &str = include_str!("draw_mistakes_main.rs");
 
 /// The modules of a step with the program around its picture.
@@ -69,14 +69,14 @@ fn package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// Writes the package: its manifest, a module for each mistake, and the lists of what its main
-/// file draws.
+/// Writes the package: its manifest, a module for each mistake, and the list of what its main file
+/// draws.
 fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
     let folder = package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
     write_with_folders(&folder.join("Cargo.toml"), &manifest_text()?)?;
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
-    let (mut modules, mut pictures, mut programs) = (vec![], vec![], vec![]);
+    let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
         let module = format!("m{k}");
         let mut steps = String::new();
@@ -84,23 +84,18 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
             write_step(&folder.join("src"), mistake, step, &module)?;
             steps += &format!("pub mod {step};\n");
             let path = format!("{module}::{step}");
-            pictures.push(if is_cli_file(&mistake.file) {
-                programs.push(format!("|| {path}::run(\"\", {path}::picture),"));
-                format!("|| draw_with_program({}),", programs.len() - 1)
+            pictures += &if is_cli_file(&mistake.file) {
+                format!("|| draw_with_program(|| {path}::run(\"\", {path}::picture)),\n")
             } else {
                 let camera = format!("{path}::Camera::new(640, 360, 60_f64.to_radians())");
-                format!("|| {path}::picture(&{camera}, 1),")
-            });
+                format!("|| {path}::picture(&{camera}, 1),\n")
+            };
         }
         write_with_folders(&folder.join(format!("src/{module}/mod.rs")), &steps)?;
-        modules.push(format!("mod {module};"));
+        modules += &format!("mod {module};\n");
     }
-    let [modules, pictures, programs] = [modules, pictures, programs].map(|lines| lines.join("\n"));
-    let main = format!(
-        "{MAIN}\n{modules}\n\nconst PICTURES: &[fn() -> RgbImage] = &[\n{pictures}\n];\n\n\
-         const PROGRAMS: &[fn()] = &[\n{programs}\n];\n"
-    );
-    write_with_folders(&folder.join("src/main.rs"), &main)
+    let pictures = format!("const PICTURES: &[fn() -> RgbImage] = &[\n{pictures}];\n");
+    write_with_folders(&folder.join("src/main.rs"), &format!("{MAIN}\n{modules}\n{pictures}"))
 }
 
 /// The manifest: the program needs what the course needs.
@@ -133,6 +128,9 @@ fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> io:
         };
         let siblings = mistake.affected_steps().map(Step::name);
         let mut text = crate_as_module(&text, &format!("{module}::{step}"), siblings);
+        // The program has one option, and says nothing among the pictures.
+        let options = "Options::parse_from([\"\", \"--output\", \"picture.png\"])";
+        text = text.replace("Options::parse()", options).replace("stdout()", "std::io::sink()");
         for name in CLI_MODULES.iter().filter(|name| is_left_out(&format!("/{name}.rs"))) {
             text = text.replace(&format!("mod {name};"), &format!("use ::{step} as {name};"));
         }
