@@ -1,4 +1,3 @@
-use crate::files::CHAPTERS;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Page, Site, inline_stylesheets, inner_text, links, paper_page, search};
@@ -50,8 +49,7 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
     let pages = pages.collect::<Result<_>>()?;
     let site = Site { files, pages };
     fs::write(folder.join(search::INDEX), search::index_script(&site))?;
-    let chapters = Files::read(&workspace.join(CHAPTERS))?;
-    fail_with_faults(&links::find_faults(&site, &chapters))?;
+    fail_with_faults(&links::find_faults(&site))?;
     Ok(site)
 }
 

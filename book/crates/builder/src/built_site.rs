@@ -19,9 +19,4 @@ impl Site {
         let names = contents.iter().filter_map(|link| link.attr("href"));
         names.filter_map(|name| self.pages.get(name)).collect()
     }
-
-    /// How many elements that a CSS selector names are in the chapters.
-    pub fn count_in_chapters(&self, selector: &str) -> usize {
-        self.chapters_in_order().iter().map(|page| page.select_all(selector).len()).sum()
-    }
 }

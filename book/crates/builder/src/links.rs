@@ -1,23 +1,22 @@
 //! Every link, anchor and picture leads to something in the book, and nothing is
 //! fetched from elsewhere.
 
-use crate::files::{CHAPTERS, resolve_path};
-use crate::{Files, Page, Site};
+use crate::files::resolve_path;
+use crate::{Page, Site};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
-/// Each link that leads nowhere, and all that would be fetched from elsewhere: told with
-/// its line in the `chapters`, by their paths, where it stands in one.
+/// Each link that leads nowhere, and all that would be fetched from elsewhere.
 ///
 /// The pages that repeat the chapters are looked at where these have no fault.
-pub fn find_faults(site: &Site, chapters: &Files) -> Vec<String> {
+pub fn find_faults(site: &Site) -> Vec<String> {
     let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
     let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
-    let faults = find_page_faults(site, chapters, &pages);
-    if faults.is_empty() { find_page_faults(site, chapters, &copies) } else { faults }
+    let faults = find_page_faults(site, &pages);
+    if faults.is_empty() { find_page_faults(site, &copies) } else { faults }
 }
 
-fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<String> {
+fn find_page_faults(site: &Site, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
         page.select_all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
     });
@@ -31,27 +30,12 @@ fn find_page_faults(site: &Site, chapters: &Files, pages: &[&Page]) -> Vec<Strin
                     continue;
                 }
                 let fault = find_address_fault(site, &ids, &page.name, address);
-                let place = || {
-                    source_position_of_link(chapters, &page.name, address)
-                        .unwrap_or_else(|| page.address_for_fault(element))
-                };
-                faults.extend(fault.map(|fault| format!("{} {fault}", place())));
+                let place = page.address_for_fault(element);
+                faults.extend(fault.map(|fault| format!("{place}: {fault}")));
             }
         }
     }
     faults
-}
-
-/// The file and the line of the chapter of a page in which an address stands.
-fn source_position_of_link(chapters: &Files, page: &str, address: &str) -> Option<String> {
-    let file = page.replace(".html", ".md");
-    let written = [address.replace(".html", ".md"), address.to_owned()];
-    let is_there = |line: &str| {
-        written.iter().any(|one| line.contains(&format!("({one}")))
-            || line.contains(&format!("\"{address}\""))
-    };
-    let line = 1 + chapters.text(&file)?.lines().position(is_there)?;
-    Some(format!("{CHAPTERS}{file}:{line}: the link"))
 }
 
 /// Everything that an element leads to or loads, with the attribute that says so; a style
@@ -100,7 +84,7 @@ fn find_address_fault(
         return None;
     }
     if is_outside_book(address) {
-        return Some(format!("fetches {address} from outside the book"));
+        return Some(format!("{address} is outside the book"));
     }
     let (path, id) = address.split_once('#').unwrap_or((address, ""));
     let path = match path.split('?').next().unwrap_or_default() {
@@ -108,12 +92,12 @@ fn find_address_fault(
         path => resolve_path(page_path, path),
     };
     if !site.files.0.contains_key(&path) {
-        return Some(format!("leads to {path}, which is not in the book"));
+        return Some(format!("there is no {path} in the book"));
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
         || site.pages.get(&path).is_some_and(|page| is_answered(page, id));
-    (!is_there).then(|| format!("leads to #{id}, which is not in {path}"))
+    (!is_there).then(|| format!("there is no #{id} in {path}"))
 }
 
 /// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture
