@@ -1,5 +1,5 @@
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Sources, numbers};
+use crate::{Sources, values};
 use course::{Place, Step};
 use figures::escape;
 use std::fs;
@@ -54,10 +54,10 @@ pub fn html(
 pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
     let (number_name, path) =
         words.split_once(' ').ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
-    let code = numbers::default_text_of_number(number_name)?;
+    let code = values::value_text(number_name)?;
     let lines = code.lines().count();
     let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
-    Ok(figure_markdown(path, &attributes, "", "", ("rust", code), ids))
+    Ok(figure_markdown(path, &attributes, "", "", ("rust", &code), ids))
 }
 
 /// The text of the file of the same name in the last step before that has one.

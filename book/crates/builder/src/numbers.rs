@@ -2,18 +2,6 @@
 //! when a reader moves what answers.
 
 use crate::values;
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
-/// Each number that moves as it is printed, by the name of what it belongs to and its
-/// own, such as `row:hRes`.
-static PRINTED: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    let all = figures::FIGURES.iter().flat_map(|live| {
-        let numbers = (live.numbers)(&live.default_values()).into_iter();
-        numbers.map(|(name, text)| (format!("{}:{name}", live.name), text))
-    });
-    all.collect()
-});
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
 /// `minus` in the values: − in a text, a hyphen in code.
@@ -44,15 +32,10 @@ pub fn fill_in_formula(
     })
 }
 
+/// A number that moves, as it is printed: a value of what answers.
 fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
-    let default_text = default_text_of_number(number_name)?;
+    let default_text = values::value_text(number_name)?;
     Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
-}
-
-/// A number that moves as it is printed.
-pub fn default_text_of_number(number_name: &str) -> Result<&'static str, String> {
-    let default_text = PRINTED.get(number_name).map(String::as_str);
-    default_text.ok_or(format!("there is no number {number_name}"))
 }
 
 /// Replaces each part between `begin` and `end`.

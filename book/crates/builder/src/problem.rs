@@ -5,13 +5,13 @@ use std::fmt::Write;
 /// answer is a value.
 ///
 /// The problem's text follows, `{{#answer}}`, the way to the answer, and `{{#end}}`. What a
-/// reader types in is compared by book/theme/book.js: a count exactly, any other number
+/// reader types in is compared by book/theme/book.js: a whole number exactly, any other
 /// within 1 %.
 pub fn opening_html(words: &str) -> Result<String, String> {
     let (number, value) =
         words.split_once(' ').ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
     let answer = values::value_text(value)?.replace(',', "");
-    let tolerance = if values::is_count(value) { 0.0 } else { 0.01 };
+    let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
     Ok(format!(
         "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\" \
          data-tolerance=\"{tolerance}\">\

@@ -15,10 +15,13 @@ mod step02;
 mod step03;
 mod step04;
 mod step05;
-mod value;
 mod way_back;
 
-use value::{Functions, Value, Values};
+/// Values of a chapter as they are written, by name.
+type Values = [(&'static str, fn() -> String)];
+
+/// Values of a chapter that are functions of a number, by name.
+type Functions = [(&'static str, fn(f64) -> String)];
 
 const VALUES: [&Values; 8] = [
     step01::VALUES,
@@ -38,7 +41,7 @@ const FUNCTIONS: [&Functions; 4] =
 pub fn value_text(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
         Some((live, number)) => live_number_text(live, number),
-        None => chapter_value(text).map(|value| value.text()),
+        None => chapter_value_text(text),
     };
     number.ok_or_else(|| format!("there is no value {text}"))
 }
@@ -60,13 +63,8 @@ fn live_number_text(live: &str, number: &str) -> Option<String> {
     is_allowed.then(|| (live.numbers)(&values).remove(name))?
 }
 
-/// Whether a value is a count of something, and so a whole number.
-pub fn is_count(text: &str) -> bool {
-    matches!(chapter_value(text), Some(Value::Count(_)))
-}
-
 /// A value such as `camera-tan`, or such as `half-angle 40`.
-fn chapter_value(text: &str) -> Option<Value> {
+fn chapter_value_text(text: &str) -> Option<String> {
     let Some((name, number)) = text.split_once(' ') else {
         let (_, value) = VALUES.into_iter().flatten().find(|(name, _)| *name == text)?;
         return Some(value());

@@ -1,10 +1,8 @@
 //! The answers to the problems on paper, by the steps.
 
+use super::Values;
 use super::rays::{first_hit, half_angle, pixel_ray};
-use super::value::{
-    Value::{Count, Fixed, Number},
-    Values,
-};
+use figures::{format_count, format_fixed, format_number};
 use glam::DVec3;
 use step01_rays::{AspectRatio, Camera};
 use step02_sphere::{Ray, Sphere};
@@ -13,16 +11,16 @@ use step04_diffuse::{Attenuation, Matte, PointLight, ambient, diffuse};
 use step05_phong::{reflect, rgb8};
 
 pub const VALUES: &Values = &[
-    ("problem-far-plane", || Fixed(2, 50.0 * pixel_ray([0, 0]).direction.length())),
-    ("problem-vertical-view", || Fixed(1, vertical_view_degrees())),
+    ("problem-far-plane", || format_fixed(50.0 * pixel_ray([0, 0]).direction.length(), 2)),
+    ("problem-vertical-view", || format_fixed(vertical_view_degrees(), 1)),
     ("problem-rays", || {
-        Count((640 * AspectRatio { width: 2.39, height: 1.0 }.v_res(640) * 3 * 3) as usize)
+        format_count((640 * AspectRatio { width: 2.39, height: 1.0 }.v_res(640) * 3 * 3) as usize)
     }),
     ("problem-touch", || {
-        Number(first_hit(&sphere([0.0, 0.0, -5.0], 3.0), &ray([0.0; 3], [0.75, 0.0, -1.0])))
+        format_number(first_hit(&sphere([0.0, 0.0, -5.0], 3.0), &ray([0.0; 3], [0.75, 0.0, -1.0])))
     }),
     ("problem-inside", || {
-        Fixed(3, first_hit(&sphere([0.0, 1.0, -2.0], 3.0), &ray([0.0; 3], [0.0, 0.0, -2.0])))
+        format_fixed(first_hit(&sphere([0.0, 1.0, -2.0], 3.0), &ray([0.0; 3], [0.0, 0.0, -2.0])), 3)
     }),
     ("problem-nearest", || {
         let centres_and_radii =
@@ -32,7 +30,7 @@ pub const VALUES: &Values = &[
             sphere: sphere(centre, radius),
             material: (),
         });
-        Number(nearest(&objects, &ray([0.0; 3], [0.0, 0.0, -1.0])).expect("a hit").t)
+        format_number(nearest(&objects, &ray([0.0; 3], [0.0, 0.0, -1.0])).expect("a hit").t)
     }),
     ("problem-hidden", || {
         // The ray that touches the front sphere, by its a = b² / (4c).
@@ -40,31 +38,31 @@ pub const VALUES: &Values = &[
         let (_, b, c) = front.coefficients(&axis);
         let a = b * b / (4.0 * c);
         let (_, b, c) = sphere([0.0, 0.0, -18.0], 0.0).coefficients(&axis);
-        Number((c - b * b / (4.0 * a)).sqrt())
+        format_number((c - b * b / (4.0 * a)).sqrt())
     }),
-    ("problem-sun", || Fixed(2, sunlight(60.0) / sunlight(10.0))),
+    ("problem-sun", || format_fixed(sunlight(60.0) / sunlight(10.0), 2)),
     ("problem-attenuation", || {
         let lamps = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let left = lamps.map(|[a, b, c]| {
             let attenuation = Attenuation { a, b, c };
             attenuation.divisor(2.0) / attenuation.divisor(6.0)
         });
-        Fixed(2, 100.0 * left.iter().sum::<f64>() / 3.0)
+        format_fixed(100.0 * left.iter().sum::<f64>() / 3.0, 2)
     }),
     ("problem-byte", || {
         let matte = Matte::of(DVec3::splat(0.9));
         let light = lamp(DVec3::new(0.0, 3.0, 1.0), 0.5, [0.5, 0.1, 0.01]);
         let (l, d) = light.direction_from(DVec3::new(0.0, 0.0, -3.0));
         let sum = ambient(&matte, DVec3::splat(0.2)) + diffuse(DVec3::Z, l, d, &matte, &light);
-        Count(rgb8(sum).0[0].into())
+        format_count(rgb8(sum).0[0].into())
     }),
     ("problem-reflection", || {
         let r = reflect(DVec3::new(2.0, 2.0, 1.0) / 3.0, DVec3::Z);
-        Fixed(3, r.dot(DVec3::new(0.6, 0.8, 0.0)))
+        format_fixed(r.dot(DVec3::new(0.6, 0.8, 0.0)), 3)
     }),
-    ("problem-shininess", || Fixed(1, half_angle(1.0) / half_angle(256.0))),
+    ("problem-shininess", || format_fixed(half_angle(1.0) / half_angle(256.0), 1)),
     ("problem-shadow-ray", || {
-        Number(first_hit(&sphere([0.6, 3.0, 0.0], 1.0), &ray([0.0; 3], [0.0, 8.0, 0.0])))
+        format_number(first_hit(&sphere([0.6, 3.0, 0.0], 1.0), &ray([0.0; 3], [0.0, 8.0, 0.0])))
     }),
 ];
 

@@ -3,48 +3,47 @@
 use super::rays::{
     camera, count_rays, discriminant, first_hit, length_in_pixels, pixel_ray, unit_ray,
 };
-use super::value::{
-    Functions,
-    Value::{Count, Fixed, Number, Vector},
-    Values,
-};
+use super::{Functions, Values};
+use figures::{format_count, format_fixed, format_number, format_vector};
 use glam::{DVec2, DVec3};
 use step02_sphere::{Ray, Roots, SPHERE, Sphere, quadratic};
 
 pub const VALUES: &Values = &[
-    ("step02-point", || Vector(hit_point())),
-    ("step02-long", || Number(pixel_ray(PIXEL).direction.length())),
-    ("step02-distance", || Number(hit_point().length())),
-    ("step02-rays", || Count(count_rays(|_| true))),
-    ("step02-touches", || Count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0))),
-    ("step02-edge", || Number(image_radius())),
-    ("step02-edge-pixels", || Fixed(1, length_in_pixels(image_radius()))),
-    ("step02-fifth-pixels", || Fixed(1, length_in_pixels(0.2))),
-    ("step02-rim-radius", || Fixed(2, SPHERE.radius * rim_share().sqrt())),
-    ("step02-rim-depth", || Number(SPHERE.centre.length() * rim_share())),
-    ("step02-rim-narrower", || Fixed(0, 100.0 - 100.0 * rim_share().sqrt())),
-    ("step02-rim-nearer", || Fixed(0, 100.0 - 100.0 * rim_share())),
+    ("step02-point", || format_vector(hit_point())),
+    ("step02-long", || format_number(pixel_ray(PIXEL).direction.length())),
+    ("step02-distance", || format_number(hit_point().length())),
+    ("step02-rays", || format_count(count_rays(|_| true))),
+    ("step02-touches", || format_count(count_rays(|ray| discriminant(&SPHERE, ray) == 0.0))),
+    ("step02-edge", || format_number(image_radius())),
+    ("step02-edge-pixels", || format_fixed(length_in_pixels(image_radius()), 1)),
+    ("step02-fifth-pixels", || format_fixed(length_in_pixels(0.2), 1)),
+    ("step02-rim-radius", || format_fixed(SPHERE.radius * rim_share().sqrt(), 2)),
+    ("step02-rim-depth", || format_number(SPHERE.centre.length() * rim_share())),
+    ("step02-rim-narrower", || format_fixed(100.0 - 100.0 * rim_share().sqrt(), 0)),
+    ("step02-rim-nearer", || format_fixed(100.0 - 100.0 * rim_share(), 0)),
     ("step02-columns", || {
-        Count((0..camera().h_res).filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
+        format_count((0..camera().h_res).filter(|&i| has_hit(&pixel_ray([i, 180]))).count())
     }),
     ("step02-without-a", || {
-        Count(count_rays(|ray| {
+        format_count(count_rays(|ray| {
             let (_, b, c) = SPHERE.coefficients(ray);
             quadratic(1.0, b, c) != Roots::Zero
         }))
     }),
-    ("step02-normalised", || Count(count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray))))),
-    ("step02-edge-misses", || Count(count_edge_rays(|d| d < 0.0))),
-    ("step02-edge-touches", || Count(count_edge_rays(|d| d == 0.0))),
-    ("step02-edge-crosses", || Count(count_edge_rays(|d| 0.0 < d))),
+    ("step02-normalised", || {
+        format_count(count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray))))
+    }),
+    ("step02-edge-misses", || format_count(count_edge_rays(|d| d < 0.0))),
+    ("step02-edge-touches", || format_count(count_edge_rays(|d| d == 0.0))),
+    ("step02-edge-crosses", || format_count(count_edge_rays(|d| 0.0 < d))),
 ];
 
 pub const FUNCTIONS: &Functions = &[
-    ("axis-b", |z| Number(SPHERE.coefficients(&axis_ray(z)).1)),
-    ("axis-c", |z| Number(SPHERE.coefficients(&axis_ray(z)).2)),
-    ("axis-D", |z| Number(discriminant(&SPHERE, &axis_ray(z)))),
-    ("axis-near", |z| Number(axis_roots(z).0)),
-    ("axis-far", |z| Number(axis_roots(z).1)),
+    ("axis-b", |z| format_number(SPHERE.coefficients(&axis_ray(z)).1)),
+    ("axis-c", |z| format_number(SPHERE.coefficients(&axis_ray(z)).2)),
+    ("axis-D", |z| format_number(discriminant(&SPHERE, &axis_ray(z)))),
+    ("axis-near", |z| format_number(axis_roots(z).0)),
+    ("axis-far", |z| format_number(axis_roots(z).1)),
 ];
 
 /// The pixel of the worked example.

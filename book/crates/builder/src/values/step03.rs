@@ -1,22 +1,20 @@
 //! The numbers of chapter 3.
 
+use super::Values;
 use super::rays::{camera, count_rays, length_in_pixels, pixel_ray, sum_over_rays};
-use super::value::{
-    Value::{Count, Fixed, Number},
-    Values,
-};
+use figures::{format_count, format_fixed, format_number};
 use glam::DVec3;
 use step02_sphere::Roots;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
 pub const VALUES: &Values = &[
-    ("step03-tests", || Count(sum_over_rays(|_| OBJECTS.len()))),
-    ("step03-hits", || Count(sum_over_rays(|ray| first_hits(ray).count()))),
-    ("step03-last", || Count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray)))),
-    ("step03-behind", || Count(count_rays(|ray| line_meets(ray, &OBJECTS[4])))),
+    ("step03-tests", || format_count(sum_over_rays(|_| OBJECTS.len()))),
+    ("step03-hits", || format_count(sum_over_rays(|ray| first_hits(ray).count()))),
+    ("step03-last", || format_count(count_rays(|ray| first_hits(ray).last() != nearest_hit(ray)))),
+    ("step03-behind", || format_count(count_rays(|ray| line_meets(ray, &OBJECTS[4])))),
     ("step03-meets", || {
         let ray = pixel_ray([195, 237]);
-        Count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
+        format_count(OBJECTS.iter().filter(|object| line_meets(&ray, object)).count())
     }),
     ("step03-gap", || {
         let ground = OBJECTS[1].sphere;
@@ -24,17 +22,17 @@ pub const VALUES: &Values = &[
             let Sphere { centre, radius } = OBJECTS[k].sphere;
             (centre.distance(ground.centre) - ground.radius - radius).abs()
         });
-        Number(gaps.into_iter().fold(0.0, f64::max))
+        format_number(gaps.into_iter().fold(0.0, f64::max))
     }),
     ("step03-horizon", || {
         let Sphere { centre, radius } = OBJECTS[1].sphere;
-        Fixed(1, (centre.length_squared() - radius * radius).sqrt())
+        format_fixed((centre.length_squared() - radius * radius).sqrt(), 1)
     }),
-    ("step03-long", || Fixed(2, oval(&OBJECTS[6])[0])),
-    ("step03-wide", || Fixed(2, oval(&OBJECTS[6])[1])),
-    ("step03-red-long", || Fixed(2, oval(&OBJECTS[0])[0])),
-    ("step03-red-wide", || Fixed(2, oval(&OBJECTS[0])[1])),
-    ("step03-eye", || Fixed(2, -0.5 / camera().matrix.z_axis.x)),
+    ("step03-long", || format_fixed(oval(&OBJECTS[6])[0], 2)),
+    ("step03-wide", || format_fixed(oval(&OBJECTS[6])[1], 2)),
+    ("step03-red-long", || format_fixed(oval(&OBJECTS[0])[0], 2)),
+    ("step03-red-wide", || format_fixed(oval(&OBJECTS[0])[1], 2)),
+    ("step03-eye", || format_fixed(-0.5 / camera().matrix.z_axis.x, 2)),
 ];
 
 /// The first hit of a ray with each object, and its t, in the order of the list.

@@ -1,25 +1,23 @@
 //! The numbers of chapter 4 that are not in the trace of a pixel.
 
+use super::Values;
 use super::rays::{object_of_pixel, pixel_ray};
-use super::value::{
-    Value::{Column, Fixed, Number, Vector},
-    Values,
-};
+use figures::{format_column, format_fixed, format_number, format_vector};
 use glam::DVec3;
 use step02_sphere::quadratic;
 use step04_diffuse::{AMBIENT, Attenuation, COOL, WARM, scene, visible_point};
 
 pub const VALUES: &Values = &[
-    ("step04-p-column", || Column(point_and_normal(PIXEL).0)),
-    ("step04-centre", || Vector(object_of_pixel(PIXEL).sphere.centre)),
-    ("step04-centre-column", || Column(object_of_pixel(PIXEL).sphere.centre)),
-    ("step04-radius", || Number(object_of_pixel(PIXEL).sphere.radius)),
-    ("step04-n-column", || Column(point_and_normal(PIXEL).1)),
-    ("step04-surface", || Vector(object_of_pixel(PIXEL).material.matte.diffuse)),
-    ("step04-warm-a", || Number(WARM.attenuation.a)),
-    ("step04-warm-brighter", || Number(distance_of_full_light(&WARM.attenuation))),
-    ("step04-peach", || Number(blue_per_red(WARM.diffuse))),
-    ("step04-orange", || Fixed(2, blue_per_red(plaster_light()))),
+    ("step04-p-column", || format_column(point_and_normal(PIXEL).0)),
+    ("step04-centre", || format_vector(object_of_pixel(PIXEL).sphere.centre)),
+    ("step04-centre-column", || format_column(object_of_pixel(PIXEL).sphere.centre)),
+    ("step04-radius", || format_number(object_of_pixel(PIXEL).sphere.radius)),
+    ("step04-n-column", || format_column(point_and_normal(PIXEL).1)),
+    ("step04-surface", || format_vector(object_of_pixel(PIXEL).material.matte.diffuse)),
+    ("step04-warm-a", || format_number(WARM.attenuation.a)),
+    ("step04-warm-brighter", || format_number(distance_of_full_light(&WARM.attenuation))),
+    ("step04-peach", || format_number(blue_per_red(WARM.diffuse))),
+    ("step04-orange", || format_fixed(blue_per_red(plaster_light()), 2)),
 ];
 
 /// The pixel of the worked example.

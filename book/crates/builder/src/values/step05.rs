@@ -1,12 +1,9 @@
 //! The numbers of chapter 5 that are not in the trace of a pixel.
 
 use super::rays::{camera, half_angle, object_of_pixel, pixel_ray};
-use super::value::{
-    Functions,
-    Value::{Count, Fixed, Number},
-    Values,
-};
+use super::{Functions, Values};
 use course::Difference;
+use figures::{format_count, format_fixed, format_number};
 use std::sync::LazyLock;
 use step05_phong::{
     COOL, SurfacePoint, colour, direction_colour, picture, reflect, render, scene, specular,
@@ -14,32 +11,33 @@ use step05_phong::{
 };
 
 pub const VALUES: &Values = &[
-    ("step05-v-length", || Number(pixel_ray(PIXEL).direction.length())),
+    ("step05-v-length", || format_number(pixel_ray(PIXEL).direction.length())),
     ("step05-cool-angle", || {
         let (objects, ray) = (scene().objects, pixel_ray(PIXEL));
         let point = visible_point(&objects, &ray).expect("an object");
         let (l, _) = COOL.direction_from(point.p);
-        Fixed(1, reflect(point.n, l).angle_between(-ray.direction).to_degrees())
+        format_fixed(reflect(point.n, l).angle_between(-ray.direction).to_degrees(), 1)
     }),
-    ("step05-r-s", || Number(object_of_pixel(PIXEL).material.specular.x)),
-    ("step05-gate-pixels", || Count(UNGATED.0)),
-    ("step05-gate-most", || Count(UNGATED.1.into())),
-    ("step05-teal-v-length", || Number(pixel_ray(TEAL).direction.length())),
+    ("step05-r-s", || format_number(object_of_pixel(PIXEL).material.specular.x)),
+    ("step05-gate-pixels", || format_count(UNGATED.0)),
+    ("step05-gate-most", || format_count(UNGATED.1.into())),
+    ("step05-teal-v-length", || format_number(pixel_ray(TEAL).direction.length())),
     ("step05-teal-power", || {
         let shininess = object_of_pixel(TEAL).material.shininess;
-        Number(pixel_ray(TEAL).direction.length().powi(shininess))
+        format_number(pixel_ray(TEAL).direction.length().powi(shininess))
     }),
     ("step05-check-r-s", || {
         let objects = (1..).zip(scene().objects);
-        Number(objects.map(|(k, o)| f64::from(k) * o.material.specular.x).sum())
+        format_number(objects.map(|(k, o)| f64::from(k) * o.material.specular.x).sum())
     }),
     ("step05-check-n", || {
         let objects = (1..).zip(scene().objects);
-        Number(objects.map(|(k, o)| f64::from(k * o.material.shininess)).sum())
+        format_number(objects.map(|(k, o)| f64::from(k * o.material.shininess)).sum())
     }),
 ];
 
-pub const FUNCTIONS: &Functions = &[("half-angle", |n| Fixed(1, half_angle(n).to_degrees()))];
+pub const FUNCTIONS: &Functions =
+    &[("half-angle", |n| format_fixed(half_angle(n).to_degrees(), 1))];
 
 /// The pixel of the worked example.
 const PIXEL: [u32; 2] = [470, 120];

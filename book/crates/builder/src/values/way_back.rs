@@ -1,33 +1,30 @@
 //! The numbers of what comes after the steps, and of the exercises that look ahead.
 
 use super::rays::{camera, sum_over_rays};
-use super::value::{
-    Functions,
-    Value::{Count, Fixed, Number, Vector},
-    Values,
-};
+use super::{Functions, Values};
 use course::examples::{crowd::crowd, gamma::srgb, look_at::look_at};
+use figures::{format_count, format_fixed, format_number, format_vector};
 use glam::{DMat3, DVec3};
 use step02_sphere::Roots;
 use step04_diffuse::{Camera, OBJECTS, Object, Ray};
 
 pub const VALUES: &Values = &[
-    ("next-basis-x", || Vector(look_at_basis().x_axis)),
-    ("next-basis-y", || Vector(look_at_basis().y_axis)),
-    ("next-basis-z", || Vector(look_at_basis().z_axis)),
-    ("crowd-objects", || Count(crowd().objects.len())),
-    ("crowd-marbles", || Count(crowd().objects.len() - OBJECTS.len())),
-    ("next-critical", || Fixed(0, (1.0_f64 / 1.5).asin().to_degrees())),
-    ("next-tests-many", || Count(sum_over_rays(|_| 1000))),
+    ("next-basis-x", || format_vector(look_at_basis().x_axis)),
+    ("next-basis-y", || format_vector(look_at_basis().y_axis)),
+    ("next-basis-z", || format_vector(look_at_basis().z_axis)),
+    ("crowd-objects", || format_count(crowd().objects.len())),
+    ("crowd-marbles", || format_count(crowd().objects.len() - OBJECTS.len())),
+    ("next-critical", || format_fixed((1.0_f64 / 1.5).asin().to_degrees(), 0)),
+    ("next-tests-many", || format_count(sum_over_rays(|_| 1000))),
     ("next-wasted", || {
         let tests = sum_over_rays(|_| OBJECTS.len()) as f64;
-        Fixed(0, 100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests))
+        format_fixed(100.0 * (1.0 - sum_over_rays(count_met_spheres) as f64 / tests), 0)
     }),
-    ("next-half-byte", || Number(decode_srgb(128.0 / 255.0))),
-    ("next-byte-of-half", || Fixed(0, 255.0 * srgb(0.5))),
+    ("next-half-byte", || format_number(decode_srgb(128.0 / 255.0))),
+    ("next-byte-of-half", || format_fixed(255.0 * srgb(0.5), 0)),
 ];
 
-pub const FUNCTIONS: &Functions = &[("mirror-depth", |k| Count(mirror_depth(k)))];
+pub const FUNCTIONS: &Functions = &[("mirror-depth", |k| format_count(mirror_depth(k)))];
 
 /// The number of mirrors in a row, each of which leaves the share k, after which less than
 /// one step of 8 bits is left.
