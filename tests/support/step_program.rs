@@ -27,7 +27,7 @@ impl StepProgram {
 
     /// Runs the program with these arguments, which are separated by single blanks.
     pub fn run(&self, arguments: &str) -> Output {
-        let executable = profile_folder().join(self.step);
+        let executable = target_folder().join("debug").join(self.step);
         let executable = executable.with_extension(env::consts::EXE_EXTENSION);
         let mut command = Command::new(&executable);
         command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
@@ -52,32 +52,14 @@ impl Drop for StepProgram {
     }
 }
 
-/// Builds the program `name` for the platform and the profile of this test, as `cargo
-/// test` builds no programs of other packages.
+/// Builds the program `name`, as `cargo test` builds no programs of other packages.
 ///
 /// `--workspace` gives it the features with which everything else is built.
 fn build_program(name: &str) {
-    let (folder, target) = (profile_folder(), target_folder());
-    let subfolder = folder.strip_prefix(&target).expect("a folder in the target folder");
-    let subfolder = subfolder.to_str().expect("UTF-8").replace('\\', "/");
-    let (platform, profile) = subfolder.split_once('/').unwrap_or(("", &subfolder));
-    // The dev profile writes to the folder `debug`; the others, to their names.
-    let profile = if profile == "debug" { "dev" } else { profile };
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
-    cargo.args(["--profile", profile, "--target-dir"]).arg(&target);
-    if platform.is_empty() {
-        cargo.env_remove("CARGO_BUILD_TARGET");
-    } else {
-        cargo.args(["--target", platform]);
-    }
+    cargo.args(["build", "--quiet", "--workspace", "--bin", name, "--target-dir"]);
+    cargo.arg(target_folder()).env_remove("CARGO_BUILD_TARGET");
     let status = cargo.current_dir(workspace()).status();
     let has_built = status.is_ok_and(|status| status.success());
     assert!(has_built, "cargo build --workspace --bin {name} fails");
-}
-
-/// The folder of this test's profile: `target/debug`, or `target/PLATFORM/debug`.
-fn profile_folder() -> PathBuf {
-    let test = env::current_exe().expect("a running program has a path");
-    test.ancestors().nth(2).expect("PROFILE/deps/program").to_owned()
 }
