@@ -1,5 +1,4 @@
 use super::assert_no_faults;
-use super::support::reader_workspace::{STEP_NAMES, step_of_page};
 use anyhow::Result;
 use builder::{Files, Page, Site, inner_text};
 use course::{target_folder, workspace};
@@ -65,21 +64,6 @@ fn newest_change(path: &Path) -> Result<SystemTime> {
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))
-}
-
-#[test]
-fn chapters_of_the_steps_are_in_order() {
-    let book = built_book();
-    let chapters = book.chapters_in_order().into_iter();
-    let names = chapters.map(|page| page.name.as_str());
-    let (steps, chapters): (Vec<_>, Vec<_>) =
-        names.filter_map(|name| Some((step_of_page(name)?, name))).unzip();
-    assert!(steps.is_sorted(), "{chapters:?}");
-    for step in STEP_NAMES {
-        let first = steps.iter().position(|name| *name == step);
-        let first = first.map(|index| chapters[index]);
-        assert_eq!(first, Some(&*format!("{step}.html")));
-    }
 }
 
 #[test]
