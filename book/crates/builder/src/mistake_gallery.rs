@@ -3,7 +3,7 @@ use crate::files::CHAPTERS;
 use crate::markdown::inline_html;
 use crate::mistake_list::shown_mistakes;
 use crate::picture::{LAZY, Picture};
-use crate::sources::THUMBNAIL_SUFFIX;
+use crate::sources::small_picture_name;
 use course::{BookEntry, Mistake, Step};
 use figures::escape;
 use std::fs;
@@ -18,15 +18,12 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
         (*pictured_step == step).then_some(Shown { mistake, book_entry, name: picture, step })
     });
     let shown: Vec<_> = shown.collect();
-    let mut text = format!("<div class=\"contacts\" style=\"--items: {}\">\n\n", shown.len());
-    for mistake in &shown {
-        text += &mistake.contact_item_markdown(sources)?;
-    }
-    text += "\n</div>\n";
-    for mistake in &shown {
-        text += &mistake.section_markdown(sources)?;
-    }
-    Ok(text)
+    let items: Result<String, String> =
+        shown.iter().map(|one| one.contact_item_markdown(sources)).collect();
+    let sections: Result<String, String> =
+        shown.iter().map(|one| one.section_markdown(sources)).collect();
+    let style = format!("--items: {}", shown.len());
+    Ok(format!("<div class=\"contacts\" style=\"{style}\">\n\n{}\n</div>\n{}", items?, sections?))
 }
 
 /// A mistake in the picture of a step.
@@ -52,7 +49,7 @@ impl Shown {
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
         let id = book_entry.section.to_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(is_kept).collect();
-        let ours = format!("generated/{}{THUMBNAIL_SUFFIX}", step.name());
+        let ours = format!("generated/{}", small_picture_name(*step));
         Ok(format!(
             "\n### {} {{#{name}}}\n\n{}\n\n{}\n\n{} [Step {}, “{}”]({chapter}.md#{id})\n",
             self.capitalised_title_html()?,

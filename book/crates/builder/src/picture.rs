@@ -1,16 +1,12 @@
 use crate::controls;
 use crate::markdown::inline_html;
 use crate::mistake_list::effect_of_picture;
-use crate::sources::{HALF_SUFFIX, Sources};
+use crate::sources::Sources;
 use figures::{Figure, escape};
 use std::path::Path;
 
 /// Attribute that makes a picture load when it comes into view.
 pub const LAZY: &str = r#" loading="lazy""#;
-
-/// About how wide a picture is in the page: a little less on a phone, so that the half is
-/// enough for one of 640 pixels.
-const SIZES: &str = "(max-width: 950px) 88vw, 882px";
 
 /// A picture as a chapter asks for it: `![what it shows](generated/name.png
 /// "Caption")`.
@@ -60,15 +56,8 @@ impl Picture {
         }
         let (width, height) =
             sources.picture_size(source).ok_or(format!("there is no picture {source}"))?;
-        let half = source.replace(".png", HALF_SUFFIX);
-        let smaller = match sources.picture_size(&half) {
-            Some((half_width, _)) if half != *source => {
-                format!(r#" srcset="{half} {half_width}w, {source} {width}w" sizes="{SIZES}""#)
-            }
-            _ => String::new(),
-        };
         Ok(format!(
-            r#"<img src="{}"{smaller} alt="{}" width="{width}" height="{height}"{LAZY}>"#,
+            r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
             escape(source),
             escape(alt)
         ))

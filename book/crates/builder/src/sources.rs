@@ -1,7 +1,7 @@
 use crate::Files;
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::Step;
+use course::{SMALL_SIZE, Step};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::thumbnail;
 use image::{ImageReader, RgbImage};
@@ -12,15 +12,6 @@ use std::path::{Path, PathBuf};
 
 /// The folder, beside the chapters, of what a build makes for them.
 pub const GENERATED: &str = "generated/";
-
-/// The end of the name of a picture of half the size, for a small screen.
-pub const HALF_SUFFIX: &str = "-half.png";
-
-/// The end of the name of a step's picture that is as small as those of mistakes.
-pub const THUMBNAIL_SUFFIX: &str = "-small.png";
-
-/// A wider picture has one of half the size beside it.
-const MIN_WIDTH_OF_HALF: u32 = 1000;
 
 /// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
 /// line of the reader's.
@@ -41,24 +32,22 @@ impl Sources {
     pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
+        for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
+            if let Some(name) = name.strip_suffix(".snap.png") {
+                files.insert(format!("{name}.png"), bytes);
+            }
+        }
         for step in Step::ALL {
-            let pictures = course::read_small_pictures(workspace, step);
-            for (name, picture) in pictures.with_context(|| step.name())? {
-                let name = format!("mistake-{name}.png");
+            let wrong = course::read_small_pictures(workspace, step);
+            let wrong = wrong.with_context(|| step.name())?.into_iter();
+            let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
+            let right = image::load_from_memory(&files[&format!("{}.png", step.name())])?;
+            let [columns, rows] = SMALL_SIZE;
+            let right = thumbnail(&right.into_rgb8(), columns, rows);
+            for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
                 let png = read_or_encode_png(&old.join(&name), &picture)?;
                 files.insert(name, png);
             }
-        }
-        for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
-            let Some(name) = name.strip_suffix(".snap.png") else { continue };
-            let whole = format!("{name}.png");
-            let small = name_smaller_picture(name, &bytes).with_context(|| whole.clone())?;
-            if let Some((small, part)) = small {
-                let picture = shrink_picture(&bytes, part)?;
-                let png = read_or_encode_png(&old.join(&small), &picture)?;
-                files.insert(small, png);
-            }
-            files.insert(whole, bytes);
         }
         for name in MODULES {
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
@@ -76,29 +65,17 @@ impl Sources {
     }
 }
 
+/// The name of a step's picture that is as small as those of mistakes.
+pub fn small_picture_name(step: Step) -> String {
+    format!("{}-small.png", step.name())
+}
+
 /// Inserts a script with these bytes in it: a page that was opened from a folder may load scripts,
 /// and nothing else.
 fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");
     files.insert(format!("{name}.js"), script.into_bytes());
-}
-
-/// The smaller picture that goes with the locked picture `name`, and which part of it that is:
-/// half of a wide one, and a step's beside those of its mistakes.
-fn name_smaller_picture(name: &str, file: &[u8]) -> Result<Option<(String, u32)>> {
-    let (width, _) = parse_size(file)?;
-    Ok(match Step::from_name(name) {
-        _ if MIN_WIDTH_OF_HALF <= width => Some((format!("{name}{HALF_SUFFIX}"), 2)),
-        Some(_) => Some((format!("{name}{THUMBNAIL_SUFFIX}"), width / 320)),
-        None => None,
-    })
-}
-
-/// The picture in a PNG file with a width and a height so many times smaller.
-fn shrink_picture(file: &[u8], part: u32) -> Result<RgbImage> {
-    let picture = image::load_from_memory(file)?.into_rgb8();
-    Ok(thumbnail(&picture, picture.width() / part, picture.height() / part))
 }
 
 /// Width and height that a PNG file names.
