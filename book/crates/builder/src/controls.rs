@@ -104,6 +104,8 @@ impl Control<'_> {
         let step = 1.0 / steps_per_unit;
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
         let slider = format!("<input type=\"range\" {range}>");
+        let name = escape(&format!("{symbol} {words}"));
+        let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
         let label = label_html(symbol, words);
         match self.parameter.control {
             ControlKind::Columns => Default::default(),
@@ -122,15 +124,11 @@ impl Control<'_> {
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
             ControlKind::Number(unit) if self.is_exact => {
-                let name = escape(&format!("{symbol} {words}"));
-                let field = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
                 let label = label_html(symbol, "");
-                ("field", format!("<label>{label} {field}{}</label>", escape(unit)))
+                ("field", format!("<label>{label} {number}{}</label>", escape(unit)))
             }
             ControlKind::Number(unit) => {
-                let name = escape(&format!("{symbol} {words}"));
-                let field = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
-                let field = format!("<span>{field}{}</span>", escape(unit));
+                let field = format!("<span>{number}{}</span>", escape(unit));
                 ("range", format!("<label>{label}{slider}</label>{field}"))
             }
         }
