@@ -96,7 +96,7 @@ impl BallOutlines {
 impl Interactive for BallOutlines {
     const NAME: &str = "eggs";
     const TITLE: &str = "Seven balls in an arc round the eye, from above, and over it the picture of those in view. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.";
-    const CAPTION: &str = "Equal balls, all at the same distance from the eye: from above and, over it, in the picture, with $\\theta = {{#number eggs:angle}}°$. \
+    const CAPTION: &str = "Equal balls, all at the same distance from the eye. The lower part shows them from above, the upper one their images in a picture with $\\theta = {{#number eggs:angle}}°$. \
                   The last ball that's whole in the picture is {{#number eggs:phi}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
                   The dashed ray goes through its centre: on the image plane, the outer part of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>";
 
