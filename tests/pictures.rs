@@ -27,7 +27,7 @@ test_pictures! {
     gamma normals plaster shadows snowman spot sun
     crowd glass halfway highlight marbles mirror
     slide_matrix step05_ambient step05_diffuse step05_specular
-    one_ray sixteen_rays speckled shadowed close_up cover goodbye
+    one_ray sixteen_rays open_gate shut_gate speckled shadowed close_up cover goodbye
 }
 
 /// Draws the picture `name`, and compares it with its snapshot.

@@ -1,4 +1,4 @@
-use course::examples::{checkerboard, mirror, terms};
+use course::examples::{checkerboard::colour as floor, mirror, terms};
 use course::{Picture, camera, camera_with_size};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
@@ -20,8 +20,10 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
         ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
-        ("one_ray", tile_corner_crop_camera(), |camera, _| draw_large_pixels(camera, 1)),
-        ("sixteen_rays", tile_corner_crop_camera(), |camera, _| draw_large_pixels(camera, 4)),
+        ("one_ray", crop_camera(366, 264), |camera, _| enlarge(render(camera, 1, floor))),
+        ("sixteen_rays", crop_camera(366, 264), |camera, _| enlarge(render(camera, 4, floor))),
+        ("open_gate", crop_camera(585, 150), |camera, _| enlarge(render(camera, 1, ungated))),
+        ("shut_gate", crop_camera(585, 150), |camera, _| enlarge(picture(camera, 1))),
         ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
         ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),
         ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
@@ -50,18 +52,29 @@ fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
-/// The camera of 40×30 pixels of the course's picture, from column 366 and row 264 on:
-/// edges of four tiles.
-fn tile_corner_crop_camera() -> Camera {
-    let corner = DVec3::new(366.0, 264.0, 1.0);
+/// The camera of 40×30 pixels of the course's picture, from this column and row on.
+fn crop_camera(column: u32, row: u32) -> Camera {
+    let corner = DVec3::new(column.into(), row.into(), 1.0);
     let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
     Camera { h_res: 40, v_res: 30, matrix: camera().matrix * crop, ..camera() }
 }
 
-/// Draws the checkered floor, each pixel as a square of 16×16.
-fn draw_large_pixels(camera: &Camera, samples: u32) -> RgbImage {
-    let picture = render(camera, samples, checkerboard::colour);
-    resize(&picture, 16 * camera.h_res, 16 * camera.v_res, FilterType::Nearest)
+/// Enlarges each pixel to a square of 16×16.
+fn enlarge(picture: RgbImage) -> RgbImage {
+    resize(&picture, 16 * picture.width(), 16 * picture.height(), FilterType::Nearest)
+}
+
+/// The colour of step 5 with each highlight twice, before and behind the surface: one of the two
+/// passes the gate, as r is the same for n and −n.
+fn ungated(ray: &Ray) -> DVec3 {
+    let Scene { objects, ambient_light, lights } = scene();
+    let Some(outside) = visible_point(&objects, ray) else {
+        return direction_colour(ray);
+    };
+    let inside = SurfacePoint { n: -outside.n, ..outside };
+    let [outside, inside] =
+        [outside, inside].map(|point| phong(&point, ray, ambient_light, &lights));
+    outside.sum() + inside.specular
 }
 
 /// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:
