@@ -40,7 +40,7 @@ impl Interactive for SceneFromAbove {
     const FOLLOWED: Option<&str> = Some("step03_nearest");
 
     fn parameters() -> Vec<Parameter> {
-        Probe::parameters(470.0, 120.0)
+        Probe::parameters(195.0, 237.0)
     }
 
     fn from_values(values: &[f64]) -> Self {
