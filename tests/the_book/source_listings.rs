@@ -8,12 +8,13 @@ use builder::Files;
 use std::sync::LazyLock;
 
 /// The files that a reader types, by path: those of the five crates, with their settings of
-/// rustfmt, of `book/reader`, and the program that the page of the own scene writes.
+/// rustfmt, of `book/reader`, where a class begins, and of `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let steps = read_folder("steps").0.into_iter();
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
     let mut files: Files = Files(steps.collect());
     files.0.extend(read_folder("book/reader").0);
+    files.0.extend(read_folder("book/typed").0);
     files
 });
 

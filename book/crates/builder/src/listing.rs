@@ -13,9 +13,9 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
 /// caption that says which file it is from, and whether a part begins it or goes on at its end.
 ///
-/// A path is relative to the chapters; what is in `book/reader` is of the reader's own
-/// folder. The first listing of a file on a page has an
-/// id for links to it, such as `listing-step01_rays-src-ray.rs`; `ids` holds those.
+/// A path is relative to the chapters; what is in `book/reader` and `book/typed` is of the
+/// reader's own folder. The first listing of a file on a page has an id for links to it, such
+/// as `listing-step01_rays-src-ray.rs`; `ids` holds those.
 pub fn html(
     language: &str,
     include: &str,
@@ -32,7 +32,8 @@ pub fn html(
     let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(sources.workspace.join(&path))
         .map_err(|_| format!("there is no file {target} that can be read"))?;
-    let path = path.strip_prefix("book/reader/").unwrap_or(&path);
+    let folders = ["book/reader/", "book/typed/"];
+    let path = folders.iter().find_map(|folder| path.strip_prefix(folder)).unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
     let (first, last) = (range.start + 1, range.end);
