@@ -1,82 +1,118 @@
-//! The workflow that a teacher copies does, in a reader's workspace, what its page says.
+//! A class that starts from `book/reader` locks its pictures, and the workflow there is green
+//! for a picture that is drawn, but not for one that lies there.
 
-use super::support::reader_workspace::ReaderWorkspace;
-use super::typed_book::typed_workspace;
+use super::built_book::built_book;
+use super::support::listing::{join_listings, page_listings};
+use super::support::reader_workspace::{STEP_NAMES, TypedListings, step_of_page};
+use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
-use std::fs;
-use std::process::Command;
+use std::path::Path;
+use std::process::{self, Command, Output};
+use std::{env, fs};
 
 /// The text of the workflow.
-fn workflow_text() -> String {
-    let path = "book/reader/.github/workflows/pictures.yml";
-    fs::read_to_string(workspace().join(path)).expect("a file of the course")
-}
-
-/// The values of a key such as `run`, in the order of the workflow.
-fn values_of_key<'a>(text: &'a str, key: &str) -> Vec<&'a str> {
-    let start = format!("- {key}: ");
-    text.lines().filter_map(|line| line.trim().strip_prefix(&*start)).collect()
-}
+const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/pictures.yml");
 
 #[test]
-fn actions_are_those_of_the_course() {
-    let ours = fs::read_to_string(workspace().join(".github/workflows/ci.yml"));
-    let ours = ours.expect("a file of the course");
-    let ours = values_of_key(&ours, "uses");
-    let text = workflow_text();
-    let actions = values_of_key(&text, "uses");
-    assert_eq!(actions.len(), 2);
-    assert!(actions.iter().all(|action| ours.contains(action)), "{actions:?}");
+fn actions_are_pinned() {
+    for line in WORKFLOW.lines().filter(|line| line.contains("uses: ")) {
+        let (_, pin) = line.split_once('@').expect("an action");
+        let (hash, version) = pin.split_once(" # v").expect("a version");
+        assert!(hash.len() == 40 && version.contains('.'), "{line}");
+    }
 }
 
-/// The commands of the workflow, in their order; one may have several lines.
+/// The commands of the workflow that run Cargo, in their order; one may have several lines.
 fn workflow_commands() -> Vec<String> {
-    let text = workflow_text();
-    let steps = text.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
-    let command = |step: &str| match step.strip_prefix("|\n") {
-        Some(lines) => lines.to_owned(),
-        None => step.lines().next().unwrap_or_default().to_owned(),
-    };
-    steps.map(command).collect()
+    let steps = WORKFLOW.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
+    let commands = steps.map(|step| {
+        let lines = step.trim_start_matches("|\n").lines();
+        let lines = lines.filter(|line| !line.starts_with("        if:"));
+        lines.collect::<Vec<_>>().join("\n")
+    });
+    commands.filter(|command| command.contains("cargo")).collect()
 }
 
-/// Runs a command of the workflow in a reader's workspace; whether it succeeds, and what
-/// it prints.
-fn run_command(reader: &ReaderWorkspace, command: &str) -> (bool, String) {
+/// Runs a command of bash in a folder, and gives what it prints; fails where the command does.
+fn run(folder: &Path, command: &str) -> Result<String> {
     let mut bash = Command::new("bash");
     let course = format!("\"{}\"/", workspace().display());
-    bash.args(["-e", "-c", &command.replace("course/", &course)]);
-    bash.current_dir(&reader.folder);
+    bash.args(["-eo", "pipefail", "-c", &command.replace("course/", &course)]);
+    bash.current_dir(folder).env("CARGO_NET_OFFLINE", "true");
+    bash.env("REQUIRE", "step01_rays").env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
     if command.contains("course/") {
         bash.env("CARGO_TARGET_DIR", target_folder());
     } else {
-        let cargo = reader.cargo(&[]);
-        bash.envs(cargo.get_envs().filter_map(|(name, text)| Some((name, text?))));
-        bash.env("CARGO_TARGET_DIR", "target");
+        // Dependencies are those of the course, and its crates are compiled in another way than
+        // everywhere else, so that Cargo takes none of these.
+        bash.env("CARGO_BUILD_BUILD_DIR", target_folder());
+        bash.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1").env("CARGO_INCREMENTAL", "0");
+        bash.env_remove("INSTA_WORKSPACE_ROOT");
     }
-    let output = bash.output().expect("bash runs");
-    let text = [output.stdout, output.stderr].concat();
-    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+    let Output { status, stdout, stderr } = bash.output()?;
+    let text = String::from_utf8_lossy(&[stdout, stderr].concat()).into_owned();
+    ensure!(status.success(), "{command}: {text}");
+    Ok(text)
+}
+
+/// Commits everything in a folder.
+const COMMIT: &str = "git add --all && \
+    git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
+
+/// Makes a folder from the template, and types step 1 in it.
+fn type_first_step(folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
+    let (book, mut typed) = (built_book(), TypedListings::new());
+    let pages = book.chapters_in_order().into_iter();
+    let pages = pages.filter(|page| step_of_page(&page.name) == Some(STEP_NAMES[0]));
+    for listing in pages.flat_map(page_listings) {
+        typed.entry(listing.path).or_default().push(listing);
+    }
+    for (path, listings) in typed {
+        fs::create_dir_all(folder.join(path).with_file_name(""))?;
+        fs::write(folder.join(path), join_listings(&listings))?;
+    }
+    Ok(())
+}
+
+/// Runs all commands of the workflow on a clone of what is committed; fails where it is red.
+fn run_workflow(folder: &Path) -> Result<String> {
+    let job = folder.with_file_name("job");
+    let _ = fs::remove_dir_all(&job);
+    fs::create_dir_all(&job).expect("a folder");
+    run(&job, "git clone --quiet ../ada student").expect("a clone");
+    let commands = workflow_commands();
+    assert_eq!(commands.len(), 2);
+    let results: Vec<_> = commands.iter().map(|command| run(&job, command)).collect();
+    results.into_iter().collect()
 }
 
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
-fn workflow_draws_and_checks_five_pictures() {
-    let (commands, reader) = (workflow_commands(), typed_workspace());
-    let [_, draw, check] = &commands[..] else { panic!("{commands:?}") };
-    // A picture that nobody draws, and is right.
-    let glass = workspace().join("tests/snapshots/glass.snap.png");
-    fs::copy(glass, reader.folder.join("glass.png")).expect("a copy");
-    let (is_drawn, text) = run_command(&reader, draw);
-    assert!(is_drawn, "{text}");
-    let (is_right, report) = run_command(&reader, check);
-    assert!(is_right && report.matches(" right\n").count() == 5, "{report}");
-    // A step that does not compile, and those before it.
-    let path = "steps/step05_phong/src/picture.rs";
-    reader.write_if_changed(path, "half a line").expect("a file");
-    let (is_drawn, text) = run_command(&reader, draw);
-    assert!(!is_drawn, "{text}");
-    assert!(workflow_text().contains(&format!("{check}\n        if: always()\n")));
-    let (is_right, report) = run_command(&reader, check);
-    assert!(is_right && report.matches(" right\n").count() == 4, "{report}");
+fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
+    let class = env::temp_dir().join(format!("class-{}", process::id()));
+    let folder = class.join("ada");
+    type_first_step(&folder)?;
+    run(&folder, "INSTA_UPDATE=always cargo test -p locked")?;
+    run(&folder, &format!("git init --quiet && {COMMIT}"))?;
+    let text = run_workflow(&folder)?;
+    assert!(text.contains("1 of 1"), "{text}");
+    run(&class.join("job/student"), "cargo test -p locked")?;
+    // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
+    // folder of the name that the workflow draws in, and beside code that can't be compiled.
+    let picture = workspace().join("tests/snapshots/step01_rays.snap.png");
+    fs::copy(picture, folder.join("step01_rays.png"))?;
+    let attacks = [
+        "echo 'fn main() {}' > steps/step01_rays/src/main.rs",
+        r#"echo '[target."cfg(all())"]' >> .cargo/config.toml
+           echo 'runner = ["sh", "-c", "cp ../student/step01_rays.png ."]' >> .cargo/config.toml"#,
+        "mkdir drawn && cp step01_rays.png drawn",
+        "echo 'half a line' > steps/step01_rays/src/ray.rs",
+    ];
+    for attack in attacks {
+        run(&folder, &format!("{attack}\ngit add --force *.png && {COMMIT}"))?;
+        assert!(run_workflow(&folder).is_err(), "{attack}");
+    }
+    Ok(fs::remove_dir_all(class)?)
 }
