@@ -47,17 +47,19 @@ impl Files {
         Ok(())
     }
 
-    /// Writes the files into a folder. A file that is there as it should be is not touched, since
-    /// `mdbook serve` would see a change.
+    /// Writes the files into a folder that holds nothing else then. A file that is there as it
+    /// should be is not touched, since `mdbook serve` would see a change.
     pub fn write(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be made", folder.display()))?;
-        for (name, bytes) in &self.0 {
+        let old = Self::read(folder)?.0;
+        for (name, bytes) in self.0.iter().filter(|(name, bytes)| old.get(*name) != Some(bytes)) {
             let path = folder.join(name);
-            if fs::read(&path).ok().as_ref() != Some(bytes) {
-                fs::write(&path, bytes)
-                    .with_context(|| format!("{} can't be written", path.display()))?;
-            }
+            fs::write(&path, bytes)
+                .with_context(|| format!("{} can't be written", path.display()))?;
+        }
+        for stale in old.keys().filter(|name| !self.0.contains_key(*name)) {
+            let _ = fs::remove_file(folder.join(stale));
         }
         Ok(())
     }
