@@ -114,12 +114,13 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     button.addEventListener("click", async () => {
         try {
             const copy = code.cloneNode(true);
-            for (const line of copy.querySelectorAll("[data-book]")) line.textContent = line.dataset.book;
+            const edited = copy.querySelectorAll("[data-book]");
+            for (const line of edited) line.textContent = line.dataset.book;
             // The file's own line ends and blank lines, so that its parts can be put below each other.
             const [first, last] = caption.parentElement.dataset.lines.split("-");
             const ends = last - first + 1 - copy.textContent.split("\n").length + 1;
             await navigator.clipboard.writeText(copy.textContent + "\n".repeat(Math.max(0, ends)));
-            button.textContent = "Copied";
+            button.textContent = edited.length ? "Copied, without your lines" : "Copied";
         } catch {
             button.textContent = "Not copied";
         }

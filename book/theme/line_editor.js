@@ -2,21 +2,42 @@
 
 // Lines of the listings that the reader edits. A press on one makes it a text to write in, and a
 // panel below the listing shows what it draws: the module `expressions` is the five steps, with
-// what is written in that place. One line at a time is the reader's.
+// what is written in those places. One line at a time is in hand; what others have stays.
 {
     const SMALL = 320, LARGE = 640; // Columns while one types, and at rest.
     const REST = 300; // Milliseconds after the last key.
-    const HASH = /^#line=(\w+)(?::|%3A)(.*)$/i;
+    const EDIT = /^(\w+)(?::|%3A)(.*)$/i;
 
-    // The edit in progress: the line and its listing, what the book has there, as HTML, and whether
-    // the canvas shows a picture of its step.
-    let edit = null;
-    let [frame, rest] = [0, 0];
+    // Colours make other elements of the lines, unless they are edited.
+    const find = name => document.querySelector(`[data-line="${name}"]`);
+    const books = new Map(); // What the book has there, as HTML, of those that are edited or in hand.
+    let hand = null;
+    // All that was written, as the texts of the edited lines by name, and which of these is shown.
+    let [states, shown] = [[{}], 0];
+    let [frame, rest, isDrawn] = [0, 0, false];
 
-    const canvas = make("canvas", { role: "img", "aria-label": "the picture with your line", width: LARGE, height: LARGE * 9 / 16 });
+    const button = (words, act, label = words) => {
+        const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
+        one.addEventListener("click", act);
+        return one;
+    };
+    const canvas = make("canvas", { role: "img", "aria-label": "the picture with your lines", width: LARGE, height: LARGE * 9 / 16 });
     const status = make("p", { role: "status", id: "line-status" });
-    const [reset, diff] = ["Reset", "Copy as a diff"].map(words => make("button", { type: "button", "class": "reset" }, words));
-    const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status, make("div", {}, reset, diff)));
+    const undo = button("↶", () => show(-1), "Undo");
+    const redo = button("↷", () => show(1), "Redo");
+    const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
+    const copies = make("details", { "class": "copies" }, make("summary", {}, "Copy …"),
+        button("Copy line", () => copy(readText(hand), "The line is copied, as you wrote it.")),
+        button("Copy link", () => copy(location.href, "The link to this page with your lines is copied.")),
+        button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste.")));
+    const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
+        make("div", {}, undo, redo, reset, copies, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"))));
+
+    async function copy(text, words) {
+        const isCopied = await navigator.clipboard.writeText(text).then(() => true, () => false);
+        copies.open = false;
+        tell(isCopied ? words : "This browser doesn't let a page copy here.");
+    }
 
     // So many letters of an element, from one on.
     function makeRange(element, from, length) {
@@ -46,20 +67,23 @@
         }
         code.addEventListener("click", event => {
             const line = event.target.closest("[data-line]");
-            if (line && line !== edit?.line) startEdit(line, line.textContent, findCaret(line, event));
+            if (line && line !== hand) take(line, findCaret(line, event));
         });
         code.addEventListener("keydown", event => {
             const line = event.target.closest("[data-line]");
             if (!line) return;
-            if (line !== edit?.line) {
-                if (event.key !== "Enter" && event.key !== " ") return;
-                event.preventDefault();
-                startEdit(line, line.textContent, line.textContent.length);
+            const isZ = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z";
+            if (isZ || (line !== hand ? [" ", "Enter"] : ["Enter"]).includes(event.key)) event.preventDefault();
+            if (isZ) {
+                show(event.shiftKey ? 1 : -1);
+            } else if (line !== hand) {
+                if (event.key === "Enter" || event.key === " ") take(line, line.textContent.length);
             } else if (event.key === "Enter") {
-                event.preventDefault();
                 draw(LARGE);
             } else if (event.key === "Escape") {
-                endEdit();
+                record();
+                setText(line, line.dataset.book);
+                release();
                 line.focus();
             }
         });
@@ -67,14 +91,31 @@
     }
 
     function makeButton(line) {
-        for (const name of ["contenteditable", "aria-describedby", "aria-invalid", "data-book"]) line.removeAttribute(name);
+        for (const name of ["contenteditable", "aria-describedby", "aria-invalid"]) line.removeAttribute(name);
         const words = line.textContent.replace(/\s+/g, " ");
         for (const [name, value] of Object.entries({ role: "button", tabindex: 0, "aria-label": `Edit ${words}` })) line.setAttribute(name, value);
     }
 
-    // The text of the line; editors write blanks of their own.
+    // The text of a line; editors write blanks of their own.
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
-    const isBook = () => readText(edit.line) === edit.line.dataset.book;
+    const isBook = line => !books.has(line) || readText(line) === line.dataset.book;
+    const findEdited = () => [...books.keys()].filter(line => !isBook(line));
+
+    // Writes into a line; the book's text may come back with its colours.
+    function setText(line, text) {
+        if (!books.has(line)) {
+            books.set(line, line.innerHTML);
+            line.dataset.book = line.textContent;
+        }
+        line.textContent = text;
+        if (line === hand) return;
+        if (isBook(line)) {
+            line.innerHTML = books.get(line);
+            books.delete(line);
+            line.removeAttribute("data-book");
+        }
+        makeButton(line);
+    }
 
     // How many letters of a line are before a press; all, if it is none.
     function findCaret(line, { clientX = -1, clientY = -1 }) {
@@ -87,22 +128,21 @@
         return before.toString().length;
     }
 
-    // Edits a line, from this text on, with the caret behind so many letters, if one is to write.
-    function startEdit(line, text, caret) {
-        endEdit();
-        const listing = line.closest("figure");
-        edit = { line, listing, html: line.innerHTML, isDrawn: false };
-        line.dataset.book = line.textContent;
-        line.textContent = text;
+    // Takes a line in hand, with the caret behind so many letters, if one is to write.
+    function take(line, caret) {
+        release();
+        hand = line;
+        setText(line, readText(line));
         const states = {
             role: "textbox", "aria-label": "Your line", "aria-describedby": status.id, contenteditable: "plaintext-only",
             spellcheck: false, autocapitalize: "off", autocorrect: "off",
         };
         for (const [name, value] of Object.entries(states)) line.setAttribute(name, value);
         if (line.contentEditable !== "plaintext-only") line.contentEditable = "true";
-        listing.append(panel);
-        listing.querySelector("pre").scrollLeft = 0;
-        status.textContent = "One moment …";
+        line.closest("figure").append(panel);
+        line.closest("pre").scrollLeft = 0;
+        isDrawn = false;
+        tell("One moment …");
         if (caret !== undefined) {
             line.focus({ preventScroll: true });
             getSelection().collapse(line.firstChild, caret);
@@ -110,19 +150,38 @@
         draw(LARGE);
     }
 
-    // Brings the book's line back, and takes the panel away.
-    function endEdit() {
-        if (!edit) return;
-        const { line, listing, html } = edit;
+    // Lets the line in hand go: what is written in it stays, and the panel goes.
+    function release() {
+        if (!hand) return;
+        const line = hand;
         clearTimers();
+        record();
         underline();
-        line.innerHTML = html;
-        edit = null;
-        makeButton(line);
+        hand = null;
+        setText(line, readText(line));
         panel.remove();
-        writeAddress();
-        const code = listing.querySelector("code");
+        const code = line.closest("code");
         if (!code.matches(".hljs")) colour(code);
+    }
+
+    // Notes what is written, for undo and in the address.
+    function record() {
+        const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
+        if (JSON.stringify(edits) !== JSON.stringify(states[shown])) states.splice(shown += 1, Infinity, edits);
+        [undo.disabled, redo.disabled] = [shown === 0, shown === states.length - 1];
+        writeAddress(edits);
+    }
+
+    // Shows what was written one edit later or earlier, and takes the line in hand that differs.
+    function show(later) {
+        record();
+        const [before, after] = [states[shown], states[shown + later]];
+        if (!after) return;
+        shown += later;
+        clearTimers();
+        const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
+        for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
+        take(differ[0], differ[0].textContent.length);
     }
 
     function clearTimers() {
@@ -139,59 +198,69 @@
 
     // Draws what is written. What there is to say, is said at rest.
     async function draw(columns) {
-        let module;
+        const line = hand;
+        const others = findEdited().filter(other => other !== line);
+        const words = one => `${one.dataset.line} ${readText(one)}`;
+        let answer, picture, variables;
         try {
-            module = await wasmModules.get("expressions");
+            const module = await wasmModules.get("expressions");
+            if (line !== hand) return;
+            ({ variables } = ask(module, `variables ${line.dataset.line}`));
+            answer = picture = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
+            // Before anything can be drawn with the line, there is the book's picture.
+            if (answer.mistake && !isDrawn) picture = ask(module, `edit ${columns} ${line.dataset.line} ${line.dataset.book}`);
         } catch {
-            status.textContent = "This page can't draw: a part of it did not load. Press Enter to try again.";
+            // A module that failed once would fail again.
+            wasmModules.drop("expressions");
+            tell("This page can't draw that, or a part of it did not load. Press Enter to try again.");
             return;
         }
-        if (!edit) return;
-        const { line } = edit;
-        const name = line.dataset.line;
-        const request = text => ask(module, `edit ${name} ${columns} ${text}`);
-        const answer = request(readText(line));
-        reset.disabled = diff.disabled = isBook();
+        reset.disabled = isBook(line);
         panel.classList.toggle("old", Boolean(answer.mistake));
-        // Before anything can be drawn with the line, there is the book's picture.
-        const picture = answer.size || edit.isDrawn ? answer : request(line.dataset.book);
         if (picture.size) {
             const [width, height] = picture.size;
             if (canvas.width !== width) Object.assign(canvas, { width, height });
-            canvas.getContext("2d").putImageData(new ImageData(picture.pixels, width, height), 0, 0);
-            edit.isDrawn = true;
+            paint(canvas, picture);
+            isDrawn = true;
         }
         if (columns !== LARGE) return;
-        line.setAttribute("aria-invalid", Boolean(answer.mistake));
-        if (answer.mistake) {
-            write(status, answer.mistake);
-            underline(answer.from, answer.to);
-        } else if (isBook()) {
-            const { variables } = ask(module, `variables ${name}`);
-            status.replaceChildren("This is the book's line. Change it: you can use ");
-            variables.forEach((one, k) => status.append(k ? ", " : "", make("code", {}, one)));
-            status.append(", numbers, operators, and methods such as ", make("code", {}, ".sin()"), ".");
+        record();
+        const wrong = answer.line && find(answer.line);
+        line.setAttribute("aria-invalid", wrong === line);
+        underline(wrong, answer.from, answer.to);
+        if (wrong) {
+            tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
+        } else if (isBook(line)) {
+            tell(`This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${variables.join(", ")}`);
         } else {
-            write(status, answer.known || "Drawn with your line. The address of the page holds it, too.");
+            tell(answer.known || "Drawn with what you wrote. The address of the page holds it, too.");
         }
-        if (!answer.mistake) writeAddress();
         keepInView();
     }
 
-    // The line stays in view above the panel.
-    function keepInView() {
-        document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
-        if (edit.line === document.activeElement) edit.line.scrollIntoView({ block: "nearest" });
+    // Says a sentence; a list behind it is folded.
+    function tell(text) {
+        const [sentence, list] = text.split("\n");
+        if (status.dataset.text === text) return; // A list stays open.
+        status.dataset.text = text;
+        status.replaceChildren(sentence);
+        if (list) status.append(" ", make("details", {}, make("summary", {}, "All names"), make("code", {}, list)));
     }
 
-    // Underlines a part of the line, or nothing.
-    function underline(from, to) {
+    // The line stays in view beside the panel.
+    function keepInView() {
+        document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
+        if (hand === document.activeElement) hand.scrollIntoView({ block: "nearest" });
+    }
+
+    // Underlines a part of a line, or nothing.
+    function underline(line, from, to) {
         document.querySelectorAll(".wrong").forEach(one => one.remove());
-        if (from === undefined) return;
-        const [pre, text] = [edit.listing.querySelector("pre"), readText(edit.line)];
-        const range = makeRange(edit.line, from === text.length ? from - 1 : from, Math.max(1, to - from));
+        if (!line) return;
+        const [pre, text] = [line.closest("pre"), readText(line)];
+        const range = makeRange(line, from === text.length ? from - 1 : from, Math.max(1, to - from));
         const frame = pre.getBoundingClientRect();
-        for (const box of text ? range.getClientRects() : edit.line.getClientRects()) {
+        for (const box of text ? range.getClientRects() : line.getClientRects()) {
             const mark = make("span", { "class": "wrong", "aria-hidden": "true" });
             Object.assign(mark.style, {
                 left: `${box.left - frame.left + pre.scrollLeft}px`, top: `${box.top - frame.top}px`,
@@ -201,34 +270,42 @@
         }
     }
 
-    // The address holds the edit; a mail program may stop before a parenthesis at its end.
-    function writeAddress() {
+    // The address holds the edits; a mail program may stop before a parenthesis at its end.
+    function writeAddress(edits) {
         const encode = text => encodeURIComponent(text).replace(/[!'()*]/g, sign => `%${sign.charCodeAt(0).toString(16).toUpperCase()}`);
-        const isEdit = edit && !isBook();
-        if (!isEdit && !HASH.test(location.hash)) return;
-        const hash = isEdit ? `#line=${edit.line.dataset.line}:${encode(readText(edit.line))}` : "";
-        history.replaceState(null, "", hash || location.pathname + location.search);
+        const hash = Object.entries(edits).map(([name, text]) => `line=${name}:${encode(text)}`).join("&");
+        if (!hash && !location.hash.startsWith("#line=")) return;
+        history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
     }
 
-    // Opens the edit that is in the address.
+    // Opens the edits that are in the address, and takes the first in hand.
     function openAddress() {
-        const [, name, text] = location.hash.match(HASH) ?? [];
-        const line = name && document.querySelector(`[data-line="${name}"]`);
-        if (!line) return;
+        if (!location.hash.startsWith("#line=")) return;
+        const edits = location.hash.slice(6).split("&line=").map(edit => edit.match(EDIT) ?? []);
+        const known = edits.filter(([, name]) => name && find(name));
+        for (const [, name, text] of known) {
+            let written = text;
+            try { written = decodeURIComponent(text); } catch { /* as it is */ }
+            setText(find(name), written.replace(/\u00a0/g, " "));
+        }
+        if (!known.length) return;
+        const line = find(known[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         line.closest("main > *").style.contentVisibility = "visible";
-        let written = text;
-        try { written = decodeURIComponent(text); } catch { /* as it is */ }
-        startEdit(line, written);
+        take(line);
         requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
     }
 
-    // The edit for the reader's own file, as `git apply` takes it.
-    function makeDiff({ line, listing }) {
-        const code = listing.querySelector("code");
+    // A line for the reader's own file, as `git apply` takes it.
+    function makeDiff(line) {
+        const listing = line.closest("figure");
+        const code = listing.querySelector("code").cloneNode(true);
+        for (const other of code.querySelectorAll("[data-book]")) {
+            if (other.dataset.line !== line.dataset.line) other.textContent = other.dataset.book;
+        }
         const before = document.createRange();
         before.setStart(code, 0);
-        before.setEndBefore(line);
+        before.setEndBefore(code.querySelector(`[data-line="${line.dataset.line}"]`));
         const start = before.toString();
         const all = code.textContent.replace(/\n$/, "");
         const [book, now] = [start + line.dataset.book + all.slice(start.length + line.textContent.length), all].map(text => text.split("\n"));
@@ -237,32 +314,26 @@
         const [above, below] = [book.slice(Math.max(0, first - 3), first), book.slice(first + gone, first + gone + 3)];
         const from = Number(listing.dataset.lines.split("-")[0]) + first - above.length;
         const [old, count] = [gone, come].map(rows => rows + above.length + below.length);
-        const rows = (sign, list) => list.map(row => `${sign}${row}\n`).join("");
+        const rows = (sign, list) => list.map(row => `${sign}${row.replace(/\u00a0/g, " ")}\n`).join("");
         const { path } = listing.dataset;
         return `--- a/${path}\n+++ b/${path}\n@@ -${from},${old} +${from},${count} @@\n`
             + rows(" ", above) + rows("-", book.slice(first, first + gone)) + rows("+", now.slice(first, first + come)) + rows(" ", below);
     }
 
-    reset.addEventListener("click", () => {
-        edit.line.textContent = edit.line.dataset.book;
-        underline();
-        edit.line.focus();
-        draw(LARGE);
-    });
-    diff.addEventListener("click", async () => {
-        const copied = await navigator.clipboard.writeText(makeDiff(edit)).then(() => true, () => false);
-        write(status, copied ? "Copied. In your folder: git apply, and paste." : "This browser doesn't let a page copy here.");
-    });
     // What is as the book has it is closed by a click elsewhere, or when the keyboard leaves it: not
     // by a press, whose target would move away.
     for (const kind of ["click", "focusin"]) {
         addEventListener(kind, event => {
-            const isOutside = edit && !event.composedPath().includes(edit.listing);
-            if (isOutside && isBook() && (kind === "click" || event.target.matches?.(":focus-visible"))) endEdit();
+            const isOutside = hand && !event.composedPath().includes(hand.closest("figure"));
+            if (isOutside && isBook(hand) && (kind === "click" || event.target.matches?.(":focus-visible"))) release();
         });
     }
-    addEventListener("resize", () => { if (edit) draw(LARGE); });
-    addEventListener("beforeprint", endEdit);
+    addEventListener("resize", () => { if (hand) draw(LARGE); });
+    addEventListener("beforeprint", () => {
+        release();
+        [...books.keys()].forEach(line => setText(line, line.dataset.book));
+    });
+    addEventListener("afterprint", () => Object.entries(states[shown]).forEach(([name, text]) => setText(find(name), text)));
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.
     window.visualViewport?.addEventListener("resize", () => {

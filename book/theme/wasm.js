@@ -31,6 +31,7 @@ const wasmModules = (() => {
         load,
         get: name => instances[name] ??= load(name).then(startModule)
             .catch(error => { delete instances[name]; throw error; }),
+        drop: name => { delete instances[name]; },
     };
 })();
 

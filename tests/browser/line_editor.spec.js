@@ -38,7 +38,7 @@ test('the book’s line draws the book’s picture', async ({ page, home, source
   expect(await difference(listing, `${STEP}.png`)).toBe(0);
 });
 
-test('an edit is drawn, a mistake is underlined, Escape brings the line back', async ({ page, home }) => {
+test('an edit is drawn, a mistake is underlined, Escape brings the line back, and undo all of it', async ({ page, home }) => {
   const { line, listing, status } = await prepare(page, home);
   await line.focus();
   await page.keyboard.press('Enter');
@@ -62,7 +62,60 @@ test('an edit is drawn, a mistake is underlined, Escape brings the line back', a
   await expect(line).toBeFocused();
   await expect(listing.locator('canvas')).toHaveCount(0);
   expect(page.url()).not.toContain('#line');
+  for (const text of [`x${NORMAL}`, NORMAL, 'p - sphere.centre * 2']) {
+    await page.keyboard.press('ControlOrMeta+Z');
+    await expect(line).toHaveText(text);
+  }
+  await listing.getByRole('button', { name: 'Redo' }).click();
+  await expect(line).toHaveText(NORMAL);
+  await listing.getByRole('button', { name: 'Close' }).click();
+  await expect(listing.locator('canvas')).toHaveCount(0);
 });
+
+test('lines that are let go stay in the picture, the address and the history', async ({ page, home }) => {
+  const { line } = await prepare(page, home, '#line=normal:p%20%2A%200.3&line=attenuation:%281.0');
+  const other = page.locator('[data-line=attenuation]');
+  const status = page.getByRole('status').filter({ visible: true }).last();
+  await expect(status).toHaveText('In another line of yours: The ) for this is missing.');
+  await other.click();
+  await page.keyboard.press('ControlOrMeta+A');
+  await page.keyboard.type('1.0');
+  await expect(page).toHaveURL(/#line=attenuation:1\.0&line=normal:p%20%2A%200\.3$/);
+  await expect(line).toHaveText('p * 0.3');
+  await expect(status).toHaveText(/Drawn/);
+  await page.keyboard.press('ControlOrMeta+Z');
+  await expect(other).toHaveText('(1.0');
+});
+
+test('no text keeps a line from being drawn later', async ({ page, home }) => {
+  const { line, status } = await prepare(page, home);
+  await line.click();
+  for (const [text, words] of [['('.repeat(41), 'inside each other'], ['-'.repeat(10_000), 'longer than a line'], ['p', 'Drawn']]) {
+    await line.evaluate((line, text) => { line.textContent = text; line.dispatchEvent(new Event('input', { bubbles: true })); }, text);
+    await expect(status).toContainText(words);
+  }
+  await page.evaluate(() => { const { ask } = window; window.ask = () => { window.ask = ask; throw new WebAssembly.RuntimeError(); }; });
+  await page.keyboard.press('Enter');
+  await expect(status).toContainText('Press Enter to try again');
+  await page.keyboard.press('Enter');
+  await expect(status).toContainText('Drawn');
+});
+
+for (const [width, height] of [[390, 508], [640, 400]]) {
+  test(`line, message and picture are in view together at ${width}×${height}`, async ({ page, home }) => {
+    await page.setViewportSize({ width, height });
+    const { line, listing, status } = await prepare(page, home);
+    await line.click();
+    await page.keyboard.press('Home');
+    await page.keyboard.type('p.nosuch() + ');
+    await expect(status).toContainText('.nosuch isn\'t known here');
+    const panel = await listing.locator('.panel').boundingBox();
+    const { y, height: rows } = await line.boundingBox();
+    expect(y).toBeGreaterThan(40);
+    expect(y + rows).toBeLessThanOrEqual(panel.y);
+    for (const part of [status, listing.locator('canvas')]) await expect(part).toBeInViewport({ ratio: 0.9 });
+  });
+}
 
 test('an address holds an edit, also as mail programs write it', async ({ page, home }) => {
   const { line, listing, status } = await prepare(page, home, '#line=normal%3Ap%20%2A%20%282%29');
@@ -79,6 +132,7 @@ test('what is copied is the book’s listing, or a diff that git applies', async
   const { line, listing, status } = await prepare(page, home, '#line=normal:p');
   await expect(status).toHaveText(/Drawn|known mistake/);
   await listing.getByRole('button', { name: /^Copy step04/ }).click();
+  await listing.getByText('Copy …').click();
   await listing.getByRole('button', { name: 'Copy as a diff' }).click();
   await expect.poll(() => copied.length).toBe(2);
   expect(copied[0]).toContain(`    ${NORMAL}\n}`);

@@ -28,7 +28,7 @@ pub use mistake_table::{
 };
 
 mod place;
-pub use place::{Kind, Place, all_listed_places};
+pub use place::{Place, all_listed_places};
 
 mod crate_as_module;
 pub use crate_as_module::crate_as_module;

@@ -1,41 +1,5 @@
 use std::ops::Range;
 
-/// The kind of a value, as the reader is told of it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
-    /// An `f64`.
-    Number,
-    /// A number of which Rust does not know the type before it meets another, such as `2.0`.
-    Literal,
-    /// An `i32` or a `u32`.
-    Whole,
-    /// A `DVec3`.
-    Vector,
-    /// A `bool`.
-    Truth,
-    /// The step's own type of that name.
-    Attenuation,
-}
-
-impl Kind {
-    /// Whether a value of this kind may stand where `wanted` is expected.
-    pub fn is_accepted_as(self, wanted: Self) -> bool {
-        self == wanted || (self, wanted) == (Self::Literal, Self::Number)
-    }
-
-    /// The kind that `word` means in places.txt.
-    fn from_word(word: &str) -> Option<Self> {
-        Some(match word {
-            "number" => Self::Number,
-            "whole" => Self::Whole,
-            "vector" => Self::Vector,
-            "truth" => Self::Truth,
-            "attenuation" => Self::Attenuation,
-            _ => return None,
-        })
-    }
-}
-
 /// An expression in the steps that a reader may edit: a block of places.txt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
@@ -45,10 +9,10 @@ pub struct Place {
     pub file: &'static str,
     /// Code of the book there, in one row.
     pub code: &'static str,
-    /// The kind of its value.
-    pub kind: Kind,
-    /// Names that an expression may use there.
-    pub variables: Vec<(&'static str, Kind)>,
+    /// The type of its value, in Rust.
+    pub kind: &'static str,
+    /// Names that an expression may use there, and their types.
+    pub variables: Vec<(&'static str, &'static str)>,
 }
 
 /// All blocks of places.txt, in its order.
@@ -60,8 +24,7 @@ pub fn all_listed_places() -> Vec<Place> {
         } else if let Some(place) = parse_place(file, line) {
             places.push(place);
         } else if let Some(place) = places.last_mut() {
-            let (kind, names) = line.trim().split_once(' ').unwrap_or_default();
-            let Some(kind) = Kind::from_word(kind) else { continue };
+            let Some((kind, names)) = line.trim().split_once(' ') else { continue };
             place.variables.extend(names.split("; ").map(|name| (name, kind)));
         }
     }
@@ -72,7 +35,6 @@ pub fn all_listed_places() -> Vec<Place> {
 fn parse_place(file: &'static str, line: &'static str) -> Option<Place> {
     let (head, code) = line.split_once(" = ")?;
     let (name, kind) = head.split_once(": ")?;
-    let kind = Kind::from_word(kind)?;
     Some(Place { name, file, code, kind, variables: vec![] })
 }
 

@@ -1,7 +1,10 @@
-use crate::expressions::{ParseError, draw_edited, editable_places, parse_expression};
+use crate::expressions::{Expression, Refusal, draw_edited, editable_places, parse_expression};
 use course::{Mistake, Place, find_mistakes_with_hash, hash_picture, json, locked_hashes};
 use figures::Reply;
 use image::RgbImage;
+
+/// Places of step 2 that say at which t a ray meets the ball, which its picture doesn't show.
+const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far"];
 
 /// The names that an expression may use at the place NAME.
 pub fn variables(name: &str) -> Reply {
@@ -10,29 +13,36 @@ pub fn variables(name: &str) -> Reply {
     Reply::from_json_fields([("variables", json::list(names))])
 }
 
-/// The picture of a step with an expression of the reader's in it, to the words
-/// `NAME COLUMNS EXPRESSION`; or what is wrong with the expression, and from which letter to
-/// which. Of a picture in its full size it is told whether it is right or a known mistake's.
+/// The picture of a step with expressions of the reader's in it, to the words
+/// `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`; or what is wrong with
+/// which of them, and from which letter to which. Of a picture in its full size it is told
+/// whether it is right or a known mistake's.
 pub fn edit(words: &str) -> Reply {
-    let mut words = words.splitn(3, ' ');
-    let mut word = || words.next().unwrap_or_default();
-    let (place, columns, text) = (find_place(word()), word().parse(), word());
-    let (Some(place), Ok(columns @ 16..=640)) = (place, columns) else {
+    // Editors, and programs through which a link goes, write blanks of their own.
+    let words = words.replace('\u{a0}', " ");
+    let (columns, lines) = words.split_once(' ').unwrap_or_default();
+    let lines = lines.split('\u{1f}').filter_map(|line| line.split_once(' '));
+    let lines: Vec<_> = lines.filter_map(|(name, text)| Some((find_place(name)?, text))).collect();
+    let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {
         return Reply::default();
     };
-    match parse_expression(&place, text) {
-        Ok(expression) => {
-            let picture = draw_edited(&place, expression, columns);
+    let picture = parse_lines(&lines)
+        .and_then(|expressions| draw_edited(place.step_name(), expressions, columns));
+    match picture {
+        Ok(picture) => {
             let size = json::list([picture.width(), picture.height()]);
-            let known = if columns == 640 { describe(&place, text, &picture) } else { None };
+            let known = if columns == 640 { describe(&lines, &picture) } else { None };
             let known = json::quote(&known.unwrap_or_default());
             let answer = Reply::from_json_fields([("size", size), ("known", known)]);
             Reply { pixels: figures::rgba_bytes(&picture), ..answer }
         }
-        Err(ParseError { range, sentence }) => {
+        Err((name, Refusal { range, sentence })) => {
+            let line = lines.iter().find(|(place, _)| place.name == name);
+            let text = line.map_or("", |(_, text)| *text);
             // A page counts letters as JavaScript does.
             let at = |at: usize| text[..at].encode_utf16().count().to_string();
             Reply::from_json_fields([
+                ("line", json::quote(name)),
                 ("from", at(range.start)),
                 ("to", at(range.end)),
                 ("mistake", json::quote(&sentence)),
@@ -41,19 +51,41 @@ pub fn edit(words: &str) -> Reply {
     }
 }
 
-/// A sentence about a picture that is the right one, or that of a mistake in the list.
-fn describe(place: &Place, text: &str, picture: &RgbImage) -> Option<String> {
+type Edits = Vec<(Place, Expression)>;
+
+fn parse_lines(lines: &[(Place, &str)]) -> Result<Edits, (&'static str, Refusal)> {
+    let expressions = lines.iter().map(|(place, text)| {
+        let expression = parse_expression(place, text).map_err(|refusal| (place.name, refusal))?;
+        Ok((place.clone(), expression))
+    });
+    expressions.collect()
+}
+
+/// A sentence about a picture that is the right one, or that of a listed mistake in the line.
+fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
+    let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));
     if locked_hashes().any(|(name, right)| name == step && right == hash) {
-        return Some("Not one pixel differs from the book's picture.".to_owned());
+        let is_seen = |(place, _): &(Place, _)| !UNSEEN.contains(&place.name);
+        return Some(match lines.iter().any(is_seen) {
+            true => "Not one pixel differs from the book's picture.".to_owned(),
+            false => "This picture can't show what you changed here: it shows whether a ray meets \
+                      the ball, not at which t. From step 3 on, you would see it."
+                .to_owned(),
+        });
     }
-    let mut mistakes = find_mistakes_with_hash(hash);
-    mistakes.retain(|(_, name)| name == step);
-    // What was written here comes before what gives the same pixels elsewhere.
-    let file = format!("steps/{}", place.file);
-    let is_here = |mistake: &Mistake| text.contains(&mistake.new) && mistake.file == file;
-    mistakes.sort_by_key(|(mistake, _)| (!is_here(mistake), mistake.file != file));
-    let (mistake, _) = mistakes.first()?;
+    let mut pixels = picture.pixels();
+    let first = pixels.next();
+    if 1 < lines.len() || pixels.all(|pixel| Some(pixel) == first) {
+        return None;
+    }
+    let is_here = |mistake: &Mistake| {
+        let old = mistake.old.split_whitespace().collect::<Vec<_>>().join(" ");
+        mistake.file == format!("steps/{}", place.file)
+            && (place.code.contains(&old) || !place.find_ranges(&old).is_empty())
+    };
+    let mistakes = find_mistakes_with_hash(hash);
+    let (mistake, _) = mistakes.iter().find(|(mistake, name)| name == step && is_here(mistake))?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 

@@ -31,7 +31,7 @@ use figures::Reply;
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
 /// - `variables PLACE` gives the names that a line may use: see [`variables`].
-/// - `edit PLACE COLUMNS EXPRESSION` draws a step with a line of the reader's: see [`edit`].
+/// - `edit COLUMNS PLACE EXPRESSION` draws a step with lines of the reader's: see [`edit`].
 /// - [`figures::reply`] gets all others.
 pub fn answer(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {

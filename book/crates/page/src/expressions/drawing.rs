@@ -1,21 +1,28 @@
 use crate::expressions::Expression;
+use crate::expressions::node::{spent_steps, take_steps};
+use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
-use crate::expressions::value::Value;
+use crate::expressions::value::{Typed, Value};
 use course::{Place, all_listed_places};
-use glam::DVec3;
 use image::RgbImage;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
 
-/// The index of the place that is edited.
-static PLACE: AtomicUsize = AtomicUsize::new(usize::MAX);
+/// The most steps of a picture: less than a fifth of a second.
+const STEPS: u64 = 12_000_000;
 
-/// The reader's expression there.
-static EXPRESSION: RwLock<Option<Expression>> = RwLock::new(None);
+/// The places that are edited: a bit for the index of each.
+static PLACES: AtomicU64 = AtomicU64::new(0);
 
-/// Held while a picture is drawn, as there is one place and one expression.
+/// The edits: the index of the place, and the reader's expression there.
+static EDITS: RwLock<Vec<(usize, Expression)>> = RwLock::new(vec![]);
+
+/// The place where the reader's program would stop, and why.
+static STOP: Mutex<Option<(usize, Refusal)>> = Mutex::new(None);
+
+/// Held while a picture is drawn, as there is one set of edits.
 static DRAWING: Mutex<()> = Mutex::new(());
 
 /// The places that can be edited.
@@ -30,26 +37,67 @@ pub fn place_faults() -> Vec<&'static str> {
     FAULTS.iter().map(|(_, fault)| *fault).collect()
 }
 
-/// Whether the place with this index is the one that is edited.
+/// Whether the place with this index is edited.
 #[inline(always)]
 pub(crate) fn is_edited(place: usize) -> bool {
-    PLACE.load(Relaxed) == place
+    PLACES.load(Relaxed) >> place & 1 != 0
 }
 
-/// The value of the reader's expression where its variables have these.
+/// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
-pub(crate) fn evaluate<T: Value>(variables: &[DVec3]) -> T {
-    let expression = EXPRESSION.read().unwrap_or_else(PoisonError::into_inner);
-    T::unpack(expression.as_ref().map_or(DVec3::ZERO, |code| code.evaluate(variables)))
+pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
+    let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
+    let edit = edits.iter().find(|(index, _)| *index == place);
+    let value = edit.map(|(_, expression)| match expression.evaluate(variables) {
+        _ if STEPS < spent_steps() => {
+            Err((0..expression.length, "That takes longer than a page should."))
+        }
+        value => value,
+    });
+    match value {
+        Some(Ok(value)) => T::unpack(&value),
+        Some(Err((range, sentence))) => {
+            stop(place, Refusal { range, sentence: sentence.to_owned() });
+            T::unpack(&Value::default())
+        }
+        None => T::unpack(&Value::default()),
+    }
 }
 
-/// The picture of the step of `place`, with an expression there in place of the book's.
-pub fn draw_edited(place: &Place, expression: Expression, columns: u32) -> RgbImage {
+/// Notes why the reader's program would stop in the code around the edits.
+#[cold]
+pub(crate) fn stop_outside(sentence: &str) {
+    let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
+    if let Some((place, expression)) = edits.first() {
+        let sentence = format!("Here your program would stop: {sentence}.");
+        stop(*place, Refusal { range: 0..expression.length, sentence });
+    }
+}
+
+fn stop(place: usize, refusal: Refusal) {
+    let mut stop = STOP.lock().unwrap_or_else(PoisonError::into_inner);
+    stop.get_or_insert((place, refusal));
+}
+
+/// The picture of a step with expressions in place of the book's; or where the reader's program
+/// would stop, and why. The first edit is the one that is told of what goes wrong around them.
+pub fn draw_edited(
+    step: &str,
+    edits: Vec<(Place, Expression)>,
+    columns: u32,
+) -> Result<RgbImage, (&'static str, Refusal)> {
     let _alone = DRAWING.lock();
-    let index = all_listed_places().iter().position(|one| one == place);
-    set_expression(Some(expression));
-    PLACE.store(index.unwrap_or(usize::MAX), Relaxed);
-    let picture = match place.step_name() {
+    let places = all_listed_places();
+    let index_of = |place: &Place| places.iter().position(|one| one == place);
+    let edits: Vec<_> = edits
+        .into_iter()
+        .filter_map(|(place, expression)| Some((index_of(&place)?, expression)))
+        .collect();
+    let bits = edits.iter().fold(0, |bits, (index, _)| bits | 1 << index);
+    *EDITS.write().unwrap_or_else(PoisonError::into_inner) = edits;
+    take_steps();
+    PLACES.store(bits, Relaxed);
+    let picture = match step {
         "step01_rays" => step01_rays::picture,
         "step02_sphere" => step02_sphere::picture,
         "step03_nearest" => step03_nearest::picture,
@@ -58,11 +106,9 @@ pub fn draw_edited(place: &Place, expression: Expression, columns: u32) -> RgbIm
     };
     let (rows, angle) = (columns * 9 / 16, 60_f64.to_radians());
     let picture = picture(&step01_rays::Camera::new(columns, rows, angle), 1);
-    PLACE.store(usize::MAX, Relaxed);
-    set_expression(None);
-    picture
-}
-
-fn set_expression(expression: Option<Expression>) {
-    *EXPRESSION.write().unwrap_or_else(PoisonError::into_inner) = expression;
+    PLACES.store(0, Relaxed);
+    match STOP.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        Some((place, refusal)) => Err((places[place].name, refusal)),
+        None => Ok(picture),
+    }
 }

@@ -1,185 +1,249 @@
+use crate::expressions::node::{Function, Outcome, spend};
 use crate::expressions::steps::step04_diffuse::Attenuation;
-use crate::expressions::value::Value;
-use course::Kind;
+use crate::expressions::types::Type;
+use crate::expressions::value::{Typed, Value};
 use glam::DVec3;
+use std::sync::LazyLock;
 
-/// A row of the table: a name, what it may be called with, and what it does.
-///
-/// A name has parentheses where it is called, and a point before it where it belongs to a
-/// value. Of each word in the second part, the last letter is the kind of the result: number,
-/// whole number, vector, truth or attenuation.
-type Function = (&'static str, &'static str, Apply);
+const OVERFLOW: &str = "Here your program would stop: the result is beyond its type.";
+const DIVISION: &str = "Here your program would stop: it divides by 0, or beyond its type.";
+const CLAMP: &str = "Here your program would stop: the lower limit is above the upper.";
 
-/// Computes a result from up to three values, packed into vectors.
-pub type Apply = fn([DVec3; 3]) -> DVec3;
+/// The functions, operators, constants (functions of nothing) and fields that a line may use: a
+/// name such as `f64::max`, `DVec3.x`, `+` or `as f64`, what it takes and gives, what it does.
+pub static FUNCTIONS: LazyLock<Vec<Function>> = LazyLock::new(|| {
+    let mut rows = vec![];
+    add_numbers(&mut rows);
+    add_whole_numbers(&mut rows);
+    add_vectors(&mut rows);
+    add_casts(&mut rows);
+    rows
+});
 
-/// Methods that take and give what their types say, and are called as in Rust.
-macro_rules! methods {
-    ($types:literal: $($name:ident)*; $apply:ident) => {
-        &[$((concat!(".", stringify!($name), "()"), $types, $apply!($name))),*]
+/// What a function gives, or why the reader's program stops there.
+trait Given {
+    fn kind() -> Type;
+    fn outcome(self) -> Outcome;
+}
+
+impl<T: Typed> Given for T {
+    fn kind() -> Type {
+        T::kind()
+    }
+    fn outcome(self) -> Outcome {
+        Ok(self.pack())
+    }
+}
+
+impl<T: Typed> Given for Result<T, &'static str> {
+    fn kind() -> Type {
+        T::kind()
+    }
+    fn outcome(self) -> Outcome {
+        self.map(T::pack)
+    }
+}
+
+/// A function of Rust as a row of the table.
+trait Row {
+    fn row(self, name: &'static str) -> Function;
+}
+
+macro_rules! row {
+    ($($type:ident $index:literal),*) => {
+        impl<$($type: Typed + 'static,)* R: Given + 'static> Row for fn($($type),*) -> R {
+            fn row(self, name: &'static str) -> Function {
+                Function {
+                    name,
+                    takes: vec![$($type::kind()),*],
+                    gives: R::kind(),
+                    apply: Box::new(move |_values: &[Value]| {
+                        self($($type::unpack(&_values[$index])),*).outcome()
+                    }),
+                }
+            }
+        }
     };
 }
-macro_rules! one_number {
-    ($name:ident) => {
-        |[a, ..]| DVec3::splat(a.x.$name())
-    };
-}
-macro_rules! two_numbers {
-    ($name:ident) => {
-        |[a, b, _]| DVec3::splat(a.x.$name(b.x))
-    };
-}
-macro_rules! one_vector {
-    ($name:ident) => {
-        |[a, ..]| a.$name()
-    };
-}
-macro_rules! two_vectors {
-    ($name:ident) => {
-        |[a, b, _]| a.$name(b)
-    };
-}
-macro_rules! number_from_vector {
-    ($name:ident) => {
-        |[a, ..]| DVec3::splat(a.$name())
-    };
-}
-macro_rules! number_from_vectors {
-    ($name:ident) => {
-        |[a, b, _]| DVec3::splat(a.$name(b))
+row!();
+row!(A 0);
+row!(A 0, B 1);
+row!(A 0, B 1, C 2);
+
+/// Adds functions under names of their own.
+macro_rules! add {
+    ($rows:ident: $($name:expr, $signature:ty, $function:expr;)*) => {
+        $($rows.push(Row::row($function as $signature, $name));)*
     };
 }
 
-const TABLE: [&[Function]; 9] = [
-    OPERATORS,
-    CONSTANTS,
-    MIXED,
-    methods!("nn": abs floor ceil round trunc fract signum sqrt cbrt recip sin cos tan asin
-        acos atan exp ln log10 log2 to_degrees to_radians; one_number),
-    methods!("nnn": min max powf atan2 hypot rem_euclid copysign; two_numbers),
-    methods!("vv": abs floor ceil round trunc fract signum sqrt sin cos exp recip normalize
-        normalize_or_zero; one_vector),
-    methods!("vvv": min max cross rem_euclid reflect project_onto reject_from; two_vectors),
-    methods!("vn": length length_squared length_recip max_element min_element element_sum
-        element_product; number_from_vector),
-    methods!("vvn": dot distance distance_squared angle_between; number_from_vectors),
-];
-
-const OPERATORS: &[Function] = &[
-    ("||", "ttt", |[a, b, _]| a.max(b)),
-    ("&&", "ttt", |[a, b, _]| a.min(b)),
-    ("==", "nnt vvt wwt ttt", |[a, b, _]| pack_bool(a == b)),
-    ("!=", "nnt vvt wwt ttt", |[a, b, _]| pack_bool(a != b)),
-    ("<=", "nnt wwt", |[a, b, _]| pack_bool(a.x <= b.x)),
-    (">=", "nnt wwt", |[a, b, _]| pack_bool(a.x >= b.x)),
-    ("<", "nnt wwt", |[a, b, _]| pack_bool(a.x < b.x)),
-    (">", "nnt wwt", |[a, b, _]| pack_bool(a.x > b.x)),
-    ("+", "nnn nvv vnv vvv", |[a, b, _]| a + b),
-    ("-", "nnn nvv vnv vvv", |[a, b, _]| a - b),
-    ("*", "nnn nvv vnv vvv", |[a, b, _]| a * b),
-    ("/", "nnn nvv vnv vvv", |[a, b, _]| a / b),
-    ("%", "nnn nvv vnv vvv", |[a, b, _]| a % b),
-    // Whole numbers as in a release build: they wrap. What is divided by 0 is 0.
-    ("+", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_add(unpack_i32(b)))),
-    ("-", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_sub(unpack_i32(b)))),
-    ("*", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_mul(unpack_i32(b)))),
-    ("/", "www", |[a, b, _]| pack_i32(unpack_i32(a).checked_div(unpack_i32(b)).unwrap_or(0))),
-    ("%", "www", |[a, b, _]| pack_i32(unpack_i32(a).checked_rem(unpack_i32(b)).unwrap_or(0))),
-    // Unary operators, by the names that the parser has for them.
-    ("-value", "nn vv ww", |[a, ..]| -a),
-    ("!value", "tt", |[a, ..]| 1.0 - a),
-    ("as f64", "nn wn", |[a, ..]| a),
-    ("as i32", "nw ww tw", |[a, ..]| pack_i32(unpack_i32(a))),
-];
-
-const CONSTANTS: &[Function] = &[
-    ("true", "t", |_| DVec3::ONE),
-    ("false", "t", |_| DVec3::ZERO),
-    ("DVec3::ZERO", "v", |_| DVec3::ZERO),
-    ("DVec3::ONE", "v", |_| DVec3::ONE),
-    ("DVec3::NEG_ONE", "v", |_| DVec3::NEG_ONE),
-    ("DVec3::X", "v", |_| DVec3::X),
-    ("DVec3::Y", "v", |_| DVec3::Y),
-    ("DVec3::Z", "v", |_| DVec3::Z),
-    ("DVec3::NEG_X", "v", |_| DVec3::NEG_X),
-    ("DVec3::NEG_Y", "v", |_| DVec3::NEG_Y),
-    ("DVec3::NEG_Z", "v", |_| DVec3::NEG_Z),
-    ("f64::MAX", "n", |_| DVec3::MAX),
-    ("f64::EPSILON", "n", |_| DVec3::splat(f64::EPSILON)),
-    ("f64::INFINITY", "n", |_| DVec3::INFINITY),
-    ("std::f64::consts::PI", "n", |_| DVec3::splat(std::f64::consts::PI)),
-    ("std::f64::consts::TAU", "n", |_| DVec3::splat(std::f64::consts::TAU)),
-];
-
-const MIXED: &[Function] = &[
-    (".divisor()", "ann", |[a, d, _]| DVec3::splat(Attenuation::unpack(a).divisor(d.x))),
-    (".a", "an", |[a, ..]| DVec3::splat(a.x)),
-    (".b", "an", |[a, ..]| DVec3::splat(a.y)),
-    (".c", "an", |[a, ..]| DVec3::splat(a.z)),
-    ("DVec3::new()", "nnnv", |[a, b, c]| DVec3::new(a.x, b.x, c.x)),
-    ("DVec3::splat()", "nv", |[a, ..]| a),
-    ("f64::from()", "nn wn tn", |[a, ..]| a),
-    (".x", "vn", |[a, ..]| DVec3::splat(a.x)),
-    (".y", "vn", |[a, ..]| DVec3::splat(a.y)),
-    (".z", "vn", |[a, ..]| DVec3::splat(a.z)),
-    (".with_x()", "vnv", |[a, b, _]| a.with_x(b.x)),
-    (".with_y()", "vnv", |[a, b, _]| a.with_y(b.x)),
-    (".with_z()", "vnv", |[a, b, _]| a.with_z(b.x)),
-    (".powi()", "nwn", |[a, b, _]| DVec3::splat(a.x.powi(unpack_i32(b)))),
-    (".powf()", "vnv", |[a, b, _]| a.powf(b.x)),
-    (".lerp()", "vvnv", |[a, b, c]| a.lerp(b, c.x)),
-    (".clamp()", "nnnn", |[a, b, c]| DVec3::splat(clamp_or_nan(a.x, b.x, c.x))),
-    (".clamp()", "vvvv", |[a, b, c]| a.clamp(b, c)),
-    (".mul_add()", "nnnn", |[a, b, c]| DVec3::splat(a.x.mul_add(b.x, c.x))),
-    (".abs()", "ww", |[a, ..]| pack_i32(unpack_i32(a).wrapping_abs())),
-    (".signum()", "ww", |[a, ..]| pack_i32(unpack_i32(a).signum())),
-    (".min()", "www", |[a, b, _]| a.min(b)),
-    (".max()", "www", |[a, b, _]| a.max(b)),
-    (".pow()", "www", |[a, b, _]| pack_i32(unpack_i32(a).wrapping_pow(unpack_i32(b) as u32))),
-];
-
-/// Rust's clamp, but no number where that panics.
-fn clamp_or_nan(number: f64, min: f64, max: f64) -> f64 {
-    if min <= max { number.clamp(min, max) } else { f64::NAN }
+/// Adds methods of a type under the names that they have there.
+macro_rules! add_methods {
+    ($rows:ident: $type:ident, $signature:ty: $($name:ident)*) => {
+        add! { $rows: $(
+            concat!(stringify!($type), "::", stringify!($name)), $signature, $type::$name;
+        )* }
+    };
 }
 
-fn pack_bool(is_true: bool) -> DVec3 {
-    DVec3::splat(is_true.into())
+macro_rules! add_comparisons {
+    ($rows:ident: $($type:ty),*) => {
+        $(add! { $rows:
+            "<", fn(_, _) -> _, |a: $type, b: $type| a < b;
+            ">", fn(_, _) -> _, |a: $type, b: $type| a > b;
+            "<=", fn(_, _) -> _, |a: $type, b: $type| a <= b;
+            ">=", fn(_, _) -> _, |a: $type, b: $type| a >= b;
+        })*
+    };
 }
 
-fn pack_i32(number: i32) -> DVec3 {
-    DVec3::splat(number.into())
+macro_rules! add_equalities {
+    ($rows:ident: $($type:ty),*) => {
+        $(add! { $rows:
+            "==", fn(_, _) -> _, |a: $type, b: $type| a == b;
+            "!=", fn(_, _) -> _, |a: $type, b: $type| a != b;
+        })*
+    };
 }
 
-fn unpack_i32(value: DVec3) -> i32 {
-    value.x as i32
+fn add_numbers(rows: &mut Vec<Function>) {
+    add_methods!(rows: f64, fn(_) -> _: abs floor ceil round trunc fract signum sqrt cbrt recip sin
+        cos tan asin acos atan sinh cosh tanh exp exp2 exp_m1 ln log10 log2 ln_1p to_degrees
+        to_radians is_nan is_finite is_sign_negative is_sign_positive);
+    add_methods!(rows: f64, fn(_, _) -> _: min max powf powi atan2 hypot copysign);
+    add_methods!(rows: f64, fn(_, _, _) -> _: mul_add);
+    add_comparisons!(rows: f64, i32, u32, u64, bool);
+    add_equalities!(rows: f64, i32, u32, u64, bool, DVec3);
+    add! { rows:
+        "+", fn(_, _) -> f64, |a: f64, b: f64| a + b;
+        "-", fn(_, _) -> f64, |a: f64, b: f64| a - b;
+        "*", fn(_, _) -> f64, |a: f64, b: f64| a * b;
+        "/", fn(_, _) -> f64, |a: f64, b: f64| a / b;
+        "%", fn(_, _) -> _, remainder;
+        "neg", fn(_) -> f64, |a: f64| -a;
+        "neg", fn(_) -> _, |a: i32| a.checked_neg().ok_or(OVERFLOW);
+        "!", fn(_) -> bool, |a: bool| !a;
+        "f64::rem_euclid", fn(_, _) -> _, |a, b| (remainder(a, b), a.rem_euclid(b)).1;
+        "f64::clamp", fn(_, _, _) -> _, |a: f64, min: f64, max: f64| {
+            if min <= max { Ok(a.clamp(min, max)) } else { Err(CLAMP) }
+        };
+        "f64::from", fn(_) -> f64, |a: f64| a;
+        "f64::from", fn(_) -> _, |a: i32| f64::from(a);
+        "f64::from", fn(_) -> _, |a: u32| f64::from(a);
+        "f64::from", fn(_) -> _, |a: bool| f64::from(a);
+        "i32::from", fn(_) -> _, |a: bool| i32::from(a);
+        "u32::from", fn(_) -> _, |a: bool| u32::from(a);
+        "f64::MAX", fn() -> _, || f64::MAX;
+        "f64::MIN", fn() -> _, || f64::MIN;
+        "f64::NAN", fn() -> _, || f64::NAN;
+        "f64::EPSILON", fn() -> _, || f64::EPSILON;
+        "f64::INFINITY", fn() -> _, || f64::INFINITY;
+        "f64::NEG_INFINITY", fn() -> _, || f64::NEG_INFINITY;
+        "i32::MAX", fn() -> _, || i32::MAX;
+        "i32::MIN", fn() -> _, || i32::MIN;
+        "u32::MAX", fn() -> _, || u32::MAX;
+        "std::f64::consts::PI", fn() -> _, || std::f64::consts::PI;
+        "std::f64::consts::TAU", fn() -> _, || std::f64::consts::TAU;
+        "std::f64::consts::SQRT_2", fn() -> _, || std::f64::consts::SQRT_2;
+        "std::f64::consts::FRAC_PI_2", fn() -> _, || std::f64::consts::FRAC_PI_2;
+    }
 }
 
-/// The names that begin with `prefix`.
-pub fn function_names_with_prefix(prefix: &str) -> impl Iterator<Item = &'static str> {
-    let names = TABLE.into_iter().flatten().map(|(name, ..)| *name);
-    names.filter(move |name| name.starts_with(prefix))
+/// What is left of a division. It takes a step for each few binary digits of the quotient.
+fn remainder(a: f64, b: f64) -> f64 {
+    let exponent = |number: f64| number.to_bits() >> 52 & 0x7ff;
+    spend(exponent(a).saturating_sub(exponent(b)) / 4);
+    a % b
 }
 
-/// The ways to call `name`: the kinds of what it takes, that of its result, what it does.
-pub fn signatures_of(name: &str) -> impl Iterator<Item = (Vec<Kind>, Kind, Apply)> {
-    let rows = TABLE.into_iter().flatten().filter(move |row| row.0 == name);
-    rows.flat_map(|(_, types, apply)| {
-        types.split(' ').map(|letters| {
-            let mut kinds: Vec<_> = letters.chars().map(kind_from_letter).collect();
-            let result = kinds.pop().unwrap_or(Kind::Number);
-            (kinds, result, *apply)
-        })
-    })
+/// Adds whole numbers, which stop a program where they overflow, as in a development build.
+fn add_whole_numbers(rows: &mut Vec<Function>) {
+    macro_rules! add_whole {
+        ($($type:ty, $name:literal;)*) => {
+            $(add! { rows:
+                "+", fn(_, _) -> _, |a: $type, b: $type| a.checked_add(b).ok_or(OVERFLOW);
+                "-", fn(_, _) -> _, |a: $type, b: $type| a.checked_sub(b).ok_or(OVERFLOW);
+                "*", fn(_, _) -> _, |a: $type, b: $type| a.checked_mul(b).ok_or(OVERFLOW);
+                "/", fn(_, _) -> _, |a: $type, b: $type| a.checked_div(b).ok_or(DIVISION);
+                "%", fn(_, _) -> _, |a: $type, b: $type| a.checked_rem(b).ok_or(DIVISION);
+                concat!($name, "::min"), fn(_, _) -> _, |a: $type, b: $type| a.min(b);
+                concat!($name, "::max"), fn(_, _) -> _, |a: $type, b: $type| a.max(b);
+                concat!($name, "::pow"), fn(_, _) -> _, |a: $type, b: u32| {
+                    a.checked_pow(b).ok_or(OVERFLOW)
+                };
+                concat!($name, "::clamp"), fn(_, _, _) -> _, |a: $type, min: $type, max: $type| {
+                    if min <= max { Ok(a.clamp(min, max)) } else { Err(CLAMP) }
+                };
+                concat!($name, "::abs_diff"), fn(_, _) -> _, |a: $type, b: $type| a.abs_diff(b);
+            })*
+        };
+    }
+    add_whole! { i32, "i32"; u32, "u32"; u64, "usize"; }
+    add! { rows:
+        "i32::abs", fn(_) -> _, |a: i32| a.checked_abs().ok_or(OVERFLOW);
+        "i32::signum", fn(_) -> i32, i32::signum;
+        "i32::rem_euclid", fn(_, _) -> _, |a: i32, b: i32| a.checked_rem_euclid(b).ok_or(DIVISION);
+    }
 }
 
-fn kind_from_letter(letter: char) -> Kind {
-    match letter {
-        'n' => Kind::Number,
-        'w' => Kind::Whole,
-        'v' => Kind::Vector,
-        'a' => Kind::Attenuation,
-        't' => Kind::Truth,
-        _ => unreachable!("{letter} is no kind"),
+fn add_vectors(rows: &mut Vec<Function>) {
+    macro_rules! add_operators {
+        ($($sign:literal $operator:tt)*) => {
+            $(add! { rows:
+                $sign, fn(_, _) -> DVec3, |a: DVec3, b: DVec3| a $operator b;
+                $sign, fn(_, _) -> DVec3, |a: DVec3, b: f64| a $operator b;
+                $sign, fn(_, _) -> DVec3, |a: f64, b: DVec3| a $operator b;
+            })*
+        };
+    }
+    add_operators! { "+" + "-" - "*" * "/" / }
+    add_methods!(rows: DVec3, fn(_) -> _: abs floor ceil round trunc fract signum sqrt sin cos exp
+        recip normalize normalize_or_zero length length_squared length_recip max_element
+        min_element element_sum element_product is_normalized is_finite is_nan);
+    add_methods!(rows: DVec3, fn(_, _) -> _: min max cross dot distance distance_squared
+        angle_between reflect project_onto reject_from midpoint with_x with_y with_z powf);
+    add_methods!(rows: DVec3, fn(_, _, _) -> _: new lerp clamp);
+    add! { rows:
+        "%", fn(_, _) -> _, remainders;
+        "%", fn(_, _) -> _, |a, b: f64| remainders(a, DVec3::splat(b));
+        "%", fn(_, _) -> _, |a: f64, b| remainders(DVec3::splat(a), b);
+        "DVec3::rem_euclid", fn(_, _) -> _, |a, b| (remainders(a, b), a.rem_euclid(b)).1;
+        "neg", fn(_) -> DVec3, |a: DVec3| -a;
+        "DVec3::splat", fn(_) -> _, DVec3::splat;
+        "DVec3::from", fn(_) -> DVec3, |a: [f64; 3]| DVec3::from(a);
+        "DVec3::from_array", fn(_) -> _, DVec3::from_array;
+        "DVec3::to_array", fn(_) -> _, |a: DVec3| a.to_array();
+        "DVec3.x", fn(_) -> _, |a: DVec3| a.x;
+        "DVec3.y", fn(_) -> _, |a: DVec3| a.y;
+        "DVec3.z", fn(_) -> _, |a: DVec3| a.z;
+        "Attenuation.a", fn(_) -> _, |one: Attenuation| one.a;
+        "Attenuation.b", fn(_) -> _, |one: Attenuation| one.b;
+        "Attenuation.c", fn(_) -> _, |one: Attenuation| one.c;
+        "Attenuation::divisor", fn(_, _) -> f64, |one: Attenuation, d: f64| one.divisor(d);
+    }
+    macro_rules! add_constants {
+        ($($name:ident)*) => {
+            add! { rows: $(concat!("DVec3::", stringify!($name)), fn() -> _, || DVec3::$name;)* }
+        };
+    }
+    add_constants!(ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z);
+}
+
+fn remainders(a: DVec3, b: DVec3) -> DVec3 {
+    DVec3::new(remainder(a.x, b.x), remainder(a.y, b.y), remainder(a.z, b.z))
+}
+
+fn add_casts(rows: &mut Vec<Function>) {
+    macro_rules! add_casts {
+        ($($from:ty => $($to:ty, $name:literal)*;)*) => {
+            $($(add! { rows: concat!("as ", $name), fn(_) -> $to, |a: $from| a as $to; })*)*
+        };
+    }
+    add_casts! {
+        f64 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
+        i32 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
+        u32 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
+        u64 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
+        bool => bool, "bool" i32, "i32" u32, "u32" u64, "usize";
     }
 }

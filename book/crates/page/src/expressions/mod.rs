@@ -1,19 +1,29 @@
-//! The five steps, in which one expression may be the reader's: what the listings of the book
-//! ask when a line is edited.
+//! The five steps, in which some expressions may be the reader's: what the listings of the book
+//! ask when lines are edited.
 //!
 //! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
 //! script copies the steps' own source and puts a question, `editable!`, around each place;
-//! all else of a picture is the steps' code. `parse` turns a reader's text into an
-//! *expression*: a value of one *kind* (number, whole number, vector, truth) computed from the
-//! *variables* of the place, by the *functions* of a table. What Rust would refuse is refused,
-//! as a *mistake*: a range of the text and a sentence. `draw` draws the step of a place.
+//! all else of a picture is the steps' code. `syn` reads a reader's text, once `scan` has found
+//! that it is neither too long nor too deep. The *checker* finds the type of each part, by the
+//! rules of Rust and the *functions* of a table, and compiles it to a *node*, which is evaluated
+//! for each pixel. What Rust would refuse is refused: a range of the text and a sentence. So is
+//! what would stop the reader's program while it draws. `drawing` draws a step with the edits.
 
 /// The reader's expression where `place` is edited, else the book's.
 macro_rules! editable {
     ($place:literal, $book:expr, [$($variable:expr),*]) => {
         match $crate::expressions::drawing::is_edited($place) {
             false => $book,
-            true => $crate::expressions::drawing::evaluate(&[$($crate::expressions::value::pack($variable)),*]),
+            true => $crate::expressions::drawing::evaluate($place, &[$($crate::expressions::value::Typed::pack($variable)),*]),
+        }
+    };
+}
+
+/// Where a development build of the reader's program stops, the page says so.
+macro_rules! debug_assert {
+    ($condition:expr, $sentence:literal) => {
+        if !$condition {
+            $crate::expressions::drawing::stop_outside($sentence);
         }
     };
 }
@@ -23,11 +33,21 @@ mod steps {
     include!(concat!(env!("OUT_DIR"), "/steps.rs"));
 }
 
+mod blocks;
+mod calls;
+mod checker;
 mod functions;
-mod parser;
+mod node;
+mod operations;
 mod refusal;
+mod scan;
+mod types;
 mod value;
-pub use parser::{Expression, ParseError, parse_expression};
+pub use refusal::Refusal;
+pub use value::Value;
+
+mod expression;
+pub use expression::{Expression, parse_expression};
 
 mod drawing;
 pub use drawing::{draw_edited, editable_places, place_faults};

@@ -1,38 +1,73 @@
 use crate::expressions::steps::step04_diffuse::Attenuation;
+use crate::expressions::types::Type;
 use glam::DVec3;
+use std::sync::Arc;
 
-/// A type of the steps whose values an expression computes with. Each is packed into a vector:
-/// a number is one three times, and true is 1.
-pub trait Value {
-    /// The vector that stands for it.
-    fn pack(self) -> DVec3;
-    /// The value that a vector stands for.
-    fn unpack(vector: DVec3) -> Self;
+/// What a part of a line evaluates to. A usize has 64 bits, as on the reader's machine.
+#[derive(Clone, Debug)]
+#[allow(missing_docs, reason = "they are called like their types")]
+pub enum Value {
+    F64(f64),
+    I32(i32),
+    U32(u32),
+    Usize(u64),
+    Bool(bool),
+    DVec3(DVec3),
+    Attenuation(Attenuation),
+    Array(Arc<[Value]>),
 }
 
-/// The vector that stands for a value.
-pub fn pack(value: impl Value) -> DVec3 {
-    value.pack()
+impl Default for Value {
+    fn default() -> Self {
+        Self::Bool(false)
+    }
 }
 
-macro_rules! value {
-    ($type:ty, $pack:expr, $unpack:expr) => {
-        impl Value for $type {
-            fn pack(self) -> DVec3 {
-                $pack(self)
+/// A type of the machine that is one of a line.
+pub trait Typed {
+    /// The type in a line.
+    fn kind() -> Type;
+    /// The value in a line.
+    fn pack(self) -> Value;
+    /// The value that a line has; the types of a line were checked before.
+    fn unpack(value: &Value) -> Self;
+}
+
+macro_rules! typed {
+    ($($type:ty: $name:ident, $default:expr;)*) => {
+        $(impl Typed for $type {
+            fn kind() -> Type {
+                Type::$name
             }
-            fn unpack(vector: DVec3) -> Self {
-                $unpack(vector)
+            fn pack(self) -> Value {
+                Value::$name(self)
             }
-        }
+            fn unpack(value: &Value) -> Self {
+                if let Value::$name(value) = value { *value } else { $default }
+            }
+        })*
     };
 }
 
-value!(DVec3, |vector| vector, |vector| vector);
-value!(f64, DVec3::splat, |vector: DVec3| vector.x);
-value!(i32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x as i32);
-value!(u32, |whole| DVec3::splat(f64::from(whole)), |vector: DVec3| vector.x as u32);
-value!(bool, |truth| DVec3::splat(f64::from(truth)), |vector: DVec3| vector.x != 0.0);
-value!(Attenuation, |Attenuation { a, b, c }| DVec3::new(a, b, c), |DVec3 { x: a, y: b, z: c }| {
-    Attenuation { a, b, c }
-});
+typed! {
+    f64: F64, 0.0;
+    i32: I32, 0;
+    u32: U32, 0;
+    u64: Usize, 0;
+    bool: Bool, false;
+    DVec3: DVec3, DVec3::ZERO;
+    Attenuation: Attenuation, Attenuation { a: 0.0, b: 0.0, c: 0.0 };
+}
+
+impl Typed for [f64; 3] {
+    fn kind() -> Type {
+        Type::Array(Box::new(Type::F64), 3)
+    }
+    fn pack(self) -> Value {
+        Value::Array(self.map(Value::F64).into())
+    }
+    fn unpack(value: &Value) -> Self {
+        let Value::Array(values) = value else { return [0.0; 3] };
+        [0, 1, 2].map(|index| values.get(index).map_or(0.0, f64::unpack))
+    }
+}

@@ -15,18 +15,20 @@ fn listed_mistakes_are_drawn_by_an_edited_line() {
     let (mut count, mut refusals) = (0, vec![]);
     for (place, text, expected) in edits.iter().step_by(step) {
         count += 1;
-        match parse_expression(place, text) {
-            Ok(expression) => {
-                let hash = hash_picture(&draw_edited(place, expression, 640));
-                assert_eq!(
-                    hash, *expected,
-                    "{}: {text} draws another picture than the table has; where the code or the \
-                     list has changed, `cargo xtask` makes the table anew",
-                    place.name
-                );
-            }
-            Err(mistake) => {
-                refusals.push(format!("{}: {text}: {}\n", place.name, mistake.sentence));
+        let drawn = parse_expression(place, text).and_then(|expression| {
+            let edits = vec![(place.clone(), expression)];
+            draw_edited(place.step_name(), edits, 640).map_err(|(_, refusal)| refusal)
+        });
+        match drawn {
+            Ok(picture) => assert_eq!(
+                hash_picture(&picture),
+                *expected,
+                "{}: {text} draws another picture than the table has; where the code or the list \
+                 has changed, `cargo xtask` makes the table anew",
+                place.name
+            ),
+            Err(refusal) => {
+                refusals.push(format!("{}: {text}: {}\n", place.name, refusal.sentence));
             }
         }
     }

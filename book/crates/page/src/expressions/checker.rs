@@ -1,0 +1,224 @@
+use crate::expressions::functions::FUNCTIONS;
+use crate::expressions::node::{Function, Node, Part};
+use crate::expressions::refusal::{
+    NAMES_ARE, Refusal, explain_mismatch, explain_unknown_name, refuse,
+};
+use crate::expressions::types::{Type, Types};
+use crate::expressions::value::Value;
+use course::Place;
+use std::ops::Range;
+use syn::{BinOp, Expr, ExprBinary, ExprField, Ident, Member};
+
+/// Files without `use glam::DVec3`.
+const FILES_WITHOUT_VECTORS: [&str; 2] =
+    ["step02_sphere/src/quadratic.rs", "step03_nearest/src/nearest.rs"];
+
+/// Places whose value has a method called later, so that it can't be a number of an open type.
+const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
+
+/// Compiles the syntax of a text, as far as Rust would.
+pub struct Checker<'a> {
+    pub text: &'a str,
+    pub types: Types,
+    pub names: Vec<Name>,
+    /// How many values the line needs room for: variables of the place, then those of `let`.
+    pub slots: usize,
+    /// How many parts it has.
+    pub steps: u64,
+    place: &'a Place,
+}
+
+/// What may be written for a value: a variable of the place, such as `ray.start`, or of a `let`.
+pub struct Name {
+    pub text: String,
+    pub kind: Type,
+    pub node: Node,
+}
+
+pub type Checked<T> = Result<T, Refusal>;
+
+impl<'a> Checker<'a> {
+    /// Knows the variables of a place.
+    pub fn new(place: &'a Place, text: &'a str) -> Self {
+        let variables = place.variables.iter().enumerate();
+        let names = variables.map(|(slot, (name, kind))| Name {
+            text: without_blanks(name),
+            kind: Type::from_name(kind).unwrap_or(Type::Unit),
+            node: Node::Variable(slot),
+        });
+        let (types, slots) = (Types::default(), place.variables.len());
+        Self { text, types, names: names.collect(), slots, steps: 0, place }
+    }
+
+    /// Compiles the whole text, whose value is that of the place.
+    pub fn check_whole(&mut self, syntax: &Expr) -> Checked<Node> {
+        let wanted = Type::from_name(self.place.kind).unwrap_or(Type::Unit);
+        let has_method = PLACES_WITH_METHODS.contains(&self.place.name);
+        let part = self.expression(syntax, Some(&wanted).filter(|_| !has_method))?;
+        let sentence = match (syntax, self.types.resolve(&part.kind)) {
+            (_, Type::Open(_)) if has_method => {
+                "Rust can't tell yet which kind of number this is: write _f64 behind it."
+            }
+            (Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }), _)
+                if self.place.name == "nearer" =>
+            {
+                "It stands behind a &&: put parentheses around it."
+            }
+            _ => return Ok(self.demand(part, &wanted, "Here belongs")?.node),
+        };
+        refuse(part.range, sentence)
+    }
+
+    /// Compiles a part of the text. The type that is expected is no more than a hint.
+    pub fn expression(&mut self, syntax: &Expr, expected: Option<&Type>) -> Checked<Part> {
+        if let Some(part) = self.find_name(syntax) {
+            return Ok(part);
+        }
+        match syntax {
+            Expr::Lit(literal) => self.literal(&literal.lit, false, expected),
+            Expr::Paren(paren) => {
+                let inner = self.expression(&paren.expr, expected)?;
+                Ok(Part { range: paren.paren_token.span.join().byte_range(), ..inner })
+            }
+            Expr::Path(_) => self.constant(syntax),
+            Expr::Field(field) => self.field(syntax, field),
+            Expr::MethodCall(call) => self.method_call(call),
+            Expr::Call(call) => self.function_call(call),
+            Expr::Unary(unary) => self.unary(unary, expected),
+            Expr::Binary(binary) => self.binary(binary),
+            Expr::Cast(cast) => self.cast(cast),
+            Expr::Index(index) => self.index(index),
+            Expr::Array(array) => self.array(array, expected),
+            Expr::Reference(reference) => self.reference(reference, expected),
+            Expr::If(branches) => self.branches(branches, expected),
+            Expr::Block(block) => self.block(&block.block, expected),
+            _ => self.refuse_unsupported(syntax),
+        }
+    }
+
+    /// Compiles a part whose value has to be of a type; the subject begins a sentence about it.
+    pub fn value(&mut self, syntax: &Expr, wanted: &Type, subject: &str) -> Checked<Part> {
+        let part = self.expression(syntax, Some(wanted))?;
+        self.demand(part, wanted, subject)
+    }
+
+    /// The part, if its value is of a type.
+    pub fn demand(&mut self, part: Part, wanted: &Type, subject: &str) -> Checked<Part> {
+        if self.types.unify(&part.kind, wanted) {
+            return Ok(part);
+        }
+        let sentence = explain_mismatch(&self.types, subject, &part, self.text, wanted);
+        refuse(part.range, sentence)
+    }
+
+    /// A part. What is the same for each pixel is evaluated here.
+    pub fn part(&mut self, node: Node, kind: Type, range: Range<usize>) -> Checked<Part> {
+        self.steps += 1;
+        let node = match node.is_constant() && self.types.are_closed {
+            true => Node::Constant(node.evaluate(&mut []).or_else(|(at, why)| refuse(at, why))?),
+            false => node,
+        };
+        Ok(Part { node, kind, range })
+    }
+
+    /// The call of a function whose name is at `sign`.
+    pub fn call(
+        &mut self,
+        function: &'static Function,
+        arguments: Vec<Part>,
+        sign: Range<usize>,
+        range: Range<usize>,
+    ) -> Checked<Part> {
+        let nodes: Vec<_> = arguments.into_iter().map(|part| part.node).collect();
+        // Rust refuses to divide by a 0 that it knows, whatever is divided.
+        if let ("/" | "%", [_, Node::Constant(divisor)], true) =
+            (function.name, &nodes[..], self.types.are_closed)
+        {
+            let values = [Value::default(), divisor.clone()];
+            (function.apply)(&values).or_else(|sentence| refuse(sign.clone(), sentence))?;
+        }
+        self.part(Node::Call(function, nodes, sign), function.gives.clone(), range)
+    }
+
+    /// The variable that a name, with what follows it, is.
+    fn find_name(&self, syntax: &Expr) -> Option<Part> {
+        let range = chain_range(syntax)?;
+        let text = without_blanks(&self.text[range.clone()]);
+        let name = self.names.iter().rev().find(|name| name.text == text)?;
+        Some(Part { node: name.node.clone(), kind: name.kind.clone(), range })
+    }
+
+    /// Makes a name known, which `let` or a closure gives to a value.
+    pub fn add_name(&mut self, ident: &Ident, suffix: &str, kind: Type, node: Node) -> Checked<()> {
+        let name = ident.to_string();
+        let mut variables = self.place.variables.iter().map(|(name, _)| name.split(['.', '(']));
+        let is_taken =
+            variables.any(|mut words| words.next() == Some(&*name) && words.next().is_some());
+        if is_taken || name == "self" || name.starts_with(char::is_uppercase) {
+            return refuse(ident.span().byte_range(), "Take another name here, in small letters.");
+        }
+        self.names.push(Name { text: name + suffix, kind, node });
+        Ok(())
+    }
+
+    /// A path as the table of functions has it.
+    pub fn table_name(&self, range: Range<usize>) -> Checked<String> {
+        let text = without_blanks(&self.text[range.clone()]);
+        if text.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
+            return refuse(range, "This file has no use glam::DVec3: write glam:: before it.");
+        }
+        Ok(text.trim_start_matches("glam::").to_owned())
+    }
+
+    fn constant(&mut self, syntax: &Expr) -> Checked<Part> {
+        let range = chain_range(syntax).unwrap_or_default();
+        let name = self.table_name(range.clone())?;
+        match FUNCTIONS.iter().find(|one| one.name == name && one.takes.is_empty()) {
+            Some(function) => self.call(function, vec![], range.clone(), range),
+            None => self.refuse_unknown(range),
+        }
+    }
+
+    /// Refuses a name that is not known.
+    pub fn refuse_unknown<T>(&self, range: Range<usize>) -> Checked<T> {
+        let sentence = explain_unknown_name(&self.text[range.clone()], self.place);
+        refuse(range, sentence)
+    }
+
+    fn field(&mut self, syntax: &Expr, field: &ExprField) -> Checked<Part> {
+        let whole = chain_range(syntax);
+        let base = self.expression(&field.base, None).or_else(|refusal| match whole {
+            // What is not known is named whole, such as `sphere.center`.
+            Some(whole) if refusal.sentence.contains(NAMES_ARE) => self.refuse_unknown(whole),
+            _ => Err(refusal),
+        })?;
+        let Member::Named(member) = &field.member else {
+            return self.refuse_unsupported(syntax);
+        };
+        let range = field.dot_token.span.byte_range().start..member.span().byte_range().end;
+        let name = format!(".{member}");
+        let function = self.find_member(&name, &base, range.clone())?;
+        let whole = base.range.start..range.end;
+        self.call(function, vec![base], range, whole)
+    }
+}
+
+/// The bytes of a name with fields and calls behind it: all that a variable of a place may be.
+pub fn chain_range(syntax: &Expr) -> Option<Range<usize>> {
+    let (inner, end) = match syntax {
+        Expr::Path(path) => {
+            let segments = &path.path.segments;
+            let (first, last) = (segments.first()?.ident.span(), segments.last()?.ident.span());
+            return Some(first.byte_range().start..last.byte_range().end);
+        }
+        Expr::Field(ExprField { base, member: Member::Named(name), .. }) => (base, name.span()),
+        Expr::MethodCall(call) => (&call.receiver, call.paren_token.span.join()),
+        Expr::Call(call) => (&call.func, call.paren_token.span.join()),
+        _ => return None,
+    };
+    Some(chain_range(inner)?.start..end.byte_range().end)
+}
+
+fn without_blanks(text: &str) -> String {
+    text.split_whitespace().collect()
+}

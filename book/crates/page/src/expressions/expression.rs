@@ -1,0 +1,38 @@
+use crate::expressions::checker::Checker;
+use crate::expressions::node::{Node, Stop, spend};
+use crate::expressions::refusal::Refusal;
+use crate::expressions::scan::parse_syntax;
+use crate::expressions::value::Value;
+use course::Place;
+
+/// Meaning of a reader's text: a function of the variables of its place.
+pub struct Expression {
+    node: Node,
+    /// How many values it needs room for.
+    slots: usize,
+    /// Steps that it takes at most.
+    steps: u64,
+    /// Bytes of its text.
+    pub(super) length: usize,
+}
+
+/// Reads what a reader wrote at a place.
+pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
+    let syntax = parse_syntax(text)?;
+    let mut checker = Checker::new(place, text);
+    checker.check_whole(&syntax)?;
+    checker.types.close();
+    let node = checker.check_whole(&syntax)?;
+    let Checker { slots, steps, .. } = checker;
+    Ok(Expression { node, slots, steps, length: text.len() })
+}
+
+impl Expression {
+    /// Computes its value for these values of the variables.
+    pub fn evaluate(&self, variables: &[Value]) -> Result<Value, Stop> {
+        spend(self.steps);
+        let mut slots = variables.to_vec();
+        slots.resize(self.slots, Value::default());
+        self.node.evaluate(&mut slots)
+    }
+}

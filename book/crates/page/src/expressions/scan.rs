@@ -1,0 +1,112 @@
+use crate::expressions::refusal::{Refusal, refuse};
+use std::ops::Range;
+use syn::Expr;
+
+/// The most bytes of a text, and the most words and signs: as deep as they may be inside each
+/// other, they fit the stack of a page.
+const LENGTH: usize = 400;
+const TOKENS: usize = 200;
+
+/// The most brackets inside each other.
+const DEPTH: usize = 20;
+
+const STATEMENTS: &str = "Statements need a block around them: { let x = 1.0; 2.0 * x }.";
+const NO_SIGN: &str = "No line that a page draws has this sign.";
+
+/// What no line may have, each with a sentence about it.
+const SIGNS: [(&str, &str); 18] = [
+    ("<-", "Rust reads <- as one sign: put a blank after the <."),
+    ("×", "For ×, Rust has *."),
+    ("·", "For ·, Rust has * between numbers, and a.dot(b) between vectors."),
+    ("÷", "For ÷, Rust has /."),
+    ("−", "For −, Rust has -."),
+    ("²", "For ², Rust has .powi(2)."),
+    ("³", "For ³, Rust has .powi(3)."),
+    ("√", "For √, Rust has .sqrt()."),
+    ("≤", "For ≤, Rust has <=."),
+    ("≥", "For ≥, Rust has >=."),
+    ("π", "For π, Rust has std::f64::consts::PI."),
+    ("'", NO_SIGN),
+    ("\"", NO_SIGN),
+    ("#", NO_SIGN),
+    ("?", NO_SIGN),
+    ("@", NO_SIGN),
+    ("$", NO_SIGN),
+    ("\\", NO_SIGN),
+];
+
+/// The expression that a text is, if it is one, and short enough.
+pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
+    if LENGTH < text.len() {
+        return refuse(0..text.len(), "That's longer than a line should be.");
+    }
+    check_signs(text)?;
+    // Otherwise each text that is read stays in memory.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    syn::parse_str(text).map_err(|error| {
+        let range = error.span().byte_range();
+        explain_syntax_error(text, range, &error.to_string())
+    })
+}
+
+/// Refuses brackets that don't match, signs that no line has, and what is too deep to be read.
+fn check_signs(text: &str) -> Result<(), Refusal> {
+    let (mut brackets, mut at, mut tokens, mut is_in_word) = (vec![], 0, 0, false);
+    while let Some(sign) = text[at..].chars().next() {
+        let (rest, range) = (&text[at..], at..at + sign.len_utf8());
+        at = range.end;
+        let ends = [("//", "\n"), ("/*", "*/")];
+        if let Some((_, end)) = ends.into_iter().find(|(sign, _)| rest.starts_with(sign)) {
+            let Some(length) = rest[2..].find(end) else {
+                let sentence = "This comment hides the rest of the line: write /* … */.";
+                return refuse(range.start..text.len(), sentence);
+            };
+            at = range.start + 2 + length + end.len();
+            continue;
+        }
+        if let Some((sign, sentence)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(sign)) {
+            return refuse(range.start..range.start + sign.len(), *sentence);
+        }
+        let is_word = sign.is_alphanumeric() || sign == '_';
+        tokens += usize::from(!(sign.is_whitespace() || is_word && is_in_word));
+        is_in_word = is_word;
+        match sign {
+            '(' => brackets.push((range, ')')),
+            '[' => brackets.push((range, ']')),
+            '{' => brackets.push((range, '}')),
+            ')' | ']' | '}' if brackets.pop().is_none_or(|(_, closing)| closing != sign) => {
+                return refuse(range, format!("This {sign} closes nothing."));
+            }
+            ';' if brackets.is_empty() => return refuse(range, STATEMENTS),
+            _ => {}
+        }
+        if DEPTH < brackets.len() {
+            return refuse(at - 1..at, "That's too many inside each other.");
+        }
+    }
+    match brackets.pop() {
+        Some((range, closing)) => refuse(range, format!("The {closing} for this is missing.")),
+        None if TOKENS < tokens => refuse(0..text.len(), "That's more than a line should have."),
+        None => Ok(()),
+    }
+}
+
+/// What a reader is told where `syn` ended, in words of its own.
+fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal {
+    let end = text.trim_end().len();
+    let last = text[..end].char_indices().next_back().map_or(0..0, |(at, _)| at..end);
+    let is_end = range.is_empty() || last.end <= range.start;
+    let (range, sentence) = match &text[range.clone()] {
+        _ if is_end => (last, "A value is missing behind this."),
+        _ if error.contains("chained") => (range, "Rust compares two at a time: a < b && b < c."),
+        ")" | "]" | "}" => (range, "A value is missing before this."),
+        "*" => (range, "A value is missing before this. Powers are .powi(2)."),
+        "=" => (range, "For =, Rust has == to compare."),
+        "let" | "fn" => (range, STATEMENTS),
+        _ if error.contains("an expression") => {
+            (range, "A number, a name or a ( is missing before this.")
+        }
+        _ => (range, "Something is missing before this, such as * or +."),
+    };
+    Refusal { range, sentence: sentence.to_owned() }
+}

@@ -1,0 +1,56 @@
+//! What is said of lines that are refused, where they are read or while they draw.
+
+use course::{Place, all_listed_places};
+use page::expressions::{Refusal, draw_edited, parse_expression};
+
+#[test]
+fn refused_lines_have_their_range_and_sentence() {
+    let mut report = String::new();
+    for line in include_str!("lines.txt").lines() {
+        let (name, text) = line.split_once(' ').expect("a place and a text");
+        report += &format!("{name}: {text}\n{}\n", answer(name, text));
+    }
+    insta::assert_snapshot!(report);
+}
+
+/// "drawn", or what is wrong below the part that is.
+fn answer(name: &str, text: &str) -> String {
+    let Err(Refusal { range, sentence }) = draw(name, text) else {
+        return "drawn\n".to_owned();
+    };
+    let count = |range: &str| range.chars().count();
+    let [blanks, marks] = [count(&text[..range.start]), count(&text[range]).max(1)];
+    format!("{}{}\n{sentence}\n", " ".repeat(name.len() + 2 + blanks), "^".repeat(marks))
+}
+
+fn draw(name: &str, text: &str) -> Result<(), Refusal> {
+    let place = find_place(name);
+    let expression = parse_expression(&place, text)?;
+    let picture = draw_edited(place.step_name(), vec![(place, expression)], 64);
+    picture.map(|_| ()).map_err(|(_, refusal)| refusal)
+}
+
+#[test]
+fn too_long_or_too_deep_text_is_refused() {
+    for (text, words) in [
+        ("(".repeat(41), "inside each other"),
+        (format!("{}1.0{}", "(".repeat(41), ")".repeat(41)), "inside each other"),
+        ("[".repeat(41), "inside each other"),
+        ("-".repeat(10_000), "longer than a line"),
+        ("-".repeat(399), "more than a line"),
+        ("|".repeat(399), "more than a line"),
+        (format!("1.0{}", "+1e300%v.x".repeat(30)), "longer than a page"),
+    ] {
+        let refusal = draw("a", &text).expect_err("it is refused");
+        assert!(refusal.sentence.contains(words), "{text}: {}", refusal.sentence);
+    }
+    // As deep as it may be.
+    for sign in ["-", "!", "&", "*", "|", "=", "return ", "..", "a as "] {
+        let _ = draw("a", &sign.repeat(400 / sign.len() / 3));
+    }
+}
+
+fn find_place(name: &str) -> Place {
+    let found_place = all_listed_places().into_iter().find(|place| place.name == name);
+    found_place.unwrap_or_else(|| panic!("no place {name}"))
+}
