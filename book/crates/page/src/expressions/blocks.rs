@@ -1,42 +1,83 @@
-//! Blocks, branches, arrays, references, and all that no line can have.
+//! Literals, blocks, branches, arrays, references, and all that no line can have.
 
 use crate::expressions::checker::{Checked, Checker};
 use crate::expressions::node::{Node, Part};
-use crate::expressions::refusal::refuse;
+use crate::expressions::refusal::{explain_refused_call, refuse};
 use crate::expressions::types::Type;
 use crate::expressions::value::Value;
-use proc_macro2::Span;
-use syn::{Block, Expr, ExprArray, ExprIf, ExprIndex, ExprReference, Local, Pat, Stmt};
+use std::ops::Range;
+use syn::{Block, Expr, ExprArray, ExprIf, ExprIndex, ExprReference, Lit, Local, Pat, Stmt};
+
+const LET: &str = "A let here is let x = …; or let x: f64 = …;";
 
 impl Checker<'_> {
-    pub(super) fn branches(&mut self, branches: &ExprIf, expected: Option<&Type>) -> Checked<Part> {
+    /// A number, or true or false. A sign before it belongs to it: no i32 is 2147483648.
+    pub(super) fn literal(&mut self, literal: &Lit, is_negative: bool) -> Checked<Part> {
+        let range = literal.span().byte_range();
+        let (digits, suffix, open) = match literal {
+            Lit::Bool(truth) if !is_negative => return self.truth(truth.value, range),
+            Lit::Int(number) => (number.base10_digits(), number.suffix(), Type::OpenWhole),
+            Lit::Float(number) => (number.base10_digits(), number.suffix(), Type::OpenF64),
+            _ => return refuse(range, "What number is this?"),
+        };
+        let kind = match Type::from_name(suffix) {
+            None if suffix.is_empty() => open,
+            Some(kind) if kind == Type::F64 || open.fits(&kind) => kind,
+            _ => {
+                let sentence = "Something is missing before this, such as *. Numbers are f64, i32, u32 or usize.";
+                return refuse(range.end - suffix.len()..range.end, sentence);
+            }
+        };
+        let text = if is_negative { format!("-{digits}") } else { digits.to_owned() };
+        let value = match kind.is_whole() {
+            true => text.parse().ok().map(Value::Whole),
+            false => text.parse().ok().filter(|number: &f64| number.is_finite()).map(Value::F64),
+        };
+        let Some(value) = value else {
+            return refuse(range, format!("That's beyond {}.", kind.describe()));
+        };
+        let open = if kind.is_whole() { Type::OpenWhole } else { kind.clone() };
+        let part = self.part(Node::Constant(value), open, range)?;
+        self.demand(part, &kind, "")
+    }
+
+    pub(super) fn truth(&mut self, truth: bool, range: Range<usize>) -> Checked<Part> {
+        self.part(Node::Constant(Value::Bool(truth)), Type::Bool, range)
+    }
+
+    pub(super) fn branches(&mut self, branches: &ExprIf) -> Checked<Part> {
         let sign = branches.if_token.span.byte_range();
-        let condition = self.value(&branches.cond, &Type::Bool, "An if takes")?;
-        let then = self.block(&branches.then_branch, expected)?;
+        let condition = self.expression(&branches.cond)?;
+        let condition = self.demand(condition, &Type::Bool, "An if takes")?;
+        let then = self.block(&branches.then_branch)?;
         let Some((_, other)) = &branches.else_branch else {
             return refuse(sign, "This if needs an else { … }: what is the value otherwise?");
         };
-        let other = self.expression(other, expected)?;
-        let other = self.demand(other, &then.kind, "As in the branch before, here belongs")?;
-        let node = Node::If(Box::new([condition.node, then.node, other.node]));
-        self.part(node, then.kind, sign.start..other.range.end)
+        let other = self.expression(other)?;
+        let range = sign.start..other.range.end;
+        let (nodes, kind) = self.join(vec![then, other], "if … else")?;
+        let [then, other] = &nodes[..] else { return refuse(range, "Where is its else?") };
+        let node = Node::If(Box::new([condition.node, then.clone(), other.clone()]));
+        self.part(node, kind, range)
     }
 
-    pub(super) fn block(&mut self, block: &Block, expected: Option<&Type>) -> Checked<Part> {
+    pub(super) fn block(&mut self, block: &Block) -> Checked<Part> {
         let range = block.brace_token.span.join().byte_range();
         let count = self.names.len();
         let (mut nodes, mut kind) = (vec![], Type::Unit);
         for (index, statement) in block.stmts.iter().enumerate() {
-            let is_last = index + 1 == block.stmts.len();
             match statement {
                 Stmt::Local(local) => nodes.push(self.declaration(local)?),
-                Stmt::Expr(syntax, Some(_)) => nodes.push(self.expression(syntax, None)?.node),
-                Stmt::Expr(syntax, None) if is_last => {
-                    let tail = self.expression(syntax, expected)?;
-                    kind = self.types.resolve(&tail.kind);
+                Stmt::Expr(syntax, Some(_)) => nodes.push(self.expression(syntax)?.node),
+                Stmt::Expr(syntax, None) if index + 1 == block.stmts.len() => {
+                    let tail = self.expression(syntax)?;
+                    let tail = if nodes.is_empty() { tail } else { self.close_whole(tail)? };
+                    kind = tail.kind;
                     if let Type::Reference(_) = kind {
-                        let sentence = "A block can't give a reference away: leave out the &.";
-                        return refuse(tail.range, sentence);
+                        return refuse(
+                            tail.range,
+                            "A block can't give a reference: leave out the &.",
+                        );
                     }
                     nodes.push(tail.node);
                 }
@@ -52,18 +93,17 @@ impl Checker<'_> {
             Pat::Type(typed) => (&*typed.pat, Some(self.written_type(&typed.ty))),
             pattern => (pattern, None),
         };
-        let (Pat::Ident(name), Some(init), None | Some(Some(_))) = (pattern, &local.init, &written)
-        else {
-            let range = local.let_token.span.byte_range();
-            return refuse(range, "A let here is let x = …; or let x: f64 = …;");
+        let (Pat::Ident(name), Some(init)) = (pattern, &local.init) else {
+            return refuse(local.let_token.span.byte_range(), LET);
         };
-        let part = match written.flatten() {
-            Some(written) => self.value(&init.expr, &written, "This let takes")?,
-            None => self.expression(&init.expr, None)?,
-        };
-        if name.by_ref.is_some() || name.subpat.is_some() || init.diverge.is_some() {
-            return refuse(part.range, "A let here is let x = …; or let x: f64 = …;");
+        if written == Some(None) || name.by_ref.is_some() || init.diverge.is_some() {
+            return refuse(local.let_token.span.byte_range(), LET);
         }
+        let part = self.expression(&init.expr)?;
+        let part = match written.flatten() {
+            Some(written) => self.demand(part, &written, "This let takes")?,
+            None => self.close_whole(part)?,
+        };
         if part.node.is_constant() {
             self.add_name(&name.ident, "", part.kind, part.node.clone())?;
             return Ok(part.node);
@@ -75,7 +115,7 @@ impl Checker<'_> {
     }
 
     /// A type that is written, if a line can have it.
-    fn written_type(&self, written: &syn::Type) -> Option<Type> {
+    pub(super) fn written_type(&self, written: &syn::Type) -> Option<Type> {
         match written {
             syn::Type::Path(path) => {
                 let name = self.table_name(path.path.get_ident()?.span().byte_range()).ok()?;
@@ -88,58 +128,58 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn array(&mut self, array: &ExprArray, expected: Option<&Type>) -> Checked<Part> {
+    pub(super) fn array(&mut self, array: &ExprArray) -> Checked<Part> {
         let range = array.bracket_token.span.join().byte_range();
-        let mut item = match expected {
-            Some(Type::Array(item, _)) => Some((**item).clone()),
-            _ => None,
-        };
-        let mut nodes = vec![];
-        for syntax in &array.elems {
-            let part = self.expression(syntax, item.as_ref())?;
-            let kind = item.get_or_insert_with(|| part.kind.clone());
-            nodes.push(self.demand(part, &kind.clone(), "This array has")?.node);
-        }
-        let Some(item) = item else { return refuse(range, "An array here has elements.") };
+        let parts: Checked<Vec<_>> = array.elems.iter().map(|one| self.expression(one)).collect();
+        let (nodes, item) = self.join(parts?, "[…]")?;
         let kind = Type::Array(Box::new(item), nodes.len());
         self.part(Node::Array(nodes), kind, range)
     }
 
-    pub(super) fn index(&mut self, index: &ExprIndex) -> Checked<Part> {
-        let sign = index.bracket_token.span.join().byte_range();
-        let base = self.expression(&index.expr, None)?;
-        self.refuse_block_before(&index.expr, &base)?;
-        let position = self.expression(&index.index, None)?;
-        let position = self.demand(position, &Type::Usize, "An index is")?;
-        let item = match (self.types.resolve(&base.kind).referent(), &position.node) {
-            (Type::Array(_, length), Node::Constant(Value::Usize(at))) if *length as u64 <= *at => {
-                return refuse(sign, format!("It has {length} elements; the first is [0]."));
-            }
-            (Type::Array(item, _), _) => (**item).clone(),
-            (Type::DVec3, _) => Type::F64,
-            (kind, _) => {
-                let kind = self.types.describe(kind);
-                return refuse(sign, format!("{kind} has no elements: vectors and arrays have."));
-            }
+    /// Parts that have to be of one type, and that type.
+    fn join(&mut self, parts: Vec<Part>, name: &str) -> Checked<(Vec<Node>, Type)> {
+        let Some(kind) = Type::join(parts.iter().map(|part| &part.kind)) else {
+            let (wrong, sentence) = explain_refused_call(name, &[], &parts, self.text);
+            return refuse(wrong.unwrap_or(0..self.text.len()), sentence);
         };
-        let range = base.range.start..sign.end;
-        self.part(Node::Index(Box::new([base.node, position.node]), sign), item, range)
+        let nodes = parts.into_iter().map(|part| Ok(self.demand(part, &kind, "")?.node));
+        Ok((nodes.collect::<Checked<_>>()?, kind))
     }
 
-    pub(super) fn reference(
-        &mut self,
-        reference: &ExprReference,
-        expected: Option<&Type>,
-    ) -> Checked<Part> {
+    /// A part with the type that Rust gives it if nothing else does.
+    fn close_whole(&self, part: Part) -> Checked<Part> {
+        if part.kind == Type::OpenWhole { self.demand(part, &Type::OpenI32, "") } else { Ok(part) }
+    }
+
+    pub(super) fn index(&mut self, index: &ExprIndex) -> Checked<Part> {
+        let sign = index.bracket_token.span.join().byte_range();
+        let mut base = self.expression(&index.expr)?;
+        self.refuse_block_before(&index.expr, &base)?;
+        let range = base.range.start..sign.end;
+        let position = self.expression(&index.index)?;
+        let position = self.demand(position, &Type::Usize, "An index is")?;
+        if *base.kind.referent() == Type::DVec3 {
+            base = self.call_member("::to_array", base, vec![], sign.clone(), sign.end)?;
+        }
+        match (base.kind.referent(), &position.node) {
+            (Type::Array(_, length), Node::Constant(Value::Usize(at))) if *length as u64 <= *at => {
+                refuse(sign, format!("It has {length} elements; the first is [0]."))
+            }
+            (Type::Array(item, _), _) => {
+                let node = Node::Index(Box::new([base.node, position.node]), sign);
+                self.part(node, (**item).clone(), range)
+            }
+            _ => refuse(sign, "Vectors and arrays have elements, and this is none."),
+        }
+    }
+
+    pub(super) fn reference(&mut self, reference: &ExprReference) -> Checked<Part> {
         let sign = reference.and_token.span.byte_range();
         if reference.mutability.is_some() {
             return refuse(sign, "References here are without mut.");
         }
-        let expected = match expected {
-            Some(Type::Reference(inner)) => Some(&**inner),
-            _ => None,
-        };
-        let part = self.expression(&reference.expr, expected)?;
+        let part = self.expression(&reference.expr)?;
+        let part = self.close_whole(part)?;
         let range = sign.start..part.range.end;
         Ok(Part { kind: Type::Reference(Box::new(part.kind)), range, ..part })
     }
@@ -158,23 +198,26 @@ impl Checker<'_> {
     pub(super) fn refuse_unsupported<T>(&self, syntax: &Expr) -> Checked<T> {
         let (span, what) = match syntax {
             Expr::Assign(one) => {
-                let range = one.eq_token.span.byte_range();
-                return refuse(range, "For =, Rust has == to compare.");
+                return refuse(one.eq_token.span.byte_range(), "For =, Rust has == to compare.");
             }
-            Expr::Closure(closure) => (closure.or1_token.span, "a closure"),
+            Expr::Closure(one) => (one.or1_token.span, "a closure"),
             Expr::Match(one) => (one.match_token.span, "a match"),
             Expr::ForLoop(one) => (one.for_token.span, "a loop"),
             Expr::While(one) => (one.while_token.span, "a loop"),
             Expr::Loop(one) => (one.loop_token.span, "a loop"),
             Expr::Let(one) => (one.let_token.span, "if let"),
             Expr::Tuple(one) => (one.paren_token.span.join(), "a tuple"),
-            _ => (Span::call_site(), "this"),
+            _ => {
+                return refuse(
+                    0..self.text.len(),
+                    "A page can't draw with all of Rust: not with this.",
+                );
+            }
         };
-        let range = Some(span.byte_range()).filter(|range| range.end != 0);
         let sentence = format!(
             "A page can't draw with {what}: it knows let, if … else, blocks, arrays, references, \
              numbers, vectors and their methods."
         );
-        refuse(range.unwrap_or(0..self.text.len()), sentence)
+        refuse(span.byte_range(), sentence)
     }
 }

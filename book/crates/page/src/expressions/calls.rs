@@ -1,61 +1,186 @@
-//! Calls of methods and functions.
+//! Operators, casts, and calls of methods and functions: all are rows of one table.
 
 use crate::expressions::checker::{Checked, Checker, chain_range};
 use crate::expressions::functions::FUNCTIONS;
 use crate::expressions::node::{Function, Node, Part};
 use crate::expressions::refusal::{
-    ASSOCIATED, explain_open_number, explain_unknown_function, explain_unknown_member, refuse,
+    ASSOCIATED, explain_open_number, explain_refused_call, explain_unknown_function,
+    explain_unknown_member, refuse,
 };
 use crate::expressions::types::Type;
 use crate::expressions::value::Value;
 use std::ops::Range;
 use syn::punctuated::Punctuated;
-use syn::{Expr, ExprCall, ExprMethodCall, Pat, Token};
+use syn::{Expr, ExprBinary, ExprCall, ExprCast, ExprMethodCall, ExprUnary, Pat, Token, UnOp};
 
 type Arguments = Punctuated<Expr, Token![,]>;
+
+const COMPARISONS: [&str; 6] = ["==", "!=", "<", ">", "<=", ">="];
 
 /// What a step asks of its best hit so far, as `places.txt` has it.
 const BEST: [&str; 2] = ["best.is_none()", "best.as_ref().map_or(f64::INFINITY,|hit|hit.t)"];
 
 impl Checker<'_> {
+    /// The call of a function, an operator or a cast, whose name is at `sign`.
+    pub(super) fn call(
+        &mut self,
+        name: &str,
+        parts: Vec<Part>,
+        sign: Range<usize>,
+        range: Range<usize>,
+    ) -> Checked<Part> {
+        let is_operator = !name.contains(char::is_alphanumeric);
+        let is_comparison = COMPARISONS.contains(&name);
+        let mut kinds: Vec<_> = parts.iter().map(|part| part.kind.clone()).collect();
+        while let ([Type::Reference(left), Type::Reference(right)], true) =
+            (&kinds[..], is_comparison)
+        {
+            kinds = vec![(**left).clone(), (**right).clone()];
+        }
+        if is_operator && !is_comparison {
+            kinds = kinds.into_iter().map(without_reference).collect();
+        }
+        // There is no operator between two numbers, or truths, that are not of the same type.
+        let are_plain = is_operator && kinds.iter().all(Type::is_plain);
+        let joined = Type::join(kinds.iter()).filter(|_| are_plain);
+        if let Some(joined) = &joined {
+            kinds.fill(joined.clone());
+        }
+        let rows: Vec<_> = FUNCTIONS.iter().filter(|row| row.name == name).collect();
+        let fits = |row: &&&Function| {
+            let mut pairs = row.takes.iter().zip(&kinds);
+            row.takes.len() == kinds.len() && pairs.all(|(wanted, kind)| kind.fits(wanted))
+        };
+        let function = rows.iter().find(fits).filter(|_| joined.is_some() || !are_plain);
+        let Some(function) = function else {
+            let shown = if name.starts_with("as ") { name } else { &self.text[sign.clone()] };
+            let (wrong, sentence) = explain_refused_call(shown, &rows, &parts, self.text);
+            return refuse(wrong.unwrap_or(sign), sentence);
+        };
+        let mut nodes = vec![];
+        for (part, wanted) in parts.into_iter().zip(&function.takes) {
+            let is_open = part.kind == Type::OpenWhole;
+            nodes.push(if is_open { self.demand(part, wanted, "")?.node } else { part.node });
+        }
+        // Rust refuses to divide by a 0 that it knows, whatever is divided.
+        if let ("/" | "%", [_, Node::Constant(divisor)]) = (name, &nodes[..])
+            && let Value::Stop(sentence) = (function.apply)(&[Value::Bool(false), divisor.clone()])
+        {
+            return refuse(sign, sentence);
+        }
+        let kind = joined.filter(|_| !is_comparison).unwrap_or(function.gives.clone());
+        self.part(Node::Call(function, nodes, sign), kind, range)
+    }
+
+    pub(super) fn binary(&mut self, binary: &ExprBinary) -> Checked<Part> {
+        let left = self.expression(&binary.left)?;
+        self.refuse_block_before(&binary.left, &left)?;
+        let right = self.expression(&binary.right)?;
+        let range = left.range.start..right.range.end;
+        let gap = &self.text[left.range.end..right.range.start];
+        let start = left.range.end + gap.len() - gap.trim_start().len();
+        let (name, sign) = (gap.trim(), start..start + gap.trim().len());
+        if !["&&", "||"].contains(&name) {
+            return self.call(name, vec![left, right], sign, range);
+        }
+        let subject = format!("{name} takes");
+        let left = self.demand(left, &Type::Bool, &subject)?.node;
+        let right = self.demand(right, &Type::Bool, &subject)?.node;
+        let constant = Node::Constant(Value::Bool(name == "||"));
+        let parts = match name {
+            "&&" => [left, right, constant],
+            _ => [left, constant, right],
+        };
+        self.part(Node::If(Box::new(parts)), Type::Bool, range)
+    }
+
+    pub(super) fn unary(&mut self, unary: &ExprUnary) -> Checked<Part> {
+        let mut inner = &*unary.expr;
+        while let Expr::Paren(paren) = inner {
+            inner = &paren.expr;
+        }
+        let part = match (inner, &unary.op) {
+            (Expr::Lit(literal), UnOp::Neg(sign)) => {
+                let part = self.literal(&literal.lit, true)?;
+                let end = match &*unary.expr {
+                    Expr::Paren(paren) => paren.paren_token.span.join().byte_range().end,
+                    _ => part.range.end,
+                };
+                return Ok(Part { range: sign.span.byte_range().start..end, ..part });
+            }
+            _ => self.expression(&unary.expr)?,
+        };
+        let (name, sign) = match &unary.op {
+            UnOp::Neg(token) => ("-", token.span.byte_range()),
+            UnOp::Not(token) => ("!", token.span.byte_range()),
+            UnOp::Deref(token) => ("*", token.span.byte_range()),
+            _ => return self.refuse_unsupported(&unary.expr),
+        };
+        let range = sign.start..part.range.end;
+        match (name, part.kind.clone()) {
+            ("*", Type::Reference(kind)) => Ok(Part { kind: *kind, range, ..part }),
+            ("*", _) => refuse(sign, "A value is missing before this. Powers are .powi(2)."),
+            _ => self.call(name, vec![part], sign, range),
+        }
+    }
+
+    pub(super) fn cast(&mut self, cast: &ExprCast) -> Checked<Part> {
+        let sign = cast.as_token.span.byte_range();
+        let target = self.written_type(&cast.ty).filter(Type::is_plain);
+        let (Some(target), syn::Type::Path(path)) = (target, &*cast.ty) else {
+            return refuse(sign, "Behind as: f64, i32, u32 or usize.");
+        };
+        let end = path.path.segments.last().map(|name| name.ident.span().byte_range().end);
+        let mut part = self.expression(&cast.expr)?;
+        self.refuse_block_before(&cast.expr, &part)?;
+        if part.kind == Type::OpenWhole && target.is_whole() {
+            part = self.demand(part, &target, "")?;
+        }
+        let range = part.range.start..end.unwrap_or(sign.end);
+        self.call(&format!("as {}", target.name()), vec![part], sign, range)
+    }
+
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Checked<Part> {
         let method = call.method.to_string();
         let sign = call.dot_token.span.byte_range().start..call.method.span().byte_range().end;
         let end = call.paren_token.span.join().byte_range().end;
-        let receiver_range = chain_range(&call.receiver);
-        if receiver_range.is_some_and(|range| &self.text[range] == "best.as_ref()")
+        let receiver = chain_range(&call.receiver).map(|range| &self.text[range]);
+        if receiver == Some("best.as_ref()")
             && let Some(part) = self.best_call(&method, &call.args, sign.start..end)?
         {
             return Ok(part);
         }
-        let receiver = self.expression(&call.receiver, None)?;
+        let receiver = self.expression(&call.receiver)?;
         if call.turbofish.is_some() {
             return refuse(sign, "Leave out the ::<…>.");
         }
-        let function = self.find_member(&format!("::{method}"), &receiver, sign.clone())?;
-        let range = receiver.range.start..end;
-        self.call_with(function, vec![receiver], &call.args, sign, range)
+        let arguments: Checked<_> = call.args.iter().map(|one| self.expression(one)).collect();
+        self.call_member(&format!("::{method}"), receiver, arguments?, sign, end)
     }
 
     /// The field `.NAME` or the method `::NAME` of a value.
-    pub(super) fn find_member(
-        &self,
+    pub(super) fn call_member(
+        &mut self,
         member: &str,
-        part: &Part,
+        receiver: Part,
+        arguments: Vec<Part>,
         sign: Range<usize>,
-    ) -> Checked<&'static Function> {
-        let kind = self.types.resolve(&part.kind);
-        if let Type::Open(_) = kind.referent() {
-            let sentence = explain_open_number(&self.text[part.range.clone()]);
-            return refuse(part.range.clone(), sentence);
+        end: usize,
+    ) -> Checked<Part> {
+        let kind = receiver.kind.referent().clone();
+        if let Type::OpenF64 | Type::OpenI32 | Type::OpenWhole = kind {
+            let sentence = explain_open_number(&self.text[receiver.range.clone()]);
+            return refuse(receiver.range, sentence);
         }
-        let name = format!("{}{member}", kind.referent().name().unwrap_or_default());
+        let name = format!("{}{member}", kind.name());
         let is_associated = ASSOCIATED.contains(&member.trim_start_matches(':'));
-        let function = FUNCTIONS.iter().find(|one| one.name == name && !is_associated);
-        match function {
-            Some(function) => Ok(function),
-            None => refuse(sign, explain_unknown_member(&self.types, member, &kind)),
+        if is_associated || FUNCTIONS.iter().all(|row| row.name != name) {
+            return refuse(sign, explain_unknown_member(member, &kind));
         }
+        let range = receiver.range.start..end;
+        let receiver = Part { kind, ..receiver };
+        let parts = std::iter::once(receiver).chain(arguments).collect();
+        self.call(&name, parts, sign, range)
     }
 
     /// A call such as `f64::max(a, b)`.
@@ -63,50 +188,16 @@ impl Checker<'_> {
         let sign = chain_range(&call.func).unwrap_or(0..self.text.len());
         let range = sign.start..call.paren_token.span.join().byte_range().end;
         let name = self.table_name(sign.clone())?;
-        let rows = FUNCTIONS.iter().filter(|one| one.name == name && name.contains("::"));
-        let rows: Vec<_> = rows.filter(|one| !one.takes.is_empty()).collect();
-        match (&rows[..], call.args.first()) {
-            // There is one for each type.
-            ([_, _, ..], Some(argument)) if call.args.len() == 1 => {
-                let part = self.expression(argument, None)?;
-                match self.find_function(&name, std::slice::from_ref(&part.kind)) {
-                    Some(function) => self.call(function, vec![part], sign, range),
-                    None => {
-                        let kind = self.types.describe(&part.kind);
-                        refuse(part.range, format!("{name} doesn't take {kind}."))
-                    }
-                }
-            }
-            ([function, ..], _) => self.call_with(function, vec![], &call.args, sign, range),
-            ([], first) => {
-                let first = first.and_then(chain_range).map_or("a", |range| &self.text[range]);
-                match explain_unknown_function(&name, first, call.args.len()) {
-                    Some(sentence) => refuse(sign, sentence),
-                    None => self.refuse_unknown(sign),
-                }
-            }
+        let is_known = FUNCTIONS.iter().any(|row| row.name == name && !row.takes.is_empty());
+        if is_known && name.contains("::") {
+            let parts: Checked<_> = call.args.iter().map(|one| self.expression(one)).collect();
+            return self.call(&name, parts?, sign, range);
         }
-    }
-
-    /// The call of a function with these values in its parentheses.
-    fn call_with(
-        &mut self,
-        function: &'static Function,
-        mut parts: Vec<Part>,
-        arguments: &Arguments,
-        sign: Range<usize>,
-        range: Range<usize>,
-    ) -> Checked<Part> {
-        let takes = &function.takes[parts.len()..];
-        let subject = format!("{} takes", &self.text[sign.clone()]);
-        if takes.len() != arguments.len() {
-            let (wanted, count) = (takes.len(), arguments.len());
-            return refuse(sign, format!("{subject} {wanted} in its parentheses, not {count}."));
+        let first = call.args.first().and_then(chain_range).map_or("a", |range| &self.text[range]);
+        match explain_unknown_function(&name, first, call.args.len()) {
+            Some(sentence) => refuse(sign, sentence),
+            None => self.refuse_unknown(sign),
         }
-        for (argument, wanted) in arguments.iter().zip(takes) {
-            parts.push(self.value(argument, wanted, &subject)?);
-        }
-        self.call(function, parts, sign, range)
     }
 
     /// What a line asks of the best hit so far, of which the page knows its t.
@@ -116,30 +207,39 @@ impl Checker<'_> {
         arguments: &Arguments,
         range: Range<usize>,
     ) -> Checked<Option<Part>> {
-        let node =
-            |text| self.names.iter().find(|one| one.text == text).map(|one| one.node.clone());
+        let node = |text| self.names.iter().find(|one| one.0 == text).map(|one| one.2.clone());
         let [Some(is_none), Some(t)] = BEST.map(node) else { return Ok(None) };
         let arguments: Vec<_> = arguments.iter().collect();
-        let truth = |truth| (Node::Constant(Value::Bool(truth)), Type::Bool);
-        let ((default, kind), closure) = match (method, &arguments[..]) {
-            ("is_none_or", [Expr::Closure(closure)]) => (truth(true), closure),
-            ("is_some_and", [Expr::Closure(closure)]) => (truth(false), closure),
-            ("map_or", [default, Expr::Closure(closure)]) => {
-                let default = self.expression(default, None)?;
-                ((default.node, default.kind), closure)
+        let (default, closure) = match (method, &arguments[..]) {
+            ("map_or", [default, Expr::Closure(closure)]) => (self.expression(default)?, closure),
+            ("is_none_or", [Expr::Closure(closure)]) => (self.truth(true, range.clone())?, closure),
+            ("is_some_and", [Expr::Closure(closure)]) => {
+                (self.truth(false, range.clone())?, closure)
             }
             _ => return Ok(None),
         };
         let Some(Pat::Ident(hit)) = closure.inputs.first() else { return Ok(None) };
         self.add_name(&hit.ident, ".t", Type::F64, t)?;
-        let body = self.expression(&closure.body, None);
+        let body = self.expression(&closure.body);
         self.names.pop();
-        let body = self.demand(body?, &kind, "As before the comma, this is")?;
+        let (body, kind) = (body?, default.kind);
+        let Some(kind) = Type::join([&kind, &body.kind].into_iter()) else {
+            let sentence = "Before the comma and behind the bars, two types don't belong together.";
+            return refuse(body.range, sentence);
+        };
         // Both are evaluated, though one is needed: as in Rust.
+        let slot = self.slots;
         self.slots += 1;
-        let slot = self.slots - 1;
         let choice = Node::If(Box::new([is_none, Node::Variable(slot), body.node]));
-        let nodes = vec![Node::Let(slot, Box::new(default)), choice];
+        let nodes = vec![Node::Let(slot, Box::new(default.node)), choice];
         self.part(Node::Block(nodes), kind, range).map(Some)
+    }
+}
+
+/// Without the outermost reference, if there is just one.
+fn without_reference(kind: Type) -> Type {
+    match kind {
+        Type::Reference(inner) if !matches!(*inner, Type::Reference(_)) => *inner,
+        kind => kind,
     }
 }

@@ -1,9 +1,9 @@
 use crate::expressions::functions::FUNCTIONS;
-use crate::expressions::node::{Function, Node, Part};
+use crate::expressions::node::{Node, Part};
 use crate::expressions::refusal::{
     NAMES_ARE, Refusal, explain_mismatch, explain_unknown_name, refuse,
 };
-use crate::expressions::types::{Type, Types};
+use crate::expressions::types::Type;
 use crate::expressions::value::Value;
 use course::Place;
 use std::ops::Range;
@@ -19,8 +19,8 @@ const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
 /// Compiles the syntax of a text, as far as Rust would.
 pub struct Checker<'a> {
     pub text: &'a str,
-    pub types: Types,
-    pub names: Vec<Name>,
+    /// What may be written for a value: variables of the place, such as `ray.start`, and of `let`.
+    pub names: Vec<(String, Type, Node)>,
     /// How many values the line needs room for: variables of the place, then those of `let`.
     pub slots: usize,
     /// How many parts it has.
@@ -28,40 +28,27 @@ pub struct Checker<'a> {
     place: &'a Place,
 }
 
-/// What may be written for a value: a variable of the place, such as `ray.start`, or of a `let`.
-pub struct Name {
-    pub text: String,
-    pub kind: Type,
-    pub node: Node,
-}
-
 pub type Checked<T> = Result<T, Refusal>;
 
 impl<'a> Checker<'a> {
     /// Knows the variables of a place.
     pub fn new(place: &'a Place, text: &'a str) -> Self {
-        let variables = place.variables.iter().enumerate();
-        let names = variables.map(|(slot, (name, kind))| Name {
-            text: without_blanks(name),
-            kind: Type::from_name(kind).unwrap_or(Type::Unit),
-            node: Node::Variable(slot),
+        let names = place.variables.iter().enumerate().map(|(slot, (name, kind))| {
+            let kind = Type::from_name(kind).unwrap_or(Type::Unit);
+            (without_blanks(name), kind, Node::Variable(slot))
         });
-        let (types, slots) = (Types::default(), place.variables.len());
-        Self { text, types, names: names.collect(), slots, steps: 0, place }
+        Self { text, names: names.collect(), slots: place.variables.len(), steps: 0, place }
     }
 
     /// Compiles the whole text, whose value is that of the place.
     pub fn check_whole(&mut self, syntax: &Expr) -> Checked<Node> {
         let wanted = Type::from_name(self.place.kind).unwrap_or(Type::Unit);
-        let has_method = PLACES_WITH_METHODS.contains(&self.place.name);
-        let part = self.expression(syntax, Some(&wanted).filter(|_| !has_method))?;
-        let sentence = match (syntax, self.types.resolve(&part.kind)) {
-            (_, Type::Open(_)) if has_method => {
+        let part = self.expression(syntax)?;
+        let sentence = match (syntax, &part.kind, self.place.name) {
+            (_, Type::OpenF64, name) if PLACES_WITH_METHODS.contains(&name) => {
                 "Rust can't tell yet which kind of number this is: write _f64 behind it."
             }
-            (Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }), _)
-                if self.place.name == "nearer" =>
-            {
+            (Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }), _, "nearer") => {
                 "It stands behind a &&: put parentheses around it."
             }
             _ => return Ok(self.demand(part, &wanted, "Here belongs")?.node),
@@ -69,95 +56,86 @@ impl<'a> Checker<'a> {
         refuse(part.range, sentence)
     }
 
-    /// Compiles a part of the text. The type that is expected is no more than a hint.
-    pub fn expression(&mut self, syntax: &Expr, expected: Option<&Type>) -> Checked<Part> {
+    /// Compiles a part of the text.
+    pub fn expression(&mut self, syntax: &Expr) -> Checked<Part> {
         if let Some(part) = self.find_name(syntax) {
             return Ok(part);
         }
         match syntax {
-            Expr::Lit(literal) => self.literal(&literal.lit, false, expected),
+            Expr::Lit(literal) => self.literal(&literal.lit, false),
             Expr::Paren(paren) => {
-                let inner = self.expression(&paren.expr, expected)?;
+                let inner = self.expression(&paren.expr)?;
                 Ok(Part { range: paren.paren_token.span.join().byte_range(), ..inner })
             }
+            Expr::Unary(unary) => self.unary(unary),
+            Expr::Binary(binary) => self.binary(binary),
+            Expr::Cast(cast) => self.cast(cast),
             Expr::Path(_) => self.constant(syntax),
             Expr::Field(field) => self.field(syntax, field),
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Call(call) => self.function_call(call),
-            Expr::Unary(unary) => self.unary(unary, expected),
-            Expr::Binary(binary) => self.binary(binary),
-            Expr::Cast(cast) => self.cast(cast),
             Expr::Index(index) => self.index(index),
-            Expr::Array(array) => self.array(array, expected),
-            Expr::Reference(reference) => self.reference(reference, expected),
-            Expr::If(branches) => self.branches(branches, expected),
-            Expr::Block(block) => self.block(&block.block, expected),
+            Expr::Array(array) => self.array(array),
+            Expr::Reference(reference) => self.reference(reference),
+            Expr::If(branches) => self.branches(branches),
+            Expr::Block(block) => self.block(&block.block),
             _ => self.refuse_unsupported(syntax),
         }
     }
 
-    /// Compiles a part whose value has to be of a type; the subject begins a sentence about it.
-    pub fn value(&mut self, syntax: &Expr, wanted: &Type, subject: &str) -> Checked<Part> {
-        let part = self.expression(syntax, Some(wanted))?;
-        self.demand(part, wanted, subject)
-    }
-
-    /// The part, if its value is of a type.
-    pub fn demand(&mut self, part: Part, wanted: &Type, subject: &str) -> Checked<Part> {
-        if self.types.unify(&part.kind, wanted) {
-            return Ok(part);
+    /// The part, if its value is of a type; the subject begins a sentence about it.
+    pub fn demand(&self, mut part: Part, wanted: &Type, subject: &str) -> Checked<Part> {
+        if !part.kind.fits(wanted) {
+            let sentence = explain_mismatch(subject, &part, self.text, wanted);
+            return refuse(part.range, sentence);
         }
-        let sentence = explain_mismatch(&self.types, subject, &part, self.text, wanted);
-        refuse(part.range, sentence)
+        if let (Node::Constant(Value::Whole(number)), false) =
+            (&part.node, *wanted == Type::OpenWhole)
+        {
+            let number = *number;
+            let value = match wanted {
+                Type::I32 | Type::OpenI32 => i32::try_from(number).ok().map(Value::I32),
+                Type::U32 => u32::try_from(number).ok().map(Value::U32),
+                _ => u64::try_from(number).ok().map(Value::Usize),
+            };
+            let Some(value) = value else {
+                return refuse(part.range, format!("That's beyond {}.", wanted.describe()));
+            };
+            part.node = Node::Constant(value);
+        }
+        Ok(Part { kind: wanted.clone(), ..part })
     }
 
     /// A part. What is the same for each pixel is evaluated here.
     pub fn part(&mut self, node: Node, kind: Type, range: Range<usize>) -> Checked<Part> {
         self.steps += 1;
-        let node = match node.is_constant() && self.types.are_closed {
+        let node = match node.is_constant() {
             true => Node::Constant(node.evaluate(&mut []).or_else(|(at, why)| refuse(at, why))?),
             false => node,
         };
         Ok(Part { node, kind, range })
     }
 
-    /// The call of a function whose name is at `sign`.
-    pub fn call(
-        &mut self,
-        function: &'static Function,
-        arguments: Vec<Part>,
-        sign: Range<usize>,
-        range: Range<usize>,
-    ) -> Checked<Part> {
-        let nodes: Vec<_> = arguments.into_iter().map(|part| part.node).collect();
-        // Rust refuses to divide by a 0 that it knows, whatever is divided.
-        if let ("/" | "%", [_, Node::Constant(divisor)], true) =
-            (function.name, &nodes[..], self.types.are_closed)
-        {
-            let values = [Value::default(), divisor.clone()];
-            (function.apply)(&values).or_else(|sentence| refuse(sign.clone(), sentence))?;
-        }
-        self.part(Node::Call(function, nodes, sign), function.gives.clone(), range)
-    }
-
     /// The variable that a name, with what follows it, is.
     fn find_name(&self, syntax: &Expr) -> Option<Part> {
         let range = chain_range(syntax)?;
         let text = without_blanks(&self.text[range.clone()]);
-        let name = self.names.iter().rev().find(|name| name.text == text)?;
-        Some(Part { node: name.node.clone(), kind: name.kind.clone(), range })
+        let (_, kind, node) = self.names.iter().rev().find(|(name, ..)| *name == text)?;
+        Some(Part { node: node.clone(), kind: kind.clone(), range })
     }
 
     /// Makes a name known, which `let` or a closure gives to a value.
     pub fn add_name(&mut self, ident: &Ident, suffix: &str, kind: Type, node: Node) -> Checked<()> {
         let name = ident.to_string();
-        let mut variables = self.place.variables.iter().map(|(name, _)| name.split(['.', '(']));
-        let is_taken =
-            variables.any(|mut words| words.next() == Some(&*name) && words.next().is_some());
-        if is_taken || name == "self" || name.starts_with(char::is_uppercase) {
+        let mut taken =
+            self.place.variables.iter().filter_map(|(one, _)| one.split_once(['.', '(']));
+        if taken.any(|(first, _)| first == name)
+            || name == "self"
+            || name.starts_with(char::is_uppercase)
+        {
             return refuse(ident.span().byte_range(), "Take another name here, in small letters.");
         }
-        self.names.push(Name { text: name + suffix, kind, node });
+        self.names.push((name + suffix, kind, node));
         Ok(())
     }
 
@@ -174,7 +152,7 @@ impl<'a> Checker<'a> {
         let range = chain_range(syntax).unwrap_or_default();
         let name = self.table_name(range.clone())?;
         match FUNCTIONS.iter().find(|one| one.name == name && one.takes.is_empty()) {
-            Some(function) => self.call(function, vec![], range.clone(), range),
+            Some(_) => self.call(&name, vec![], range.clone(), range),
             None => self.refuse_unknown(range),
         }
     }
@@ -187,7 +165,7 @@ impl<'a> Checker<'a> {
 
     fn field(&mut self, syntax: &Expr, field: &ExprField) -> Checked<Part> {
         let whole = chain_range(syntax);
-        let base = self.expression(&field.base, None).or_else(|refusal| match whole {
+        let base = self.expression(&field.base).or_else(|refusal| match whole {
             // What is not known is named whole, such as `sphere.center`.
             Some(whole) if refusal.sentence.contains(NAMES_ARE) => self.refuse_unknown(whole),
             _ => Err(refusal),
@@ -196,10 +174,7 @@ impl<'a> Checker<'a> {
             return self.refuse_unsupported(syntax);
         };
         let range = field.dot_token.span.byte_range().start..member.span().byte_range().end;
-        let name = format!(".{member}");
-        let function = self.find_member(&name, &base, range.clone())?;
-        let whole = base.range.start..range.end;
-        self.call(function, vec![base], range, whole)
+        self.call_member(&format!(".{member}"), base, vec![], range.clone(), range.end)
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::expressions::Expression;
-use crate::expressions::node::{spent_steps, take_steps};
+use crate::expressions::node::STEPS;
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
 
 /// The most steps of a picture: less than a fifth of a second.
-const STEPS: u64 = 12_000_000;
+const MOST_STEPS: u64 = 12_000_000;
 
 /// The places that are edited: a bit for the index of each.
 static PLACES: AtomicU64 = AtomicU64::new(0);
@@ -49,7 +49,7 @@ pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
     let edit = edits.iter().find(|(index, _)| *index == place);
     let value = edit.map(|(_, expression)| match expression.evaluate(variables) {
-        _ if STEPS < spent_steps() => {
+        _ if MOST_STEPS < STEPS.load(Relaxed) => {
             Err((0..expression.length, "That takes longer than a page should."))
         }
         value => value,
@@ -58,9 +58,9 @@ pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
         Some(Ok(value)) => T::unpack(&value),
         Some(Err((range, sentence))) => {
             stop(place, Refusal { range, sentence: sentence.to_owned() });
-            T::unpack(&Value::default())
+            T::unpack(&Value::Bool(false))
         }
-        None => T::unpack(&Value::default()),
+        None => T::unpack(&Value::Bool(false)),
     }
 }
 
@@ -95,7 +95,7 @@ pub fn draw_edited(
         .collect();
     let bits = edits.iter().fold(0, |bits, (index, _)| bits | 1 << index);
     *EDITS.write().unwrap_or_else(PoisonError::into_inner) = edits;
-    take_steps();
+    STEPS.store(0, Relaxed);
     PLACES.store(bits, Relaxed);
     let picture = match step {
         "step01_rays" => step01_rays::picture,

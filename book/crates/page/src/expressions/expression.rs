@@ -20,8 +20,6 @@ pub struct Expression {
 pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
     let syntax = parse_syntax(text)?;
     let mut checker = Checker::new(place, text);
-    checker.check_whole(&syntax)?;
-    checker.types.close();
     let node = checker.check_whole(&syntax)?;
     let Checker { slots, steps, .. } = checker;
     Ok(Expression { node, slots, steps, length: text.len() })
@@ -32,7 +30,7 @@ impl Expression {
     pub fn evaluate(&self, variables: &[Value]) -> Result<Value, Stop> {
         spend(self.steps);
         let mut slots = variables.to_vec();
-        slots.resize(self.slots, Value::default());
+        slots.resize(self.slots, Value::Bool(false));
         self.node.evaluate(&mut slots)
     }
 }

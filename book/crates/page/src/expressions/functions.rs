@@ -1,6 +1,5 @@
-use crate::expressions::node::{Function, Outcome, spend};
+use crate::expressions::node::{Function, spend};
 use crate::expressions::steps::step04_diffuse::Attenuation;
-use crate::expressions::types::Type;
 use crate::expressions::value::{Typed, Value};
 use glam::DVec3;
 use std::sync::LazyLock;
@@ -20,30 +19,6 @@ pub static FUNCTIONS: LazyLock<Vec<Function>> = LazyLock::new(|| {
     rows
 });
 
-/// What a function gives, or why the reader's program stops there.
-trait Given {
-    fn kind() -> Type;
-    fn outcome(self) -> Outcome;
-}
-
-impl<T: Typed> Given for T {
-    fn kind() -> Type {
-        T::kind()
-    }
-    fn outcome(self) -> Outcome {
-        Ok(self.pack())
-    }
-}
-
-impl<T: Typed> Given for Result<T, &'static str> {
-    fn kind() -> Type {
-        T::kind()
-    }
-    fn outcome(self) -> Outcome {
-        self.map(T::pack)
-    }
-}
-
 /// A function of Rust as a row of the table.
 trait Row {
     fn row(self, name: &'static str) -> Function;
@@ -51,14 +26,14 @@ trait Row {
 
 macro_rules! row {
     ($($type:ident $index:literal),*) => {
-        impl<$($type: Typed + 'static,)* R: Given + 'static> Row for fn($($type),*) -> R {
+        impl<$($type: Typed + 'static,)* R: Typed + 'static> Row for fn($($type),*) -> R {
             fn row(self, name: &'static str) -> Function {
                 Function {
                     name,
                     takes: vec![$($type::kind()),*],
                     gives: R::kind(),
                     apply: Box::new(move |_values: &[Value]| {
-                        self($($type::unpack(&_values[$index])),*).outcome()
+                        self($($type::unpack(&_values[$index])),*).pack()
                     }),
                 }
             }
@@ -120,8 +95,8 @@ fn add_numbers(rows: &mut Vec<Function>) {
         "*", fn(_, _) -> f64, |a: f64, b: f64| a * b;
         "/", fn(_, _) -> f64, |a: f64, b: f64| a / b;
         "%", fn(_, _) -> _, remainder;
-        "neg", fn(_) -> f64, |a: f64| -a;
-        "neg", fn(_) -> _, |a: i32| a.checked_neg().ok_or(OVERFLOW);
+        "-", fn(_) -> f64, |a: f64| -a;
+        "-", fn(_) -> _, |a: i32| a.checked_neg().ok_or(OVERFLOW);
         "!", fn(_) -> bool, |a: bool| !a;
         "f64::rem_euclid", fn(_, _) -> _, |a, b| (remainder(a, b), a.rem_euclid(b)).1;
         "f64::clamp", fn(_, _, _) -> _, |a: f64, min: f64, max: f64| {
@@ -208,7 +183,7 @@ fn add_vectors(rows: &mut Vec<Function>) {
         "%", fn(_, _) -> _, |a, b: f64| remainders(a, DVec3::splat(b));
         "%", fn(_, _) -> _, |a: f64, b| remainders(DVec3::splat(a), b);
         "DVec3::rem_euclid", fn(_, _) -> _, |a, b| (remainders(a, b), a.rem_euclid(b)).1;
-        "neg", fn(_) -> DVec3, |a: DVec3| -a;
+        "-", fn(_) -> DVec3, |a: DVec3| -a;
         "DVec3::splat", fn(_) -> _, DVec3::splat;
         "DVec3::from", fn(_) -> DVec3, |a: [f64; 3]| DVec3::from(a);
         "DVec3::from_array", fn(_) -> _, DVec3::from_array;

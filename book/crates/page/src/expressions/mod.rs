@@ -38,7 +38,6 @@ mod calls;
 mod checker;
 mod functions;
 mod node;
-mod operations;
 mod refusal;
 mod scan;
 mod types;

@@ -3,10 +3,7 @@ use crate::expressions::value::Value;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// A value, or a sentence about why the reader's program would stop there.
-pub type Outcome = Result<Value, &'static str>;
-
-type Apply = Box<dyn Fn(&[Value]) -> Outcome + Send + Sync>;
+type Apply = Box<dyn Fn(&[Value]) -> Value + Send + Sync>;
 
 /// A row of the table of all that a line may call.
 pub struct Function {
@@ -16,9 +13,7 @@ pub struct Function {
     pub apply: Apply,
 }
 
-const NO_ELEMENT: &str = "Here your program would stop: it has no such element; the first is [0].";
-
-/// A part of a compiled line.
+/// A compiled part of a line.
 #[derive(Clone)]
 pub enum Node {
     Constant(Value),
@@ -33,7 +28,7 @@ pub enum Node {
     /// Evaluates all, and has the value of the last.
     Block(Vec<Node>),
     Array(Vec<Node>),
-    /// An element of an array or a vector, and its index.
+    /// An element of an array, and its index.
     Index(Box<[Node; 2]>, Range<usize>),
 }
 
@@ -44,88 +39,73 @@ pub struct Part {
     pub range: Range<usize>,
 }
 
-/// Why the reader's program would stop, and where in the text.
+/// Where in a text the reader's program would stop, and why.
 pub type Stop = (Range<usize>, &'static str);
 
 impl Node {
     /// Its value with these values in the slots.
     pub fn evaluate(&self, slots: &mut [Value]) -> Result<Value, Stop> {
-        match self {
-            Self::Constant(value) => Ok(value.clone()),
-            Self::Variable(slot) => Ok(slots[*slot].clone()),
+        Ok(match self {
+            Self::Constant(value) => value.clone(),
+            Self::Variable(slot) => slots[*slot].clone(),
             Self::Call(function, arguments, range) => {
                 let mut values = [const { Value::Bool(false) }; 3];
                 for (value, argument) in values.iter_mut().zip(arguments) {
                     *value = argument.evaluate(slots)?;
                 }
-                (function.apply)(&values).map_err(|sentence| (range.clone(), sentence))
+                match (function.apply)(&values) {
+                    Value::Stop(sentence) => return Err((range.clone(), sentence)),
+                    value => value,
+                }
             }
             Self::If(parts) => {
                 let is_true = matches!(parts[0].evaluate(slots)?, Value::Bool(true));
-                parts[if is_true { 1 } else { 2 }].evaluate(slots)
+                parts[if is_true { 1 } else { 2 }].evaluate(slots)?
             }
             Self::Let(slot, node) => {
                 slots[*slot] = node.evaluate(slots)?;
-                Ok(Value::default())
+                Value::Bool(false)
             }
             Self::Block(nodes) => {
-                let mut value = Value::default();
+                let mut value = Value::Bool(false);
                 for node in nodes {
                     value = node.evaluate(slots)?;
                 }
-                Ok(value)
+                value
             }
             Self::Array(nodes) => {
-                let values: Result<Vec<_>, _> =
-                    nodes.iter().map(|node| node.evaluate(slots)).collect();
-                Ok(Value::Array(values?.into()))
+                let values = nodes.iter().map(|node| node.evaluate(slots));
+                Value::Array(values.collect::<Result<Vec<_>, _>>()?.into())
             }
             Self::Index(parts, range) => {
-                let (value, index) = (parts[0].evaluate(slots)?, parts[1].evaluate(slots)?);
-                element(&value, &index).ok_or((range.clone(), NO_ELEMENT))
+                match (parts[0].evaluate(slots)?, parts[1].evaluate(slots)?) {
+                    (Value::Array(all), Value::Usize(index)) if index < all.len() as u64 => {
+                        all[index as usize].clone()
+                    }
+                    _ => return Err((range.clone(), "It has no such element; the first is [0].")),
+                }
             }
-        }
+        })
     }
 
     /// Whether all that it is made of is a constant.
     pub fn is_constant(&self) -> bool {
         let is_constant = |node: &Self| matches!(node, Self::Constant(_));
         match self {
-            Self::Constant(_) => true,
             Self::Call(_, nodes, _) | Self::Block(nodes) | Self::Array(nodes) => {
                 nodes.iter().all(is_constant)
             }
             Self::If(parts) => parts.iter().all(is_constant),
             Self::Index(parts, _) => parts.iter().all(is_constant),
-            Self::Variable(_) | Self::Let(..) => false,
+            node => is_constant(node),
         }
     }
 }
 
-fn element(value: &Value, index: &Value) -> Option<Value> {
-    let Value::Usize(index) = index else { return None };
-    let index = usize::try_from(*index).ok()?;
-    match value {
-        Value::Array(values) => values.get(index).cloned(),
-        Value::DVec3(vector) => vector.as_ref().get(index).copied().map(Value::F64),
-        _ => None,
-    }
-}
-
 /// The steps that a picture has taken so far.
-static STEPS: AtomicU64 = AtomicU64::new(0);
+pub static STEPS: AtomicU64 = AtomicU64::new(0);
 
 /// Counts steps of a picture.
 pub fn spend(steps: u64) {
     STEPS.fetch_add(steps, Relaxed);
-}
-
-/// Steps since the last call.
-pub fn take_steps() -> u64 {
-    STEPS.swap(0, Relaxed)
-}
-
-/// Steps since [`take_steps`].
-pub fn spent_steps() -> u64 {
-    STEPS.load(Relaxed)
 }

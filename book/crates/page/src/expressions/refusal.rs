@@ -1,8 +1,8 @@
 //! What a reader is told where Rust would refuse a text.
 
 use crate::expressions::functions::FUNCTIONS;
-use crate::expressions::node::Part;
-use crate::expressions::types::{Type, Types};
+use crate::expressions::node::{Function, Part};
+use crate::expressions::types::Type;
 use course::Place;
 use std::ops::Range;
 
@@ -27,35 +27,23 @@ pub fn refuse<T>(range: Range<usize>, sentence: impl Into<String>) -> Result<T, 
 }
 
 /// Why a value does not fit where another type is wanted; the subject begins the sentence.
-pub fn explain_mismatch(
-    types: &Types,
-    subject: &str,
-    part: &Part,
-    text: &str,
-    wanted: &Type,
-) -> String {
-    let (actual, wanted) = (types.resolve(&part.kind), types.resolve(wanted));
-    let text = &text[part.range.clone()];
-    let is_number =
-        wanted == Type::F64 || matches!(wanted, Type::Open(_)) && !types.is_whole(&wanted);
-    if is_number && types.is_whole(&actual) {
-        return explain_whole_number(text, &actual);
+pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Type) -> String {
+    let actual = &part.kind;
+    if wanted.is_real() && actual.is_whole() {
+        return explain_whole_number(&text[part.range.clone()], actual);
     }
-    let cure = match (&actual, &wanted) {
-        (Type::Reference(inner), _) if **inner == wanted => " Leave out the &.".to_owned(),
-        (_, Type::Reference(inner)) if **inner == actual => " Put a & before it.".to_owned(),
-        (_, Type::Bool) => " Compare something, as in a < b.".to_owned(),
-        (Type::DVec3, Type::F64) => " a.dot(b) makes a number of two vectors.".to_owned(),
-        (Type::F64 | Type::Open(_), Type::DVec3) => {
-            " DVec3::splat(…) makes a vector of it.".to_owned()
-        }
-        (Type::F64 | Type::Open(_), Type::I32) => " Write 2, or take .powf.".to_owned(),
-        (_, kind) if kind.is_whole() && actual.is_plain() => {
-            format!(" Write as {} behind it.", kind.name().unwrap_or_default())
-        }
-        _ => String::new(),
+    let cure = match (actual, wanted) {
+        (Type::Reference(inner), _) if **inner == *wanted => " Leave out the &.",
+        (_, Type::Reference(inner)) if **inner == *actual => " Put a & before it.",
+        (_, Type::Bool) => " Compare something, as in a < b.",
+        (Type::DVec3, Type::F64) => " a.dot(b) makes a number of two vectors.",
+        (Type::F64 | Type::OpenF64, Type::DVec3) => " DVec3::splat(…) makes a vector of it.",
+        (Type::F64 | Type::OpenF64, Type::I32) => " Write 2, or take .powf.",
+        (_, Type::Usize) if actual.is_whole() => " Write as usize behind it.",
+        (_, Type::U32) if actual.is_whole() => " Write as u32 behind it.",
+        _ => "",
     };
-    format!("{subject} {}, not {}.{cure}", types.describe(&wanted), types.describe(&actual))
+    format!("{subject} {}, not {}.{cure}", wanted.describe(), actual.describe())
 }
 
 /// How a whole number becomes an `f64`.
@@ -68,16 +56,29 @@ fn explain_whole_number(text: &str, kind: &Type) -> String {
     format!("Write {cure}: Rust doesn't mix whole numbers with others.")
 }
 
-/// Why an operator has no meaning for these values, and which of them is wrong, if it is one.
-pub fn explain_operands(
-    types: &Types,
+/// Why what is written as `sign` can't be called with these values, and which of them is wrong, if
+/// it is one; the rows are those of its name.
+pub fn explain_refused_call(
     sign: &str,
+    rows: &[&Function],
     parts: &[Part],
     text: &str,
 ) -> (Option<Range<usize>>, String) {
-    let kinds: Vec<_> = parts.iter().map(|part| types.resolve(&part.kind)).collect();
-    let whole = parts.iter().find(|part| types.is_whole(&part.kind));
-    let is_real = |kind: &Type| *kind == Type::DVec3 || types.fits(kind, &Type::F64);
+    let kinds: Vec<_> = parts.iter().map(|part| part.kind.clone()).collect();
+    let whole = parts.iter().find(|part| part.kind.is_whole());
+    if let (Some(row), true) = (rows.first(), sign.contains("::") || sign.starts_with('.')) {
+        let receivers = usize::from(sign.starts_with('.'));
+        if row.takes.len() != parts.len() {
+            let (wanted, count) = (row.takes.len() - receivers, parts.len() - receivers);
+            return (None, format!("{sign} takes {wanted} in its parentheses, not {count}."));
+        }
+        let mut pairs = parts.iter().zip(&row.takes);
+        if let Some((part, wanted)) = pairs.find(|(part, wanted)| !part.kind.fits(wanted)) {
+            let sentence = explain_mismatch(&format!("{sign} takes"), part, text, wanted);
+            return (Some(part.range.clone()), sentence);
+        }
+    }
+    let is_real = |kind: &Type| *kind == Type::DVec3 || kind.is_real();
     if let (Some(whole), true) = (whole, kinds.iter().any(is_real)) {
         let sentence = explain_whole_number(&text[whole.range.clone()], &whole.kind);
         return (Some(whole.range.clone()), sentence);
@@ -89,11 +90,8 @@ pub fn explain_operands(
         (_, [_, _]) if kinds.iter().all(Type::is_whole) => " Write as i32 behind one of them.",
         _ => "",
     };
-    let kinds: Vec<_> = kinds.iter().map(|kind| types.describe(kind)).collect();
-    (
-        None,
-        format!("{} can't be used with {}.{cure}", sign.replace("neg", "-"), kinds.join(" and ")),
-    )
+    let kinds: Vec<_> = kinds.iter().map(|kind| kind.describe()).collect();
+    (None, format!("{sign} can't be used with {}.{cure}", kinds.join(" and ")))
 }
 
 /// Why no method of a number such as 2.0 can be called.
@@ -120,13 +118,13 @@ pub fn explain_unknown_name(name: &str, place: &Place) -> String {
 }
 
 /// That a type has no such `.FIELD` or `::METHOD`, and what it has.
-pub fn explain_unknown_member(types: &Types, member: &str, kind: &Type) -> String {
-    let owner = kind.referent().name().unwrap_or_default();
+pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
+    let owner = kind.referent().name();
     let (name, is_method) = (member.trim_start_matches(['.', ':']), member.starts_with(':'));
     let has = |owner: &str, member: &str| {
         FUNCTIONS.iter().any(|one| one.name.strip_prefix(owner) == Some(member))
     };
-    let kind = types.describe(kind);
+    let kind = kind.describe();
     let other = ["f64", "DVec3"].into_iter().find(|other| has(other, member));
     match other.and_then(Type::from_name) {
         _ if !is_method && has(owner, &format!("::{name}")) => {
@@ -136,7 +134,7 @@ pub fn explain_unknown_member(types: &Types, member: &str, kind: &Type) -> Strin
             return format!("Write .{name} without the (): it's a field.");
         }
         Some(other) => {
-            return format!(".{name} belongs to {}, and this is {kind}.", types.describe(&other));
+            return format!(".{name} belongs to {}, and this is {kind}.", other.describe());
         }
         None if has("i32", member) => {
             return format!(".{name} belongs to a whole number, and this is {kind}. Take .powi.");

@@ -11,16 +11,14 @@ pub enum Value {
     I32(i32),
     U32(u32),
     Usize(u64),
+    /// A number such as 2 before its type is known.
+    Whole(i64),
     Bool(bool),
     DVec3(DVec3),
     Attenuation(Attenuation),
     Array(Arc<[Value]>),
-}
-
-impl Default for Value {
-    fn default() -> Self {
-        Self::Bool(false)
-    }
+    /// Why the reader's program stops here.
+    Stop(&'static str),
 }
 
 /// A type of the machine that is one of a line.
@@ -69,5 +67,18 @@ impl Typed for [f64; 3] {
     fn unpack(value: &Value) -> Self {
         let Value::Array(values) = value else { return [0.0; 3] };
         [0, 1, 2].map(|index| values.get(index).map_or(0.0, f64::unpack))
+    }
+}
+
+/// What whole numbers give where they may overflow.
+impl<T: Typed> Typed for Result<T, &'static str> {
+    fn kind() -> Type {
+        T::kind()
+    }
+    fn pack(self) -> Value {
+        self.map_or_else(Value::Stop, T::pack)
+    }
+    fn unpack(value: &Value) -> Self {
+        Ok(T::unpack(value))
     }
 }
