@@ -1,7 +1,12 @@
-use crate::expressions::{Expression, Refusal, draw_edited, editable_places, parse_expression};
+use crate::expressions::{
+    Expression, Refusal, TOO_LONG, draw_edited, editable_places, parse_expression,
+};
 use course::{Mistake, Place, find_mistakes_with_hash, hash_picture, json, locked_hashes};
 use figures::Reply;
 use image::RgbImage;
+
+/// The most steps of a picture: with them it takes less than 200 ms.
+const STEPS: u64 = 3_000_000;
 
 /// Places of step 2 that say at which t a ray meets the ball, which its picture doesn't show.
 const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far"];
@@ -26,12 +31,20 @@ pub fn edit(words: &str) -> Reply {
     let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {
         return Reply::default();
     };
-    let picture = parse_lines(&lines)
-        .and_then(|expressions| draw_edited(place.step_name(), expressions, columns));
+    let draw = |columns, most_steps| {
+        draw_edited(place.step_name(), parse_lines(&lines)?, columns, most_steps)
+    };
+    // A hundredth of the pixels tells what all would take.
+    let is_long = draw(64, STEPS / 100).is_err_and(|(_, refusal)| refusal.sentence == TOO_LONG);
+    let picture = draw(if is_long { columns.min(320) } else { columns }, STEPS);
     match picture {
         Ok(picture) => {
             let size = json::list([picture.width(), picture.height()]);
-            let known = if columns == 640 { describe(&lines, &picture) } else { None };
+            let known = match (columns, picture.width()) {
+                (640, 640) => describe(&lines, &picture),
+                (640, _) => Some("Drawn smaller, as it takes long to compute.".to_owned()),
+                _ => None,
+            };
             let known = json::quote(&known.unwrap_or_default());
             let answer = Reply::from_json_fields([("size", size), ("known", known)]);
             Reply { pixels: figures::rgba_bytes(&picture), ..answer }

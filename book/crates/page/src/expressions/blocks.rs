@@ -108,10 +108,10 @@ impl Checker<'_> {
             self.add_name(&name.ident, "", part.kind, part.node.clone())?;
             return Ok(part.node);
         }
-        let slot = self.slots;
-        self.slots += 1;
-        self.add_name(&name.ident, "", part.kind, Node::Variable(slot))?;
-        Ok(Node::Let(slot, Box::new(part.node)))
+        let local = self.locals;
+        self.locals += 1;
+        self.add_name(&name.ident, "", part.kind, Node::Local(local))?;
+        Ok(Node::Let(local, Box::new(part.node)))
     }
 
     /// A type that is written, if a line can have it.

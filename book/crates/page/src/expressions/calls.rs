@@ -228,10 +228,10 @@ impl Checker<'_> {
             return refuse(body.range, sentence);
         };
         // Both are evaluated, though one is needed: as in Rust.
-        let slot = self.slots;
-        self.slots += 1;
-        let choice = Node::If(Box::new([is_none, Node::Variable(slot), body.node]));
-        let nodes = vec![Node::Let(slot, Box::new(default.node)), choice];
+        let local = self.locals;
+        self.locals += 1;
+        let choice = Node::If(Box::new([is_none, Node::Local(local), body.node]));
+        let nodes = vec![Node::Let(local, Box::new(default.node)), choice];
         self.part(Node::Block(nodes), kind, range).map(Some)
     }
 }

@@ -21,9 +21,9 @@ pub struct Checker<'a> {
     pub text: &'a str,
     /// What may be written for a value: variables of the place, such as `ray.start`, and of `let`.
     pub names: Vec<(String, Type, Node)>,
-    /// How many values the line needs room for: variables of the place, then those of `let`.
-    pub slots: usize,
-    /// How many parts it has.
+    /// How many values of `let` it has.
+    pub locals: usize,
+    /// How many functions and operators it has.
     pub steps: u64,
     place: &'a Place,
 }
@@ -37,7 +37,7 @@ impl<'a> Checker<'a> {
             let kind = Type::from_name(kind).unwrap_or(Type::Unit);
             (without_blanks(name), kind, Node::Variable(slot))
         });
-        Self { text, names: names.collect(), slots: place.variables.len(), steps: 0, place }
+        Self { text, names: names.collect(), locals: 0, steps: 0, place }
     }
 
     /// Compiles the whole text, whose value is that of the place.
@@ -108,9 +108,11 @@ impl<'a> Checker<'a> {
 
     /// A part. What is the same for each pixel is evaluated here.
     pub fn part(&mut self, node: Node, kind: Type, range: Range<usize>) -> Checked<Part> {
-        self.steps += 1;
+        self.steps += u64::from(matches!(node, Node::Call(..)));
         let node = match node.is_constant() {
-            true => Node::Constant(node.evaluate(&mut []).or_else(|(at, why)| refuse(at, why))?),
+            true => {
+                Node::Constant(node.evaluate(&[], &mut []).or_else(|(at, why)| refuse(at, why))?)
+            }
             false => node,
         };
         Ok(Part { node, kind, range })

@@ -10,8 +10,11 @@ use image::RgbImage;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
 
-/// The most steps of a picture: less than a fifth of a second.
-const MOST_STEPS: u64 = 12_000_000;
+/// What is said of a picture that takes more steps than it may.
+pub const TOO_LONG: &str = "That takes longer than a page should.";
+
+/// The most steps that the picture may take.
+static MOST_STEPS: AtomicU64 = AtomicU64::new(0);
 
 /// The places that are edited: a bit for the index of each.
 static PLACES: AtomicU64 = AtomicU64::new(0);
@@ -46,22 +49,25 @@ pub(crate) fn is_edited(place: usize) -> bool {
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
 pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
+    // Once a picture is refused, nothing is evaluated for it.
+    if MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed) {
+        return T::unpack(&Value::Bool(false));
+    }
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
     let edit = edits.iter().find(|(index, _)| *index == place);
     let value = edit.map(|(_, expression)| match expression.evaluate(variables) {
-        _ if MOST_STEPS < STEPS.load(Relaxed) => {
-            Err((0..expression.length, "That takes longer than a page should."))
+        Ok(_) if MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed) => {
+            Err((0..expression.length, TOO_LONG))
         }
         value => value,
     });
-    match value {
-        Some(Ok(value)) => T::unpack(&value),
-        Some(Err((range, sentence))) => {
-            stop(place, Refusal { range, sentence: sentence.to_owned() });
-            T::unpack(&Value::Bool(false))
-        }
-        None => T::unpack(&Value::Bool(false)),
-    }
+    let (range, sentence) = match value {
+        Some(Ok(value)) => return T::unpack(&value),
+        Some(Err(stop)) => stop,
+        None => (0..0, "There is no edit."),
+    };
+    stop(place, Refusal { range, sentence: sentence.to_owned() });
+    T::unpack(&Value::Bool(false))
 }
 
 /// Notes why the reader's program would stop in the code around the edits.
@@ -77,14 +83,16 @@ pub(crate) fn stop_outside(sentence: &str) {
 fn stop(place: usize, refusal: Refusal) {
     let mut stop = STOP.lock().unwrap_or_else(PoisonError::into_inner);
     stop.get_or_insert((place, refusal));
+    STEPS.store(u64::MAX / 2, Relaxed);
 }
 
 /// The picture of a step with expressions in place of the book's; or where the reader's program
-/// would stop, and why. The first edit is the one that is told of what goes wrong around them.
+/// would stop, and why. A step is a function, or an operator, for a pixel. The first edit is the one that is told of what goes wrong around them.
 pub fn draw_edited(
     step: &str,
     edits: Vec<(Place, Expression)>,
     columns: u32,
+    most_steps: u64,
 ) -> Result<RgbImage, (&'static str, Refusal)> {
     let _alone = DRAWING.lock();
     let places = all_listed_places();
@@ -96,6 +104,7 @@ pub fn draw_edited(
     let bits = edits.iter().fold(0, |bits, (index, _)| bits | 1 << index);
     *EDITS.write().unwrap_or_else(PoisonError::into_inner) = edits;
     STEPS.store(0, Relaxed);
+    MOST_STEPS.store(most_steps, Relaxed);
     PLACES.store(bits, Relaxed);
     let picture = match step {
         "step01_rays" => step01_rays::picture,

@@ -8,8 +8,8 @@ use course::Place;
 /// Meaning of a reader's text: a function of the variables of its place.
 pub struct Expression {
     node: Node,
-    /// How many values it needs room for.
-    slots: usize,
+    /// How many values of `let` it has.
+    locals: usize,
     /// Steps that it takes at most.
     steps: u64,
     /// Bytes of its text.
@@ -21,16 +21,15 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     let syntax = parse_syntax(text)?;
     let mut checker = Checker::new(place, text);
     let node = checker.check_whole(&syntax)?;
-    let Checker { slots, steps, .. } = checker;
-    Ok(Expression { node, slots, steps, length: text.len() })
+    let Checker { locals, steps, .. } = checker;
+    Ok(Expression { node, locals, steps, length: text.len() })
 }
 
 impl Expression {
     /// Computes its value for these values of the variables.
     pub fn evaluate(&self, variables: &[Value]) -> Result<Value, Stop> {
         spend(self.steps);
-        let mut slots = variables.to_vec();
-        slots.resize(self.slots, Value::Bool(false));
-        self.node.evaluate(&mut slots)
+        let mut locals = vec![Value::Bool(false); self.locals];
+        self.node.evaluate(variables, &mut locals)
     }
 }

@@ -49,4 +49,4 @@ mod expression;
 pub use expression::{Expression, parse_expression};
 
 mod drawing;
-pub use drawing::{draw_edited, editable_places, place_faults};
+pub use drawing::{TOO_LONG, draw_edited, editable_places, place_faults};

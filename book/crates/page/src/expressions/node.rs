@@ -17,13 +17,15 @@ pub struct Function {
 #[derive(Clone)]
 pub enum Node {
     Constant(Value),
-    /// The value in a slot: first those of the place's variables, then what `let` adds.
+    /// A variable of the place, by its index.
     Variable(usize),
+    /// What a `let` has written, by its index.
+    Local(usize),
     /// A function of up to three values; the range is that of its name in the text.
     Call(&'static Function, Vec<Node>, Range<usize>),
     /// A condition and two branches.
     If(Box<[Node; 3]>),
-    /// Writes into a slot.
+    /// Writes a local.
     Let(usize, Box<Node>),
     /// Evaluates all, and has the value of the last.
     Block(Vec<Node>),
@@ -43,48 +45,50 @@ pub struct Part {
 pub type Stop = (Range<usize>, &'static str);
 
 impl Node {
-    /// Its value with these values in the slots.
-    pub fn evaluate(&self, slots: &mut [Value]) -> Result<Value, Stop> {
+    /// Its value where the variables and the locals have these.
+    pub fn evaluate(&self, variables: &[Value], locals: &mut [Value]) -> Result<Value, Stop> {
+        let mut value_of = |node: &Self| node.evaluate(variables, locals);
         Ok(match self {
             Self::Constant(value) => value.clone(),
-            Self::Variable(slot) => slots[*slot].clone(),
+            Self::Variable(index) => variables[*index].clone(),
+            Self::Local(index) => locals[*index].clone(),
             Self::Call(function, arguments, range) => {
-                let mut values = [const { Value::Bool(false) }; 3];
-                for (value, argument) in values.iter_mut().zip(arguments) {
-                    *value = argument.evaluate(slots)?;
-                }
-                match (function.apply)(&values) {
+                let value = match &arguments[..] {
+                    [a] => (function.apply)(&[value_of(a)?]),
+                    [a, b] => (function.apply)(&[value_of(a)?, value_of(b)?]),
+                    [a, b, c] => (function.apply)(&[value_of(a)?, value_of(b)?, value_of(c)?]),
+                    _ => (function.apply)(&[]),
+                };
+                match value {
                     Value::Stop(sentence) => return Err((range.clone(), sentence)),
                     value => value,
                 }
             }
             Self::If(parts) => {
-                let is_true = matches!(parts[0].evaluate(slots)?, Value::Bool(true));
-                parts[if is_true { 1 } else { 2 }].evaluate(slots)?
+                let is_true = matches!(value_of(&parts[0])?, Value::Bool(true));
+                value_of(&parts[if is_true { 1 } else { 2 }])?
             }
-            Self::Let(slot, node) => {
-                slots[*slot] = node.evaluate(slots)?;
+            Self::Let(index, node) => {
+                locals[*index] = node.evaluate(variables, locals)?;
                 Value::Bool(false)
             }
             Self::Block(nodes) => {
                 let mut value = Value::Bool(false);
                 for node in nodes {
-                    value = node.evaluate(slots)?;
+                    value = value_of(node)?;
                 }
                 value
             }
             Self::Array(nodes) => {
-                let values = nodes.iter().map(|node| node.evaluate(slots));
+                let values = nodes.iter().map(value_of);
                 Value::Array(values.collect::<Result<Vec<_>, _>>()?.into())
             }
-            Self::Index(parts, range) => {
-                match (parts[0].evaluate(slots)?, parts[1].evaluate(slots)?) {
-                    (Value::Array(all), Value::Usize(index)) if index < all.len() as u64 => {
-                        all[index as usize].clone()
-                    }
-                    _ => return Err((range.clone(), "It has no such element; the first is [0].")),
+            Self::Index(parts, range) => match (value_of(&parts[0])?, value_of(&parts[1])?) {
+                (Value::Array(all), Value::Usize(index)) if index < all.len() as u64 => {
+                    all[index as usize].clone()
                 }
-            }
+                _ => return Err((range.clone(), "It has no such element; the first is [0].")),
+            },
         })
     }
 

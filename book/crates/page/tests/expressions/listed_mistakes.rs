@@ -17,7 +17,7 @@ fn listed_mistakes_are_drawn_by_an_edited_line() {
         count += 1;
         let drawn = parse_expression(place, text).and_then(|expression| {
             let edits = vec![(place.clone(), expression)];
-            draw_edited(place.step_name(), edits, 640).map_err(|(_, refusal)| refusal)
+            draw_edited(place.step_name(), edits, 640, u64::MAX).map_err(|(_, refusal)| refusal)
         });
         match drawn {
             Ok(picture) => assert_eq!(
