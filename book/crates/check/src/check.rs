@@ -38,14 +38,12 @@ pub fn check_scene_png(
         if *target.picture == picture.rows {
             return right(&target.title);
         }
-        let is_other = |other: &&String| *other != name && is_scene_of(&picture.rows, other);
-        match other_names.iter().find(is_other) {
-            Some(other) => {
-                let text =
-                    format!("Not right. This is {}, not {}.", scene_title(other), target.title);
-                Answer::new(Verdict::NotRight, text)
-            }
+        match other_names.iter().find(|other| is_scene_of(&picture.rows, other)) {
             None => explain(picture, &target, locked),
+            Some(other) => Answer::new(
+                Verdict::NotRight,
+                format!("Not right. This is {}, not {}.", scene_title(other), target.title),
+            ),
         }
     })
 }

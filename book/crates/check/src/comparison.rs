@@ -2,14 +2,12 @@ use crate::drawing::{Drawing, LineHit};
 use crate::target::Target;
 use image::RgbImage;
 use std::cell::Cell;
-use step01_rays::{Camera, Ray};
+use step01_rays::Ray;
 
 /// A reader's picture beside ours of the same size.
 pub(crate) struct Comparison<'a> {
     /// What ours is drawn of; None of an exercise.
     pub drawing: Option<&'a Drawing>,
-    /// The camera that draws ours.
-    pub camera: Camera,
     pub ours: &'a RgbImage,
     /// All pixels, those that are wrong first, each part scattered over the picture, so that
     /// what doesn't give them fails soon.
@@ -21,16 +19,12 @@ pub(crate) struct Comparison<'a> {
 pub(crate) struct Pixel {
     /// Column and row.
     pub place: (u32, u32),
-    pub yours: [u8; 3],
-    pub ours: [u8; 3],
+    /// The ray of our camera.
+    pub ray: Ray,
     /// The hit that ours shows, None where it shows the sky.
     pub hit: Option<LineHit>,
-    /// Whether each light is on the outer side there.
-    pub lit: [bool; 2],
-    /// Whether a light is so that its highlight, large or small, reaches there.
-    pub in_highlight: bool,
-    /// Whether a channel of ours is above 1 before it becomes a byte.
-    pub is_above_1: bool,
+    pub yours: [u8; 3],
+    pub ours: [u8; 3],
 }
 
 impl Pixel {
@@ -54,32 +48,25 @@ impl Pixel {
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares a picture with a target of the same size.
-    pub fn new(target: &'a Target, yours: &RgbImage) -> Self {
-        let pixels = target.pixels().iter().map(|pixel| {
+    /// Compares a picture with a target; None where their sizes differ.
+    pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
+        if yours.dimensions() != target.picture.dimensions() {
+            return None;
+        }
+        let all = target.pixels().iter().map(|pixel| {
             let yours = yours.get_pixel(pixel.place.0, pixel.place.1).0;
             Pixel { yours, ..*pixel }
         });
-        let (mut pixels, right): (Vec<_>, Vec<_>) = pixels.partition(Pixel::is_wrong);
-        pixels.extend(right);
-        let drawing = target.drawing.as_ref();
-        Self { drawing, camera: target.camera, ours: &target.picture, pixels }
+        let mut pixels = Vec::with_capacity(all.len());
+        pixels.extend(all.clone().filter(Pixel::is_wrong));
+        pixels.extend(all.filter(|pixel| !pixel.is_wrong()));
+        Some(Self { drawing: target.drawing.as_ref(), ours: &target.picture, pixels })
     }
 
     /// The pixels that are wrong.
     pub fn wrong_pixels(&self) -> &[Pixel] {
         let count = self.pixels.partition_point(Pixel::is_wrong);
         &self.pixels[..count]
-    }
-
-    /// The ray of our camera through a pixel.
-    pub fn ray(&self, pixel: &Pixel) -> Ray {
-        self.camera.ray(pixel.place.0.into(), pixel.place.1.into())
-    }
-
-    /// Whether a function from rays gives all pixels, by a camera and our bytes.
-    pub fn is_given_by(&self, colour: impl Fn(&Pixel) -> [u8; 3], budget: &RayBudget) -> bool {
-        self.pixels.iter().all(|pixel| budget.spend(1) && colour(pixel) == pixel.yours)
     }
 }
 
@@ -101,10 +88,21 @@ impl RayBudget {
         Self(Cell::new(rays))
     }
 
-    /// Takes so many from it; false where fewer are left.
-    pub fn spend(&self, rays: u32) -> bool {
-        let rays_left = self.0.get().checked_sub(rays);
-        self.0.set(rays_left.unwrap_or(0));
-        rays_left.is_some()
+    pub fn is_spent(&self) -> bool {
+        self.0.get() == 0
+    }
+
+    /// Whether something is so of all items, each of which costs so many rays; false where the
+    /// budget doesn't suffice. What refutes it is asked first the next time.
+    pub fn all<T>(&self, items: &mut [T], rays: u32, is_so: impl Fn(&T) -> bool) -> bool {
+        let refuting = items.iter().position(|item| {
+            let rays_left = self.0.get().checked_sub(rays);
+            self.0.set(rays_left.unwrap_or(0));
+            rays_left.is_none() || !is_so(item)
+        });
+        if let Some(k) = refuting {
+            items[..=k].rotate_right(1);
+        }
+        refuting.is_none()
     }
 }

@@ -1,10 +1,9 @@
 use course::{Step, named_scene};
 use glam::DVec3;
-use image::RgbImage;
-use step01_rays::{Camera, render, rgb8};
+use step01_rays::rgb8;
 use step05_phong::{
     Light, Material, Phong, Ray, SurfacePoint, ambient, diffuse, direction_colour, normal, phong,
-    visible_point,
+    reflect, visible_point,
 };
 
 /// A scene of step 5. The steps before it have less of the same numbers.
@@ -30,13 +29,6 @@ pub(crate) struct LineHit {
     pub is_far_side: bool,
 }
 
-impl LineHit {
-    /// Whether it would be seen if its object were alone.
-    pub fn is_seen_alone(&self) -> bool {
-        !self.is_far_side && 0.0 < self.t
-    }
-}
-
 impl Drawing {
     /// The drawing of a step: its scene has only the objects that the step has.
     pub fn of_step(step: Step) -> Self {
@@ -57,11 +49,6 @@ impl Drawing {
     pub fn of_name(name: &str) -> Self {
         let scene = named_scene(name);
         Self { step: Step::Phong, scene, light_names: ["the first light", "the second light"] }
-    }
-
-    /// The picture that a camera sees.
-    pub fn render(&self, camera: &Camera) -> RgbImage {
-        render(camera, 1, |ray| self.colour(ray))
     }
 
     /// The name of an object, with its article where it needs one.
@@ -86,6 +73,26 @@ impl Drawing {
             let roots = one.sphere.intersect(ray).iter().zip([false, true]);
             roots.map(move |(t, is_far_side)| LineHit { t, object, is_far_side })
         })
+    }
+
+    /// The hit that a ray sees.
+    pub fn visible_hit(&self, ray: &Ray) -> Option<LineHit> {
+        let hits = self.line_hits(ray).filter(|hit| 0.0 < hit.t);
+        hits.min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
+    /// Whether each light is on the outer side at a hit, and whether a highlight of one, large
+    /// or small, reaches there.
+    pub fn lights_at_hit(&self, ray: &Ray, hit: LineHit) -> ([bool; 2], bool) {
+        let p = ray.at(hit.t);
+        let n = normal(&self.scene.objects[hit.object].sphere, p);
+        let (mut lit, mut in_highlight) = ([false; 2], false);
+        for (light, lit) in self.scene.lights.iter().zip(&mut lit) {
+            let (l, _) = light.point_light.direction_from(p);
+            *lit = 0.0 < n.dot(l);
+            in_highlight |= *lit && reflect(n, l).dot(ray.direction) < 0.0;
+        }
+        (lit, in_highlight)
     }
 
     /// The terms of the light at a hit, whatever hides it there; those of one light alone, or

@@ -1,14 +1,15 @@
-use crate::changed_number::find_changes;
+use crate::camera_fit::find_cameras;
+use crate::changed_number::find_changed_numbers;
 use crate::check::equal_name;
-use crate::comparison::Comparison;
+use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::drawing::bytes;
 use crate::facts::tell_facts;
 use crate::listed_mistake::tell_listed_mistakes;
 use crate::other_options::describe_other_options;
-use crate::scene_facts::describe_regions;
-use crate::scene_mistake::scene_mistakes;
+use crate::regions::describe_regions;
+use crate::scene_mistake::{colour_with_mistake, scene_mistakes};
 use crate::target::Target;
-use crate::transformed::{cut_or_enlarged_clause, turned_or_swapped_clauses, uniform_colour};
+use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
 use crate::{Answer, Cause, LockedPictures, Picture, Verdict};
 use course::{Mistake, Step, draw_panels, find_mistakes_with_hash, hash_picture, step_of_example};
@@ -16,53 +17,63 @@ use course::{Mistake, Step, draw_panels, find_mistakes_with_hash, hash_picture, 
 /// The most changes that are told.
 const MOST_CHANGES: usize = 3;
 
+/// How many rays may be computed to try changes.
+const RAYS: u32 = 4_000_000;
+
 /// Says what is known of a picture that isn't the one it should be.
 pub(crate) fn explain(picture: &Picture, target: &Target, locked: &LockedPictures) -> Answer {
-    let (yours, ours) = (&picture.rows, &*target.picture);
-    let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
-    let options = varied.and_then(|one| describe_other_options(one, &target.title, picture));
-    if let Some(text) = options {
+    let (yours, title) = (&picture.rows, &target.title);
+    let varied = target.drawing.as_ref().filter(|_| uniform_colour(picture).is_none());
+    if let Some(text) = varied.and_then(|one| describe_other_options(one, title, picture)) {
         return Answer::new(Verdict::RightWithOtherOptions, text);
     }
-    let comparison = (picture.size == ours.dimensions()).then(|| Comparison::new(target, yours));
-    let other = equal_name(picture, locked);
-    let other = other.map(|name| format!("This is the picture of {name}, not {}.\n", target.title));
-    let whole = if other.is_none() { whole_picture_statement(picture, target) } else { None };
-    let (listed, drawn_for) = listed_mistakes(picture, target, comparison.as_ref());
-    let (listed, cause) = tell_listed_mistakes(&listed, drawn_for.as_deref()).unzip();
+    let comparison = Comparison::new(target, yours);
+    let mut known = match equal_name(picture, locked) {
+        Some(name) => format!("This is the picture of {name}, not {title}.\n"),
+        None => describe_whole(picture, &target.picture, title),
+    };
     let changes = match &comparison {
-        Some(comparison) if other.is_none() && whole.is_none() => find_changes(comparison),
+        Some(comparison) if known.is_empty() => find_changes(comparison),
         _ => vec![],
     };
-    let mut cause: Cause = cause.unwrap_or_default();
-    if let ([change], None) = (&changes[..], &listed) {
+    let (listed, drawn_for) = listed_mistakes(picture, target, comparison.as_ref());
+    let listed = tell_listed_mistakes(&listed, drawn_for.as_deref());
+    let mut cause = Cause::default();
+    if let Some((text, listed_cause)) = listed {
+        (known, cause) = (known + &text, listed_cause);
+    } else if let [change] = &changes[..] {
         cause.mistake = Some(change.clone());
     }
-    let known = [whole, listed, changes_statement(&changes, target)].into_iter().flatten();
-    let known: String = known.collect();
+    if !changes.is_empty() {
+        known += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
+    }
     let details = match &comparison {
         Some(comparison) => details(comparison, target, cause.step, known.is_empty()),
         None if known.is_empty() => size_lines(picture, target),
         None => String::new(),
     };
-    let text = format!("Not right. {}{known}{details}", other.unwrap_or_default());
-    let difference = comparison.map(|_| draw_panels(yours, ours));
-    Answer { verdict: Verdict::NotRight, text: text.trim_end().to_owned(), cause, difference }
+    let text = format!("Not right. {known}{details}").trim_end().to_owned();
+    let difference = comparison.map(|_| draw_panels(yours, &target.picture));
+    Answer { verdict: Verdict::NotRight, text, cause, difference }
 }
 
-/// A statement on a picture of one colour, or on one that is ours turned, cut or enlarged.
-fn whole_picture_statement(picture: &Picture, target: &Target) -> Option<String> {
-    let (yours, ours) = (&picture.rows, &*target.picture);
-    if let Some([r, g, b]) = uniform_colour(yours).filter(|_| picture.row_step == 1) {
-        return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n"));
+/// All single changes of ours that we know and that give the whole picture, in words; none
+/// where not all could be tried.
+fn find_changes(comparison: &Comparison) -> Vec<String> {
+    let Some(drawing) = comparison.drawing else { return vec![] };
+    let budget = RayBudget::new(RAYS);
+    let mut words = find_changed_numbers(comparison, drawing, &budget);
+    words.extend(find_cameras(comparison, drawing, &budget));
+    if budget.is_spent() { vec![] } else { words }
+}
+
+/// The first changes, and how many more there are.
+fn join_changes(changes: &[String]) -> String {
+    let told = changes[..changes.len().min(MOST_CHANGES)].join(", or ");
+    match changes.len().saturating_sub(MOST_CHANGES) {
+        0 => told,
+        more => format!("{told}, or with one of {more} other numbers"),
     }
-    let clauses = match picture.row_step {
-        1 => turned_or_swapped_clauses(yours, ours).join(", or "),
-        _ => String::new(),
-    };
-    let clause = Some(clauses).filter(|clauses| !clauses.is_empty());
-    let clause = clause.or_else(|| cut_or_enlarged_clause(picture, ours))?;
-    Some(format!("This is {}, {clause}.\n", target.title))
 }
 
 /// The listed mistakes that give a picture, and the name of the locked picture that they were
@@ -83,29 +94,16 @@ fn listed_mistakes(
     let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {
         return (vec![], None);
     };
-    let all = scene_mistakes().into_iter().filter(|(_, formulas)| {
-        comparison.pixels.iter().all(|pixel| {
-            bytes(formulas.colour(&drawing.scene, &comparison.ray(pixel))) == pixel.yours
-        })
-    });
-    (all.map(|(mistake, _)| mistake).collect(), None)
-}
-
-/// A statement on the changes of ours that give the whole picture.
-fn changes_statement(changes: &[String], target: &Target) -> Option<String> {
-    if changes.is_empty() {
-        return None;
-    }
-    let more = match changes.len().saturating_sub(MOST_CHANGES) {
-        0 => String::new(),
-        more => format!(", or with one of {more} other numbers"),
+    let gives_pixel = |mistake: &Mistake, pixel: &Pixel| {
+        bytes(colour_with_mistake(mistake.title, &drawing.scene, &pixel.ray)) == pixel.yours
     };
-    let told = changes[..changes.len().min(MOST_CHANGES)].join(", or ");
-    Some(format!("It is, in every pixel, {} {told}{more}.\n", target.title))
+    let all = scene_mistakes()
+        .filter(|mistake| comparison.pixels.iter().all(|pixel| gives_pixel(mistake, pixel)));
+    (all.collect(), None)
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts and the regions, if
-/// nothing explains it; the tests by hand, those of one step where that is known; one pixel.
+/// nothing explains it; the tests by hand, from the first step that may be wrong; one pixel.
 fn details(
     comparison: &Comparison,
     target: &Target,
@@ -122,12 +120,11 @@ fn details(
                 text += &describe_regions(comparison, drawing);
             }
             let wrong = comparison.wrong_pixels();
+            let is_above_1 = |one: &Pixel| 1.0 < drawing.colour(&one.ray).max_element();
             // The sky and bytes are step 1's.
-            let is_of_rays =
-                wrong.iter().any(|one| one.is_sky()) || wrong.iter().all(|one| one.is_above_1);
+            let is_of_rays = wrong.iter().any(Pixel::is_sky) || wrong.iter().all(is_above_1);
             let first = if is_of_rays { Step::Rays } else { Step::Sphere };
-            let [first, last] = step.map_or([first, drawing.step], |step| [step; 2]);
-            text += &tests_line(first, last);
+            text += &tests_line(step.unwrap_or(first), drawing.step);
         }
         None => text += &check_step_first_line(target),
     }
@@ -136,11 +133,11 @@ fn details(
 
 /// Lines on a picture of another size that nothing explains.
 fn size_lines(picture: &Picture, target: &Target) -> String {
-    let ((w, h), (columns, rows), title) =
-        (picture.size, target.picture.dimensions(), &target.title);
+    let ((w, h), (columns, rows)) = (picture.size, target.picture.dimensions());
     format!(
-        "Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n\
-         Draw it with the default options for a more detailed diagnosis.\n"
+        "Your picture is {w}×{h} pixels, and {} {columns}×{rows}.\n\
+         Draw it with the default options for a more detailed diagnosis.\n",
+        target.title
     )
 }
 

@@ -1,6 +1,7 @@
 use crate::byte_facts::{black_block, byte_curve, byte_facts};
 use crate::comparison::{Comparison, Pixel};
-use crate::scene_facts::{hit_facts, light_facts, missing_objects, wrong_sky};
+use crate::regions::{missing_objects, wrong_sky};
+use crate::scene_facts::{hit_facts, light_facts, sample_facts};
 
 /// The most facts that are told.
 const MOST_FACTS: usize = 3;
@@ -14,7 +15,7 @@ pub(crate) struct Fact<'a> {
     group: &'static str,
     /// It is told where it holds for one wrong pixel of so many.
     of: usize,
-    /// What follows after `Each wrong pixel`.
+    /// What follows after `Each wrong pixel`, beginning with `is` or `has`.
     words: String,
     holds: Box<dyn Fn(&Pixel) -> bool + 'a>,
 }
@@ -31,19 +32,21 @@ pub(crate) fn fact<'a>(
 
 /// Sentences that are true of the wrong pixels, the strongest first.
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
+    if let Some(block) = black_block(comparison) {
+        return vec![block];
+    }
     let wrong = comparison.wrong_pixels();
-    let block = black_block(comparison);
-    let mut groups =
-        if block.is_some() { vec!["grey", "brightness", "light", "lit"] } else { vec![] };
-    let mut told: Vec<_> = block.into_iter().chain(byte_curve(comparison)).collect();
+    let mut told: Vec<_> = byte_curve(comparison).into_iter().collect();
     let mut facts = vec![];
     if let Some(drawing) = comparison.drawing {
         told.extend(missing_objects(comparison, drawing));
         told.extend(wrong_sky(comparison, drawing));
-        facts.extend(light_facts(comparison, drawing));
-        facts.extend(hit_facts(comparison, drawing));
+        facts.extend(sample_facts(drawing));
+        facts.extend(light_facts(drawing));
+        facts.extend(hit_facts(drawing));
     }
     facts.extend(byte_facts(comparison));
+    let mut groups = vec![];
     for Fact { group, of, words, holds } in facts {
         let count_in = |pixels: &[Pixel]| pixels.iter().filter(|pixel| holds(pixel)).count();
         // Where it holds for too few of the first, all need not be asked.
@@ -52,16 +55,22 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
             continue;
         }
         let (count, all) = (count_in(wrong), wrong.len());
-        if count == all {
-            told.push(format!("Each wrong pixel {words}."));
-        } else if all <= of * count {
-            let words = words.replacen("has ", "have ", 1).replace(" its ", " their ");
-            told.push(format!("{count} of {all} wrong pixels {words}."));
-        } else {
-            continue;
+        if all <= of * count {
+            told.push(fact_sentence(&words, count, all));
+            groups.push(group);
         }
-        groups.push(group);
     }
     told.truncate(MOST_FACTS);
     told
+}
+
+/// `Each wrong pixel is black.`, or `7 of 9 wrong pixels are black.`
+fn fact_sentence(words: &str, count: usize, all: usize) -> String {
+    let plural = |(is, are): (&str, &str)| Some(format!("{are}{}", words.strip_prefix(is)?));
+    match [("is ", "are "), ("has ", "have ")].into_iter().find_map(plural) {
+        Some(plural) if count < all => {
+            format!("{count} of {all} wrong pixels {}.", plural.replace(" its ", " their "))
+        }
+        _ => format!("Each wrong pixel {words}."),
+    }
 }

@@ -13,7 +13,7 @@
 //! 4. It is ours with **one other number** of the scene (`changed_number`), or with the camera
 //!    that the sky tells (`camera_fit`). All that give every byte are told.
 //! 5. Else **facts** (`facts`): sentences that are true of each wrong pixel, or of a number of
-//!    them; and the objects that are right and wrong.
+//!    them; and the objects that are right and wrong (`regions`).
 //!
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
@@ -36,6 +36,7 @@ mod locked;
 mod other_options;
 mod png_file;
 mod read_file;
+mod regions;
 mod scene_facts;
 mod scene_mistake;
 mod target;

@@ -51,7 +51,8 @@ fn read(name: &str) -> Result<RgbImage, String> {
 
 /// The picture, if it is the one with which this program was compiled; else a sentence.
 fn verify(name: &str, picture: RgbImage) -> Result<RgbImage, String> {
-    if locked_hashes().any(|one| one == (name, hash_picture(&picture))) {
+    let named_hash = (name, hash_picture(&picture));
+    if locked_hashes().any(|one| one == named_hash) {
         return Ok(picture);
     }
     Err(format!(
@@ -63,13 +64,12 @@ fn verify(name: &str, picture: RgbImage) -> Result<RgbImage, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use image::Rgb;
 
     #[test]
     fn changed_picture_is_of_another_version() {
         let mut picture = read("step01_rays").expect("a locked picture");
         assert!(verify("step01_rays", picture.clone()).is_ok());
-        picture.put_pixel(9, 9, Rgb([0; 3]));
-        assert!(verify("step01_rays", picture).is_err_and(|text| text.contains("another version")));
+        picture[(9, 9)] = image::Rgb([0; 3]);
+        assert!(verify("step01_rays", picture).is_err());
     }
 }

@@ -22,10 +22,6 @@ pub(crate) fn describe_other_options(
     if columns < 2 {
         return None;
     }
-    let colour = |camera: &Camera, places: &[(f64, f64)], (i, j): (u32, u32)| {
-        let (i, j) = (f64::from(i), f64::from(j * yours.row_step));
-        bytes(mean(places, |u, v| drawing.colour(&camera.ray(i + u, j + v))))
-    };
     let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
     let budget = RayBudget::new(ALL_RAYS);
     let places = scattered_places(columns, yours.rows.height());
@@ -33,29 +29,25 @@ pub(crate) fn describe_other_options(
     for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
         let fov_degrees = f64::from(tenths) / 10.0;
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
+        let largest_difference = |(i, j): (u32, u32), sub_pixels: &[(f64, f64)]| {
+            let (x, y) = (f64::from(i), f64::from(j * yours.row_step));
+            let ours = bytes(mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v))));
+            let yours = yours.rows.get_pixel(i, j).0;
+            (0..3).map(|k| ours[k].abs_diff(yours[k])).max()
+        };
         // The sky in the corner hardly depends on the samples.
-        let corners = [colour(&camera, &samples[0], (0, 0)), yours.rows.get_pixel(0, 0).0];
-        if (0..3).any(|k| 1 < corners[0][k].abs_diff(corners[1][k])) {
+        if Some(1) < largest_difference((0, 0), &samples[0]) {
             continue;
         }
-        for sub_pixels in &samples {
-            let rays = sub_pixels.len() as u32;
+        for (side, sub_pixels) in (1..).zip(&samples) {
+            let rays = side * side;
             let compared = places.len().min((RAYS / rays) as usize);
-            let wrong = places[..compared].iter().position(|&(i, j)| {
-                let is_affordable = budget.spend(rays);
-                !is_affordable
-                    || colour(&camera, sub_pixels, (i, j)) != yours.rows.get_pixel(i, j).0
-            });
-            match wrong {
-                None => {
-                    let side = rays.isqrt();
-                    let options = format!(
-                        "{columns}×{rows} pixels, {fov_degrees}° and {side}×{side} rays per pixel"
-                    );
-                    return Some(sentences(title, yours, &options, compared));
-                }
-                // A pixel that tells of one mostly tells of the next, and is asked first.
-                Some(k) => places.swap(0, k),
+            let is_equal = |place: &_| largest_difference(*place, sub_pixels) == Some(0);
+            if budget.all(&mut places[..compared], rays, is_equal) {
+                let options = format!(
+                    "{columns}×{rows} pixels, {fov_degrees}° and {side}×{side} rays per pixel"
+                );
+                return Some(sentences(title, yours, &options, compared));
             }
         }
     }

@@ -1,8 +1,7 @@
 use crate::file_format::other_format_clause;
-use image::codecs::png::PngDecoder;
-use image::error::{ImageError, LimitErrorKind};
+use image::RgbImage;
 use image::metadata::Orientation;
-use image::{DynamicImage, ImageDecoder, Limits, RgbImage};
+use png::{BitDepth, ColorType, Info, Transformations};
 use std::error::Error;
 use std::io::Cursor;
 
@@ -42,7 +41,8 @@ impl From<RgbImage> for Picture {
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
 ///
-/// The size is looked at before anything is unpacked.
+/// The size is looked at before anything is unpacked. Of a picture that is too large to be
+/// unpacked as a whole, some rows are kept, if a program of the course may have written it.
 pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
         return Err(too_large_clause());
@@ -50,54 +50,50 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if let Some(format_clause) = other_format_clause(file) {
         return Err(format!("is {format_clause}"));
     }
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(LARGEST_WHOLE);
-    limits.max_image_height = Some(LARGEST_WHOLE);
-    limits.max_alloc = Some(FILE_BYTES);
-    let mut decoder = match PngDecoder::with_limits(Cursor::new(file), limits) {
-        Err(ImageError::Limits(error)) if error.kind() == LimitErrorKind::DimensionError => {
-            return read_spread_rows(file);
-        }
-        decoder => decoder.map_err(damage_clause)?,
-    };
-    let notes = viewer_notes(&mut decoder).map_err(damage_clause)?;
-    let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
-    let alpha = picture.color().has_alpha().then(|| picture.to_luma_alpha8());
-    let is_transparent = |pixel: &&image::LumaA<u8>| pixel[1] < 255;
-    let transparent_count = alpha.map_or(0, |alpha| alpha.pixels().filter(is_transparent).count());
-    Ok(Picture { transparent_count, notes, ..picture.into_rgb8().into() })
-}
-
-/// Reads a picture that is too large to be unpacked as a whole, as far as a program of the
-/// course may have written it: some of its rows are kept.
-fn read_spread_rows(file: &[u8]) -> Result<Picture, String> {
-    let limits = png::Limits { bytes: KEPT_BYTES as usize };
-    let decoder = png::Decoder::new_with_limits(Cursor::new(file), limits);
+    let limits = png::Limits { bytes: FILE_BYTES as usize };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(file), limits);
+    decoder.set_transformations(Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(damage_clause)?;
     let info = reader.info();
     let (columns, rows) = info.size();
+    let is_whole = columns.max(rows) <= LARGEST_WHOLE;
     let is_as_written = (info.color_type, info.bit_depth, info.interlaced)
-        == (png::ColorType::Rgb, png::BitDepth::Eight, false);
-    if LARGEST.0 < columns || LARGEST.1 < rows || !is_as_written {
+        == (ColorType::Rgb, BitDepth::Eight, false);
+    if !is_whole && (LARGEST.0 < columns || LARGEST.1 < rows || !is_as_written) {
         return Err(format!(
             "is too large: pictures of more than {LARGEST_WHOLE} columns or rows are looked at \
              as the course writes them, RGB of up to {}×{}",
             LARGEST.0, LARGEST.1
         ));
     }
-    let row_bytes = 3 * columns as usize;
-    let row_step = (row_bytes as u64 * u64::from(rows)).div_ceil(KEPT_BYTES) as u32;
-    let (mut row, mut kept) = (vec![0; row_bytes], vec![]);
+    let notes = viewer_notes(info);
+    let kept_rows = if is_whole { rows } else { (KEPT_BYTES / 3) as u32 / columns };
+    let row_step = rows.div_ceil(kept_rows);
+    let row_bytes = reader.output_line_size(columns).unwrap_or(0);
+    let channels = reader.output_color_type().0.samples();
+    let mut bytes = vec![0; row_bytes * if is_whole { rows as usize } else { 1 }];
+    if is_whole {
+        reader.next_frame(&mut bytes).map_err(damage_clause)?;
+    }
+    let (mut kept, mut transparent_count) = (vec![], 0);
     for j in 0..rows {
-        let read = reader.read_row(&mut row);
-        read.map_err(damage_clause)?;
-        if j.is_multiple_of(row_step) {
-            kept.extend_from_slice(&row);
+        if !is_whole {
+            reader.read_row(&mut bytes).map_err(damage_clause)?;
+        }
+        let start = if is_whole { j as usize * row_bytes } else { 0 };
+        let row = &bytes[start..start + row_bytes];
+        for pixel in row.chunks_exact(channels).filter(|_| j.is_multiple_of(row_step)) {
+            match *pixel {
+                [grey] | [grey, _] => kept.extend([grey; 3]),
+                _ => kept.extend(&pixel[..3]),
+            }
+            let alpha = if channels % 2 == 0 { pixel[channels - 1] } else { 255 };
+            transparent_count += usize::from(alpha < 255);
         }
     }
     let kept = RgbImage::from_raw(columns, rows.div_ceil(row_step), kept);
-    let kept = kept.ok_or("is a damaged PNG file: rows are missing")?;
-    Ok(Picture { size: (columns, rows), row_step, ..kept.into() })
+    let rows_kept = kept.ok_or("is a damaged PNG file: rows are missing")?;
+    Ok(Picture { size: (columns, rows), row_step, rows: rows_kept, transparent_count, notes })
 }
 
 /// Says that a file is larger than any picture.
@@ -119,21 +115,29 @@ fn damage_clause(error: impl Error) -> String {
 }
 
 /// Sentences about what a viewer may show otherwise, and what was left out.
-fn viewer_notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, ImageError> {
-    let colour = decoder.color_type();
-    let bits = colour.bytes_per_pixel() / colour.channel_count();
+fn viewer_notes(info: &Info) -> Vec<&'static str> {
+    let exif = info.exif_metadata.as_deref();
+    let orientation = exif.and_then(Orientation::from_exif_chunk);
+    let is_grey = matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha);
+    let has_profile = info.icc_profile.is_some() || info.gama_chunk.is_some();
     let notes = [
-        (!colour.has_color(), "The file is grey: one number per pixel, and ours has three."),
-        (bits == 2, "The file has 16 bits per channel, here rounded to 8."),
+        (is_grey, "The file is grey: one number per pixel, and ours has three."),
         (
-            decoder.icc_profile()?.is_some(),
-            "It has a colour profile, ignored here, so a viewer may show other colours.",
+            info.bit_depth == BitDepth::Sixteen,
+            "The file has 16 bits per channel; the upper 8 were compared.",
         ),
         (
-            decoder.orientation()? != Orientation::NoTransforms,
+            has_profile,
+            "It has a colour profile or a gamma, ignored here, so a viewer may show other colours.",
+        ),
+        (
+            orientation.is_some_and(|one| one != Orientation::NoTransforms),
             "Its EXIF data, ignored here, asks a viewer to turn it.",
         ),
-        (decoder.is_apng()?, "It is an animation; only its first picture was compared."),
+        (
+            info.animation_control.is_some(),
+            "It is an animation; only its first picture was compared.",
+        ),
     ];
-    Ok(notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect())
+    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect()
 }

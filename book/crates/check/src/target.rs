@@ -1,12 +1,11 @@
 use crate::comparison::{Pixel, scattered_places};
-use crate::drawing::{Drawing, LineHit};
+use crate::drawing::Drawing;
 use crate::escape_for_terminal;
 use course::{Step, camera, camera_with_size};
 use image::RgbImage;
 use std::cell::OnceCell;
 use std::rc::Rc;
-use step01_rays::{Camera, Ray};
-use step05_phong::{normal, reflect};
+use step01_rays::{Camera, render};
 
 /// What a picture is compared with: a locked picture, or the scene of a name.
 pub(crate) struct Target {
@@ -25,13 +24,12 @@ pub(crate) struct Target {
 impl Target {
     /// The locked picture of a name.
     pub fn of_locked(name: &str, picture: RgbImage) -> Self {
-        let (columns, rows) = picture.dimensions();
         Self {
             title: format!("the picture of {name}"),
             name: Some(name.to_owned()),
             drawing: Step::from_name(name).map(Drawing::of_step),
+            camera: camera_with_size(picture.width(), picture.height()),
             picture: Rc::new(picture),
-            camera: camera_with_size(columns, rows),
             pixels: OnceCell::new(),
         }
     }
@@ -42,7 +40,7 @@ impl Target {
         Self {
             title: scene_title(name),
             name: None,
-            picture: Rc::new(drawing.render(&camera)),
+            picture: Rc::new(render(&camera, 1, |ray| drawing.colour(ray))),
             drawing: Some(drawing),
             camera,
             pixels: OnceCell::new(),
@@ -53,48 +51,18 @@ impl Target {
     pub fn pixels(&self) -> &[Pixel] {
         self.pixels.get_or_init(|| {
             let (columns, rows) = self.picture.dimensions();
-            scattered_places(columns, rows).map(|place| self.pixel(place)).collect()
+            let pixel = |place: (u32, u32)| {
+                let ours = self.picture.get_pixel(place.0, place.1).0;
+                let ray = self.camera.ray(place.0.into(), place.1.into());
+                let hit = self.drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
+                Pixel { place, ray, hit, yours: ours, ours }
+            };
+            scattered_places(columns, rows).map(pixel).collect()
         })
-    }
-
-    fn pixel(&self, place: (u32, u32)) -> Pixel {
-        let ours = self.picture.get_pixel(place.0, place.1).0;
-        let pixel = Pixel {
-            place,
-            yours: ours,
-            ours,
-            hit: None,
-            lit: [false; 2],
-            in_highlight: false,
-            is_above_1: false,
-        };
-        let ray = self.camera.ray(place.0.into(), place.1.into());
-        self.drawing.as_ref().map_or(pixel, |drawing| locate(pixel, drawing, &ray))
     }
 }
 
 /// A title such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
-}
-
-/// The pixel with its hit, and what lights it there.
-fn locate(mut pixel: Pixel, drawing: &Drawing, ray: &Ray) -> Pixel {
-    let scene = &drawing.scene;
-    pixel.is_above_1 = 1.0 < drawing.colour(ray).max_element();
-    let hits = scene.objects.iter().enumerate().filter_map(|(object, one)| {
-        let t = one.sphere.intersect(ray).first_hit()?;
-        Some(LineHit { t, object, is_far_side: false })
-    });
-    pixel.hit = hits.min_by(|a, b| a.t.total_cmp(&b.t));
-    let Some(hit) = pixel.hit.filter(|_| Step::Diffuse <= drawing.step) else { return pixel };
-    let p = ray.at(hit.t);
-    let n = normal(&scene.objects[hit.object].sphere, p);
-    for (light, lit) in scene.lights.iter().zip(&mut pixel.lit) {
-        let l = (light.point_light.position - p).normalize();
-        *lit = 0.0 < n.dot(l);
-        let in_highlight = *lit && 0.0 < reflect(n, l).dot(-ray.direction);
-        pixel.in_highlight |= drawing.step == Step::Phong && in_highlight;
-    }
-    pixel
 }

@@ -5,13 +5,10 @@ use image::imageops;
 /// How many places are compared pixel by pixel for a part that seems to be there.
 const MOST_PLACES: usize = 32;
 
-/// How many columns a piece has that is searched for first.
-const PIECE: u32 = 16;
-
 /// A picture turned or mirrored.
 type Turn = fn(&RgbImage) -> RgbImage;
 
-const TURNS: [(&str, Turn); 8] = [
+const TURNS: [(&str, Turn); 7] = [
     ("", RgbImage::clone),
     ("upside down", imageops::flip_vertical),
     ("mirrored left to right", imageops::flip_horizontal),
@@ -20,9 +17,6 @@ const TURNS: [(&str, Turn); 8] = [
     ("turned by 90° to the left", imageops::rotate270),
     ("with rows and columns exchanged", |ours| {
         imageops::flip_horizontal(&imageops::rotate90(ours))
-    }),
-    ("with rows and columns exchanged, and turned by 180°", |ours| {
-        imageops::flip_vertical(&imageops::rotate90(ours))
     }),
 ];
 
@@ -36,17 +30,38 @@ const ORDERS: [(&str, [usize; 3]); 6] = [
     ("with blue, red, green instead of red, green, blue", [2, 0, 1]),
 ];
 
+/// A sentence about a picture of one colour, or about one that is the whole of ours, of this
+/// title, turned, cut or enlarged; else nothing.
+pub(crate) fn describe_whole(picture: &Picture, ours: &RgbImage, title: &str) -> String {
+    if let Some([r, g, b]) = uniform_colour(picture) {
+        return format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n");
+    }
+    let clauses = turned_or_swapped_clauses(picture, ours).join(", or ");
+    let clause = Some(clauses).filter(|clauses| !clauses.is_empty());
+    match clause.or_else(|| cut_or_enlarged_clause(picture, ours)) {
+        Some(clause) => format!("This is {title}, {clause}.\n"),
+        None => String::new(),
+    }
+}
+
+/// The colour of all pixels, where it is one.
+pub(crate) fn uniform_colour(picture: &Picture) -> Option<[u8; 3]> {
+    let first = picture.rows.get_pixel_checked(0, 0)?;
+    let is_uniform = picture.row_step == 1 && picture.rows.pixels().all(|pixel| pixel == first);
+    is_uniform.then_some(first.0)
+}
+
 /// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
 /// with its channels in another order.
-pub(crate) fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
+fn turned_or_swapped_clauses(picture: &Picture, ours: &RgbImage) -> Vec<String> {
     let mut clauses = vec![];
     for (turned, turn) in TURNS {
         let ours = turn(ours);
-        if ours.dimensions() != yours.dimensions() {
+        if ours.dimensions() != picture.size || picture.row_step != 1 {
             continue;
         }
         for (swapped, order) in ORDERS {
-            let mut pairs = yours.pixels().zip(ours.pixels());
+            let mut pairs = picture.rows.pixels().zip(ours.pixels());
             if pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k])) {
                 let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
                 clauses.push(words.collect::<Vec<_>>().join(", "));
@@ -58,7 +73,7 @@ pub(crate) fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Ve
 
 /// A clause such as `enlarged 2 times`: which part of ours yours is, or ours of yours, or how
 /// many times larger each pixel.
-pub(crate) fn cut_or_enlarged_clause(picture: &Picture, ours: &RgbImage) -> Option<String> {
+fn cut_or_enlarged_clause(picture: &Picture, ours: &RgbImage) -> Option<String> {
     let (yours, (w, h)) = (&picture.rows, picture.size);
     if picture.size == ours.dimensions() {
         return None;
@@ -83,34 +98,24 @@ pub(crate) fn cut_or_enlarged_clause(picture: &Picture, ours: &RgbImage) -> Opti
 
 /// The corner of the place in `whole` where all pixels of `part` are.
 ///
-/// The piece of a row of `part` that has most colours is searched for, so that where much
-/// has one colour little is compared.
+/// The row of `part` that changes most is searched for, as a row of one colour may be at many
+/// places.
 fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
-    let columns = whole.width().checked_sub(w)?;
-    let rows = whole.height().checked_sub(h)?;
-    let row = |picture: &RgbImage, i: u32, j: u32, count: u32| {
+    let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
+    let row = |picture: &RgbImage, i: u32, j: u32| {
         let start = 3 * (j as usize * picture.width() as usize + i as usize);
-        start..start + 3 * count as usize
+        start..start + 3 * w as usize
     };
-    let is_there = |(i, j): (u32, u32), (k, l): (u32, u32), count: u32| {
-        whole.as_raw()[row(whole, i + k, j + l, count)] == part.as_raw()[row(part, k, l, count)]
+    let is_there = |(i, j): (u32, u32), l: u32| {
+        whole.as_raw()[row(whole, i, j + l)] == part.as_raw()[row(part, 0, l)]
     };
-    let pieces = (0..h).flat_map(|j| (0..w / PIECE).map(move |k| (PIECE * k, j)));
-    let colours = |(i, j): &(u32, u32)| {
-        let piece = &part.as_raw()[row(part, *i, *j, PIECE)];
-        piece.windows(6).step_by(3).filter(|two| two[..3] != two[3..]).count()
+    let changes = |l: &u32| {
+        let row = &part.as_raw()[row(part, 0, *l)];
+        row.chunks_exact(3).zip(row[3..].chunks_exact(3)).filter(|(a, b)| a != b).count()
     };
-    let piece = pieces.max_by_key(colours).filter(|piece| 2 <= colours(piece))?;
+    let told = (0..h).max_by_key(changes).filter(|l| 2 <= changes(l))?;
     let corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
-    corners
-        .filter(|corner| is_there(*corner, piece, PIECE))
-        .take(MOST_PLACES)
-        .find(|corner| (0..h).all(|l| is_there(*corner, (0, l), w)))
-}
-
-/// The colour of all pixels, where it is one.
-pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
-    let first = picture.get_pixel_checked(0, 0)?;
-    picture.pixels().all(|pixel| pixel == first).then_some(first.0)
+    let mut corners = corners.filter(|corner| is_there(*corner, told)).take(MOST_PLACES);
+    corners.find(|corner| (0..h).all(|l| is_there(*corner, l)))
 }

@@ -2,7 +2,7 @@ use crate::comparison::{Comparison, Pixel};
 use crate::drawing::Drawing;
 use course::Step;
 use glam::DVec3;
-use step05_phong::{Ray, normal};
+use step05_phong::normal;
 
 /// How far the pixel is off that is off most.
 fn largest_difference(comparison: &Comparison) -> u8 {
@@ -29,17 +29,17 @@ pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
     let middle = far.len() / 2;
     let (_, pixel, _) =
         far.select_nth_unstable_by_key(middle, |pixel| (pixel.place.1, pixel.place.0));
-    let computed = comparison.drawing.map_or(String::new(), |drawing| {
-        format!(": {}", computed_values_clause(drawing, pixel, &comparison.ray(pixel)))
-    });
+    let computed = comparison
+        .drawing
+        .map_or(String::new(), |drawing| format!(": {}", computed_values_clause(drawing, pixel)));
     let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     let (i, j) = pixel.place;
     format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
 }
 
 /// Half a sentence: the values that our program computes for one pixel, in the book's letters.
-fn computed_values_clause(drawing: &Drawing, pixel: &Pixel, ray: &Ray) -> String {
-    let Some(hit) = pixel.hit else {
+fn computed_values_clause(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String {
+    let Some(hit) = *hit else {
         return format!("the sky, V = {}", format_vector(ray.direction));
     };
     let mut text = format!("{} at t = {:.4}", drawing.object_name(hit.object), hit.t);

@@ -1,10 +1,9 @@
 //! Answers about files: other formats, damaged ones, what a viewer may show otherwise.
 
-use crate::{Answers, draw_step, locked};
-use check::{Answer, check_png};
+use crate::{assert_locked, draw_step, format_answer, locked};
+use check::check_png;
 use course::Step;
-use image::codecs::png::PngEncoder;
-use image::{DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, RgbImage};
+use image::{DynamicImage, ImageFormat, RgbImage};
 use std::io::Cursor;
 
 fn encode(picture: DynamicImage) -> Vec<u8> {
@@ -31,39 +30,33 @@ fn png_header(columns: u32, rows: u32) -> Vec<u8> {
     [b"\x89PNG\r\n\x1a\n\0\0\0\x0d", &header[..], &sum, b"\0\0\x10\0IDAT\x78\x9c"].concat()
 }
 
-fn add_file(answers: &mut Answers, title: &str, file: &[u8]) {
-    let Answer { verdict, text, .. } = check_png(file, "my.png", Some("step02_sphere"), &locked());
-    answers.add(title, &format!("[{}]\n{text}", verdict.words()));
+/// The answer about a file that should be the picture of step 2.
+fn answer(title: &str, file: &[u8]) -> (String, String) {
+    let answer = check_png(file, "my.png", Some("step02_sphere"), &locked());
+    (title.to_owned(), format_answer(answer))
 }
 
 #[test]
 fn other_formats_and_damaged_files_are_as_locked() {
-    let mut answers = Answers::new();
     let png = encode(draw_step(Step::Sphere).into());
     let text_mode: Vec<u8> = png.iter().copied().filter(|byte| *byte != b'\r').collect();
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     let mut wrong_sum = png.clone();
     wrong_sum[100] ^= 1;
-    let files: [(&str, &[u8]); 33] = [
+    let files: [(&str, &[u8]); 27] = [
         ("JPEG", b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01"),
         ("WebP", b"RIFF\x24\0\0\0WEBPVP8 "),
         ("GIF", b"GIF89a"),
         ("BMP", b"BM\x36\0\0\0"),
-        ("PPM, text", b"P3\n2 2\n255\n0 0 0"),
         ("PPM", b"P6\n2 2\n255\n"),
         ("TIFF", b"II*\0\x08\0\0\0"),
-        ("TIFF, big endian", b"MM\0*\0\0\0\x08"),
-        ("AVIF", b"\0\0\0\x1cftypavif"),
         ("HEIC", b"\0\0\0\x18ftypheic"),
-        ("QOI", b"qoif\0\0\x02\x80"),
         ("PDF", b"%PDF-1.7"),
         ("ZIP", b"PK\x03\x04"),
         ("gzip", b"\x1f\x8b\x08"),
-        ("RAR", b"Rar!\x1a\x07"),
         ("web page", b"\n <!DOCTYPE HTML>"),
         ("pointer", b"version https://git-lfs.github.com/spec/v1"),
         ("SVG", b"<?xml version='1.0'?><svg/>"),
-        ("base64", b"iVBORw0KGgoAAAANSUhEUg"),
         ("text", b"not a picture"),
         ("text that begins as a BMP", b"BM is short for bitmap"),
         ("UTF-16", b"\xff\xfen\0o\0t\0 \0a\0 \0p\0i\0c\0"),
@@ -79,15 +72,12 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("no columns", &png_header(0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];
-    for (title, file) in files {
-        add_file(&mut answers, title, file);
-    }
-    answers.assert_locked("other_formats_and_damaged_files");
+    let answers = files.map(|(title, file)| answer(title, file));
+    assert_locked("other_formats_and_damaged_files", answers);
 }
 
 #[test]
 fn other_kinds_of_png_are_as_locked() {
-    let mut answers = Answers::new();
     let ours = DynamicImage::from(draw_step(Step::Sphere));
     let with_alpha = |alpha: &dyn Fn(u32, u32) -> u8| {
         let mut picture = ours.to_rgba8();
@@ -97,33 +87,27 @@ fn other_kinds_of_png_are_as_locked() {
     let png = encode(ours.clone());
     let exif_turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     let profile = b"profile\0\0\x78\x01\x01\x01\0\xfe\xffx\0\x79\0\x79";
-    for (title, file) in [
+    let wide = (Step::Rays.picture())(&course::camera_with_size(8192, 128), 1);
+    let mut answers = [
         ("plain", png.clone()),
         ("grey", encode(ours.to_luma8().into())),
         ("16 bits", encode(ours.to_rgb16().into())),
         ("opaque", with_alpha(&|_, _| 255)),
         ("invisible", with_alpha(&|_, _| 0)),
-        ("alpha 1", with_alpha(&|_, _| 1)),
         ("one pixel is invisible", with_alpha(&|i, j| if (i, j) == (9, 9) { 0 } else { 255 })),
         ("colour profile", insert_chunk(&png, b"iCCP", profile)),
         ("turned by EXIF", insert_chunk(&png, b"eXIf", exif_turned)),
         ("animation", insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0])),
-    ] {
-        add_file(&mut answers, title, &file);
-    }
-    let wide = (Step::Rays.picture())(&course::camera_with_size(8192, 128), 1);
-    let Answer { text, .. } = check_png(&encode(wide.clone().into()), "step1.png", None, &locked());
-    answers.add("8192 columns", &text);
-    let mut png = vec![];
-    let picture = image::imageops::resize(&wide, 8192, 2, image::imageops::FilterType::Nearest);
-    let rgba = DynamicImage::from(picture).into_rgba8();
-    let encoder = PngEncoder::new(&mut png);
-    encoder.write_image(&rgba, 8192, 2, ExtendedColorType::Rgba8).expect("a picture");
-    answers.add("8192 columns with alpha", &check_png(&png, "a.png", None, &locked()).text);
+        ("8192 columns with alpha", encode(DynamicImage::new_rgba8(8192, 2))),
+    ]
+    .map(|(title, file)| answer(title, &file))
+    .to_vec();
     let tiny = encode(RgbImage::new(1, 1).into());
-    for name in ["glass", "step06_\u{1b}[2J"] {
-        let answer = check_png(&tiny, "a.png", Some(name), &locked());
-        answers.add(&format!("one pixel for {}", name.escape_debug()), &answer.text);
+    for (file, name) in
+        [(encode(wide.into()), "step01_rays"), (tiny.clone(), "glass"), (tiny, "step06_\u{1b}[2J")]
+    {
+        let answer = check_png(&file, "a.png", Some(name), &locked());
+        answers.push((name.escape_debug().to_string(), format_answer(answer)));
     }
-    answers.assert_locked("other_kinds_of_png");
+    assert_locked("other_kinds_of_png", answers);
 }

@@ -1,17 +1,9 @@
 //! What holds whatever the bytes of a file are.
 
-use crate::{check, locked, locked_picture, map_locked};
+use crate::{check, encode, locked, locked_picture, map_locked};
 use check::{Verdict, check_png, find_name_in_file_name};
 use course::{Step, camera_with_size, locked_names};
 use fastrand::Rng;
-use image::RgbImage;
-use image::codecs::png::PngEncoder;
-
-fn encode(picture: &RgbImage) -> Vec<u8> {
-    let mut png = vec![];
-    picture.write_with_encoder(PngEncoder::new(&mut png)).expect("a picture");
-    png
-}
 
 /// Changes a few bytes, or leaves some out, or doubles them.
 fn damage_bytes(file: &mut Vec<u8>, random: &mut Rng) {
@@ -64,7 +56,7 @@ fn only_equal_pictures_are_right() {
     let mut random = Rng::with_seed(0x5EED);
     for (n, name) in locked_names().into_iter().enumerate() {
         assert_eq!(check(locked_picture(name), name).verdict, Verdict::Right, "{name}");
-        if 5 <= n && n % 8 != 0 {
+        if 1 < n && n % 8 != 0 {
             continue;
         }
         let (k, l, bit) = (random.u32(..640), random.u32(..360), 1 << random.u8(..8));
@@ -72,13 +64,6 @@ fn only_equal_pictures_are_right() {
             map_locked(name, |i, j, [r, g, b]| [r, if (i, j) == (k, l) { g ^ bit } else { g }, b]);
         assert_eq!(check(wrong, name).verdict, Verdict::NotRight, "{name} in {k}, {l}");
     }
-}
-
-#[test]
-fn program_of_step_is_right_with_its_other_options() {
-    let picture = (Step::Nearest.picture())(&camera_with_size(200, 150), 2);
-    assert_eq!(check(picture.clone(), "step03_nearest").verdict, Verdict::RightWithOtherOptions);
-    assert_eq!(check(picture, "step05_phong").verdict, Verdict::NotRight);
 }
 
 #[test]

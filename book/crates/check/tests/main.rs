@@ -1,23 +1,29 @@
 //! `check`: what it says of every picture that a reader may bring. Answers are snapshots, to be
 //! read as a reader does.
 
-mod changed_scenes;
 mod files;
 mod laws;
 mod list;
+mod pictures;
 mod program;
-mod whole_pictures;
 mod wrong_programs;
 
 use check::{Answer, LockedPictures, check_picture};
 use course::{Step, camera};
 use glam::DVec3;
+use image::codecs::png::PngEncoder;
 use image::{Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
 use std::path::PathBuf;
 use std::{fs, rc::Rc};
 use step01_rays::{Ray, render};
-use step05_phong::{Light, Material, Scene};
+use step05_phong::{Light, Material};
+
+/// A scene of step 5.
+type Scene = step05_phong::Scene<Material, Light>;
+
+/// A title, the name of the picture that is expected, and the one that is there.
+type Row = (&'static str, &'static str, RgbImage);
 
 thread_local! {
     static LOCKED: Rc<LockedPictures> = Rc::new(LockedPictures::in_workspace());
@@ -45,9 +51,8 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-/// The picture of step 5 with another scene.
-fn draw_changed_scene(change: impl Fn(&mut Scene<Material, Light>)) -> RgbImage {
-    let mut scene = step05_phong::scene();
+/// The picture of a scene with a change.
+fn draw_changed(mut scene: Scene, change: impl Fn(&mut Scene)) -> RgbImage {
     change(&mut scene);
     draw(|ray| step05_phong::colour(&scene, ray))
 }
@@ -57,45 +62,42 @@ fn draw_step(step: Step) -> RgbImage {
     (step.picture())(&camera(), 1)
 }
 
+fn encode(picture: &RgbImage) -> Vec<u8> {
+    let mut png = vec![];
+    picture.write_with_encoder(PngEncoder::new(&mut png)).expect("a picture");
+    png
+}
+
 fn check(picture: RgbImage, name: &str) -> Answer {
     check_picture(&picture.into(), Some(name), &locked())
 }
 
-/// So many things with a title each.
-type Titled<T, const COUNT: usize> = [(&'static str, T); COUNT];
+/// An answer as a snapshot has it.
+fn format_answer(Answer { verdict, text, cause, .. }: Answer) -> String {
+    assert!(text.lines().count() <= 12, "{text}");
+    let cause = [cause.step.map(Step::name), cause.file.as_deref(), cause.mistake.as_deref()];
+    let cause: String = cause.into_iter().flatten().map(|part| format!("\n[{part}]")).collect();
+    format!("[{}]\n{text}{cause}", verdict.words())
+}
 
-/// Answers below their titles, compared with the snapshot of this name.
-struct Answers(String);
+/// Compares answers below their titles with the snapshot of this name.
+#[track_caller]
+fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
+    let answers = answers.into_iter();
+    let text = answers.map(|(title, text)| format!("## {title}\n{}\n\n", text.trim_end()));
+    let mut settings = Settings::clone_current();
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| assert_snapshot!(name, text.collect::<String>()));
+}
 
-impl Answers {
-    fn new() -> Self {
-        Self(String::new())
-    }
-
-    fn add(&mut self, title: &str, text: &str) {
-        self.0 += &format!("## {title}\n{}\n\n", text.trim_end());
-    }
-
-    /// Adds the answer about a picture that should be the one of `name`.
-    fn add_picture(&mut self, title: &str, name: &str, picture: RgbImage) {
-        let Answer { verdict, text, cause, .. } = check(picture, name);
-        assert!(text.lines().count() <= 14, "{text}");
-        let cause = [cause.step.map(Step::name), cause.file.as_deref(), cause.mistake.as_deref()];
-        let cause: Vec<_> = cause.into_iter().flatten().collect();
-        let end = match cause.is_empty() {
-            true => String::new(),
-            false => format!("\n[cause: {}]", cause.join("; ")),
-        };
-        self.add(title, &format!("[{}]\n{text}{end}", verdict.words()));
-    }
-
-    #[track_caller]
-    fn assert_locked(self, name: &str) {
-        let mut settings = Settings::clone_current();
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.bind(|| assert_snapshot!(name, self.0));
-    }
+/// Compares the answers about pictures with the snapshot of this name.
+#[track_caller]
+fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
+    let answer = |(title, expected, picture): Row| {
+        (format!("{title}, {expected}"), format_answer(check(picture, expected)))
+    };
+    assert_locked(name, rows.map(answer));
 }
 
 /// An empty folder of this test.

@@ -169,7 +169,7 @@ const RADIUS: Option<Typed> = typed(Step::Sphere, [0, 60], 100);
 const COLOUR: Option<Typed> = typed(Step::Nearest, [0, 5], 100);
 const LAMP_POSITION: Option<Typed> = typed(Step::Diffuse, [-20, 20], 100);
 const LAMP: Option<Typed> = typed(Step::Diffuse, [0, 5], 100);
-const FADING: Option<Typed> = typed(Step::Diffuse, [0, 20], 1000);
+const FADING: Option<Typed> = typed(Step::Diffuse, [0, 2], 1000);
 const HIGHLIGHT: Option<Typed> = typed(Step::Phong, [0, 5], 100);
 
 const fn typed(since: Step, range: [i32; 2], steps_per_unit: i32) -> Option<Typed> {
