@@ -35,11 +35,11 @@ pub fn check_scene_png(
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let target = Target::of_scene(name);
-        if *target.picture == picture.rows {
+        if *target.picture == picture.rgb {
             return right(&target.title);
         }
-        match other_names.iter().find(|other| is_scene_of(&picture.rows, other)) {
-            None => explain(picture, &target, locked),
+        match other_names.iter().find(|other| is_scene_of(&picture.rgb, other)) {
+            None => explain(&picture.rgb, &target, locked),
             Some(other) => Answer::new(
                 Verdict::NotRight,
                 format!("Not right. This is {}, not {}.", scene_title(other), target.title),
@@ -59,7 +59,7 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
         return answer;
     }
     if 0 < picture.transparent_count {
-        let (count, all) = (picture.transparent_count, picture.rows.pixels().len());
+        let (count, all) = (picture.transparent_count, picture.rgb.pixels().len());
         answer.text = format!(
             "Not right. {count} of {all} pixels are not opaque, so a viewer shows other colours. \
              Of those in the file this can be said:\n{}",
@@ -87,24 +87,24 @@ pub fn check_picture(
         ));
     }
     let listed = || {
-        let mistakes = find_mistakes_with_hash(hash_picture(&picture.rows));
+        let mistakes = find_mistakes_with_hash(hash_picture(&picture.rgb));
         let (_, name) = mistakes.into_iter().next()?;
         names.iter().find(|known| **known == name).copied()
     };
-    let found = expected_name.or_else(|| equal_name(picture, locked)).or_else(listed);
-    let name = found.map_or_else(|| find_most_similar(&picture.rows, &names, locked), Ok);
+    let found = expected_name.or_else(|| equal_name(&picture.rgb, locked)).or_else(listed);
+    let name = found.map_or_else(|| find_most_similar(&picture.rgb, &names, locked), Ok);
     match name.and_then(|name| locked.target(name)) {
         Err(why) => Answer::error(why),
-        Ok(target) if *target.picture == picture.rows => right(&target.title),
-        Ok(target) => explain(picture, &target, locked),
+        Ok(target) if *target.picture == picture.rgb => right(&target.title),
+        Ok(target) => explain(&picture.rgb, &target, locked),
     }
 }
 
 /// The name of the locked picture that a picture is.
-pub(crate) fn equal_name(picture: &Picture, locked: &LockedPictures) -> Option<&'static str> {
-    let hash = hash_picture(&picture.rows);
+pub(crate) fn equal_name(picture: &RgbImage, locked: &LockedPictures) -> Option<&'static str> {
+    let hash = hash_picture(picture);
     let same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
-    let mut equal = same.filter(|name| locked.get(name).is_ok_and(|one| *one == picture.rows));
+    let mut equal = same.filter(|name| locked.get(name).is_ok_and(|one| *one == *picture));
     equal.next()
 }
 

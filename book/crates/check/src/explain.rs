@@ -11,8 +11,9 @@ use crate::scene_mistake::{colour_with_mistake, scene_mistakes};
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
-use crate::{Answer, Cause, LockedPictures, Picture, Verdict};
+use crate::{Answer, Cause, LockedPictures, Verdict};
 use course::{Mistake, Step, draw_panels, find_mistakes_with_hash, hash_picture, step_of_example};
+use image::RgbImage;
 
 /// The most changes that are told.
 const MOST_CHANGES: usize = 3;
@@ -21,22 +22,22 @@ const MOST_CHANGES: usize = 3;
 const RAYS: u32 = 4_000_000;
 
 /// Says what is known of a picture that isn't the one it should be.
-pub(crate) fn explain(picture: &Picture, target: &Target, locked: &LockedPictures) -> Answer {
-    let (yours, title) = (&picture.rows, &target.title);
-    let varied = target.drawing.as_ref().filter(|_| uniform_colour(picture).is_none());
-    if let Some(text) = varied.and_then(|one| describe_other_options(one, title, picture)) {
+pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures) -> Answer {
+    let title = &target.title;
+    let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
+    if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
         return Answer::new(Verdict::RightWithOtherOptions, text);
     }
     let comparison = Comparison::new(target, yours);
-    let mut known = match equal_name(picture, locked) {
+    let mut known = match equal_name(yours, locked) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
-        None => describe_whole(picture, &target.picture, title),
+        None => describe_whole(yours, &target.picture, title),
     };
     let changes = match &comparison {
         Some(comparison) if known.is_empty() => find_changes(comparison),
         _ => vec![],
     };
-    let (listed, drawn_for) = listed_mistakes(picture, target, comparison.as_ref());
+    let (listed, drawn_for) = listed_mistakes(yours, target, comparison.as_ref());
     let listed = tell_listed_mistakes(&listed, drawn_for.as_deref());
     let mut cause = Cause::default();
     if let Some((text, listed_cause)) = listed {
@@ -49,7 +50,7 @@ pub(crate) fn explain(picture: &Picture, target: &Target, locked: &LockedPicture
     }
     let details = match &comparison {
         Some(comparison) => details(comparison, target, cause.step, known.is_empty()),
-        None if known.is_empty() => size_lines(picture, target),
+        None if known.is_empty() => size_lines(yours, target),
         None => String::new(),
     };
     let text = format!("Not right. {known}{details}").trim_end().to_owned();
@@ -79,12 +80,12 @@ fn join_changes(changes: &[String]) -> String {
 /// The listed mistakes that give a picture, and the name of the locked picture that they were
 /// drawn for where it isn't the target.
 fn listed_mistakes(
-    picture: &Picture,
+    yours: &RgbImage,
     target: &Target,
     comparison: Option<&Comparison>,
 ) -> (Vec<Mistake>, Option<String>) {
     if let Some(expected) = &target.name {
-        let mut all = find_mistakes_with_hash(hash_picture(&picture.rows));
+        let mut all = find_mistakes_with_hash(hash_picture(yours));
         if all.iter().any(|(_, name)| name == expected) {
             all.retain(|(_, name)| name == expected);
         }
@@ -132,8 +133,8 @@ fn details(
 }
 
 /// Lines on a picture of another size that nothing explains.
-fn size_lines(picture: &Picture, target: &Target) -> String {
-    let ((w, h), (columns, rows)) = (picture.size, target.picture.dimensions());
+fn size_lines(yours: &RgbImage, target: &Target) -> String {
+    let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
     format!(
         "Your picture is {w}×{h} pixels, and {} {columns}×{rows}.\n\
          Draw it with the default options for a more detailed diagnosis.\n",

@@ -46,7 +46,7 @@ fn read(name: &str) -> Result<RgbImage, String> {
     let path = format!("tests/snapshots/{name}.snap.png");
     let file = fs::read(workspace().join(&path));
     let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-    Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rows)
+    Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rgb)
 }
 
 /// The picture, if it is the one with which this program was compiled; else a sentence.

@@ -1,7 +1,7 @@
-use crate::Picture;
 use crate::comparison::{RayBudget, scattered_places};
 use crate::drawing::{Drawing, bytes};
 use course::{find_mistakes_with_hash, hash_picture};
+use image::RgbImage;
 use step01_rays::{Camera, mean, sub_pixels};
 
 /// The field of view of the locked pictures, in tenths of a degree.
@@ -16,23 +16,23 @@ const ALL_RAYS: u32 = 2 * RAYS;
 pub(crate) fn describe_other_options(
     drawing: &Drawing,
     title: &str,
-    yours: &Picture,
+    yours: &RgbImage,
 ) -> Option<String> {
-    let (columns, rows) = yours.size;
+    let (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
     }
     let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
     let budget = RayBudget::new(ALL_RAYS);
-    let places = scattered_places(columns, yours.rows.height());
+    let places = scattered_places(columns, rows);
     let mut places: Vec<_> = places.take(RAYS as usize).collect();
     for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
         let fov_degrees = f64::from(tenths) / 10.0;
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let largest_difference = |(i, j): (u32, u32), sub_pixels: &[(f64, f64)]| {
-            let (x, y) = (f64::from(i), f64::from(j * yours.row_step));
+            let (x, y) = (f64::from(i), f64::from(j));
             let ours = bytes(mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v))));
-            let yours = yours.rows.get_pixel(i, j).0;
+            let yours = yours.get_pixel(i, j).0;
             (0..3).map(|k| ours[k].abs_diff(yours[k])).max()
         };
         // The sky in the corner hardly depends on the samples.
@@ -55,12 +55,12 @@ pub(crate) fn describe_other_options(
 }
 
 /// Sentences about a picture that is right with these options, in the pixels compared.
-fn sentences(title: &str, yours: &Picture, options: &str, compared: usize) -> String {
-    let extent = match yours.size.0 as usize * yours.size.1 as usize {
+fn sentences(title: &str, yours: &RgbImage, options: &str, compared: usize) -> String {
+    let extent = match yours.pixels().len() {
         all if compared == all => "in every pixel".to_owned(),
         all => format!("in the {compared} pixels of {all} that were compared"),
     };
-    let hint = match find_mistakes_with_hash(hash_picture(&yours.rows)).first() {
+    let hint = match find_mistakes_with_hash(hash_picture(yours)).first() {
         Some((mistake, _)) => {
             format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
         }

@@ -6,26 +6,16 @@ use std::error::Error;
 use std::io::Cursor;
 
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
-pub(crate) const FILE_BYTES: u64 = 1 << 27;
+pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The most columns and the most rows of a picture that is unpacked as a whole.
-const LARGEST_WHOLE: u32 = 4096;
-
-/// The most columns and rows that a program of the course draws.
-const LARGEST: (u32, u32) = (8192, 4 * 8192);
-
-/// The most bytes that are kept of a larger picture.
-const KEPT_BYTES: u64 = 3 << 22;
+/// The columns and rows of the largest picture, as the programs draw it with `--width 8192`.
+const LARGEST: (u32, u32) = (8192, 4608);
 
 /// A picture that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Columns and rows.
-    pub size: (u32, u32),
-    /// Every so many-th row was kept: each, but for very large pictures.
-    pub row_step: u32,
-    /// The pixels of these rows.
-    pub rows: RgbImage,
+    /// Its pixels.
+    pub rgb: RgbImage,
     /// How many pixels are not opaque.
     pub transparent_count: usize,
     /// Sentences about the file.
@@ -33,16 +23,14 @@ pub struct Picture {
 }
 
 impl From<RgbImage> for Picture {
-    fn from(rows: RgbImage) -> Self {
-        let size = rows.dimensions();
-        Self { size, row_step: 1, rows, transparent_count: 0, notes: vec![] }
+    fn from(rgb: RgbImage) -> Self {
+        Self { rgb, transparent_count: 0, notes: vec![] }
     }
 }
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
 ///
-/// The size is looked at before anything is unpacked. Of a picture that is too large to be
-/// unpacked as a whole, some rows are kept, if a program of the course may have written it.
+/// The size is looked at before anything is unpacked.
 pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
         return Err(too_large_clause());
@@ -54,46 +42,25 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(file), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(damage_clause)?;
-    let info = reader.info();
-    let (columns, rows) = info.size();
-    let is_whole = columns.max(rows) <= LARGEST_WHOLE;
-    let is_as_written = (info.color_type, info.bit_depth, info.interlaced)
-        == (ColorType::Rgb, BitDepth::Eight, false);
-    if !is_whole && (LARGEST.0 < columns || LARGEST.1 < rows || !is_as_written) {
-        return Err(format!(
-            "is too large: pictures of more than {LARGEST_WHOLE} columns or rows are looked at \
-             as the course writes them, RGB of up to {}×{}",
-            LARGEST.0, LARGEST.1
-        ));
-    }
-    let notes = viewer_notes(info);
-    let kept_rows = if is_whole { rows } else { (KEPT_BYTES / 3) as u32 / columns };
-    let row_step = rows.div_ceil(kept_rows);
-    let row_bytes = reader.output_line_size(columns).unwrap_or(0);
+    let most_bytes = 3 * LARGEST.0 as usize * LARGEST.1 as usize;
+    let size = reader.output_buffer_size().filter(|size| *size <= most_bytes).ok_or_else(|| {
+        format!("is too large: a picture of {}×{} pixels is the largest", LARGEST.0, LARGEST.1)
+    })?;
+    let mut bytes = vec![0; size];
+    reader.next_frame(&mut bytes).map_err(damage_clause)?;
     let channels = reader.output_color_type().0.samples();
-    let mut bytes = vec![0; row_bytes * if is_whole { rows as usize } else { 1 }];
-    if is_whole {
-        reader.next_frame(&mut bytes).map_err(damage_clause)?;
+    let has_alpha = channels.is_multiple_of(2);
+    let alphas = bytes.chunks_exact(channels).filter_map(|pixel| pixel.last());
+    let transparent_count = alphas.filter(|alpha| has_alpha && **alpha < 255).count();
+    if channels != 3 {
+        // A grey pixel has one channel before its alpha.
+        let order = if channels < 3 { [0; 3] } else { [0, 1, 2] };
+        bytes = bytes.chunks_exact(channels).flat_map(|pixel| order.map(|k| pixel[k])).collect();
     }
-    let (mut kept, mut transparent_count) = (vec![], 0);
-    for j in 0..rows {
-        if !is_whole {
-            reader.read_row(&mut bytes).map_err(damage_clause)?;
-        }
-        let start = if is_whole { j as usize * row_bytes } else { 0 };
-        let row = &bytes[start..start + row_bytes];
-        for pixel in row.chunks_exact(channels).filter(|_| j.is_multiple_of(row_step)) {
-            match *pixel {
-                [grey] | [grey, _] => kept.extend([grey; 3]),
-                _ => kept.extend(&pixel[..3]),
-            }
-            let alpha = if channels % 2 == 0 { pixel[channels - 1] } else { 255 };
-            transparent_count += usize::from(alpha < 255);
-        }
-    }
-    let kept = RgbImage::from_raw(columns, rows.div_ceil(row_step), kept);
-    let rows_kept = kept.ok_or("is a damaged PNG file: rows are missing")?;
-    Ok(Picture { size: (columns, rows), row_step, rows: rows_kept, transparent_count, notes })
+    let info = reader.info();
+    let rgb = RgbImage::from_raw(info.width, info.height, bytes);
+    let rgb = rgb.ok_or("is a damaged PNG file: rows are missing")?;
+    Ok(Picture { rgb, transparent_count, notes: viewer_notes(info) })
 }
 
 /// Says that a file is larger than any picture.

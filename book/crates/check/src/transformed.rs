@@ -1,4 +1,3 @@
-use crate::Picture;
 use image::RgbImage;
 use image::imageops;
 
@@ -32,36 +31,36 @@ const ORDERS: [(&str, [usize; 3]); 6] = [
 
 /// A sentence about a picture of one colour, or about one that is the whole of ours, of this
 /// title, turned, cut or enlarged; else nothing.
-pub(crate) fn describe_whole(picture: &Picture, ours: &RgbImage, title: &str) -> String {
+pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> String {
     if let Some([r, g, b]) = uniform_colour(picture) {
         return format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n");
     }
     let clauses = turned_or_swapped_clauses(picture, ours).join(", or ");
     let clause = Some(clauses).filter(|clauses| !clauses.is_empty());
-    match clause.or_else(|| cut_or_enlarged_clause(picture, ours)) {
+    let is_same_size = picture.dimensions() == ours.dimensions();
+    match clause.or_else(|| cut_or_enlarged_clause(picture, ours).filter(|_| !is_same_size)) {
         Some(clause) => format!("This is {title}, {clause}.\n"),
         None => String::new(),
     }
 }
 
 /// The colour of all pixels, where it is one.
-pub(crate) fn uniform_colour(picture: &Picture) -> Option<[u8; 3]> {
-    let first = picture.rows.get_pixel_checked(0, 0)?;
-    let is_uniform = picture.row_step == 1 && picture.rows.pixels().all(|pixel| pixel == first);
-    is_uniform.then_some(first.0)
+pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
+    let first = picture.get_pixel_checked(0, 0)?;
+    picture.pixels().all(|pixel| pixel == first).then_some(first.0)
 }
 
 /// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
 /// with its channels in another order.
-fn turned_or_swapped_clauses(picture: &Picture, ours: &RgbImage) -> Vec<String> {
+fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String> {
     let mut clauses = vec![];
     for (turned, turn) in TURNS {
         let ours = turn(ours);
-        if ours.dimensions() != picture.size || picture.row_step != 1 {
+        if ours.dimensions() != picture.dimensions() {
             continue;
         }
         for (swapped, order) in ORDERS {
-            let mut pairs = picture.rows.pixels().zip(ours.pixels());
+            let mut pairs = picture.pixels().zip(ours.pixels());
             if pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k])) {
                 let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
                 clauses.push(words.collect::<Vec<_>>().join(", "));
@@ -73,26 +72,20 @@ fn turned_or_swapped_clauses(picture: &Picture, ours: &RgbImage) -> Vec<String> 
 
 /// A clause such as `enlarged 2 times`: which part of ours yours is, or ours of yours, or how
 /// many times larger each pixel.
-fn cut_or_enlarged_clause(picture: &Picture, ours: &RgbImage) -> Option<String> {
-    let (yours, (w, h)) = (&picture.rows, picture.size);
-    if picture.size == ours.dimensions() {
-        return None;
-    }
-    let is_whole = picture.row_step == 1;
-    if is_whole && let Some((i, j)) = find_corner_of_part(yours, ours) {
+fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
+    let (w, h) = yours.dimensions();
+    if let Some((i, j)) = find_corner_of_part(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
         return Some(format!("cut out: its columns {i} to {right} and rows {j} to {low}"));
     }
-    if is_whole && let Some((i, j)) = find_corner_of_part(ours, yours) {
+    if let Some((i, j)) = find_corner_of_part(ours, yours) {
         let place = format!("from column {i} and row {j} on");
         return Some(format!("inside a larger one, perhaps a screenshot, {place}"));
     }
     let times = w / ours.width();
-    let is_size = times * ours.width() == w && times * ours.height() == h;
-    let is_enlarged = is_size
-        && yours.enumerate_pixels().all(|(i, row, pixel)| {
-            ours.get_pixel(i / times, row * picture.row_step / times) == pixel
-        });
+    let mut pixels = yours.enumerate_pixels();
+    let is_enlarged = (w, h) == (times * ours.width(), times * ours.height())
+        && pixels.all(|(i, j, pixel)| ours.get_pixel(i / times, j / times) == pixel);
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
