@@ -47,6 +47,8 @@ pub struct Cause {
     pub file: Option<String>,
     /// The mistake, in a few words.
     pub mistake: Option<String>,
+    /// All mistakes that we know and that give the picture.
+    pub all: Vec<String>,
 }
 
 /// What `check` says of a picture.
@@ -76,7 +78,7 @@ impl Answer {
 
     /// The answer as fields of a JSON object; those of the cause only where they are known.
     pub fn json_fields(&self) -> Vec<(&'static str, String)> {
-        let Cause { step, file, mistake } = &self.cause;
+        let Cause { step, file, mistake, .. } = &self.cause;
         let known = [
             ("verdict", Some(self.verdict.words())),
             ("step", step.map(Step::name)),

@@ -45,6 +45,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
     } else if let [change] = &changes[..] {
         cause.mistake = Some(change.clone());
     }
+    cause.all.extend(changes.iter().cloned());
     if !changes.is_empty() {
         known += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
     }

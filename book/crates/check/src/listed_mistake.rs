@@ -54,6 +54,7 @@ pub(crate) fn tell_listed_mistakes(
         step: first.step().filter(|step| mistakes.iter().all(|one| one.step() == Some(*step))),
         file: is_one_file.then(|| first.file.clone()),
         mistake: (mistakes.len() == 1).then(|| first.title.to_owned()),
+        all: mistakes.iter().map(|one| format!("{} ({})", one.title, one.file)).collect(),
     };
     Some((text, cause))
 }

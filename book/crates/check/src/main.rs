@@ -1,11 +1,11 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
-    read_bounded_file, report_on_folder_or_class,
+    Answer, Format, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
+    read_bounded_file, report_on_folder,
 };
 use clap::Parser;
-use course::{json, locked_names};
+use course::{NAMED_SCENE_EXAMPLE, json, locked_names};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -25,8 +25,8 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
-    /// The folder to look in for every picture of the course, or one with such a folder
-    /// for each student, who gets one line
+    /// Where to look for every picture of the course; or what a class has handed in, as Moodle,
+    /// Canvas or GitHub gives it: a folder or an archive for each student, who gets one line
     #[arg(long = "in", value_name = "FOLDER", default_value = ".")]
     #[arg(conflicts_with = "file")]
     folder: PathBuf,
@@ -35,6 +35,14 @@ struct Arguments {
     #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
+    /// The pictures that are asked for, with commas between them; `scene` is the scene of the
+    /// student's name
+    #[arg(long, value_name = "NAMES", conflicts_with = "file", value_delimiter = ',')]
+    #[arg(value_parser = parse_picture_name)]
+    require: Vec<&'static str>,
+    /// Prints a row for each student and picture, for a spreadsheet
+    #[arg(long, conflicts_with_all = ["file", "json"])]
+    csv: bool,
     /// Prints JSON
     #[arg(long)]
     json: bool,
@@ -46,6 +54,13 @@ fn parse_scene_name(text: &str) -> Result<String, &'static str> {
         "" => Err("a name can't be blank"),
         _ => Ok(text.to_owned()),
     }
+}
+
+/// The picture of this name.
+fn parse_picture_name(text: &str) -> Result<&'static str, String> {
+    let name = if text == "scene" { NAMED_SCENE_EXAMPLE } else { text };
+    let known = locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).find(|one| *one == name);
+    known.ok_or_else(|| "allowed are scene and the names below `check --help`".to_owned())
 }
 
 fn main() -> ExitCode {
@@ -65,8 +80,10 @@ fn main() -> ExitCode {
         Arguments { scene: Some(scene), json, .. } => {
             print(&Answer::new(Verdict::Right, course::draw_named_scene(&scene).0), json)
         }
-        Arguments { folder, json, .. } => {
-            let answer = report_on_folder_or_class(&folder, &locked, json);
+        Arguments { folder, require, csv, json, .. } => {
+            let format = if csv { Format::Csv } else { Format::Table };
+            let format = if json { Format::Json } else { format };
+            let answer = report_on_folder(&folder, &require, format);
             // A report is JSON already, an error isn't.
             print(&answer, json && answer.verdict == Verdict::Unreadable)
         }

@@ -1,6 +1,7 @@
 //! `check`: what it says of every picture that a reader may bring. Answers are snapshots, to be
 //! read as a reader does.
 
+mod class;
 mod files;
 mod laws;
 mod list;

@@ -3,6 +3,7 @@ use crate::{OwnScene, format_scene_program};
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
+use unicode_normalization::UnicodeNormalization;
 
 /// The example of step 5 as which the program of a named scene is saved. No example of the
 /// course has this name, so no other program draws a picture of it.
@@ -69,7 +70,9 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     scene
 }
 
-/// The words of a name, with one blank between them.
+/// The words of a name, with one blank between them, each letter as one character: a Mac writes
+/// "ü" as two in the names of files.
 fn join_words(name: &str) -> String {
+    let name: String = name.nfc().collect();
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,0 +1,92 @@
+use crate::class::found_file::FoundFile;
+use std::collections::BTreeMap;
+use unicode_normalization::UnicodeNormalization;
+
+/// A student, and the files that were handed in.
+pub(crate) struct Student {
+    /// The name to which the student's scene belongs.
+    pub name: String,
+    /// The name, with what tells two of one name apart.
+    pub unique_name: String,
+    /// Their paths begin below what belongs to the student.
+    pub files: Vec<FoundFile>,
+}
+
+/// The students of a class, by their names, and the files that are nobody's. A student's are in
+/// a folder or an archive, as Moodle and GitHub have it, or beside those of others with the
+/// student in their names, as Canvas has it.
+pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<FoundFile>) {
+    while is_one_folder_too_deep(&files) {
+        files.iter_mut().for_each(|file| drop(file.path.remove(0)));
+    }
+    let mut groups: BTreeMap<String, Vec<FoundFile>> = BTreeMap::new();
+    let mut stray = vec![];
+    for mut file in files {
+        match take_key(&mut file.path) {
+            Some(key) => groups.entry(key).or_default().push(file),
+            None => stray.push(file),
+        }
+    }
+    let keys: Vec<_> = groups.keys().cloned().collect();
+    let prefix = common_prefix(&keys);
+    let names: Vec<String> = keys.iter().map(|key| name_in_key(&key[prefix..])).collect();
+    let students = groups.into_values().enumerate().map(|(k, files)| {
+        let is_alone = names.iter().filter(|name| **name == names[k]).count() == 1;
+        let unique_name = if is_alone { &names[k] } else { &keys[k] };
+        Student { name: names[k].clone(), unique_name: unique_name.clone(), files }
+    });
+    (students.collect(), stray)
+}
+
+/// Whether all files are in one folder, and there in several.
+fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
+    let at = |k: usize| files.iter().map(move |file| file.path[..file.path.len() - 1].get(k));
+    let [first, second] = [0, 1].map(|k| at(k).next().flatten());
+    first.is_some()
+        && second.is_some()
+        && at(0).all(|name| name == first)
+        && at(1).all(|name| name.is_some())
+        && at(1).any(|name| name != second)
+}
+
+/// Takes from a path what tells the student; None where nothing does.
+fn take_key(path: &mut Vec<String>) -> Option<String> {
+    if let Some((student, file)) = split_canvas_name(&path[0]) {
+        path[0] = file;
+        return Some(student);
+    }
+    if path.len() == 1 {
+        return None;
+    }
+    let folder = path.remove(0);
+    // Moodle makes a folder each for files and for what was typed.
+    let student = folder.split_once("_assignsubmission_").map(|(student, _)| student.to_owned());
+    Some(student.unwrap_or(folder))
+}
+
+/// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
+pub(crate) fn split_canvas_name(name: &str) -> Option<(String, String)> {
+    let (student, rest) = name.split_once('_')?;
+    let rest = rest.strip_prefix("LATE_").unwrap_or(rest);
+    let [user, file, name] = rest.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
+    let is_number = |text: &str| 1 < text.len() && text.bytes().all(|byte| byte.is_ascii_digit());
+    (is_number(user) && is_number(file)).then(|| (student.to_owned(), name.to_owned()))
+}
+
+/// How many bytes the keys have in common up to a `-`, as the repositories of one assignment do.
+fn common_prefix(keys: &[String]) -> usize {
+    let Some((first, others)) = keys.split_first().filter(|(_, others)| !others.is_empty()) else {
+        return 0;
+    };
+    let ends = first.match_indices('-').map(|(k, _)| k + 1);
+    ends.filter(|end| others.iter().all(|key| key.starts_with(&first[..*end]))).max().unwrap_or(0)
+}
+
+/// The student's name: without Moodle's number, and in one Unicode form.
+fn name_in_key(key: &str) -> String {
+    let name = match key.rsplit_once('_') {
+        Some((name, number)) if number.bytes().all(|byte| byte.is_ascii_digit()) => name,
+        _ => key,
+    };
+    name.nfc().collect()
+}

@@ -1,0 +1,116 @@
+//! Reports on one's own folder, and on classes as learning platforms give them.
+
+use crate::program::{run_check, write_files};
+use crate::{assert_locked, create_empty_folder, encode, locked_picture, map_locked};
+use course::draw_named_scene;
+use std::io::Write;
+
+/// A ZIP archive of these files.
+fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
+    let mut bytes = vec![];
+    let mut archive = rawzip::ZipArchiveWriter::new(&mut bytes);
+    for (name, content) in files {
+        let method = rawzip::CompressionMethod::DEFLATE;
+        let file = archive.new_file(*name).compression_method(method).start();
+        let (mut entry, config) = file.expect("a file");
+        let level = flate2::Compression::fast();
+        let mut writer = config.wrap(flate2::write::DeflateEncoder::new(&mut entry, level));
+        writer.write_all(content).expect("its bytes");
+        let (encoder, descriptor) = writer.finish().expect("its end");
+        encoder.finish().expect("its end");
+        entry.finish(descriptor).expect("its end");
+    }
+    archive.finish().expect("an archive");
+    bytes
+}
+
+/// The bytes of a locked picture.
+fn ours(name: &str) -> Vec<u8> {
+    encode(&locked_picture(name))
+}
+
+/// The bytes of a locked picture with red and blue exchanged.
+fn bgr(name: &str) -> Vec<u8> {
+    encode(&map_locked(name, |_, _, [r, g, b]| [b, g, r]))
+}
+
+#[test]
+fn reports_on_ones_own_folder_are_as_locked() {
+    let folder = create_empty_folder("own");
+    write_files(
+        &folder,
+        [
+            ("glass.png", ours("glass")),
+            ("sun.png", ours("plane")),
+            ("Plane (1).PNG", ours("plane")),
+            ("disc.png", b"text".to_vec()),
+            ("deeper/step01_rays.png", ours("step01_rays")),
+        ],
+    );
+    let runs: [&[&str]; 2] = [&[], &["--require", "plane,glass", "--json"]];
+    assert_locked("own_folder", runs.map(|arguments| run_check(&folder, arguments)));
+}
+
+#[test]
+fn reports_on_classes_are_as_locked() {
+    let folder = create_empty_folder("classes");
+    let [rays, sphere] = ["step01_rays", "step02_sphere"].map(ours);
+    let scene = |name: &str| encode(&draw_named_scene(name).1);
+    let two_pictures = zip(&[("raycaster/step01_rays.png", &rays), ("__MACOSX/._a.png", b"")]);
+    let nested = zip(&[("my/pictures.zip", &two_pictures), ("my/notes.txt", b"text")]);
+    write_files(
+        &folder,
+        [
+            ("moodle/A1/Ada L_471_assignsubmission_file/scene_of_me.png", scene("Ada L")),
+            ("moodle/A1/Ada L_471_assignsubmission_file/out/Step1 (1).PNG", rays.clone()),
+            ("moodle/A1/Ada L_471_assignsubmission_onlinetext/online.html", b"<html>".to_vec()),
+            ("moodle/A1/Bob_472_assignsubmission_file/scene_of_me.png", scene("Ada L")),
+            ("moodle/A1/Bob_472_assignsubmission_file/step02_sphere.jpg", b"\xff\xd8\xff".to_vec()),
+            ("moodle/A1/Bob_473_assignsubmission_file/IMG_1.HEIC", b"heic".to_vec()),
+            ("moodle/A1/Cleo_474_assignsubmission_file.zip", two_pictures.clone()),
+            ("moodle/A1/Do\u{308}ra_475_assignsubmission_file/scene_of_me.png", scene("D\u{f6}ra")),
+            ("moodle/A1/Emil_476_assignsubmission_file/all.zip", nested),
+            ("moodle/A1/Fay_477_assignsubmission_file/all.zip", two_pictures[..99].to_vec()),
+            ("moodle/A1/Gus_478_assignsubmission_file/.hidden.png", vec![]),
+            ("canvas/lovelaceada_4711_99_step01_rays-2.png", rays.clone()),
+            ("canvas/lovelaceada_4711_98_step01_rays-1.png", sphere.clone()),
+            ("canvas/bob_LATE_4712_97_step02_sphere.png", sphere.clone()),
+            ("canvas/roster.pdf", vec![]),
+            ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
+            ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
+            ("github/raycaster-ada/glass.png", ours("glass")),
+            ("github/raycaster-=bob/step01_rays.png", rays),
+            ("github/raycaster-=bob/locked/tests/snapshots/step02_sphere.snap.png", sphere),
+        ],
+    );
+    let required = "step01_rays,step02_sphere,scene";
+    let runs: [&[&str]; 6] = [
+        &["--in", "moodle", "--require", required],
+        &["--in", "canvas", "--require", required],
+        &["--in", "github"],
+        &["--in", "github", "--csv"],
+        &["--in", "github", "--json"],
+        &["--in", "canvas", "--require", "step01_rays,nowhere"],
+    ];
+    assert_locked("classes", runs.map(|arguments| run_check(&folder, arguments)));
+}
+
+#[cfg(unix)]
+#[test]
+fn linked_and_locked_folders_go_by_their_names() {
+    use std::fs::{Permissions, create_dir_all, read_dir, set_permissions};
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = create_empty_folder("linked");
+    write_files(&folder, [("elsewhere/step01_rays.png", ours("step01_rays"))]);
+    let locked = folder.join("class/locked");
+    create_dir_all(&locked).expect("a folder");
+    symlink(folder.join("elsewhere"), folder.join("class/ada")).expect("a link");
+    symlink(folder.join("class"), folder.join("class/loop")).expect("a link");
+    set_permissions(&locked, Permissions::from_mode(0o0)).expect("permissions");
+    let is_root = read_dir(&locked).is_ok();
+    let answer = run_check(&folder, &["--in", "class"]);
+    set_permissions(&locked, Permissions::from_mode(0o755)).expect("permissions");
+    if !is_root {
+        assert_locked("linked_and_locked_folders", [answer]);
+    }
+}
