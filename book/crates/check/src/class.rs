@@ -4,6 +4,9 @@
 mod found_file;
 mod report_text;
 mod student;
+mod trial;
+
+pub use trial::report_on_workspaces;
 
 use crate::class::found_file::{FoundFile, find_files, has_extension};
 use crate::class::report_text::{format_class, format_csv, format_json, format_table};
@@ -83,10 +86,14 @@ pub fn report_on_folder(folder: &Path, required: &[&'static str], format: Format
     } else {
         group_by_student(files)
     };
-    let mut reports = check_students(&students, required, is_own);
-    reports.iter_mut().for_each(tell_common_causes);
+    let reports = check_students(&students, required, is_own);
     let stray = stray.iter().filter(|file| !file.is_no_picture());
-    let stray: Vec<_> = stray.map(FoundFile::describe).collect();
+    report(reports, stray.map(FoundFile::describe).collect(), format, is_own)
+}
+
+/// The answer made of reports on students, and of files that are nobody's.
+fn report(mut reports: Vec<Report>, stray: Vec<String>, format: Format, is_own: bool) -> Answer {
+    reports.iter_mut().for_each(tell_common_causes);
     let text = match format {
         Format::Json => format_json(&reports, &stray),
         Format::Csv => format_csv(&reports),

@@ -46,7 +46,8 @@ mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_picture, check_png, check_scene_png};
-pub use class::{Format, report_on_folder};
+pub use class::{Format, report_on_folder, report_on_workspaces};
+
 pub use listed_mistake::sections;
 pub use locked::LockedPictures;
 pub use png_file::{Picture, read_png};

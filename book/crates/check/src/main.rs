@@ -2,10 +2,10 @@
 
 use check::{
     Answer, Format, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
-    read_bounded_file, report_on_folder,
+    read_bounded_file, report_on_folder, report_on_workspaces,
 };
 use clap::Parser;
-use course::{NAMED_SCENE_EXAMPLE, json, locked_names};
+use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, json, locked_names};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -27,14 +27,20 @@ struct Arguments {
     name: Option<String>,
     /// Where to look for every picture of the course; or what a class has handed in, as Moodle,
     /// Canvas or GitHub gives it: a folder or an archive for each student, who gets one line
-    #[arg(long = "in", value_name = "FOLDER", default_value = ".")]
-    #[arg(conflicts_with = "file")]
-    folder: PathBuf,
-    /// Prints the program of the scene that belongs to a name; with a file, tells
-    /// whether it is what the program draws
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["name", "folder"])]
+    #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
+    folder: Option<PathBuf>,
+    /// Prints the program of the scene that belongs to a name. With a file, tells whether it is
+    /// what the program draws. With --in, draws it with the five crates of each workspace in the
+    /// folder and compares it: what is in these crates runs as you, so do that in a container
+    #[arg(long, value_name = "NAME", conflicts_with = "name")]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
+    /// A list of names, one a line: the scene of each
+    #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["scene", "file", "folder"])]
+    names: Option<PathBuf>,
+    /// Where to write the program of a scene, in UTF-8; with --names, a folder
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["file", "folder"])]
+    out: Option<PathBuf>,
     /// The pictures that are asked for, with commas between them; `scene` is the scene of the
     /// student's name
     #[arg(long, value_name = "NAMES", conflicts_with = "file", value_delimiter = ',')]
@@ -77,13 +83,23 @@ fn main() -> ExitCode {
         Arguments { file: Some(file), name, scene, json, .. } => {
             print(&check_file(&file, name.as_deref(), scene.as_deref(), &locked), json)
         }
-        Arguments { scene: Some(scene), json, .. } => {
-            print(&Answer::new(Verdict::Right, course::draw_named_scene(&scene).0), json)
+        Arguments { names: Some(list), out: Some(folder), json, .. } => {
+            print(&write_scenes(&list, &folder).unwrap_or_else(Answer::error), json)
         }
-        Arguments { folder, require, csv, json, .. } => {
+        Arguments { scene: Some(scene), folder: None, out: Some(file), json, .. } => {
+            print(&write_scene(&scene, &file).unwrap_or_else(Answer::error), json)
+        }
+        Arguments { scene: Some(scene), folder: None, json, .. } => {
+            print(&Answer::new(Verdict::Right, draw_named_scene(&scene).0), json)
+        }
+        Arguments { folder, scene, require, csv, json, .. } => {
             let format = if csv { Format::Csv } else { Format::Table };
             let format = if json { Format::Json } else { format };
-            let answer = report_on_folder(&folder, &require, format);
+            let folder = folder.unwrap_or_else(|| ".".into());
+            let answer = match scene {
+                Some(scene) => report_on_workspaces(&folder, &scene, format),
+                None => report_on_folder(&folder, &require, format),
+            };
             // A report is JSON already, an error isn't.
             print(&answer, json && answer.verdict == Verdict::Unreadable)
         }
@@ -100,6 +116,31 @@ fn print(answer: &Answer, as_json: bool) -> ExitCode {
         _ => writeln!(io::stdout(), "{}", answer.text.trim_end()),
     };
     ExitCode::from(code)
+}
+
+/// Writes the program of the scene of a name.
+fn write_scene(name: &str, file: &Path) -> Result<Answer, String> {
+    let path = escape_for_terminal(&file.display().to_string());
+    let written = fs::write(file, draw_named_scene(name).0);
+    written.map_err(|error| format!("{path} can't be written: {error}"))?;
+    Ok(Answer::new(Verdict::Right, format!("{}: {path}", escape_for_terminal(name))))
+}
+
+/// Writes the program of the scene of each name in a list, into a folder of this name.
+fn write_scenes(list: &Path, folder: &Path) -> Result<Answer, String> {
+    let text = String::from_utf8(read_bounded_file(list)?);
+    let text = text.map_err(|_| format!("{} is not in UTF-8", list.display()))?;
+    let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    let mut lines = vec![];
+    for name in names.filter(|name| !name.is_empty()) {
+        let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
+        let folder = folder.join(name.replace(is_odd, "_"));
+        fs::create_dir_all(&folder)
+            .map_err(|error| format!("{} can't be made: {error}", folder.display()))?;
+        let file = folder.join(NAMED_SCENE_EXAMPLE).with_extension("rs");
+        lines.push(write_scene(name, &file)?.text);
+    }
+    Ok(Answer::new(Verdict::Right, lines.join("\n")))
 }
 
 /// Looks at one picture, and saves the difference.

@@ -2,8 +2,9 @@
 
 use crate::program::{run_check, write_files};
 use crate::{assert_locked, create_empty_folder, encode, locked_picture, map_locked};
-use course::draw_named_scene;
+use course::{Step, draw_named_scene, workspace};
 use std::io::Write;
+use std::{env, fs};
 
 /// A ZIP archive of these files.
 fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
@@ -84,15 +85,59 @@ fn reports_on_classes_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 6] = [
+    let runs: [&[&str]; 7] = [
         &["--in", "moodle", "--require", required],
         &["--in", "canvas", "--require", required],
         &["--in", "github"],
         &["--in", "github", "--csv"],
         &["--in", "github", "--json"],
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
+        &["--in", "github", "--scene", "a secret"],
     ];
     assert_locked("classes", runs.map(|arguments| run_check(&folder, arguments)));
+}
+
+#[test]
+fn scenes_of_a_list_are_written_in_folders() {
+    let folder = create_empty_folder("names");
+    write_files(&folder, [("names.txt", "\u{feff}Zo\u{eb}\r\n\n../Ada".as_bytes().to_vec())]);
+    let arguments = ["--names", "names.txt", "--out", "scenes"];
+    assert_locked("scenes_of_a_list", [run_check(&folder, &arguments)]);
+    let program = fs::read_to_string(folder.join("scenes/Zo\u{eb}/scene_of_me.rs"));
+    assert_eq!(program.expect("a program"), draw_named_scene("Zoe\u{308}").0);
+}
+
+/// Compiles the five crates twice, which takes a minute where THOROUGH is set, else nothing.
+#[test]
+fn crates_of_workspaces_draw_a_scene() {
+    if env::var_os("THOROUGH").is_none() {
+        return;
+    }
+    let folder = create_empty_folder("workspaces");
+    for student in ["ada", "bob"] {
+        for step in Step::NAMES {
+            let sources = fs::read_dir(workspace().join(format!("steps/{step}/src")));
+            for source in sources.expect("sources").flatten() {
+                let name = source.file_name().into_string().expect("a name");
+                let bytes = fs::read(source.path()).expect("a source");
+                write_files(&folder, [(&format!("{student}/my/{step}/src/{name}"), bytes)]);
+            }
+        }
+    }
+    let panics = b"fn main() { panic!() }".to_vec();
+    let runner = b"[target.'cfg(all())']\nrunner = 'true'\n[build]\nrustc = 'false'".to_vec();
+    let negative =
+        b"pub fn reflect(n: glam::DVec3, l: glam::DVec3) -> glam::DVec3 { l - n }".to_vec();
+    write_files(
+        &folder,
+        [
+            ("bob/my/step01_rays/build.rs", panics),
+            ("bob/my/.cargo/config.toml", runner),
+            ("bob/my/step05_phong/src/reflect.rs", negative),
+        ],
+    );
+    let answer = run_check(&folder, &["--in", ".", "--scene", "a secret"]);
+    assert_locked("workspaces", [answer]);
 }
 
 #[cfg(unix)]

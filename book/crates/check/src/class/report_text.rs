@@ -35,7 +35,7 @@ impl Report {
             1 => found.push("1 file that is no picture".into()),
             count => found.push(format!("{count} files that are no pictures")),
         }
-        match self.pictures.iter().any(|entry| entry.file.is_some()) {
+        match self.pictures.iter().any(|entry| entry.answer.verdict != Verdict::Missing) {
             _ if !found.is_empty() => Some(format!("not looked at: {}", found.join(", "))),
             true => None,
             false => Some("there are no files".into()),

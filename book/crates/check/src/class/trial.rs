@@ -1,0 +1,144 @@
+//! A scene of a name that students don't know, drawn by their own crates.
+
+use crate::class::{Entry, Format, Report, report};
+use crate::{Answer, LockedPictures, check_scene_png, escape_for_terminal, read_bounded_file};
+use course::{NAMED_SCENE_EXAMPLE, Step, draw_named_scene, target_folder, workspace};
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// How long the crates of a student may take to compile, and the picture to be drawn.
+const COMPILE_TIME: Duration = Duration::from_secs(300);
+const DRAW_TIME: Duration = Duration::from_secs(30);
+
+/// The most folders around the five crates in a workspace.
+const MOST_FOLDERS: usize = 3;
+
+/// The most bytes of a file of source.
+const SOURCE_BYTES: u64 = 1 << 20;
+
+/// Draws the scene of a name with the crates of each workspace in a folder, and says of each
+/// picture whether it is right.
+///
+/// The sources are compiled in a folder of the course, with its manifests; nothing else of a
+/// workspace is copied, no setting of Cargo and no build script. The programs run as the one
+/// who asks, unprotected.
+pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answer {
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries.flatten().map(|entry| entry.path()),
+        Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
+    };
+    let mut paths: Vec<_> = entries.filter(|path| path.is_dir()).collect();
+    paths.sort();
+    let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
+    let reports = paths.iter().enumerate().map(|(k, path)| {
+        let student = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let png = draw_with_crates(path, scene, &trial, k);
+        let answer = png.map(|png| check_scene_png(&png, "its picture", scene, &[], &locked));
+        let answer = answer.unwrap_or_else(Answer::error);
+        let answer = Answer { difference: None, ..answer };
+        let name = NAMED_SCENE_EXAMPLE;
+        let entry = Entry { name, is_required: true, file: None, answer, follows: None };
+        Report { student, pictures: vec![entry], unchecked: vec![], other_files: 0 }
+    });
+    report(reports.collect(), vec![], format, false)
+}
+
+/// The bytes of the picture that the crates in a workspace draw of a scene, or why there is none.
+fn draw_with_crates(path: &Path, scene: &str, trial: &Path, k: usize) -> Result<Vec<u8>, String> {
+    let steps = find_steps(path, 0).ok_or("there aren't the five crates")?;
+    let (folder, target) = (trial.join(k.to_string()), trial.join("target"));
+    let program = target.join("debug/examples").join(NAMED_SCENE_EXAMPLE);
+    let program = program.with_extension(std::env::consts::EXE_EXTENSION);
+    // What is left of an earlier student or run mustn't be taken for this one's.
+    let _ = (fs::remove_dir_all(&folder), fs::remove_file(&program));
+    copy_crates(&steps, scene, &folder).map_err(|error| format!("can't be copied: {error}"))?;
+    let log = folder.join("errors.txt");
+    let mut cargo = Command::new("cargo");
+    cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
+    cargo.args(["--example", NAMED_SCENE_EXAMPLE]).env("CARGO_TARGET_DIR", &target);
+    if !run_within(cargo.current_dir(&folder), &log, COMPILE_TIME)? {
+        let text = fs::read(&log).unwrap_or_default();
+        let text = String::from_utf8_lossy(&text).into_owned();
+        let error = text.lines().find(|line| line.starts_with("error")).unwrap_or_default();
+        return Err(format!("the crates don't compile: {}", escape_for_terminal(error)));
+    }
+    let mut program = Command::new(program);
+    if !run_within(program.current_dir(&folder), &log, DRAW_TIME)? {
+        return Err("the program ends with an error".into());
+    }
+    read_bounded_file(&folder.join(NAMED_SCENE_EXAMPLE).with_extension("png"))
+}
+
+/// The folder in which the five crates are.
+fn find_steps(folder: &Path, depth: usize) -> Option<PathBuf> {
+    if Step::NAMES.iter().all(|name| folder.join(name).join("src").is_dir()) {
+        return Some(folder.to_owned());
+    }
+    let entries = fs::read_dir(folder).ok().filter(|_| depth < MOST_FOLDERS)?;
+    let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    paths.iter().filter(|path| path.is_dir()).find_map(|path| find_steps(path, depth + 1))
+}
+
+/// Makes a workspace with the manifests of the course, the sources of a student, and a scene.
+fn copy_crates(steps: &Path, scene: &str, folder: &Path) -> io::Result<()> {
+    let course = workspace();
+    for name in Step::NAMES {
+        let (from, to) = (course.join("steps").join(name), folder.join("steps").join(name));
+        copy_sources(&steps.join(name).join("src"), &to.join("src"))?;
+        let manifest = fs::read_to_string(from.join("Cargo.toml"))?;
+        // What only tests and benchmarks need isn't there.
+        let end = manifest.find("[dev-dependencies]").unwrap_or(manifest.len());
+        fs::write(to.join("Cargo.toml"), &manifest[..end])?;
+    }
+    let examples = folder.join("steps").join(Step::Phong.name()).join("examples");
+    fs::create_dir_all(&examples)?;
+    let program = examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs");
+    fs::write(program, draw_named_scene(scene).0)?;
+    let manifest = fs::read_to_string(course.join("Cargo.toml"))?;
+    let members = manifest.lines().filter(|line| !line.trim_start().starts_with("\"book/"));
+    let members = members.filter(|line| line.trim() != "\"tests\",");
+    fs::write(folder.join("Cargo.toml"), members.collect::<Vec<_>>().join("\n"))?;
+    fs::copy(course.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    Ok(())
+}
+
+/// Copies the Rust files of a folder, and of those in it; no links.
+fn copy_sources(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)?.flatten() {
+        let (path, metadata) = (entry.path(), entry.metadata()?);
+        if metadata.is_dir() {
+            copy_sources(&path, &to.join(entry.file_name()))?;
+        } else if metadata.is_file()
+            && metadata.len() <= SOURCE_BYTES
+            && path.extension().is_some_and(|extension| extension == "rs")
+        {
+            fs::copy(&path, to.join(entry.file_name()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs a program, whose errors go into a file; false where it fails, an error where it can't be
+/// started or takes longer.
+fn run_within(command: &mut Command, errors: &Path, limit: Duration) -> Result<bool, String> {
+    let file = File::create(errors).map_err(|error| error.to_string())?;
+    let command = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(file);
+    let mut child = command.spawn().map_err(|error| format!("can't be started: {error}"))?;
+    let start = Instant::now();
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return Ok(status.success()),
+            _ if start.elapsed() < limit => sleep(Duration::from_millis(20)),
+            _ => {
+                let _ = (child.kill(), child.wait());
+                return Err(format!("takes longer than {} seconds", limit.as_secs()));
+            }
+        }
+    }
+}
