@@ -8,11 +8,10 @@ mod trial;
 
 pub use trial::report_on_workspaces;
 
-use crate::class::found_file::{FoundFile, find_files, has_extension};
+use crate::class::found_file::{Content, FoundFile, find_files, has_extension};
 use crate::class::report_text::{format_class, format_csv, format_json, format_table};
 use crate::class::student::{Student, group_by_student, split_canvas_name};
-use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png};
-use crate::{escape_for_terminal, find_name_in_file_name};
+use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use std::cmp::Reverse;
 use std::io::ErrorKind;
@@ -118,17 +117,11 @@ fn whole_verdict(reports: &[Report]) -> Verdict {
 }
 
 impl FoundFile {
-    /// The picture of the course that its name tells.
-    fn picture_name(&self) -> Option<&'static str> {
-        let names = locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]);
-        find_name_in_file_name(self.name(), names).filter(|_| !self.is_no_picture())
-    }
-
     /// Whether it lies beside the programs that draw it, and not, as Canvas has it, beside
     /// those of others.
     fn is_of_own_folder(&self) -> bool {
         let is_canvas_name = split_canvas_name(self.name()).is_some();
-        self.path.len() == 1 && self.picture_name().is_some() && !is_canvas_name
+        self.path.len() == 1 && self.picture.is_some() && !is_canvas_name
     }
 
     /// The number at the end of the name of a file that was handed in again: `-2`, `(1)`.
@@ -174,7 +167,7 @@ fn check_student(
     let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !is_own || required.contains(scene));
     for name in locked_names().into_iter().chain(scene) {
         let is_required = required.contains(&name);
-        let found = rest.iter().filter(|file| file.picture_name() == Some(name));
+        let found = rest.iter().filter(|file| file.picture == Some(name));
         let found = found.min_by_key(|file| {
             (!has_extension(file.name(), &["png"]), file.path.len(), Reverse(file.version()))
         });
@@ -196,6 +189,8 @@ fn check_student(
     let is_other = |file: &&FoundFile| file.is_no_picture();
     let other_files = rest.iter().filter(|file| is_other(file) && !file.name().is_empty()).count();
     rest.retain(|file| !file.is_no_picture());
+    // What can't be read comes first, as a line tells only some names.
+    rest.sort_by_key(|file| !matches!(file.content, Content::Unreadable(_)));
     let unchecked = rest.iter().map(|file| file.describe()).collect();
     Report { student: student.unique_name.clone(), pictures, unchecked, other_files }
 }

@@ -1,4 +1,4 @@
-use crate::drawing::{Drawing, LineHit};
+use crate::drawing::{Drawing, ObjectHit};
 use crate::target::Target;
 use image::RgbImage;
 use std::cell::Cell;
@@ -22,7 +22,7 @@ pub(crate) struct Pixel {
     /// The ray of our camera.
     pub ray: Ray,
     /// The hit that ours shows, None where it shows the sky.
-    pub hit: Option<LineHit>,
+    pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
 }

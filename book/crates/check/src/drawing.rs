@@ -18,15 +18,12 @@ pub(crate) struct Drawing {
     pub light_names: [&'static str; 2],
 }
 
-/// A place where the line of a ray meets an object.
+/// The first place where a ray meets an object.
 #[derive(Clone, Copy)]
-pub(crate) struct LineHit {
-    /// Below 0 behind the eye.
+pub(crate) struct ObjectHit {
     pub t: f64,
     /// The number of the object.
     pub object: usize,
-    /// Whether the line leaves the object there.
-    pub is_far_side: bool,
 }
 
 impl Drawing {
@@ -67,23 +64,22 @@ impl Drawing {
         bytes(self.colour(ray))
     }
 
-    /// All places where the line of a ray meets objects.
-    pub fn line_hits(&self, ray: &Ray) -> impl Iterator<Item = LineHit> {
-        self.scene.objects.iter().enumerate().flat_map(|(object, one)| {
-            let roots = one.sphere.intersect(ray).iter().zip([false, true]);
-            roots.map(move |(t, is_far_side)| LineHit { t, object, is_far_side })
+    /// The first place on each object that a ray meets, whatever hides it there.
+    pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
+        self.scene.objects.iter().enumerate().filter_map(|(object, one)| {
+            let t = one.sphere.intersect(ray).first_hit()?;
+            Some(ObjectHit { t, object })
         })
     }
 
     /// The hit that a ray sees.
-    pub fn visible_hit(&self, ray: &Ray) -> Option<LineHit> {
-        let hits = self.line_hits(ray).filter(|hit| 0.0 < hit.t);
-        hits.min_by(|a, b| a.t.total_cmp(&b.t))
+    pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
+        self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
     /// Whether each light is on the outer side at a hit, and whether a highlight of one, large
     /// or small, reaches there.
-    pub fn lights_at_hit(&self, ray: &Ray, hit: LineHit) -> ([bool; 2], bool) {
+    pub fn lights_at_hit(&self, ray: &Ray, hit: ObjectHit) -> ([bool; 2], bool) {
         let p = ray.at(hit.t);
         let n = normal(&self.scene.objects[hit.object].sphere, p);
         let (mut lit, mut in_highlight) = ([false; 2], false);
@@ -97,7 +93,7 @@ impl Drawing {
 
     /// The terms of the light at a hit, whatever hides it there; those of one light alone, or
     /// of all.
-    pub fn terms_at_hit(&self, ray: &Ray, hit: LineHit, light: Option<usize>) -> Phong {
+    pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: Option<usize>) -> Phong {
         let object = &self.scene.objects[hit.object];
         let p = ray.at(hit.t);
         let point = SurfacePoint { p, n: normal(&object.sphere, p), material: &object.material };
@@ -113,7 +109,7 @@ impl Drawing {
     }
 
     /// The bytes that an object has at a hit, whatever hides it there.
-    pub fn bytes_at_hit(&self, ray: &Ray, hit: LineHit) -> [u8; 3] {
+    pub fn bytes_at_hit(&self, ray: &Ray, hit: ObjectHit) -> [u8; 3] {
         let flat = self.scene.objects[hit.object].material.matte.diffuse;
         let is_lit = Step::Diffuse <= self.step;
         bytes(if is_lit { self.terms_at_hit(ray, hit, None).sum() } else { flat })

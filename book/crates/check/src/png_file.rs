@@ -33,7 +33,7 @@ impl From<RgbImage> for Picture {
 /// The size is looked at before anything is unpacked.
 pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
-        return Err(too_large_clause());
+        return Err(too_large_clause(FILE_BYTES));
     }
     if let Some(format_clause) = other_format_clause(file) {
         return Err(format!("is {format_clause}"));
@@ -63,9 +63,9 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
     Ok(Picture { rgb, transparent_count, notes: viewer_notes(info) })
 }
 
-/// Says that a file is larger than any picture.
-pub(crate) fn too_large_clause() -> String {
-    format!("is too large: the limit is {} MB", FILE_BYTES >> 20)
+/// Says that a file is larger than it may be.
+pub(crate) fn too_large_clause(most_bytes: u64) -> String {
+    format!("is too large: {} MB are the most", most_bytes >> 20)
 }
 
 /// Says what a decoder's error means for the file.
@@ -86,7 +86,9 @@ fn viewer_notes(info: &Info) -> Vec<&'static str> {
     let exif = info.exif_metadata.as_deref();
     let orientation = exif.and_then(Orientation::from_exif_chunk);
     let is_grey = matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha);
-    let has_profile = info.icc_profile.is_some() || info.gama_chunk.is_some();
+    // Many programs write the gamma that screens have anyway.
+    let has_gamma = info.gama_chunk.is_some_and(|gamma| gamma.into_scaled() != 45_455);
+    let has_profile = info.icc_profile.is_some() || has_gamma;
     let notes = [
         (is_grey, "The file is grey: one number per pixel, and ours has three."),
         (

@@ -3,9 +3,14 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-/// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
-/// device or a pipe, is not opened, and of a larger file than any picture nothing is read.
+/// The bytes of a picture's file, or why they can't be read.
 pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
+    read_file_of_at_most(path, FILE_BYTES)
+}
+
+/// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
+/// device or a pipe, is not opened, and of a larger file nothing is read.
+pub(crate) fn read_file_of_at_most(path: &Path, most_bytes: u64) -> Result<Vec<u8>, String> {
     let printable_path = escape_for_terminal(&path.display().to_string());
     let unread = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => format!("there is no file {printable_path}"),
@@ -18,11 +23,11 @@ pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
     }
     let mut bytes = vec![];
     let file = File::open(path).map_err(unread)?;
-    if metadata.len() <= FILE_BYTES {
-        file.take(FILE_BYTES + 1).read_to_end(&mut bytes).map_err(unread)?;
+    if metadata.len() <= most_bytes {
+        file.take(most_bytes + 1).read_to_end(&mut bytes).map_err(unread)?;
     }
-    if metadata.len().max(bytes.len() as u64) > FILE_BYTES {
-        return Err(format!("{printable_path} {}", too_large_clause()));
+    if metadata.len().max(bytes.len() as u64) > most_bytes {
+        return Err(format!("{printable_path} {}", too_large_clause(most_bytes)));
     }
     Ok(bytes)
 }

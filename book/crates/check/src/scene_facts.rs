@@ -1,5 +1,5 @@
 use crate::comparison::Pixel;
-use crate::drawing::{Drawing, LineHit, bytes};
+use crate::drawing::{Drawing, bytes};
 use crate::facts::{Fact, fact};
 use course::{Step, camera};
 use glam::DVec3;
@@ -68,24 +68,13 @@ pub(crate) fn light_facts(drawing: &Drawing) -> Vec<Fact<'_>> {
 }
 
 /// Facts about the surfaces that yours shows.
-pub(crate) fn hit_facts(drawing: &Drawing) -> [Fact<'_>; 4] {
-    let has_colour_of = move |one: &Pixel, is_meant: &dyn Fn(LineHit) -> bool| {
-        let mut hits = drawing.line_hits(&one.ray).filter(|hit| is_meant(*hit));
-        hits.any(|hit| drawing.bytes_at_hit(&one.ray, hit) == one.yours)
-    };
+pub(crate) fn hit_facts(drawing: &Drawing) -> [Fact<'_>; 2] {
     [
         fact("sky", 10, "has the colour of the sky, and ours shows an object", |one| {
             !one.is_sky() && shows_sky(one)
         }),
-        fact("hidden", 10, "has the colour of an object behind the nearest", move |one| {
+        fact("hidden", 10, "has the colour of an object behind the nearest", |one| {
             !one.is_sky() && shows_another_object(drawing, one)
-        }),
-        fact("behind the eye", 10, "has the colour of an object behind the eye", move |one| {
-            has_colour_of(one, &|hit| hit.t < 0.0)
-        }),
-        // Where no light reaches, many points have one colour.
-        fact("far side", 2, "has the colour of its object's far side", move |one| {
-            has_colour_of(one, &|hit| hit.is_far_side && one.object() == Some(hit.object))
         }),
     ]
 }
@@ -94,11 +83,9 @@ pub(crate) fn shows_sky(pixel: &Pixel) -> bool {
     bytes(direction_colour(&pixel.ray)) == pixel.yours
 }
 
-/// Whether yours has the colour that another object than the nearest has in front of the eye.
+/// Whether yours has the colour of another object than the nearest.
 pub(crate) fn shows_another_object(drawing: &Drawing, pixel: &Pixel) -> bool {
-    let others = drawing
-        .line_hits(&pixel.ray)
-        .filter(|hit| !hit.is_far_side && 0.0 < hit.t && pixel.object() != Some(hit.object));
-    let mut others = others;
+    let mut others =
+        drawing.object_hits(&pixel.ray).filter(|hit| pixel.object() != Some(hit.object));
     others.any(|hit| drawing.bytes_at_hit(&pixel.ray, hit) == pixel.yours)
 }

@@ -1,5 +1,7 @@
+use crate::find_name_in_file_name;
 use crate::png_file::{FILE_BYTES, too_large_clause};
-use crate::read_file::read_bounded_file;
+use crate::read_file::{read_bounded_file, read_file_of_at_most};
+use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive};
 use std::fs;
@@ -9,8 +11,8 @@ use std::path::{Path, PathBuf};
 /// The most folders around a file, the most files and folders, and the most bytes that are
 /// unpacked.
 const MOST_FOLDERS: usize = 8;
-const MOST_ENTRIES: u32 = 100_000;
-const MOST_BYTES: u64 = 1 << 29;
+const MOST_ENTRIES: u32 = 20_000;
+const MOST_BYTES: u64 = 1 << 28;
 
 /// The extensions of files that may have been meant as a picture.
 const PICTURE_EXTENSIONS: [&str; 14] = [
@@ -23,16 +25,20 @@ pub(crate) struct FoundFile {
     /// The names of the folders and archives around it, then its own, which is empty for what
     /// has no files.
     pub path: Vec<String>,
+    /// The picture of the course that its name tells.
+    pub picture: Option<&'static str>,
     pub content: Content,
 }
 
-/// What is in a file that may have been meant as a picture.
+/// What is in a file.
 pub(crate) enum Content {
     OnDisk(PathBuf),
     Unpacked(Vec<u8>),
     /// Why it can't be read.
     Unreadable(String),
-    /// Something else.
+    /// A picture, perhaps, and none of the course by its name.
+    OtherPicture,
+    /// Something else, or nothing.
     NoPicture,
 }
 
@@ -47,7 +53,7 @@ impl FoundFile {
         match &self.content {
             Content::OnDisk(path) => read_bounded_file(path),
             Content::Unpacked(bytes) => Ok(bytes.clone()),
-            Content::Unreadable(_) | Content::NoPicture => Err(self.describe()),
+            _ => Err(self.describe()),
         }
     }
 
@@ -69,12 +75,19 @@ impl FoundFile {
 /// All files in a folder, in the folders in it, and in their archives, by their names. Left out
 /// are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
 pub(crate) fn find_files(folder: &Path) -> Vec<FoundFile> {
-    let mut search = Search { files: vec![], entries_left: MOST_ENTRIES, bytes_left: MOST_BYTES };
+    let mut search = Search {
+        names: locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).collect(),
+        files: vec![],
+        entries_left: MOST_ENTRIES,
+        bytes_left: MOST_BYTES,
+    };
     search.add_folder(folder, &[]);
     search.files
 }
 
 struct Search {
+    /// The pictures of the course.
+    names: Vec<&'static str>,
     files: Vec<FoundFile>,
     entries_left: u32,
     bytes_left: u64,
@@ -82,20 +95,31 @@ struct Search {
 
 impl Search {
     fn add(&mut self, folders: &[String], name: &str, content: Content) {
-        self.files.push(FoundFile { path: [folders, &[name.to_owned()]].concat(), content });
+        let picture = match content {
+            Content::NoPicture => None,
+            _ => find_name_in_file_name(name, self.names.iter().copied()),
+        };
+        self.files.push(FoundFile { path: join(folders, name), picture, content });
     }
 
-    fn add_unreadable(&mut self, folders: &[String], why: impl Into<String>) {
-        self.add(folders, "", Content::Unreadable(why.into()));
+    fn add_unreadable(&mut self, folders: &[String], why: &str) {
+        self.add(folders, "", Content::Unreadable(why.to_owned()));
+    }
+
+    /// Whether one more file or folder may be looked at.
+    fn take_entry(&mut self) -> bool {
+        let entries_left = self.entries_left.checked_sub(1);
+        self.entries_left = entries_left.unwrap_or(0);
+        entries_left.is_some()
     }
 
     fn add_folder(&mut self, folder: &Path, folders: &[String]) {
         let entries = match fs::read_dir(folder) {
+            Err(_) => return self.add_unreadable(folders, "may not be read by you"),
             Ok(_) if MOST_FOLDERS < folders.len() => {
                 return self.add_unreadable(folders, "is too deep");
             }
             Ok(entries) => entries,
-            Err(_) => return self.add_unreadable(folders, "may not be read by you"),
         };
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.sort();
@@ -105,26 +129,43 @@ impl Search {
             if is_left_out(&name) {
                 continue;
             }
-            let Some(entries_left) = self.entries_left.checked_sub(1) else {
+            if !self.take_entry() {
                 return self.add_unreadable(folders, "has more files than are looked at");
-            };
-            self.entries_left = entries_left;
-            if path.is_dir() {
-                self.add_folder(&path, &[folders, &[name.into_owned()]].concat());
-            } else if has_extension(&name, &["zip"]) {
-                let around = [folders, &[without_extension(&name)]].concat();
-                match read_archive(&path) {
-                    Ok(bytes) => self.add_archive(&bytes, &around),
-                    Err(why) => self.add_unreadable(&around, why),
-                }
-            } else {
-                let is_picture = has_extension(&name, &PICTURE_EXTENSIONS);
-                let content = Some(Content::OnDisk(path.clone())).filter(|_| is_picture);
-                self.add(folders, &name, content.unwrap_or(Content::NoPicture));
+            }
+            match path.is_dir() {
+                true => self.add_folder(&path, &join(folders, &name)),
+                false => self.add_file(folders, &name, |_| Content::OnDisk(path.clone())),
             }
         }
         if self.files.len() == count {
             self.add(folders, "", Content::NoPicture);
+        }
+    }
+
+    /// Adds a file, or what is in it if it is an archive; its content is asked for where it is
+    /// needed, with the number of bytes that may still be unpacked.
+    fn add_file(
+        &mut self,
+        folders: &[String],
+        name: &str,
+        content: impl FnOnce(&mut u64) -> Content,
+    ) {
+        let is_archive = has_extension(name, &["zip"]);
+        if !is_archive && !has_extension(name, &PICTURE_EXTENSIONS) {
+            return self.add(folders, name, Content::NoPicture);
+        }
+        if !is_archive && find_name_in_file_name(name, self.names.iter().copied()).is_none() {
+            return self.add(folders, name, Content::OtherPicture);
+        }
+        let bytes = match content(&mut self.bytes_left) {
+            content if !is_archive => return self.add(folders, name, content),
+            Content::OnDisk(path) => read_file_of_at_most(&path, MOST_BYTES),
+            Content::Unpacked(bytes) => Ok(bytes),
+            _ => Err("can't be unpacked".to_owned()),
+        };
+        match bytes {
+            Ok(bytes) => self.add_archive(&bytes, &join(folders, name)),
+            Err(why) => self.add(folders, name, Content::Unreadable(why)),
         }
     }
 
@@ -133,70 +174,57 @@ impl Search {
             return self.add_unreadable(folders, "is a damaged ZIP archive");
         };
         let mut entries = archive.entries();
-        while let Ok(Some(entry)) = entries.next_entry() {
+        loop {
+            let entry = match entries.next_entry() {
+                Ok(Some(entry)) => entry,
+                Ok(None) => return,
+                Err(_) => return self.add_unreadable(folders, "is a damaged ZIP archive"),
+            };
             let path = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
             let mut path: Vec<_> = path.split(['/', '\\']).map(str::to_owned).collect();
             path.retain(|name| !name.is_empty());
             let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
             let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
-            let Some(entries_left) = self.entries_left.checked_sub(1) else {
-                return self.add_unreadable(folders, "has more files than are looked at");
-            };
-            self.entries_left = entries_left;
             let around = [folders, &path].concat();
-            let is_archive = has_extension(&name, &["zip"]) && around.len() < MOST_FOLDERS;
-            if !is_archive && !has_extension(&name, &PICTURE_EXTENSIONS) {
-                self.add(&around, &name, Content::NoPicture);
-                continue;
+            if MOST_FOLDERS < around.len() || !self.take_entry() {
+                return self.add_unreadable(folders, "has more files than are looked at");
             }
-            match unpack(&archive, &entry, FILE_BYTES.min(self.bytes_left)) {
-                Err(why) => self.add(&around, &name, Content::Unreadable(why)),
-                Ok(bytes) => {
-                    self.bytes_left -= bytes.len() as u64;
-                    match is_archive {
-                        true => self.add_archive(
-                            &bytes,
-                            &[&around[..], &[without_extension(&name)]].concat(),
-                        ),
-                        false => self.add(&around, &name, Content::Unpacked(bytes)),
-                    }
-                }
-            }
+            self.add_file(&around, &name, |bytes_left| {
+                let bytes = unpack(&archive, &entry, bytes_left);
+                bytes.map_or_else(Content::Unreadable, Content::Unpacked)
+            });
         }
     }
 }
 
-/// The bytes of an archive, or why they can't be read.
-fn read_archive(path: &Path) -> Result<Vec<u8>, String> {
-    let size = fs::metadata(path).map_or(0, |metadata| metadata.len());
-    match fs::read(path) {
-        _ if MOST_BYTES < size => Err("is too large: unpack it first".into()),
-        Ok(bytes) => Ok(bytes),
-        Err(_) => Err("may not be read by you".into()),
-    }
-}
-
-/// The bytes of a file in an archive, at most so many, or why they can't be unpacked.
+/// The bytes of a file in an archive, which are taken from those that are left, or why they
+/// can't be unpacked.
 fn unpack(
     archive: &ZipSliceArchive<&[u8]>,
     record: &ZipFileHeaderRecord,
-    most_bytes: u64,
+    bytes_left: &mut u64,
 ) -> Result<Vec<u8>, String> {
-    let damaged = |_| "is damaged in its archive".to_owned();
-    let entry = archive.get_entry(record.wayfinder()).map_err(|_| damaged(()))?;
-    let data = entry.data();
+    let damaged = "is damaged in its archive";
+    let entry = archive.get_entry(record.wayfinder()).map_err(|_| damaged)?;
     let reader: Box<dyn Read> = match record.compression_method() {
-        CompressionMethod::STORE => Box::new(data),
-        CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(data)),
+        CompressionMethod::STORE => Box::new(entry.data()),
+        CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(entry.data())),
         _ => return Err("is packed or locked in a way that isn't read here".into()),
     };
-    let mut bytes = vec![];
+    let (mut bytes, most_bytes) = (vec![], FILE_BYTES.min(*bytes_left));
     let reader = entry.verifying_reader(reader);
-    reader.take(most_bytes + 1).read_to_end(&mut bytes).map_err(|_| damaged(()))?;
+    let result = reader.take(most_bytes + 1).read_to_end(&mut bytes);
+    *bytes_left = bytes_left.saturating_sub(bytes.len() as u64);
+    result.map_err(|_| damaged)?;
     if most_bytes < bytes.len() as u64 {
-        return Err(too_large_clause());
+        return Err(too_large_clause(most_bytes));
     }
     Ok(bytes)
+}
+
+/// The names of folders, and one more.
+fn join(folders: &[String], name: &str) -> Vec<String> {
+    [folders, &[name.to_owned()]].concat()
 }
 
 fn is_left_out(name: &str) -> bool {
@@ -208,8 +236,4 @@ fn is_left_out(name: &str) -> bool {
 pub(crate) fn has_extension(name: &str, extensions: &[&str]) -> bool {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_lowercase());
     extension.is_some_and(|extension| extensions.contains(&&*extension))
-}
-
-fn without_extension(name: &str) -> String {
-    name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned()
 }

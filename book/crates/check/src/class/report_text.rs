@@ -2,6 +2,9 @@ use crate::class::{Entry, Report};
 use crate::{Verdict, escape_for_terminal};
 use course::{NAMED_SCENE_EXAMPLE, Step, json};
 
+/// The most names of files that a line tells.
+const MOST_NAMES: usize = 8;
+
 impl Entry {
     /// A sentence on what is wrong or to be noted; empty where nothing is.
     fn feedback(&self) -> String {
@@ -29,7 +32,11 @@ impl Entry {
 impl Report {
     /// A line on what there is in place of pictures; None where nothing is.
     fn in_place(&self) -> Option<String> {
-        let mut found: Vec<_> = self.unchecked.iter().map(|one| escape_for_terminal(one)).collect();
+        let names = self.unchecked.iter().take(MOST_NAMES);
+        let mut found: Vec<_> = names.map(|name| escape_for_terminal(name)).collect();
+        if MOST_NAMES < self.unchecked.len() {
+            found.push(format!("{} more", self.unchecked.len() - MOST_NAMES));
+        }
         match self.other_files {
             0 => {}
             1 => found.push("1 file that is no picture".into()),

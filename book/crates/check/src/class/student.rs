@@ -60,8 +60,8 @@ fn take_key(path: &mut Vec<String>) -> Option<String> {
     }
     let folder = path.remove(0);
     // Moodle makes a folder each for files and for what was typed.
-    let student = folder.split_once("_assignsubmission_").map(|(student, _)| student.to_owned());
-    Some(student.unwrap_or(folder))
+    let student = folder.split_once("_assignsubmission_").map(|(student, _)| student);
+    Some(student.or(folder.strip_suffix(".zip")).unwrap_or(&folder).to_owned())
 }
 
 /// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
