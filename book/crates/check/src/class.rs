@@ -10,7 +10,7 @@ pub use trial::report_on_workspaces;
 
 use crate::class::found_file::{Content, FoundFile, find_files, has_extension};
 use crate::class::report_text::{format_class, format_csv, format_json, format_table};
-use crate::class::student::{Student, group_by_student, split_canvas_name};
+use crate::class::student::{Student, add_names, group_by_student, split_canvas_name};
 use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use std::cmp::Reverse;
@@ -18,6 +18,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{fs, iter, thread};
+
+/// The most folders, one in the other, around a file of a class.
+const MOST_FOLDERS: usize = 8;
 
 /// The form of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,8 +40,8 @@ struct Report {
     pictures: Vec<Entry>,
     /// Files that may have been meant as pictures, and weren't looked at.
     unchecked: Vec<String>,
-    /// How many files are something else.
-    other_files: usize,
+    /// Files that are something else.
+    other_files: Vec<String>,
 }
 
 /// A picture of the course, and what a student has of it.
@@ -63,10 +66,16 @@ impl Report {
 }
 
 /// Says of each picture in a folder whether it is right. The folder is one's own if it has
-/// pictures of the course or a workspace of Cargo, else it is that of a class.
+/// pictures of the course or a workspace of Cargo, else it is that of a class, some names of
+/// which may be known.
 ///
 /// The verdict is right if all pictures are that were required, or else all that are there.
-pub fn report_on_folder(folder: &Path, required: &[&'static str], format: Format) -> Answer {
+pub fn report_on_folder(
+    folder: &Path,
+    names: &[String],
+    required: &[&'static str],
+    format: Format,
+) -> Answer {
     if let Err(error) = fs::read_dir(folder) {
         let path = escape_for_terminal(&folder.display().to_string());
         return Answer::error(match error.kind() {
@@ -74,10 +83,10 @@ pub fn report_on_folder(folder: &Path, required: &[&'static str], format: Format
             _ => format!("{path} is not a folder"),
         });
     }
-    let files = find_files(folder);
-    let is_own =
-        folder.join("Cargo.toml").exists() || files.iter().any(|file| file.is_of_own_folder());
-    let (students, stray) = if is_own {
+    let is_workspace = folder.join("Cargo.toml").exists();
+    let files = find_files(folder, if is_workspace { 1 } else { MOST_FOLDERS });
+    let is_own = is_workspace || files.iter().any(FoundFile::is_of_own_folder);
+    let (mut students, mut stray) = if is_own {
         let path = folder.canonicalize().unwrap_or_default();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let (files, deeper) = files.into_iter().partition(|file| file.path.len() == 1);
@@ -85,9 +94,11 @@ pub fn report_on_folder(folder: &Path, required: &[&'static str], format: Format
     } else {
         group_by_student(files)
     };
+    add_names(&mut students, names);
     let reports = check_students(&students, required, is_own);
-    let stray = stray.iter().filter(|file| !file.is_no_picture());
-    report(reports, stray.map(FoundFile::describe).collect(), format, is_own)
+    let is_near = |file: &FoundFile| file.picture.is_some() && file.path.len() == 2;
+    stray.retain(|file| if is_own { is_near(file) } else { !file.is_no_picture() });
+    report(reports, stray.iter().map(FoundFile::describe).collect(), format, is_own)
 }
 
 /// The answer made of reports on students, and of files that are nobody's.
@@ -186,12 +197,13 @@ fn check_student(
         let answer = Answer { difference: None, ..answer };
         pictures.push(Entry { name, is_required, file, answer, follows: None });
     }
-    let is_other = |file: &&FoundFile| file.is_no_picture();
-    let other_files = rest.iter().filter(|file| is_other(file) && !file.name().is_empty()).count();
-    rest.retain(|file| !file.is_no_picture());
     // What can't be read comes first, as a line tells only some names.
     rest.sort_by_key(|file| !matches!(file.content, Content::Unreadable(_)));
-    let unchecked = rest.iter().map(|file| file.describe()).collect();
+    rest.retain(|file| !file.is_no_picture() || !is_own && !file.name().is_empty());
+    let (other_files, unchecked) =
+        rest.into_iter().partition::<Vec<_>, _>(|file| file.is_no_picture());
+    let [other_files, unchecked] =
+        [other_files, unchecked].map(|files| files.into_iter().map(FoundFile::describe).collect());
     Report { student: student.unique_name.clone(), pictures, unchecked, other_files }
 }
 

@@ -35,8 +35,9 @@ struct Arguments {
     #[arg(long, value_name = "NAME", conflicts_with = "name")]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
-    /// A list of names, one a line: the scene of each
-    #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["scene", "file", "folder"])]
+    /// A class's list of names, one a line: with --out, writes the scene of each; with --in,
+    /// tells who has handed in nothing, and whose Canvas's names are
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "file"])]
     names: Option<PathBuf>,
     /// Where to write the program of a scene, in UTF-8; with --names, a folder
     #[arg(long, value_name = "PATH", conflicts_with_all = ["file", "folder"])]
@@ -84,7 +85,9 @@ fn main() -> ExitCode {
             print(&check_file(&file, name.as_deref(), scene.as_deref(), &locked), json)
         }
         Arguments { names: Some(list), out: Some(folder), json, .. } => {
-            print(&write_scenes(&list, &folder).unwrap_or_else(Answer::error), json)
+            let names = read_names(&list);
+            let answer = names.and_then(|names| write_scenes(&names, &folder));
+            print(&answer.unwrap_or_else(Answer::error), json)
         }
         Arguments { scene: Some(scene), folder: None, out: Some(file), json, .. } => {
             print(&write_scene(&scene, &file).unwrap_or_else(Answer::error), json)
@@ -92,13 +95,15 @@ fn main() -> ExitCode {
         Arguments { scene: Some(scene), folder: None, json, .. } => {
             print(&Answer::new(Verdict::Right, draw_named_scene(&scene).0), json)
         }
-        Arguments { folder, scene, require, csv, json, .. } => {
+        Arguments { folder, scene, names, require, csv, json, .. } => {
             let format = if csv { Format::Csv } else { Format::Table };
             let format = if json { Format::Json } else { format };
             let folder = folder.unwrap_or_else(|| ".".into());
-            let answer = match scene {
-                Some(scene) => report_on_workspaces(&folder, &scene, format),
-                None => report_on_folder(&folder, &require, format),
+            let names = names.map_or(Ok(vec![]), |list| read_names(&list));
+            let answer = match (scene, names) {
+                (_, Err(why)) => Answer::error(why),
+                (Some(scene), _) => report_on_workspaces(&folder, &scene, format),
+                (None, Ok(names)) => report_on_folder(&folder, &names, &require, format),
             };
             // A report is JSON already, an error isn't.
             print(&answer, json && answer.verdict == Verdict::Unreadable)
@@ -126,13 +131,18 @@ fn write_scene(name: &str, file: &Path) -> Result<Answer, String> {
     Ok(Answer::new(Verdict::Right, format!("{}: {path}", escape_for_terminal(name))))
 }
 
-/// Writes the program of the scene of each name in a list, into a folder of this name.
-fn write_scenes(list: &Path, folder: &Path) -> Result<Answer, String> {
+/// The names in a list, one a line.
+fn read_names(list: &Path) -> Result<Vec<String>, String> {
     let text = String::from_utf8(read_bounded_file(list)?);
     let text = text.map_err(|_| format!("{} is not in UTF-8", list.display()))?;
     let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
+}
+
+/// Writes the program of the scene of each name, into a folder of this name.
+fn write_scenes(names: &[String], folder: &Path) -> Result<Answer, String> {
     let mut lines = vec![];
-    for name in names.filter(|name| !name.is_empty()) {
+    for name in names {
         let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
         let folder = folder.join(name.replace(is_odd, "_"));
         fs::create_dir_all(&folder)

@@ -73,10 +73,12 @@ fn reports_on_classes_are_as_locked() {
             ("moodle/A1/Emil_476_assignsubmission_file/all.zip", nested),
             ("moodle/A1/Fay_477_assignsubmission_file/all.zip", two_pictures[..99].to_vec()),
             ("moodle/A1/Gus_478_assignsubmission_file/.hidden.png", vec![]),
-            ("canvas/lovelaceada_4711_99_step01_rays-2.png", rays.clone()),
-            ("canvas/lovelaceada_4711_98_step01_rays-1.png", sphere.clone()),
+            ("canvas/l\u{f6}velaceada_4711_99_step01_rays-2.png", rays.clone()),
+            ("canvas/l\u{f6}velaceada_4711_98_step01_rays-1.png", sphere.clone()),
             ("canvas/bob_LATE_4712_97_step02_sphere.png", sphere.clone()),
+            ("canvas/l\u{f6}velaceada_4711_96_scene_of_me.png", scene("Ada L\u{f6}velace")),
             ("canvas/roster.pdf", vec![]),
+            ("names.txt", "\u{feff}Ada L\u{f6}velace\r\nZo\u{eb}\n".as_bytes().to_vec()),
             ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
             ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
             ("github/raycaster-ada/glass.png", ours("glass")),
@@ -87,7 +89,7 @@ fn reports_on_classes_are_as_locked() {
     let required = "step01_rays,step02_sphere,scene";
     let runs: [&[&str]; 7] = [
         &["--in", "moodle", "--require", required],
-        &["--in", "canvas", "--require", required],
+        &["--in", "canvas", "--require", required, "--names", "names.txt"],
         &["--in", "github"],
         &["--in", "github", "--csv"],
         &["--in", "github", "--json"],

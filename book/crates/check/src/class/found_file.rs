@@ -8,9 +8,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The most folders around a file, the most files and folders, and the most bytes that are
-/// unpacked.
-const MOST_FOLDERS: usize = 8;
+/// The most files and folders, and the most bytes that are unpacked.
 const MOST_ENTRIES: u32 = 20_000;
 const MOST_BYTES: u64 = 1 << 28;
 
@@ -72,10 +70,11 @@ impl FoundFile {
     }
 }
 
-/// All files in a folder, in the folders in it, and in their archives, by their names. Left out
-/// are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
-pub(crate) fn find_files(folder: &Path) -> Vec<FoundFile> {
+/// All files in a folder, in so many folders in each other, and in their archives, by their
+/// names. Left out are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
+pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Vec<FoundFile> {
     let mut search = Search {
+        most_folders,
         names: locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).collect(),
         files: vec![],
         entries_left: MOST_ENTRIES,
@@ -86,6 +85,7 @@ pub(crate) fn find_files(folder: &Path) -> Vec<FoundFile> {
 }
 
 struct Search {
+    most_folders: usize,
     /// The pictures of the course.
     names: Vec<&'static str>,
     files: Vec<FoundFile>,
@@ -116,7 +116,7 @@ impl Search {
     fn add_folder(&mut self, folder: &Path, folders: &[String]) {
         let entries = match fs::read_dir(folder) {
             Err(_) => return self.add_unreadable(folders, "may not be read by you"),
-            Ok(_) if MOST_FOLDERS < folders.len() => {
+            Ok(_) if self.most_folders < folders.len() => {
                 return self.add_unreadable(folders, "is too deep");
             }
             Ok(entries) => entries,
@@ -186,7 +186,7 @@ impl Search {
             let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
             let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
             let around = [folders, &path].concat();
-            if MOST_FOLDERS < around.len() || !self.take_entry() {
+            if self.most_folders < around.len() || !self.take_entry() {
                 return self.add_unreadable(folders, "has more files than are looked at");
             }
             self.add_file(&around, &name, |bytes_left| {

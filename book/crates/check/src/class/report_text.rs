@@ -32,22 +32,26 @@ impl Entry {
 impl Report {
     /// A line on what there is in place of pictures; None where nothing is.
     fn in_place(&self) -> Option<String> {
-        let names = self.unchecked.iter().take(MOST_NAMES);
-        let mut found: Vec<_> = names.map(|name| escape_for_terminal(name)).collect();
-        if MOST_NAMES < self.unchecked.len() {
-            found.push(format!("{} more", self.unchecked.len() - MOST_NAMES));
+        let mut found = format_names(&self.unchecked);
+        match self.other_files.len() {
+            count if MOST_NAMES < count => {
+                found.push(format!("{count} files that are no pictures"))
+            }
+            _ => found.extend(format_names(&self.other_files)),
         }
-        match self.other_files {
-            0 => {}
-            1 => found.push("1 file that is no picture".into()),
-            count => found.push(format!("{count} files that are no pictures")),
-        }
-        match self.pictures.iter().any(|entry| entry.answer.verdict != Verdict::Missing) {
-            _ if !found.is_empty() => Some(format!("not looked at: {}", found.join(", "))),
-            true => None,
-            false => Some("there are no files".into()),
+        let is_empty = self.pictures.iter().all(|entry| entry.answer.verdict == Verdict::Missing);
+        match found.is_empty() {
+            false => Some(format!("not looked at: {}", found.join(", "))),
+            true => is_empty.then(|| "nothing was handed in".into()),
         }
     }
+}
+
+/// The first of some names, and how many more there are.
+fn format_names(names: &[String]) -> Vec<String> {
+    let told = names.iter().take(MOST_NAMES).map(|name| escape_for_terminal(name));
+    let more = names.len().saturating_sub(MOST_NAMES);
+    told.chain((0 < more).then(|| format!("{more} more"))).collect()
 }
 
 /// How many pictures are right: of those required, if any are, or else all.
@@ -72,9 +76,7 @@ pub(crate) fn format_table(report: &Report, stray: &[String]) -> String {
     }
     let right = report.count_right(true).0 + report.count_right(false).0;
     text += &format!("{right} of {} are right.", report.pictures.len());
-    if let Some(found) = report.in_place() {
-        text += &format!("\nHere, {found}");
-    }
+    text += &format_stray("Here", &report.unchecked);
     text + &format_stray("Deeper", stray)
 }
 
@@ -122,11 +124,9 @@ pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
 
 /// A line with the names of files that aren't a student's.
 fn format_stray(title: &str, stray: &[String]) -> String {
-    let stray: Vec<_> = stray.iter().map(|one| escape_for_terminal(one)).collect();
-    if stray.is_empty() {
-        String::new()
-    } else {
-        format!("\n{title}, not looked at: {}", stray.join(", "))
+    match format_names(stray).join(", ") {
+        names if names.is_empty() => names,
+        names => format!("\n{title}, not looked at: {names}"),
     }
 }
 
@@ -184,7 +184,7 @@ pub(crate) fn format_json(reports: &[Report], stray: &[String]) -> String {
             ("right", right.to_string()),
             ("required", required.to_string()),
             ("not_looked_at", json::list(report.unchecked.iter().map(|one| json::quote(one)))),
-            ("other_files", report.other_files.to_string()),
+            ("other_files", json::list(report.other_files.iter().map(|one| json::quote(one)))),
             ("pictures", json::list(report.pictures.iter().map(entry))),
         ];
         format!("\n  {}", json::object(fields))

@@ -38,6 +38,25 @@ pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<
     (students.collect(), stray)
 }
 
+/// Gives students the names in a list that have the same letters in any order, as Canvas joins
+/// them; adds those of the list who have handed in nothing.
+pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
+    let letters = |name: &str| {
+        let letters = name.nfc().flat_map(char::to_lowercase).filter(|c| c.is_alphanumeric());
+        let mut letters: Vec<_> = letters.collect();
+        letters.sort_unstable();
+        letters
+    };
+    for name in names {
+        let sorted = letters(name);
+        let same = students.iter_mut().filter(|student| letters(&student.name) == sorted);
+        let count = same.map(|student| student.name.clone_from(name)).count();
+        if count == 0 {
+            students.push(Student { name: name.clone(), unique_name: name.clone(), files: vec![] });
+        }
+    }
+}
+
 /// Whether all files are in one folder, and there in several.
 fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
     let at = |k: usize| files.iter().map(move |file| file.path[..file.path.len() - 1].get(k));
