@@ -2,17 +2,15 @@ use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::check::equal_name;
 use crate::comparison::{Comparison, Pixel, RayBudget};
-use crate::drawing::bytes;
 use crate::facts::tell_facts;
-use crate::listed_mistake::tell_listed_mistakes;
+use crate::listed_mistake::{find_listed_mistakes, tell_listed_mistakes};
 use crate::other_options::describe_other_options;
 use crate::regions::describe_regions;
-use crate::scene_mistake::{colour_with_mistake, scene_mistakes};
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
 use crate::{Answer, Cause, LockedPictures, Verdict};
-use course::{Mistake, Step, draw_panels, find_mistakes_with_hash, hash_picture, step_of_example};
+use course::{Step, draw_panels, step_of_example};
 use image::RgbImage;
 
 /// The most changes that are told.
@@ -37,7 +35,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         Some(comparison) if known.is_empty() => find_changes(comparison),
         _ => vec![],
     };
-    let (listed, drawn_for) = listed_mistakes(yours, target, comparison.as_ref());
+    let (listed, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
     let listed = tell_listed_mistakes(&listed, drawn_for.as_deref());
     let mut cause = Cause::default();
     if let Some((text, listed_cause)) = listed {
@@ -76,32 +74,6 @@ fn join_changes(changes: &[String]) -> String {
         0 => told,
         more => format!("{told}, or with one of {more} other numbers"),
     }
-}
-
-/// The listed mistakes that give a picture, and the name of the locked picture that they were
-/// drawn for where it isn't the target.
-fn listed_mistakes(
-    yours: &RgbImage,
-    target: &Target,
-    comparison: Option<&Comparison>,
-) -> (Vec<Mistake>, Option<String>) {
-    if let Some(expected) = &target.name {
-        let mut all = find_mistakes_with_hash(hash_picture(yours));
-        if all.iter().any(|(_, name)| name == expected) {
-            all.retain(|(_, name)| name == expected);
-        }
-        let drawn_for = all.first().map(|(_, name)| name.clone()).filter(|name| name != expected);
-        return (all.into_iter().map(|(mistake, _)| mistake).collect(), drawn_for);
-    }
-    let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {
-        return (vec![], None);
-    };
-    let gives_pixel = |mistake: &Mistake, pixel: &Pixel| {
-        bytes(colour_with_mistake(mistake.title, &drawing.scene, &pixel.ray)) == pixel.yours
-    };
-    let all = scene_mistakes()
-        .filter(|mistake| comparison.pixels.iter().all(|pixel| gives_pixel(mistake, pixel)));
-    (all.collect(), None)
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts and the regions, if

@@ -1,5 +1,10 @@
 use crate::answer::Cause;
-use course::{Mistake, Step};
+use crate::comparison::{Comparison, Pixel};
+use crate::drawing::bytes;
+use crate::scene_mistake::{colour_with_mistake, scene_mistakes};
+use crate::target::Target;
+use course::{Mistake, Step, find_mistakes_with_hash, hash_picture};
+use image::RgbImage;
 use std::collections::BTreeMap;
 
 /// The most lines of a diff that is told.
@@ -11,6 +16,32 @@ const TITLES: usize = 3;
 /// The heading in the book for each file of the steps, such as `step01_rays/rgb8.rs`.
 pub fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
     include_str!("../sections.txt").lines().filter_map(|line| line.split_once(" | "))
+}
+
+/// The listed mistakes that give a picture, and the name of the locked picture that they were
+/// drawn for where it isn't the target.
+pub(crate) fn find_listed_mistakes(
+    yours: &RgbImage,
+    target: &Target,
+    comparison: Option<&Comparison>,
+) -> (Vec<Mistake>, Option<String>) {
+    if let Some(expected) = &target.name {
+        let mut all = find_mistakes_with_hash(hash_picture(yours));
+        if all.iter().any(|(_, name)| name == expected) {
+            all.retain(|(_, name)| name == expected);
+        }
+        let drawn_for = all.first().map(|(_, name)| name.clone()).filter(|name| name != expected);
+        return (all.into_iter().map(|(mistake, _)| mistake).collect(), drawn_for);
+    }
+    let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {
+        return (vec![], None);
+    };
+    let gives_pixel = |mistake: &Mistake, pixel: &Pixel| {
+        bytes(colour_with_mistake(mistake.title, &drawing.scene, &pixel.ray)) == pixel.yours
+    };
+    let all = scene_mistakes()
+        .filter(|mistake| comparison.pixels.iter().all(|pixel| gives_pixel(mistake, pixel)));
+    (all.collect(), None)
 }
 
 /// Tells the listed mistakes that give a picture, drawn for one of another name or for its

@@ -2,7 +2,8 @@
 
 use check::{
     Answer, Format, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
-    read_bounded_file, report_on_folder, report_on_workspaces,
+    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_scene,
+    write_scenes,
 };
 use clap::Parser;
 use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, json, locked_names};
@@ -121,36 +122,6 @@ fn print(answer: &Answer, as_json: bool) -> ExitCode {
         _ => writeln!(io::stdout(), "{}", answer.text.trim_end()),
     };
     ExitCode::from(code)
-}
-
-/// Writes the program of the scene of a name.
-fn write_scene(name: &str, file: &Path) -> Result<Answer, String> {
-    let path = escape_for_terminal(&file.display().to_string());
-    let written = fs::write(file, draw_named_scene(name).0);
-    written.map_err(|error| format!("{path} can't be written: {error}"))?;
-    Ok(Answer::new(Verdict::Right, format!("{}: {path}", escape_for_terminal(name))))
-}
-
-/// The names in a list, one a line.
-fn read_names(list: &Path) -> Result<Vec<String>, String> {
-    let text = String::from_utf8(read_bounded_file(list)?);
-    let text = text.map_err(|_| format!("{} is not in UTF-8", list.display()))?;
-    let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
-    Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
-}
-
-/// Writes the program of the scene of each name, into a folder of this name.
-fn write_scenes(names: &[String], folder: &Path) -> Result<Answer, String> {
-    let mut lines = vec![];
-    for name in names {
-        let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
-        let folder = folder.join(name.replace(is_odd, "_"));
-        fs::create_dir_all(&folder)
-            .map_err(|error| format!("{} can't be made: {error}", folder.display()))?;
-        let file = folder.join(NAMED_SCENE_EXAMPLE).with_extension("rs");
-        lines.push(write_scene(name, &file)?.text);
-    }
-    Ok(Answer::new(Verdict::Right, lines.join("\n")))
 }
 
 /// Looks at one picture, and saves the difference.

@@ -1,16 +1,6 @@
-use crate::find_name_in_file_name;
-use crate::png_file::{FILE_BYTES, too_large_clause};
-use crate::read_file::{read_bounded_file, read_file_of_at_most};
-use course::{NAMED_SCENE_EXAMPLE, locked_names};
-use flate2::read::DeflateDecoder;
-use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive};
-use std::fs;
-use std::io::Read;
-use std::path::{Path, PathBuf};
-
-/// The most files and folders, and the most bytes that are unpacked.
-const MOST_ENTRIES: u32 = 20_000;
-const MOST_BYTES: u64 = 1 << 28;
+use crate::class::student::split_canvas_name;
+use crate::read_bounded_file;
+use std::path::PathBuf;
 
 /// The extensions of files that may have been meant as a picture.
 const PICTURE_EXTENSIONS: [&str; 14] = [
@@ -68,169 +58,25 @@ impl FoundFile {
     pub fn is_no_picture(&self) -> bool {
         matches!(self.content, Content::NoPicture)
     }
-}
 
-/// All files in a folder, in so many folders in each other, and in their archives, by their
-/// names. Left out are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
-pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Vec<FoundFile> {
-    let mut search = Search {
-        most_folders,
-        names: locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).collect(),
-        files: vec![],
-        entries_left: MOST_ENTRIES,
-        bytes_left: MOST_BYTES,
-    };
-    search.add_folder(folder, &[]);
-    search.files
-}
-
-struct Search {
-    most_folders: usize,
-    /// The pictures of the course.
-    names: Vec<&'static str>,
-    files: Vec<FoundFile>,
-    entries_left: u32,
-    bytes_left: u64,
-}
-
-impl Search {
-    fn add(&mut self, folders: &[String], name: &str, content: Content) {
-        let picture = match content {
-            Content::NoPicture => None,
-            _ => find_name_in_file_name(name, self.names.iter().copied()),
-        };
-        self.files.push(FoundFile { path: join(folders, name), picture, content });
+    /// Whether it may have been meant as a picture, by its ending.
+    pub fn has_picture_extension(name: &str) -> bool {
+        has_extension(name, &PICTURE_EXTENSIONS)
     }
 
-    fn add_unreadable(&mut self, folders: &[String], why: &str) {
-        self.add(folders, "", Content::Unreadable(why.to_owned()));
+    /// Whether it lies beside the programs that draw it, and not, as Canvas has it, beside
+    /// those of others.
+    pub fn is_of_own_folder(&self) -> bool {
+        let is_canvas_name = split_canvas_name(self.name()).is_some();
+        self.path.len() == 1 && self.picture.is_some() && !is_canvas_name
     }
 
-    /// Whether one more file or folder may be looked at.
-    fn take_entry(&mut self) -> bool {
-        let entries_left = self.entries_left.checked_sub(1);
-        self.entries_left = entries_left.unwrap_or(0);
-        entries_left.is_some()
+    /// The number at the end of the name of a file that was handed in again: `-2`, `(1)`.
+    pub fn version(&self) -> u32 {
+        let stem = self.name().rsplit_once('.').map_or("", |(stem, _)| stem);
+        let number = stem.rsplit(['-', '(']).next().unwrap_or_default();
+        number.trim_end_matches(')').parse().unwrap_or(0)
     }
-
-    fn add_folder(&mut self, folder: &Path, folders: &[String]) {
-        let entries = match fs::read_dir(folder) {
-            Err(_) => return self.add_unreadable(folders, "may not be read by you"),
-            Ok(_) if self.most_folders < folders.len() => {
-                return self.add_unreadable(folders, "is too deep");
-            }
-            Ok(entries) => entries,
-        };
-        let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
-        paths.sort();
-        let count = self.files.len();
-        for path in paths {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            if is_left_out(&name) {
-                continue;
-            }
-            if !self.take_entry() {
-                return self.add_unreadable(folders, "has more files than are looked at");
-            }
-            match path.is_dir() {
-                true => self.add_folder(&path, &join(folders, &name)),
-                false => self.add_file(folders, &name, |_| Content::OnDisk(path.clone())),
-            }
-        }
-        if self.files.len() == count {
-            self.add(folders, "", Content::NoPicture);
-        }
-    }
-
-    /// Adds a file, or what is in it if it is an archive; its content is asked for where it is
-    /// needed, with the number of bytes that may still be unpacked.
-    fn add_file(
-        &mut self,
-        folders: &[String],
-        name: &str,
-        content: impl FnOnce(&mut u64) -> Content,
-    ) {
-        let is_archive = has_extension(name, &["zip"]);
-        if !is_archive && !has_extension(name, &PICTURE_EXTENSIONS) {
-            return self.add(folders, name, Content::NoPicture);
-        }
-        if !is_archive && find_name_in_file_name(name, self.names.iter().copied()).is_none() {
-            return self.add(folders, name, Content::OtherPicture);
-        }
-        let bytes = match content(&mut self.bytes_left) {
-            content if !is_archive => return self.add(folders, name, content),
-            Content::OnDisk(path) => read_file_of_at_most(&path, MOST_BYTES),
-            Content::Unpacked(bytes) => Ok(bytes),
-            _ => Err("can't be unpacked".to_owned()),
-        };
-        match bytes {
-            Ok(bytes) => self.add_archive(&bytes, &join(folders, name)),
-            Err(why) => self.add(folders, name, Content::Unreadable(why)),
-        }
-    }
-
-    fn add_archive(&mut self, bytes: &[u8], folders: &[String]) {
-        let Ok(archive) = ZipArchive::from_slice(bytes) else {
-            return self.add_unreadable(folders, "is a damaged ZIP archive");
-        };
-        let mut entries = archive.entries();
-        loop {
-            let entry = match entries.next_entry() {
-                Ok(Some(entry)) => entry,
-                Ok(None) => return,
-                Err(_) => return self.add_unreadable(folders, "is a damaged ZIP archive"),
-            };
-            let path = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
-            let mut path: Vec<_> = path.split(['/', '\\']).map(str::to_owned).collect();
-            path.retain(|name| !name.is_empty());
-            let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
-            let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
-            let around = [folders, &path].concat();
-            if self.most_folders < around.len() || !self.take_entry() {
-                return self.add_unreadable(folders, "has more files than are looked at");
-            }
-            self.add_file(&around, &name, |bytes_left| {
-                let bytes = unpack(&archive, &entry, bytes_left);
-                bytes.map_or_else(Content::Unreadable, Content::Unpacked)
-            });
-        }
-    }
-}
-
-/// The bytes of a file in an archive, which are taken from those that are left, or why they
-/// can't be unpacked.
-fn unpack(
-    archive: &ZipSliceArchive<&[u8]>,
-    record: &ZipFileHeaderRecord,
-    bytes_left: &mut u64,
-) -> Result<Vec<u8>, String> {
-    let damaged = "is damaged in its archive";
-    let entry = archive.get_entry(record.wayfinder()).map_err(|_| damaged)?;
-    let reader: Box<dyn Read> = match record.compression_method() {
-        CompressionMethod::STORE => Box::new(entry.data()),
-        CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(entry.data())),
-        _ => return Err("is packed or locked in a way that isn't read here".into()),
-    };
-    let (mut bytes, most_bytes) = (vec![], FILE_BYTES.min(*bytes_left));
-    let reader = entry.verifying_reader(reader);
-    let result = reader.take(most_bytes + 1).read_to_end(&mut bytes);
-    *bytes_left = bytes_left.saturating_sub(bytes.len() as u64);
-    result.map_err(|_| damaged)?;
-    if most_bytes < bytes.len() as u64 {
-        return Err(too_large_clause(most_bytes));
-    }
-    Ok(bytes)
-}
-
-/// The names of folders, and one more.
-fn join(folders: &[String], name: &str) -> Vec<String> {
-    [folders, &[name.to_owned()]].concat()
-}
-
-fn is_left_out(name: &str) -> bool {
-    name.starts_with('.')
-        || ["__MACOSX", "target", "snapshots"].contains(&name)
-        || name.ends_with(".snap.png")
 }
 
 pub(crate) fn has_extension(name: &str, extensions: &[&str]) -> bool {
