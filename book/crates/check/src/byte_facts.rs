@@ -29,7 +29,7 @@ pub(crate) fn byte_facts<'a>(comparison: &'a Comparison) -> [Fact<'a>; 9] {
         fact("grey", 1, "is black", |one| one.yours == [0; 3]),
         fact("grey", 1, "is grey", |one| one.yours == [one.yours[0]; 3]),
         fact("brightness", 1, "is off by 1 of 255", |one| one.largest_difference() == 1),
-        fact("neighbour", 1, "has our colour of a pixel beside it", move |one| {
+        fact("neighbour", 1, "has the colour of a neighbour in ours", move |one| {
             (0..9).any(|k| is_beside(one, (k % 3 - 1, k / 3 - 1)))
         }),
         fact("brightness", 1, "is darker than ours", |one| {

@@ -80,7 +80,7 @@ pub fn report_on_folder(
     if let Err(error) = fs::read_dir(folder) {
         let path = escape_for_terminal(&folder.display().to_string());
         return Answer::error(match error.kind() {
-            ErrorKind::PermissionDenied => format!("{path} may not be read by you"),
+            ErrorKind::PermissionDenied => format!("{path} can't be read: no permission"),
             _ => format!("{path} is not a folder"),
         });
     }

@@ -12,7 +12,7 @@ const FORMATS: [(usize, &[u8], &str); 17] = [
     (0, b"P6\n", "a PPM picture; save it as PNG"),
     (0, b"II*\0", "a TIFF picture; save it as PNG"),
     (0, b"MM\0*", "a TIFF picture; save it as PNG"),
-    (4, b"ftyp", "a picture or film of a phone, such as HEIC; save it as PNG"),
+    (4, b"ftyp", "a phone's picture or film, such as HEIC; save it as PNG"),
     (0, b"%PDF", "a PDF; save the picture as PNG"),
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
     (0, b"\x1f\x8b", "a gzip archive; unpack it first"),

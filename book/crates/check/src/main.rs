@@ -26,7 +26,7 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
-    /// Where to look for every picture of the course; or what a class has handed in, as Moodle,
+    /// The folder to look in for every picture of the course, or what a class has handed in, as Moodle,
     /// Canvas or GitHub gives it: a folder or an archive for each student, who gets one line
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,

@@ -65,7 +65,7 @@ pub fn read_png(file: &[u8]) -> Result<Picture, String> {
 
 /// Says that a file is larger than it may be.
 pub(crate) fn too_large_clause(most_bytes: u64) -> String {
-    format!("is too large: {} MB are the most", most_bytes >> 20)
+    format!("is too large: the limit is {} MB", most_bytes >> 20)
 }
 
 /// Says what a decoder's error means for the file.

@@ -20,7 +20,7 @@ pub(crate) fn missing_objects(comparison: &Comparison, drawing: &Drawing) -> Opt
     }
     let names = (0..missing.len()).filter(|k| missing[*k]).map(|k| drawing.object_name(k));
     let names = names.collect::<Vec<_>>().join(", ");
-    (!names.is_empty()).then(|| format!("Nowhere: {names}. What lies behind is seen there."))
+    (!names.is_empty()).then(|| format!("Missing: {names}. What lies behind shows instead."))
 }
 
 /// A sentence where the sky alone is wrong, nearly everywhere.
@@ -58,7 +58,7 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
     let told = wrong[..wrong.len().min(MOST_REGIONS)].join("; ");
     match (wrong.len().saturating_sub(MOST_REGIONS), right.len()) {
         (0, 0) => format!("Wrong: {told}.\n"),
-        (0, _) => format!("Wrong: {told}. All else is right in every pixel.\n"),
+        (0, _) => format!("Wrong: {told}. Everything else is right in every pixel.\n"),
         (more, 0) => format!("Wrong: {told}; {more} more.\n"),
         (more, _) => {
             format!("Right in every pixel: {}. Wrong: {told}; {more} more.\n", right.join(", "))

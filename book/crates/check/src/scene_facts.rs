@@ -53,8 +53,8 @@ pub(crate) fn light_facts(drawing: &Drawing) -> Vec<Fact<'_>> {
     }
     for (words, are_lit) in [
         ("is where no light reaches".to_owned(), [false, false]),
-        (format!("is where {warm} alone reaches"), [true, false]),
-        (format!("is where {cool} alone reaches"), [false, true]),
+        (format!("is where only {warm} reaches"), [true, false]),
+        (format!("is where only {cool} reaches"), [false, true]),
     ] {
         facts.push(fact("lit", 1, words, move |one| {
             one.hit.is_some_and(|hit| drawing.lights_at_hit(&one.ray, hit).0 == are_lit)

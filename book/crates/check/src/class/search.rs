@@ -58,7 +58,7 @@ impl Search {
 
     fn add_folder(&mut self, folder: &Path, folders: &[String]) {
         let entries = match fs::read_dir(folder) {
-            Err(_) => return self.add_unreadable(folders, "may not be read by you"),
+            Err(_) => return self.add_unreadable(folders, "can't be read: no permission"),
             Ok(_) if self.most_folders < folders.len() => {
                 return self.add_unreadable(folders, "is too deep");
             }
