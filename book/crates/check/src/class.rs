@@ -86,7 +86,10 @@ pub fn report_on_folder(
     }
     let is_workspace = folder.join("Cargo.toml").exists();
     let files = find_files(folder, if is_workspace { 1 } else { MOST_FOLDERS });
-    let is_own = is_workspace || files.iter().any(FoundFile::is_of_own_folder);
+    let is_of_class = |file: &FoundFile| 1 < file.path.len() || file.is_of_canvas();
+    let is_own = is_workspace
+        || files.iter().any(|file| file.picture.is_some() && !is_of_class(file))
+        || !files.iter().any(is_of_class);
     let (mut students, mut stray) = if is_own {
         let path = folder.canonicalize().unwrap_or_default();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

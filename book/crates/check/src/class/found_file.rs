@@ -64,11 +64,9 @@ impl FoundFile {
         has_extension(name, &PICTURE_EXTENSIONS)
     }
 
-    /// Whether it lies beside the programs that draw it, and not, as Canvas has it, beside
-    /// those of others.
-    pub fn is_of_own_folder(&self) -> bool {
-        let is_canvas_name = split_canvas_name(self.name()).is_some();
-        self.path.len() == 1 && self.picture.is_some() && !is_canvas_name
+    /// Whether it has the name of a student in its own, as Canvas has it.
+    pub fn is_of_canvas(&self) -> bool {
+        split_canvas_name(self.name()).is_some()
     }
 
     /// The number at the end of the name of a file that was handed in again: `-2`, `(1)`.

@@ -55,6 +55,11 @@ fn draw_with_crates(path: &Path, scene: &str, trial: &Path, k: usize) -> Result<
     let program = program.with_extension(std::env::consts::EXE_EXTENSION);
     // What is left of an earlier student or run mustn't be taken for this one's.
     let _ = (fs::remove_dir_all(&folder), fs::remove_file(&program));
+    for entry in fs::read_dir(target.join("debug/.fingerprint")).into_iter().flatten().flatten() {
+        if Step::from_path(&entry.file_name().to_string_lossy()).is_some() {
+            fs::remove_dir_all(entry.path()).map_err(|error| error.to_string())?;
+        }
+    }
     copy_crates(&steps, scene, &folder).map_err(|error| format!("can't be copied: {error}"))?;
     let log = folder.join("errors.txt");
     let mut cargo = Command::new("cargo");
