@@ -31,19 +31,23 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
-    let changes = match &comparison {
+    let (numbers, cameras) = match &comparison {
         Some(comparison) if known.is_empty() => find_changes(comparison),
-        _ => vec![],
+        _ => (vec![], vec![]),
     };
     let (listed, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
     let listed = tell_listed_mistakes(&listed, drawn_for.as_deref());
-    let mut cause = Cause::default();
-    if let Some((text, listed_cause)) = listed {
-        (known, cause) = (known + &text, listed_cause);
-    } else if let [change] = &changes[..] {
+    let has_listed = listed.is_some();
+    let (text, mut cause) = listed.unwrap_or_default();
+    known += &text;
+    if has_listed && !numbers.is_empty() {
+        cause = Cause { all: cause.all, ..Cause::default() };
+    }
+    let changes = [numbers, cameras].concat();
+    cause.all.extend(changes.iter().cloned());
+    if let ([change], false) = (&changes[..], has_listed) {
         cause.mistake = Some(change.clone());
     }
-    cause.all.extend(changes.iter().cloned());
     if !changes.is_empty() {
         known += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
     }
@@ -57,14 +61,14 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
     Answer { verdict: Verdict::NotRight, text, cause, difference }
 }
 
-/// All single changes of ours that we know and that give the whole picture, in words; none
-/// where not all could be tried.
-fn find_changes(comparison: &Comparison) -> Vec<String> {
-    let Some(drawing) = comparison.drawing else { return vec![] };
+/// All numbers and cameras that we know and that give the whole picture, in words; none where
+/// not all could be tried.
+fn find_changes(comparison: &Comparison) -> (Vec<String>, Vec<String>) {
+    let Some(drawing) = comparison.drawing else { return (vec![], vec![]) };
     let budget = RayBudget::new(RAYS);
-    let mut words = find_changed_numbers(comparison, drawing, &budget);
-    words.extend(find_cameras(comparison, drawing, &budget));
-    if budget.is_spent() { vec![] } else { words }
+    let numbers = find_changed_numbers(comparison, drawing, &budget);
+    let cameras = find_cameras(comparison, drawing, &budget);
+    if budget.is_spent() { (vec![], vec![]) } else { (numbers, cameras) }
 }
 
 /// The first changes, and how many more there are.

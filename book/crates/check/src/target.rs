@@ -5,7 +5,7 @@ use course::{Step, camera, camera_with_size};
 use image::RgbImage;
 use std::cell::OnceCell;
 use std::rc::Rc;
-use step01_rays::{Camera, render};
+use step01_rays::render;
 
 /// What a picture is compared with: a locked picture, or the scene of a name.
 pub(crate) struct Target {
@@ -16,8 +16,6 @@ pub(crate) struct Target {
     /// None of an exercise.
     pub drawing: Option<Drawing>,
     pub picture: Rc<RgbImage>,
-    /// The camera that draws it.
-    pub camera: Camera,
     pixels: OnceCell<Vec<Pixel>>,
 }
 
@@ -28,7 +26,6 @@ impl Target {
             title: format!("the picture of {name}"),
             name: Some(name.to_owned()),
             drawing: Step::from_name(name).map(Drawing::of_step),
-            camera: camera_with_size(picture.width(), picture.height()),
             picture: Rc::new(picture),
             pixels: OnceCell::new(),
         }
@@ -36,13 +33,12 @@ impl Target {
 
     /// The scene that belongs to a name.
     pub fn of_scene(name: &str) -> Self {
-        let (drawing, camera) = (Drawing::of_name(name), camera());
+        let drawing = Drawing::of_name(name);
         Self {
             title: scene_title(name),
             name: None,
-            picture: Rc::new(render(&camera, 1, |ray| drawing.colour(ray))),
+            picture: Rc::new(render(&camera(), 1, |ray| drawing.colour(ray))),
             drawing: Some(drawing),
-            camera,
             pixels: OnceCell::new(),
         }
     }
@@ -51,9 +47,10 @@ impl Target {
     pub fn pixels(&self) -> &[Pixel] {
         self.pixels.get_or_init(|| {
             let (columns, rows) = self.picture.dimensions();
+            let camera = camera_with_size(columns, rows);
             let pixel = |place: (u32, u32)| {
                 let ours = self.picture.get_pixel(place.0, place.1).0;
-                let ray = self.camera.ray(place.0.into(), place.1.into());
+                let ray = camera.ray(place.0.into(), place.1.into());
                 let hit = self.drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
                 Pixel { place, ray, hit, yours: ours, ours }
             };

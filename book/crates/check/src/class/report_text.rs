@@ -1,6 +1,6 @@
 use crate::class::{Entry, Report};
 use crate::{Verdict, escape_for_terminal};
-use course::{NAMED_SCENE_EXAMPLE, Step, json};
+use course::{NAMED_SCENE_EXAMPLE, Step, json, locked_names};
 
 /// The most names of files that a line tells.
 const MOST_NAMES: usize = 8;
@@ -8,24 +8,17 @@ const MOST_NAMES: usize = 8;
 impl Entry {
     /// A sentence on what is wrong or to be noted; empty where nothing is.
     fn feedback(&self) -> String {
-        let mut lines = self.answer.text.lines();
-        let first = lines.next().unwrap_or_default();
         if let Some((step, cause)) = &self.follows {
             return format!("Follows from {step}: {cause}.");
         }
-        if self.answer.verdict == Verdict::Right {
-            return lines.collect::<Vec<_>>().join(" ");
-        }
+        let mut lines = self.answer.text.lines();
+        let first = lines.next().unwrap_or_default();
         let starts = ["Not right. ", "Right, but with other options: ", "error: "];
-        starts.iter().find_map(|start| first.strip_prefix(start)).unwrap_or(first).to_owned()
-    }
-
-    /// The column of a class's table in which it is, if it has one of its own.
-    fn is_in_column(&self, has_required: bool) -> bool {
-        match has_required {
-            true => self.is_required,
-            false => Step::from_name(self.name).is_some() || self.name == NAMED_SCENE_EXAMPLE,
-        }
+        let start = starts.iter().find_map(|start| first.strip_prefix(start));
+        escape_for_terminal(&match self.answer.verdict {
+            Verdict::Right => lines.collect::<Vec<_>>().join(" "),
+            _ => start.unwrap_or(first).to_owned(),
+        })
     }
 }
 
@@ -86,29 +79,29 @@ pub(crate) fn format_table(report: &Report, stray: &[String]) -> String {
 pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
     let entries = || reports.iter().flat_map(|report| &report.pictures);
     let has_required = entries().any(|entry| entry.is_required);
-    let mut names: Vec<&str> = vec![];
-    let order = Step::NAMES.into_iter().chain([NAMED_SCENE_EXAMPLE]);
-    let in_columns = entries().filter(|entry| entry.is_in_column(has_required));
-    names.extend(in_columns.map(|entry| entry.name));
-    names.sort_by_key(|name| order.clone().position(|one| one == *name).unwrap_or(5));
-    names.dedup();
-    let mut rows =
-        vec![["", "right"].into_iter().chain(names.clone()).map(str::to_owned).collect()];
+    let has_column = |entry: &Entry| match has_required {
+        true => entry.is_required,
+        false => Step::from_name(entry.name).is_some() || entry.name == NAMED_SCENE_EXAMPLE,
+    };
+    let mut names = locked_names();
+    names.push(NAMED_SCENE_EXAMPLE);
+    names.retain(|name| entries().any(|entry| entry.name == *name && has_column(entry)));
+    let has_others = entries().any(|entry| !has_column(entry));
+    let others = Some("others").filter(|_| has_others);
+    let head = ["", "right"].into_iter().chain(names.iter().copied()).chain(others);
+    let mut rows = vec![head.map(str::to_owned).collect()];
     for report in reports {
-        let find = |name: &str| report.pictures.iter().find(|entry| entry.name == name);
         let mut row = vec![escape_for_terminal(&report.student), format_count(report)];
         row.extend(names.iter().map(|name| {
-            find(name).map_or(Verdict::Missing, |entry| entry.answer.verdict).words().to_owned()
+            let entry = report.pictures.iter().find(|entry| entry.name == *name);
+            entry.map_or(Verdict::Missing, |entry| entry.answer.verdict).words().to_owned()
         }));
-        rows.push(row);
-    }
-    if entries().any(|entry| !entry.is_in_column(has_required)) {
-        rows[0].push("others".to_owned());
-        for (row, report) in rows[1..].iter_mut().zip(reports) {
-            let others = report.pictures.iter().filter(|entry| !entry.is_in_column(has_required));
+        if has_others {
+            let others = report.pictures.iter().filter(|entry| !has_column(entry));
             let right = others.clone().filter(|entry| entry.answer.verdict == Verdict::Right);
             row.push(format!("{} of {}", right.count(), others.count()));
         }
+        rows.push(row);
     }
     let mut text = align(&rows);
     for report in reports {
