@@ -39,7 +39,6 @@ fn answers_about_whole_pictures_are_as_locked() {
         [
             ("right", PHONG, draw_step(Step::Phong)),
             ("100×75, 75.5°, 2", PHONG, phong(100, 75, 75.5, 2)),
-            ("110°", PHONG, phong(640, 360, 110.0, 1)),
             ("small, one wrong pixel", PHONG, with_pixel(phong(64, 36, 60.0, 1))),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("step 2", "step03_nearest", locked_picture("step02_sphere")),
@@ -52,7 +51,6 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("black", PHONG, RgbImage::new(640, 360)),
             ("cut out", PHONG, crop_imm(&ours, 100, 150, 300, 200).to_image()),
             ("screenshot", "step03_nearest", screenshot("step03_nearest", 90)),
-            ("screenshot", "plane", screenshot("plane", 220)),
             ("enlarged", PHONG, resize(&ours, 1280, 720, FilterType::Nearest)),
             ("made smaller", PHONG, resize(&ours, 240, 135, FilterType::Triangle)),
             ("one wrong pixel", "rings", with_pixel(locked_picture("rings"))),
@@ -98,10 +96,6 @@ fn answers_about_changes_of_ours_are_as_locked() {
     let bare_sky = || draw(|ray| ray.direction * DVec3::new(1.0, 1.0, -1.0));
     let scene = step05_phong::scene();
     let without_gate = |samples| render(&camera(), samples, |ray| colour_without_gate(&scene, ray));
-    let two_numbers = |scene: &mut Scene| {
-        scene.lights[0].point_light.position *= 1.07;
-        scene.objects[4].sphere.radius *= 1.01;
-    };
     assert_rows_locked(
         "changes_of_ours",
         [
@@ -112,18 +106,14 @@ fn answers_about_changes_of_ours_are_as_locked() {
             ("golden lower", PHONG, changed(|one| one.objects[2].sphere.centre.y = -1.27)),
             ("red's n is 41", PHONG, changed(|one| one.objects[0].material.shininess = 41)),
             ("L_a has another green", PHONG, changed(|one| one.ambient_light.y = 0.23)),
-            ("ambient light twice", PHONG, changed(|one| one.ambient_light *= 2.0)),
-            ("no cool light", PHONG, changed(|one| one.lights.truncate(1))),
             ("no warm highlights", PHONG, changed(|one| one.lights[0].specular = DVec3::ZERO)),
             ("no white sphere", PHONG, changed(|one| one.objects[6].sphere.radius = 0.0)),
             ("the first 3 objects", PHONG, changed(|one| one.objects.truncate(3))),
-            ("two numbers", PHONG, changed(two_numbers)),
             ("a ball nearer or larger", sphere, ball(-4.95, 1.0)),
             ("a ball nearer and larger", sphere, ball(-4.5, 1.31)),
             ("a ball as large as seen", sphere, ball(-10.0, 2.0)),
             ("a slanted camera", nearest, seen_by(|one| one.matrix.y_axis.x = 0.0004)),
             ("a higher camera", nearest, seen_by(|one| one.matrix.y_axis.y *= 1.07)),
-            ("a moved camera", nearest, seen_by(|one| one.centre.x = 0.1)),
             (
                 "half a pixel up and left",
                 nearest,
@@ -149,7 +139,6 @@ fn answers_about_scenes_of_names_are_as_locked() {
         ("4 rays per pixel", "ada", render(&camera(), 2, |ray| step05_phong::colour(&ada, ray))),
         ("no gate", "ada", draw(|ray| colour_without_gate(&ada, ray))),
         ("one number", "ada", draw_changed(ada.clone(), one_number)),
-        ("no second light", "ada", draw_changed(ada.clone(), |one| one.lights.truncate(1))),
         ("no highlights", "ada", draw_changed(ada.clone(), no_highlights)),
         ("one wrong pixel", "ada", with_pixel(right())),
         ("the picture of step 5", "ada", draw_step(Step::Phong)),
