@@ -15,9 +15,7 @@ use crate::class::found_file::FoundFile;
 use crate::class::report_text::{format_class, format_csv, format_json, format_table};
 use crate::class::search::find_files;
 use crate::class::student::{Student, add_names, group_by_student};
-use crate::{Answer, Verdict, escape_for_terminal};
-use std::fs;
-use std::io::ErrorKind;
+use crate::{Answer, Verdict};
 use std::path::Path;
 
 /// The most folders, one in the other, around a file of a class.
@@ -66,9 +64,9 @@ impl Report {
     }
 }
 
-/// Says of each picture in a folder whether it is right. The folder is one's own if it has
-/// pictures of the course or a workspace of Cargo, else it is that of a class, some names of
-/// which may be known.
+/// Says of each picture in a folder or an archive whether it is right. It is one's own if it has
+/// pictures of the course or a workspace of Cargo, else that of a class, some names of which may
+/// be known.
 ///
 /// The verdict is right if all pictures are that were required, or else all that are there.
 pub fn report_on_folder(
@@ -77,15 +75,11 @@ pub fn report_on_folder(
     required: &[&'static str],
     format: Format,
 ) -> Answer {
-    if let Err(error) = fs::read_dir(folder) {
-        let path = escape_for_terminal(&folder.display().to_string());
-        return Answer::error(match error.kind() {
-            ErrorKind::PermissionDenied => format!("{path} can't be read: no permission"),
-            _ => format!("{path} is not a folder"),
-        });
-    }
     let is_workspace = folder.join("Cargo.toml").exists();
-    let files = find_files(folder, if is_workspace { 1 } else { MOST_FOLDERS });
+    let files = match find_files(folder, if is_workspace { 1 } else { MOST_FOLDERS }) {
+        Ok(files) => files,
+        Err(why) => return Answer::error(why),
+    };
     let is_of_class = |file: &FoundFile| 1 < file.path.len() || file.is_of_canvas();
     let is_own = is_workspace
         || files.iter().any(|file| file.picture.is_some() && !is_of_class(file))

@@ -33,15 +33,15 @@ struct Arguments {
     /// Prints the program of the scene that belongs to a name. With a file, tells whether it is
     /// what the program draws. With --in, draws it with the five crates of each workspace in the
     /// folder and compares it: what is in these crates runs as you, so do that in a container
-    #[arg(long, value_name = "NAME", conflicts_with = "name")]
+    #[arg(long, value_name = "NAME", group = "written", conflicts_with = "name")]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
     /// A class's list of names, one a line: with --out, writes the scene of each; with --in,
     /// tells who has handed in nothing, and whose Canvas's names are
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "file"])]
+    #[arg(long, value_name = "FILE", group = "written", conflicts_with_all = ["scene", "file"])]
     names: Option<PathBuf>,
     /// Where to write the program of a scene, in UTF-8; with --names, a folder
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["file", "folder"])]
+    #[arg(long, value_name = "PATH", requires = "written", conflicts_with_all = ["file", "folder"])]
     out: Option<PathBuf>,
     /// The pictures that are asked for, with commas between them; `scene` is the scene of the
     /// student's name

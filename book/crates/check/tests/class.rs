@@ -78,6 +78,13 @@ fn reports_on_classes_are_as_locked() {
             ("canvas/bob_LATE_4712_97_step02_sphere.png", sphere.clone()),
             ("canvas/l\u{f6}velaceada_4711_96_scene_of_me.png", scene("Ada L\u{f6}velace")),
             ("canvas/roster.pdf", vec![]),
+            (
+                "canvas.zip",
+                zip(&[
+                    ("submissions/bob_4712_97_step01_rays.png", &rays),
+                    ("submissions/cleo_4713_96_my.zip", &two_pictures),
+                ]),
+            ),
             ("names.txt", "\u{feff}Ada L\u{f6}velace\r\nZo\u{eb}\n".as_bytes().to_vec()),
             ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
             ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
@@ -87,9 +94,10 @@ fn reports_on_classes_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 7] = [
+    let runs: [&[&str]; 8] = [
         &["--in", "moodle", "--require", required],
         &["--in", "canvas", "--require", required, "--names", "names.txt"],
+        &["--in", "canvas.zip"],
         &["--in", "github"],
         &["--in", "github", "--csv"],
         &["--in", "github", "--json"],

@@ -1,21 +1,21 @@
 use crate::class::found_file::{Content, FoundFile, has_extension};
-use crate::find_name_in_file_name;
 use crate::png_file::{FILE_BYTES, too_large_clause};
 use crate::read_file::read_file_of_at_most;
+use crate::{escape_for_terminal, find_name_in_file_name};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive};
 use std::fs;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// The most files and folders, and the most bytes that are unpacked.
 const MOST_ENTRIES: u32 = 20_000;
 const MOST_BYTES: u64 = 1 << 28;
 
-/// All files in a folder, in so many folders in each other, and in their archives, by their
-/// names. Left out are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
-pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Vec<FoundFile> {
+/// All files in a folder or an archive, in so many folders in each other, and in their archives, by their
+/// names, or why it can't be read. Left out are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
+pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<FoundFile>, String> {
     let mut search = Search {
         most_folders,
         names: locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).collect(),
@@ -23,8 +23,17 @@ pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Vec<FoundFile> {
         entries_left: MOST_ENTRIES,
         bytes_left: MOST_BYTES,
     };
+    if has_extension(&folder.to_string_lossy(), &["zip"]) && folder.is_file() {
+        search.add_archive(&read_file_of_at_most(folder, MOST_BYTES)?, &[]);
+        return Ok(search.files);
+    }
+    let path = escape_for_terminal(&folder.display().to_string());
+    fs::read_dir(folder).map_err(|error| match error.kind() {
+        ErrorKind::PermissionDenied => format!("{path} can't be read: no permission"),
+        _ => format!("{path} is neither a folder nor a ZIP archive"),
+    })?;
     search.add_folder(folder, &[]);
-    search.files
+    Ok(search.files)
 }
 
 struct Search {

@@ -1,5 +1,5 @@
 use crate::class::found_file::FoundFile;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use unicode_normalization::UnicodeNormalization;
 
 /// A student, and the files that were handed in.
@@ -57,20 +57,17 @@ pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
     }
 }
 
-/// Whether all files are in one folder, and there in several.
+/// Whether all files are in one folder, and there are those of several students.
 fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
-    let at = |k: usize| files.iter().map(move |file| file.path[..file.path.len() - 1].get(k));
-    let [first, second] = [0, 1].map(|k| at(k).next().flatten());
-    first.is_some()
-        && second.is_some()
-        && at(0).all(|name| name == first)
-        && at(1).all(|name| name.is_some())
-        && at(1).any(|name| name != second)
+    let is_first = |file: &FoundFile| file.path.first() == files[0].path.first();
+    let key = |file: &FoundFile| take_key(&mut file.path[1..].to_vec());
+    let keys = files.iter().map(key).collect::<Option<BTreeSet<_>>>();
+    files.iter().all(is_first) && keys.is_some_and(|keys| 1 < keys.len())
 }
 
 /// Takes from a path what tells the student; None where nothing does.
 fn take_key(path: &mut Vec<String>) -> Option<String> {
-    if let Some((student, file)) = split_canvas_name(&path[0]) {
+    if let Some((student, file)) = split_canvas_name(path.first()?) {
         path[0] = file;
         return Some(student);
     }
