@@ -11,14 +11,13 @@ pub fn find_name_in_file_name<'a>(
 ) -> Option<&'a str> {
     let lower = file_name.to_ascii_lowercase();
     let file_name = lower.rsplit(['/', '\\']).next()?;
-    let named = names.clone().filter(|name| contains_whole_word(file_name, name));
+    let has = |word: &str| contains_whole_word(file_name, word);
+    let named = names.clone().filter(|name| has(name) || has(&name.replace('_', "")));
     named.max_by_key(|name| name.len()).or_else(|| {
-        let is_named = |step: &Step| {
-            let number = step.number();
-            let words = [format!("step{number}"), format!("step0{number}")];
-            words.iter().any(|word| contains_whole_word(file_name, word))
-        };
-        let step = Step::ALL.into_iter().find(is_named)?;
+        let words = ["step", "step0", "step ", "step_", "step-"];
+        let is_numbered =
+            |step: &Step| words.iter().any(|word| has(&format!("{word}{}", step.number())));
+        let step = Step::ALL.into_iter().find(is_numbered)?;
         names.clone().find(|name| *name == step.name())
     })
 }

@@ -68,6 +68,8 @@ fn name_of_the_file_tells_whose_picture_it_is() {
         ("my-step02_sphere.png", Some("step02_sphere")),
         ("step2.png", Some("step02_sphere")),
         ("STEP02 (1).png", Some("step02_sphere")),
+        ("Step 2 final.png", Some("step02_sphere")),
+        ("Step01Rays.png", Some("step01_rays")),
         ("step12.png", None),
         ("glass/step1.png", Some("step01_rays")),
         ("hourglass.png", None),
