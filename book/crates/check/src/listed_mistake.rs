@@ -10,9 +10,6 @@ use std::collections::BTreeMap;
 /// The most lines of a diff that is told.
 const LINES: usize = 4;
 
-/// The most mistakes that are told with their titles.
-const TITLES: usize = 3;
-
 /// The heading in the book for each file of the steps, such as `step01_rays/rgb8.rs`.
 pub fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
     include_str!("../sections.txt").lines().filter_map(|line| line.split_once(" | "))
@@ -53,23 +50,17 @@ pub(crate) fn tell_listed_mistakes(
     let first = mistakes.first()?;
     let mut files: BTreeMap<&str, usize> = BTreeMap::new();
     mistakes.iter().for_each(|mistake| *files.entry(&mistake.file).or_default() += 1);
-    let titles: Vec<_> = mistakes.iter().take(TITLES).map(|mistake| mistake.title).collect();
-    let start = match (mistakes.len(), files.len()) {
-        (1, _) => format!("This mistake gives this very picture: {}.", first.title),
-        (count, 1) => format!(
-            "{count} mistakes in one file give this very picture, such as: {}.",
-            titles.join("; ")
-        ),
-        (count, _) => {
+    let start = match mistakes.len() {
+        1 => format!("This mistake gives this very picture: {}.", first.title),
+        count => {
             let files = files.iter().map(|(file, count)| {
                 let name = file.rsplit('/').next().unwrap_or_default();
                 let step = Step::from_path(file).map_or(0, Step::number);
                 format!("{count} in {name} of step {step}")
             });
-            let files: Vec<_> = files.collect();
             format!(
                 "{count} mistakes that we know give this very picture: {}.\nOne is: {}.",
-                files.join(", "),
+                files.collect::<Vec<_>>().join(", "),
                 first.title
             )
         }

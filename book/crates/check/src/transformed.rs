@@ -1,22 +1,20 @@
 use image::RgbImage;
-use image::imageops;
 
 /// How many places are compared pixel by pixel for a part that seems to be there.
 const MOST_PLACES: usize = 32;
 
-/// A picture turned or mirrored.
-type Turn = fn(&RgbImage) -> RgbImage;
+/// The place in ours of a pixel of yours, by its place and the last column and row of ours.
+type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
-const TURNS: [(&str, Turn); 7] = [
-    ("", RgbImage::clone),
-    ("upside down", imageops::flip_vertical),
-    ("mirrored left to right", imageops::flip_horizontal),
-    ("turned by 180°", imageops::rotate180),
-    ("turned by 90° to the right", imageops::rotate90),
-    ("turned by 90° to the left", imageops::rotate270),
-    ("with rows and columns exchanged", |ours| {
-        imageops::flip_horizontal(&imageops::rotate90(ours))
-    }),
+/// Turns, and whether yours is as wide as ours then.
+const TURNS: [(&str, bool, Turn); 7] = [
+    ("", true, |place, _| place),
+    ("upside down", true, |(i, j), (_, last_j)| (i, last_j - j)),
+    ("mirrored left to right", true, |(i, j), (last_i, _)| (last_i - i, j)),
+    ("turned by 180°", true, |(i, j), (last_i, last_j)| (last_i - i, last_j - j)),
+    ("turned by 90° to the right", false, |(i, j), (_, last_j)| (j, last_j - i)),
+    ("turned by 90° to the left", false, |(i, j), (last_i, _)| (last_i - j, i)),
+    ("with rows and columns exchanged", false, |(i, j), _| (j, i)),
 ];
 
 /// The orders of red, green and blue.
@@ -53,15 +51,18 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
 /// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
 /// with its channels in another order.
 fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String> {
+    let (w, h) = ours.dimensions();
     let mut clauses = vec![];
-    for (turned, turn) in TURNS {
-        let ours = turn(ours);
-        if ours.dimensions() != picture.dimensions() {
+    for (turned, is_as_wide, turn) in TURNS {
+        if picture.dimensions() != (if is_as_wide { (w, h) } else { (h, w) }) {
             continue;
         }
         for (swapped, order) in ORDERS {
-            let mut pairs = picture.pixels().zip(ours.pixels());
-            if pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k])) {
+            let mut pixels = picture.enumerate_pixels();
+            if pixels.all(|(i, j, yours)| {
+                let (i, j) = turn((i, j), (w - 1, h - 1));
+                yours.0 == order.map(|k| ours.get_pixel(i, j).0[k])
+            }) {
                 let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
                 clauses.push(words.collect::<Vec<_>>().join(", "));
             }
