@@ -17,6 +17,9 @@
 //!
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
+//! A folder is searched, its archives, too, and divided by students (`class`); their crates may
+//! draw a scene that they don't know (`class::trial`).
+//!
 //! Each ray is taken from a `RayBudget`, so that an answer comes soon, and is the same on every
 //! machine; of a file, no more is read than a picture has (`read_file`, `png_file`).
 
@@ -48,7 +51,6 @@ mod wrong_pixel;
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_picture, check_png, check_scene_png};
 pub use class::{Format, report_on_folder, report_on_workspaces};
-
 pub use listed_mistake::sections;
 pub use locked::LockedPictures;
 pub use png_file::{Picture, read_png};

@@ -138,8 +138,12 @@ impl Search {
             let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
             let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
             let around = [folders, &path].concat();
-            if self.most_folders < around.len() || !self.take_entry() {
+            if !self.take_entry() {
                 return self.add_unreadable(folders, "has more files than are looked at");
+            }
+            if self.most_folders < around.len() {
+                self.add(&around, &name, Content::Unreadable("is too deep".to_owned()));
+                continue;
             }
             self.add_file(&around, &name, |bytes_left| {
                 let bytes = unpack(&archive, &entry, bytes_left);
