@@ -45,9 +45,7 @@ fn escape_markdown(mathml: &str) -> String {
     for c in mathml.chars() {
         in_tag = (in_tag || c == '<') && c != '>';
         match c {
-            '*' | '_' | '[' | ']' | '\\' | '|' | '`' | '~' | '\'' | '"' | '.' | '-' | '$' | '!'
-                if !in_tag =>
-            {
+            _ if !in_tag && r#"*_[]\|`~'".-$!"#.contains(c) => {
                 escaped += &format!("&#{};", u32::from(c));
             }
             '\n' => escaped.push(' '),

@@ -1,7 +1,7 @@
 use crate::files::CHAPTERS;
 use crate::sources::{GENERATED, Sources};
 use crate::{chapter, problem};
-use anyhow::{Result, bail};
+use anyhow::{Result, ensure};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -76,10 +76,6 @@ fn our_folder_markdown(workspace: &Path, url: Option<&str>) -> String {
 
 /// An error that tells all faults at once, if there are any; it stops the build.
 pub fn fail_with_faults(faults: &[String]) -> Result<()> {
-    let all: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
-    match faults.len() {
-        0 => Ok(()),
-        1 => bail!("{all}The book is not done: one fault."),
-        many => bail!("{all}The book is not done: {many} faults."),
-    }
+    ensure!(faults.is_empty(), "{}\nThe book is not done.", faults.join("\n"));
+    Ok(())
 }
