@@ -13,7 +13,6 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::fs::{self, File};
 use std::io;
-use std::time::Instant;
 
 /// The most mistakes in one program: as many as a compiler takes with little memory. What is
 /// drawn is written after each program, and not drawn again where the command was stopped.
@@ -36,17 +35,13 @@ pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
             selected.push(mistake);
         }
     }
-    let (start, count) = (Instant::now(), selected.len());
-    println!("Mistakes to draw: {count}");
-    while !selected.is_empty() {
-        let some: Vec<_> = selected.drain(..COUNT.min(selected.len())).collect();
-        for (mistake, pictures) in some.iter().zip(mistake_program::draw(&some)?) {
+    println!("Mistakes to draw: {}", selected.len());
+    for some in selected.chunks(COUNT) {
+        for (mistake, pictures) in some.iter().zip(mistake_program::draw(some)?) {
             table.insert(mistake, &pictures)?;
         }
         table.write(&all)?;
-        let done = count - selected.len();
-        let time_left = start.elapsed() * selected.len() as u32 / done as u32;
-        println!("{done} of {count} done, about {} s left", time_left.as_secs());
+        println!("{} drawn", some.len());
     }
     Ok(table.write(&all)?)
 }
