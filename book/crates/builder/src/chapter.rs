@@ -20,10 +20,9 @@ pub fn expand_directives(
     sources: &Sources,
     problem_sheet: &str,
 ) -> (String, Vec<Fault>) {
-    let (code, listings, open_box, open_problem) = Default::default();
+    let (listings, open_box, open_problem) = Default::default();
     let edits = Edits::new(text);
-    let mut chapter =
-        Chapter { edits, sources, problem_sheet, code, listings, open_box, open_problem };
+    let mut chapter = Chapter { edits, sources, problem_sheet, listings, open_box, open_problem };
     chapter.expand_blocks();
     chapter.fill_placeholders();
     let (markdown, faults) = chapter.edits.apply();
@@ -36,24 +35,12 @@ struct Chapter<'a> {
     edits: Edits<'a>,
     sources: &'a Sources,
     problem_sheet: &'a str,
-    /// The parts that are code, where a minus stays a hyphen.
-    code: Vec<Range<usize>>,
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// The place where the open box begins.
     open_box: Option<usize>,
     /// The place where the open problem begins.
     open_problem: Option<usize>,
-}
-
-/// A part of a chapter, by what becomes of it.
-enum Part {
-    /// Text that stays as it is.
-    Plain,
-    /// Code, in which nothing but numbers is looked for.
-    Code,
-    /// A part to be replaced.
-    Replaced(Result<String, String>),
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -75,12 +62,10 @@ impl<'a> Chapter<'a> {
             if range.start < end_of_last {
                 continue;
             }
-            match self.expand_event(event, &events[index..], range) {
-                Part::Plain => continue,
-                Part::Code => self.code.push(range.clone()),
-                Part::Replaced(text) => self.edits.replace(range.clone(), text),
+            if let Some(text) = self.expand_event(event, &events[index..], range) {
+                self.edits.replace(range.clone(), text);
+                end_of_last = range.end;
             }
-            end_of_last = range.end;
         }
         if let Some(position) = self.open_problem.or(self.open_box) {
             self.edits.add_fault(position, "the box has no {{#end}}");
@@ -105,16 +90,20 @@ impl<'a> Chapter<'a> {
             .collect()
     }
 
-    fn expand_event(&mut self, event: &Event, events: &Events, range: &Range<usize>) -> Part {
+    /// What stands in place of a part of the chapter; None for text that stays as it is.
+    fn expand_event(
+        &mut self,
+        event: &Event,
+        events: &Events,
+        range: &Range<usize>,
+    ) -> Option<Result<String, String>> {
         let source = &self.edits.text[range.clone()];
-        Part::Replaced(match event {
-            Event::Start(Tag::CodeBlock(kind)) => {
-                return self.expand_code_block(kind, source);
+        Some(match event {
+            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
+            Event::Start(Tag::Paragraph) => {
+                let html = self.expand_paragraph(events, range)?;
+                html.map(|html| format!("\n{html}\n"))
             }
-            Event::Start(Tag::Paragraph) => match self.expand_paragraph(events, range) {
-                Some(html) => html.map(|html| format!("\n{html}\n")),
-                None => return Part::Plain,
-            },
             Event::Start(Tag::Image { dest_url, title, .. }) => {
                 Picture::from_markdown(source, dest_url, title).html(self.sources)
             }
@@ -123,12 +112,12 @@ impl<'a> Chapter<'a> {
             Event::Code(code) if is_name_with_break(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
-            Event::Code(_) => return Part::Code,
+            Event::Code(_) => numbers::fill_in_text(source).map(|code| code.replace('−', "-")),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
-                return Part::Plain;
+                return None;
             }
-            _ => return Part::Plain,
+            _ => return None,
         })
     }
 
@@ -146,21 +135,21 @@ impl<'a> Chapter<'a> {
 
     /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
     /// compiles.
-    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Part {
-        let CodeBlockKind::Fenced(info) = kind else { return Part::Code };
+    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Result<String, String> {
+        let CodeBlockKind::Fenced(info) = kind else { return numbers::fill_in_text(source) };
         let (language, folder) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let html = if content.trim_start().starts_with("{{#include") {
-            listing::html(language, &content, self.sources, &mut self.listings)
+            listing::html(language, &content, self.sources, &mut self.listings)?
         } else if language == "console" {
-            console::figure_markdown(folder, &content)
+            console::figure_markdown(folder, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
-            Err("code is from a file: {{#include path}}".to_owned())
+            return Err("code is from a file: {{#include path}}".to_owned());
         } else {
-            return Part::Code;
+            return numbers::fill_in_text(source);
         };
-        Part::Replaced(html.map(|html| format!("\n{html}\n")))
+        Ok(format!("\n{html}\n"))
     }
 
     /// A paragraph that is one directive, or nothing but pictures.
@@ -252,10 +241,8 @@ impl<'a> Chapter<'a> {
         let text = self.edits.text;
         let mut replaced = self.edits.replaced_ranges();
         replaced.sort_by_key(|range| range.start);
-        let inside =
-            |ranges: &[Range<usize>], position| ranges.iter().any(|one| one.contains(&position));
         for (position, _) in text.match_indices("{{#") {
-            if inside(&replaced, position) {
+            if replaced.iter().any(|range| range.contains(&position)) {
                 continue;
             }
             let next = replaced.iter().map(|range| range.start).find(|start| position < *start);
@@ -264,8 +251,7 @@ impl<'a> Chapter<'a> {
                 self.edits.add_fault(position, "{{# is without its }} in the same line");
                 continue;
             };
-            let minus = if inside(&self.code, position) { "-" } else { "−" };
-            let number = numbers::fill_in_text(directive, minus);
+            let number = numbers::fill_in_text(directive);
             self.edits.replace(position..position + directive.len(), number);
         }
     }

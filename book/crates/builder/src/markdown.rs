@@ -34,7 +34,7 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     if text.contains('$') {
         return Err("a lone $ in the caption".to_string());
     }
-    numbers::fill_in_text(&text.replace('\n', " "), "−")
+    numbers::fill_in_text(&text.replace('\n', " "))
 }
 
 /// The kind and the words of a directive such as `{{#figure ray}}`.

@@ -3,11 +3,10 @@
 
 use crate::values;
 
-/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, and
-/// `minus` in the values: − in a text, a hyphen in code.
-pub fn fill_in_text(text: &str, minus: &str) -> Result<String, String> {
+/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
+pub fn fill_in_text(text: &str) -> Result<String, String> {
     replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
-        Some(("value", name)) => Ok(values::value_text(name)?.replace('−', minus)),
+        Some(("value", name)) => values::value_text(name),
         Some(("number", number_name)) => moving_number_html("span", number_name),
         _ => Err(format!(
             "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
