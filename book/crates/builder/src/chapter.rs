@@ -1,12 +1,14 @@
 use crate::edits::{Edits, Fault};
-use crate::markdown::{self, leading_directive, parse_directive};
+use crate::markdown::{self, parse_directive};
 use crate::picture::{self, Picture};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
     pixel_panel, problem,
 };
 use figures::Figure;
-use mdbook_markdown::pulldown_cmark::{BrokenLink, CodeBlockKind, Event, LinkType, Parser, Tag};
+use mdbook_markdown::pulldown_cmark::{
+    BrokenLink, CodeBlockKind, Event, LinkType, Parser, Tag, TextMergeWithOffset,
+};
 use std::ops::Range;
 
 /// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
@@ -24,7 +26,6 @@ pub fn expand_directives(
     let edits = Edits::new(text);
     let mut chapter = Chapter { edits, sources, problem_sheet, listings, open_box, open_problem };
     chapter.expand_blocks();
-    chapter.fill_placeholders();
     let (markdown, faults) = chapter.edits.apply();
     // The first picture does not wait until it is near.
     (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), faults)
@@ -85,9 +86,8 @@ impl<'a> Chapter<'a> {
             None
         };
         let options = markdown::markdown_options();
-        Parser::new_with_broken_link_callback(text, options, Some(&mut add_fault))
-            .into_offset_iter()
-            .collect()
+        let parser = Parser::new_with_broken_link_callback(text, options, Some(&mut add_fault));
+        TextMergeWithOffset::new(parser.into_offset_iter()).collect()
     }
 
     /// What stands in place of a part of the chapter; None for text that stays as it is.
@@ -115,10 +115,23 @@ impl<'a> Chapter<'a> {
             Event::Code(_) => numbers::fill_in_text(source).map(|code| code.replace('−', "-")),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
+                self.fill_in_numbers(range);
                 return None;
             }
             _ => return None,
         })
+    }
+
+    /// Puts numbers into a text in place of its directives.
+    fn fill_in_numbers(&mut self, range: &Range<usize>) {
+        let text = self.edits.text;
+        for (offset, _) in text[range.clone()].match_indices("{{#") {
+            let start = range.start + offset;
+            let rest = &text[start + 3..range.end];
+            let rest = rest.split("{{#").next().unwrap_or_default();
+            let end = start + 3 + rest.find("}}").map_or(rest.len(), |end| end + 2);
+            self.edits.replace(start..end, numbers::fill_in_text(&text[start..end]));
+        }
     }
 
     /// Finds a $ in the `source` at this position, which is text or HTML.
@@ -233,26 +246,6 @@ impl<'a> Chapter<'a> {
         match faults.first() {
             None => Ok(pixel_panel::panel_html(live, &markdown)),
             Some((_, what)) => Err(format!("this pixel of {}: {what}", live.name)),
-        }
-    }
-
-    /// Puts numbers in place, and finds directives that are left.
-    fn fill_placeholders(&mut self) {
-        let text = self.edits.text;
-        let mut replaced = self.edits.replaced_ranges();
-        replaced.sort_by_key(|range| range.start);
-        for (position, _) in text.match_indices("{{#") {
-            if replaced.iter().any(|range| range.contains(&position)) {
-                continue;
-            }
-            let next = replaced.iter().map(|range| range.start).find(|start| position < *start);
-            let directive = leading_directive(&text[position..next.unwrap_or(text.len())]);
-            let Some(directive) = directive else {
-                self.edits.add_fault(position, "{{# is without its }} in the same line");
-                continue;
-            };
-            let number = numbers::fill_in_text(directive);
-            self.edits.replace(position..position + directive.len(), number);
         }
     }
 }

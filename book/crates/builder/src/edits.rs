@@ -31,11 +31,6 @@ impl<'a> Edits<'a> {
         self.faults.push((position, sentence.into()));
     }
 
-    /// The parts that are replaced so far.
-    pub fn replaced_ranges(&self) -> Vec<Range<usize>> {
-        self.replacements.iter().map(|(range, _)| range.clone()).collect()
-    }
-
     /// The text with all parts replaced, and its faults from top to bottom.
     pub fn apply(mut self) -> (String, Vec<Fault>) {
         self.replacements.sort_by_key(|(range, _)| range.start);

@@ -43,14 +43,6 @@ pub fn parse_directive(source: &str) -> Option<(&str, &str)> {
     Some(inside.split_once(' ').unwrap_or((inside, "")))
 }
 
-/// The directive with which a text begins; None if it does not end in its line, before
-/// another begins.
-pub fn leading_directive(text: &str) -> Option<&str> {
-    let directive = &text[..text.find("}}")? + 2];
-    let is_one = directive.rfind("{{#") == Some(0) && !directive.contains('\n');
-    is_one.then_some(directive)
-}
-
 /// A name in code, which a narrow column may break after :: and _ and nowhere else.
 pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");

@@ -47,7 +47,8 @@ fn replace_between(
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (inside, tail) = part.split_once(end).ok_or(format!("{begin}{part} has no {end}"))?;
+        let (inside, tail) =
+            part.split_once(end).ok_or(format!("{begin} is without its {end} in the same line"))?;
         replaced += &replacement(inside)?;
         replaced += tail;
     }
