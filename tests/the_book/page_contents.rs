@@ -63,15 +63,10 @@ fn fonts_have_the_letters_of_the_book() {
 fn unicode_ranges(css: &str, family: &str) -> Vec<[u32; 2]> {
     let name = format!("\"{family}");
     let fonts = css.lines().filter(|line| line.contains(&name));
-    let ranges = fonts.filter_map(|font| font.split_once("unicode-range:"));
-    let ranges = ranges.flat_map(|(_, ranges)| ranges.split(';').next());
-    let ranges = ranges.flat_map(|ranges| ranges.split(','));
+    let lists = fonts.filter_map(|font| font.split_once("unicode-range:")?.1.split(';').next());
+    let ranges = lists.flat_map(|ranges| ranges.split(','));
+    let ranges = ranges.map(|range| range.trim().trim_start_matches("U+"));
+    let ends = ranges.map(|range| range.split_once('-').unwrap_or((range, range)));
     let parse = |text| u32::from_str_radix(text, 16).expect("a hexadecimal number");
-    ranges
-        .map(|range| {
-            let range = range.trim().trim_start_matches("U+");
-            let (first, last) = range.split_once('-').unwrap_or((range, range));
-            [parse(first), parse(last)]
-        })
-        .collect()
+    ends.map(|(first, last)| [first, last].map(parse)).collect()
 }

@@ -67,8 +67,8 @@ impl ReaderWorkspace {
     /// Runs an example of a step with these options, and reads the picture that it draws;
     /// a warning is an error.
     pub fn draw_example(&self, step: &str, example: &str, options: &str) -> Result<RgbImage> {
-        let mut cargo = self.cargo(&["run", "-p", step, "--example", example]);
-        let output = cargo.arg("--").args(options.split_whitespace()).output()?;
+        let mut cargo = self.cargo(&["run", "-p", step, "--example", example, "--"]);
+        let output = cargo.args(options.split_whitespace()).output()?;
         let message = String::from_utf8_lossy(&output.stderr);
         ensure!(output.status.success() && message.is_empty(), "{message}");
         Ok(image::open(self.folder.join(format!("{example}.png")))?.to_rgb8())
@@ -83,18 +83,16 @@ impl ReaderWorkspace {
 
     /// Builds with these arguments of Cargo; an error has Cargo's message.
     pub fn build(&self, arguments: &[&str]) -> Result<()> {
-        let mut cargo = self.cargo(&["build", "--message-format", "short"]);
-        let output = cargo.args(arguments).output()?;
-        let message = String::from_utf8_lossy(&output.stderr);
-        ensure!(output.status.success(), "{}", first_cargo_error(&message));
+        let output = self.cargo(&["build"]).args(arguments).output()?;
+        ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         Ok(())
     }
 
     /// A command that starts Cargo in the folder, with these arguments.
     pub fn cargo(&self, arguments: &[&str]) -> Command {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(arguments).args(["--offline", "--quiet"]);
-        cargo.args(["--target-dir", "target"]).current_dir(&self.folder);
+        cargo.args(["--offline", "--quiet"]).args(arguments).current_dir(&self.folder);
+        cargo.env("CARGO_TARGET_DIR", "target");
         // Dependencies are shared with the course: they are compiled already, with the same
         // settings. The five crates have the same names there, and another setting here, so
         // that neither overwrites the other.
@@ -108,11 +106,4 @@ impl ReaderWorkspace {
         cargo.env_remove("CARGO_BUILD_TARGET");
         cargo
     }
-}
-
-/// The first line with an error in Cargo's output, and the line after it.
-pub fn first_cargo_error(output: &str) -> String {
-    let mut lines = output.lines().skip_while(|line| !line.contains("error"));
-    let [first, second] = [lines.next().unwrap_or(output), lines.next().unwrap_or("")];
-    format!("Cargo says: {first} {}", second.trim())
 }

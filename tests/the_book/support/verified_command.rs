@@ -1,5 +1,5 @@
 use super::page_items::{FAILED_TEST_EXIT_CODE, PageCommand};
-use super::reader_workspace::{ReaderWorkspace, first_cargo_error};
+use super::reader_workspace::ReaderWorkspace;
 use anyhow::{Context, Result, bail, ensure};
 use course::{Difference, workspace};
 use std::fs;
@@ -22,16 +22,10 @@ pub fn run_and_verify_command(
     }
     make_edit(reader, command)?;
     let (arguments, is_small) = quick_arguments(command);
-    let separator = arguments.iter().position(|word| *word == "--");
-    let (cargo_arguments, program_arguments) =
-        arguments.split_at(separator.unwrap_or(arguments.len()));
-    let mut cargo = reader.cargo(cargo_arguments);
-    cargo.args(program_arguments).envs(command.environment.clone());
-    let output = cargo.output()?;
+    let output = reader.cargo(&arguments).envs(command.environment.clone()).output()?;
     let text = [output.stderr, output.stdout].concat();
     let text = String::from_utf8_lossy(&text);
-    let has_exit_code = output.status.code() == Some(command.exit_code);
-    ensure!(has_exit_code, "{}", first_cargo_error(&text));
+    ensure!(output.status.code() == Some(command.exit_code), "{text}");
     if let Some(line) = command.first_missing_line(&text) {
         bail!("it does not print {line:?}, but {text:?}");
     }
