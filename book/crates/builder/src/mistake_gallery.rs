@@ -1,12 +1,10 @@
 use crate::Sources;
-use crate::files::CHAPTERS;
 use crate::markdown::inline_html;
 use crate::mistake_list::shown_mistakes;
 use crate::picture::{LAZY, Picture};
 use crate::sources::small_picture_name;
 use course::{BookEntry, Mistake, Step};
 use figures::escape;
-use std::fs;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
 /// shown in the picture of that step, and then each with its picture, ours, where they
@@ -45,7 +43,8 @@ impl Shown {
     fn section_markdown(&self, sources: &Sources) -> Result<String, String> {
         let Self { mistake, book_entry, name, step } = self;
         let step_of_file = mistake.step().ok_or("a mistake that is shown is in a step")?;
-        let chapter = chapter_with_section(step_of_file, book_entry.section, sources)?;
+        let is_of_program = mistake.file.ends_with("/program.rs");
+        let chapter = if is_of_program { "step01_program" } else { step_of_file.name() };
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
         let id = book_entry.section.to_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(is_kept).collect();
@@ -93,21 +92,6 @@ impl Shown {
             _ => title.to_owned(),
         }))
     }
-}
-
-/// The name of the chapter of a step that has a section with this heading.
-fn chapter_with_section(
-    step: Step,
-    section: &str,
-    sources: &Sources,
-) -> Result<&'static str, String> {
-    let has_section = |chapter: &&str| {
-        let path = sources.workspace.join(CHAPTERS).join(format!("{chapter}.md"));
-        let text = fs::read_to_string(path).unwrap_or_default();
-        text.lines().any(|line| line.strip_prefix("## ") == Some(section))
-    };
-    let chapter = step.chapters().into_iter().find(has_section);
-    chapter.ok_or(format!("no chapter of {} has “{section}”", step.name()))
 }
 
 /// The lines of the file, and those that are written instead.
