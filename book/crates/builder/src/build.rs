@@ -1,6 +1,6 @@
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
-use crate::{Files, Page, Site, inline_stylesheets, inner_text, links, paper_page, search};
+use crate::{Files, Page, Site, inline_stylesheets, links, paper_page, search};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -60,20 +60,5 @@ fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
         "print.html" => paper_page::arrange_for_paper(page)?,
         _ => {}
     }
-    name_formula_links(page);
     inline_stylesheets::inline_stylesheets(page, files)
-}
-
-/// Names the links that are a formula alone, for screen readers.
-fn name_formula_links(page: &mut Page) {
-    let links = page.select_all("a:has(> math)").into_iter();
-    let links = links.filter(|link| link.children().count() == 1);
-    let named = links.map(|link| {
-        let start = format!("<a aria-label=\"{}\" ", inner_text(link).trim());
-        (link.id(), link.html().replacen("<a ", &start, 1))
-    });
-    for (link, html) in named.collect::<Vec<_>>() {
-        page.insert_html_before(link, &html);
-        page.remove_node(link);
-    }
 }
