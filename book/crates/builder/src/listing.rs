@@ -140,12 +140,10 @@ fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
     let (begin_words, end_words) = part
         .split_once("..")
         .ok_or(format!("a part is ..how its end begins, or how it begins.., not {part}"))?;
-    let start =
-        if begin_words.is_empty() { 0 } else { find_line_or_attributes(begin_words, lines, 0)? };
-    let end = if end_words.is_empty() {
-        lines.len()
-    } else {
-        find_line_or_attributes(end_words, lines, start + 1)?
+    let start = find_line_or_attributes(begin_words, lines, 0)?;
+    let end = match end_words {
+        "" => lines.len(),
+        words => find_line_or_attributes(words, lines, start + 1)?,
     };
     Ok(start..end)
 }
