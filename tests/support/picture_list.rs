@@ -1,5 +1,5 @@
 use course::examples::{checkerboard::colour as floor, mirror, terms};
-use course::{Picture, camera, camera_with_size};
+use course::{Picture, camera, camera_with_size, ungated_colour};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -22,7 +22,9 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
         ("one_ray", crop_camera(366, 264), |camera, _| enlarge(render(camera, 1, floor))),
         ("sixteen_rays", crop_camera(366, 264), |camera, _| enlarge(render(camera, 4, floor))),
-        ("open_gate", crop_camera(585, 150), |camera, _| enlarge(render(camera, 1, ungated))),
+        ("open_gate", crop_camera(585, 150), |camera, _| {
+            enlarge(render(camera, 1, ungated_colour))
+        }),
         ("shut_gate", crop_camera(585, 150), |camera, _| enlarge(picture(camera, 1))),
         ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
         ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),
@@ -62,19 +64,6 @@ fn crop_camera(column: u32, row: u32) -> Camera {
 /// Enlarges each pixel to a square of 16×16.
 fn enlarge(picture: RgbImage) -> RgbImage {
     resize(&picture, 16 * picture.width(), 16 * picture.height(), FilterType::Nearest)
-}
-
-/// The colour of step 5 with each highlight twice, before and behind the surface: one of the two
-/// passes the gate, as r is the same for n and −n.
-fn ungated(ray: &Ray) -> DVec3 {
-    let Scene { objects, ambient_light, lights } = scene();
-    let Some(outside) = visible_point(&objects, ray) else {
-        return direction_colour(ray);
-    };
-    let inside = SurfacePoint { n: -outside.n, ..outside };
-    let [outside, inside] =
-        [outside, inside].map(|point| phong(&point, ray, ambient_light, &lights));
-    outside.sum() + inside.specular
 }
 
 /// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:

@@ -11,7 +11,9 @@
 //! - The folders of the *workspace*, and JSON.
 
 mod step;
-pub use step::{FIELD_OF_VIEW, Step, camera, camera_with_fov, camera_with_size, slide_matrix};
+pub use step::{
+    FIELD_OF_VIEW, Step, camera, camera_with_fov, camera_with_size, slide_matrix, ungated_colour,
+};
 
 pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture, step_of_example};

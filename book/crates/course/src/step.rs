@@ -1,4 +1,6 @@
-use step01_rays::{AspectRatio, Camera};
+use glam::DVec3;
+use step01_rays::{AspectRatio, Camera, Ray, direction_colour};
+use step05_phong::{Scene, SurfacePoint, phong, scene, visible_point};
 
 /// The field of view of the course's camera: 60 degrees, turned into radians as by the programs,
 /// as π/3 is another number in its last digit.
@@ -29,6 +31,19 @@ pub fn slide_matrix() -> Camera {
     camera.matrix.y_axis.y = -2.0 * upright;
     camera.matrix.z_axis.y = upright;
     camera
+}
+
+/// The colour of step 5 without the test of n·l: with each highlight twice, before and behind the
+/// surface, as r is the same for n and −n and one of the two passes the gate.
+pub fn ungated_colour(ray: &Ray) -> DVec3 {
+    let Scene { objects, ambient_light, lights } = scene();
+    let Some(outside) = visible_point(&objects, ray) else {
+        return direction_colour(ray);
+    };
+    let inside = SurfacePoint { n: -outside.n, ..outside };
+    let [outside, inside] =
+        [outside, inside].map(|point| phong(&point, ray, ambient_light, &lights));
+    outside.sum() + inside.specular
 }
 
 /// One of the five steps; they are in order.

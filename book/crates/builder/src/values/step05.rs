@@ -2,13 +2,10 @@
 
 use super::rays::{camera, half_angle, object_of_pixel, pixel_ray};
 use super::{Functions, Values};
-use course::Difference;
+use course::{Difference, ungated_colour};
 use figures::{format_count, format_fixed, format_number};
 use std::sync::LazyLock;
-use step05_phong::{
-    COOL, SurfacePoint, colour, direction_colour, picture, reflect, render, scene, specular,
-    visible_point,
-};
+use step05_phong::{COOL, picture, reflect, render, scene, visible_point};
 
 pub const VALUES: &Values = &[
     ("step05-v-length", || format_number(pixel_ray(PIXEL).direction.length())),
@@ -48,21 +45,7 @@ const TEAL: [u32; 2] = [583, 215];
 /// The number of pixels that change without the test of n·l, and the largest change of a
 /// byte.
 static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
-    let scene = scene();
-    let ungated = render(&camera(), 1, |ray| {
-        let Some(SurfacePoint { p, n, material }) = visible_point(&scene.objects, ray) else {
-            return direction_colour(ray);
-        };
-        let mut sum = colour(&scene, ray);
-        let v = -ray.direction.normalize();
-        for light in &scene.lights {
-            let (l, d) = light.point_light.direction_from(p);
-            if n.dot(l) <= 0.0 {
-                sum += specular(reflect(n, l), v, d, material, light);
-            }
-        }
-        sum
-    });
+    let ungated = render(&camera(), 1, ungated_colour);
     match Difference::between(&picture(&camera(), 1), &ungated) {
         Some(Difference::Pixels { count, largest, .. }) => (count, largest),
         _ => (0, 0),
