@@ -15,20 +15,21 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
     let mut pictures: Vec<LockedPicture> =
         exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
     let large_camera = camera_with_size(1280, 720);
+    let four_tiles = crop_camera(camera(), [366.0, 264.0], [40, 30]);
+    let gate = crop_camera(camera(), [585.0, 150.0], [40, 30]);
+    let white_sphere = crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360]);
     pictures.extend([
         ("slide_matrix", course::slide_matrix(), step05_phong::picture as Picture),
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
         ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
-        ("one_ray", crop_camera(366, 264), |camera, _| enlarge(render(camera, 1, floor))),
-        ("sixteen_rays", crop_camera(366, 264), |camera, _| enlarge(render(camera, 4, floor))),
-        ("open_gate", crop_camera(585, 150), |camera, _| {
-            enlarge(render(camera, 1, ungated_colour))
-        }),
-        ("shut_gate", crop_camera(585, 150), |camera, _| enlarge(picture(camera, 1))),
+        ("one_ray", four_tiles, |camera, _| enlarge(render(camera, 1, floor))),
+        ("sixteen_rays", four_tiles, |camera, _| enlarge(render(camera, 4, floor))),
+        ("open_gate", gate, |camera, _| enlarge(render(camera, 1, ungated_colour))),
+        ("shut_gate", gate, |camera, _| enlarge(picture(camera, 1))),
         ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
         ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),
-        ("close_up", close_up_camera(), |camera, _| mirror::picture(camera, 2)),
+        ("close_up", white_sphere, |camera, _| mirror::picture(camera, 2)),
         ("cover", large_camera, |camera, _| step05_phong::picture(camera, 4)),
         ("goodbye", large_camera, |camera, _| mirror::picture(camera, 2)),
     ]);
@@ -54,23 +55,13 @@ fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
-/// The camera of 40×30 pixels of the course's picture, from this column and row on.
-fn crop_camera(column: u32, row: u32) -> Camera {
-    let corner = DVec3::new(column.into(), row.into(), 1.0);
-    let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
-    Camera { h_res: 40, v_res: 30, matrix: camera().matrix * crop, ..camera() }
+/// The camera of so many columns and rows of a picture, from this column and row of it on.
+fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
+    let crop = DMat3::from_translation(corner.into());
+    Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }
 }
 
 /// Enlarges each pixel to a square of 16×16.
 fn enlarge(picture: RgbImage) -> RgbImage {
     resize(&picture, 16 * picture.width(), 16 * picture.height(), FilterType::Nearest)
-}
-
-/// The camera of a part of the picture with 2560 columns, from column 213 and row 926 on:
-/// the white sphere.
-fn close_up_camera() -> Camera {
-    let large_camera = camera_with_size(2560, 1440);
-    let corner = DVec3::new(213.0, 926.0, 1.0);
-    let crop = DMat3::from_cols(DVec3::X, DVec3::Y, corner);
-    Camera { matrix: large_camera.matrix * crop, ..camera() }
 }
