@@ -1,6 +1,5 @@
-use course::{Difference, draw_panels, target_folder, workspace};
+use course::{Difference, draw_panels, encode_png, target_folder, workspace};
 use image::RgbImage;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use insta::Settings;
 use std::path::PathBuf;
 use std::{env, fs};
@@ -39,7 +38,7 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
         // insta would delete a picture that waits for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
-    let png = if mismatch.is_none() { locked_png } else { encode_small(picture) };
+    let png = if mismatch.is_none() { locked_png } else { encode_png(picture) };
     settings.bind(|| assert(png));
     if insta_update() == "always" {
         // insta leaves half of what waited, and the picture is accepted now.
@@ -69,16 +68,6 @@ fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Optio
         false => "The difference can't be written to",
     };
     Some(format!("{difference}.\n{caption} {}", path.display()))
-}
-
-/// Encodes a picture as small as the encoder can, as the book shows this very file.
-fn encode_small(picture: &RgbImage) -> Vec<u8> {
-    let mut png = vec![];
-    let (compression, filter) = (CompressionType::Best, FilterType::Adaptive);
-    let encoder = PngEncoder::new_with_quality(&mut png, compression, filter);
-    let result = picture.write_with_encoder(encoder);
-    result.expect("a picture in memory can be encoded");
-    png
 }
 
 /// The path of a file of the snapshot `name`.

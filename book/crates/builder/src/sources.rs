@@ -1,8 +1,7 @@
 use crate::Files;
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::{SMALL_SIZE, Step};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use course::{SMALL_SIZE, Step, encode_png};
 use image::imageops::thumbnail;
 use image::{ImageReader, RgbImage};
 use std::collections::BTreeMap;
@@ -45,7 +44,7 @@ impl Sources {
             let [columns, rows] = SMALL_SIZE;
             let right = thumbnail(&right.into_rgb8(), columns, rows);
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
-                let png = read_or_encode_png(&old.join(&name), &picture)?;
+                let png = read_or_encode_png(&old.join(&name), &picture);
                 files.insert(name, png);
             }
         }
@@ -83,16 +82,9 @@ fn parse_size(file: &[u8]) -> Result<(u32, u32)> {
     Ok(ImageReader::new(Cursor::new(file)).with_guessed_format()?.into_dimensions()?)
 }
 
-/// A PNG file of the picture, packed as well as the encoder can, as a page waits for it: the
-/// `old` file if it has this picture, since that takes seconds.
-fn read_or_encode_png(old: &Path, picture: &RgbImage) -> Result<Vec<u8>> {
+/// A PNG file of the picture: the `old` file if it has this picture, as encoding takes seconds.
+fn read_or_encode_png(old: &Path, picture: &RgbImage) -> Vec<u8> {
     let old = fs::read(old).unwrap_or_default();
-    if image::load_from_memory(&old).is_ok_and(|old| old.into_rgb8() == *picture) {
-        return Ok(old);
-    }
-    let mut png = vec![];
-    let (best, filter) = (CompressionType::Best, FilterType::Adaptive);
-    let encoder = PngEncoder::new_with_quality(&mut png, best, filter);
-    picture.write_with_encoder(encoder)?;
-    Ok(png)
+    let is_same = image::load_from_memory(&old).is_ok_and(|old| old.into_rgb8() == *picture);
+    if is_same { old } else { encode_png(picture) }
 }

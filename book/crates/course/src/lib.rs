@@ -6,7 +6,7 @@
 //!   pictures that they give, with the small ones that the book shows; the *places* of the
 //!   listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
-//! - Two pictures *compared*, in a sentence and side by side.
+//! - Two pictures *compared*, in a sentence and side by side, and a picture as a PNG file.
 //! - The source of a crate as that of a *module*.
 //! - The folders of the *workspace*, and JSON.
 
@@ -48,8 +48,10 @@ pub use scene_program::format_scene_program;
 pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
 
 mod difference;
+mod encode_png;
 mod panels;
 pub use difference::{Difference, largest_channel_difference};
+pub use encode_png::encode_png;
 pub use panels::draw_panels;
 
 mod workspace;

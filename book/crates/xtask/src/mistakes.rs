@@ -3,15 +3,14 @@
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, PICTURES, SMALL_SIZE, Step, TableRow, hash_picture, mistakes, read_small_pictures,
-    small_pictures_path, table_rows, workspace,
+    Mistake, PICTURES, SMALL_SIZE, Step, TableRow, encode_png, hash_picture, mistakes,
+    read_small_pictures, small_pictures_path, table_rows, workspace,
 };
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::imageops::{replace, thumbnail};
 use image::{ImageResult, RgbImage};
 use std::collections::HashMap;
 use std::error::Error;
-use std::fs::{self, File};
+use std::fs;
 use std::io;
 
 /// The most mistakes in one program: as many as a compiler takes with little memory. What is
@@ -137,7 +136,5 @@ fn write_small_pictures(step: Step, pictures: &[(&String, &RgbImage)]) -> io::Re
     if image::open(&path).is_ok_and(|old| old.into_rgb8() == all) {
         return Ok(());
     }
-    let file = File::create(path)?;
-    let encoder = PngEncoder::new_with_quality(file, CompressionType::Best, FilterType::Adaptive);
-    all.write_with_encoder(encoder).map_err(io::Error::other)
+    fs::write(path, encode_png(&all))
 }
