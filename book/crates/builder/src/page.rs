@@ -1,4 +1,3 @@
-use anyhow::{Context, Result};
 use ego_tree::NodeId;
 use scraper::{ElementRef, Html, Selector};
 
@@ -20,12 +19,6 @@ impl Page {
     /// Every element that a CSS selector names, from top to bottom.
     pub fn select_all(&self, selector: &str) -> Vec<ElementRef<'_>> {
         select_all(self.html.root_element(), selector)
-    }
-
-    /// The element that a CSS selector names, which has to be there.
-    pub fn select_first(&self, selector: &str) -> Result<ElementRef<'_>> {
-        let first = self.select_all(selector).first().copied();
-        first.with_context(|| format!("{} has no {selector}", self.name))
     }
 
     /// Address of an element, for the sentence about a fault: its page, and the last id

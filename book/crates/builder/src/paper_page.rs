@@ -27,7 +27,8 @@ pub fn arrange_for_paper(page: &mut Page) -> Result<()> {
         "{html}<h2 id=\"contents-on-paper\">Contents</h2><ol class=\"chapters\">{contents}</ol>"
     );
     insertions.push((first_break, list));
-    let end = page.select_first("main")?.last_child().map(|node| node.id());
+    let main = page.select_all("main");
+    let end = main.first().and_then(|main| main.last_child()).map(|end| end.id());
     insertions.extend(end.map(|end| (end, answers.take_html())));
     insertions.iter().for_each(|(node, html)| page.insert_html_before(*node, html));
     folded.into_iter().for_each(|node| page.remove_node(node));
