@@ -112,9 +112,11 @@ fn is_answered(page: &Page, id: &str) -> bool {
             matches!(numbers[..], [i, j] if i < camera.h_res && j < camera.v_res)
                 && has("[data-panel]")
         }
-        "line" => words
-            .split_once(':')
-            .is_some_and(|(name, _)| has(&format!("[data-places*=\"{name}:\"]"))),
+        "line" => words.split_once(':').is_some_and(|(name, _)| {
+            let listings = page.select_all("[data-places]").into_iter();
+            let mut places = listings.filter_map(|listing| listing.attr("data-places"));
+            places.any(|places| places.split([' ', ':']).any(|word| word == name))
+        }),
         "scene" => {
             let figure = figures::find("own_scene");
             figure.is_some_and(|figure| figures::parse_address(figure, words).is_ok())
