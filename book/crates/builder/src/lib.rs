@@ -27,6 +27,7 @@
 
 mod built_site;
 mod edits;
+mod figure_file;
 mod files;
 mod mistake_list;
 mod page;

@@ -1,4 +1,4 @@
-use crate::Files;
+use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use course::{SMALL_SIZE, Step, encode_png};
@@ -26,7 +26,8 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Takes the locked snapshots as they are, the pictures of the mistakes, and the modules.
+    /// Takes the locked snapshots as they are, the pictures of the mistakes, the figures, and the
+    /// modules.
     /// A smaller picture is taken from the folder `old`, if it is there.
     pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
@@ -53,6 +54,7 @@ impl Sources {
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
             insert_script(files, &format!("{name}-module"), &module);
         }
+        files.extend(figure_file::svg_files(workspace)?);
         insert_script(files, "mistakes", course::mistake_texts().join("\0").as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated })
     }

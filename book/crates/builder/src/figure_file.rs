@@ -1,0 +1,44 @@
+use anyhow::Result;
+use figures::{FIGURES, Output};
+use std::fs;
+use std::path::Path;
+
+/// The width of an empty strip beside a drawing.
+const MARGIN: f64 = 24.0;
+
+/// All drawings at their defaults as SVG files such as `figure-row.svg`, for slides: each has
+/// the style of the theme inside, with its light colours.
+pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
+    let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
+    let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
+    // A picture has no title, and takes long to draw.
+    let figures = FIGURES.iter().filter(|figure| !figure.title.is_empty());
+    let files = figures.filter_map(|figure| {
+        let Output::Drawing(drawing) = figure.default_output() else { return None };
+        let svg = drawing.html(figure.title);
+        let (_, width) = svg.split_once("viewBox=\"0 0 ")?;
+        let (width, _) = width.split_once(' ')?;
+        // Room at both sides for letters that are wider than ours.
+        let wide = format!("\"-{MARGIN} 0 {}", width.parse::<f64>().ok()? + 2.0 * MARGIN);
+        let svg = svg.replacen(&format!("\"0 0 {width}"), &wide, 1);
+        let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
+        let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
+        Some((format!("figure-{}.svg", figure.name), svg.into_bytes()))
+    });
+    Ok(files.collect())
+}
+
+/// The rules that begin with the class of all drawings, without it, and with values in place of
+/// variables, which few programs but browsers know.
+fn standalone_style(rules: &str, variables: &str) -> String {
+    let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
+    let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();
+    for line in variables.lines() {
+        let Some((name, value)) = line.trim().trim_end_matches(';').split_once(": ") else {
+            continue;
+        };
+        let light = value.strip_prefix("light-dark(").and_then(|both| both.split(", ").next());
+        style = style.replace(&format!("var({name})"), light.unwrap_or(value));
+    }
+    style
+}
