@@ -28,6 +28,17 @@ fn each_fault_is_told_with_its_line() {
     insta::assert_snapshot!(faults);
 }
 
+/// What few programs but browsers know.
+#[test]
+fn files_of_figures_have_a_plain_style() {
+    for (name, svg) in SOURCES.generated.texts_with_suffix(".svg") {
+        let (_, style) = svg.split_once("<style>").expect(name);
+        for words in ["var(", "light-dark(", ":is(", "transform"] {
+            assert!(!style.contains(words), "{name} has {words}");
+        }
+    }
+}
+
 #[test]
 fn what_nests_without_end_is_a_fault() {
     let formulas =
