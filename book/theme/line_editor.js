@@ -28,7 +28,7 @@
     const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
     const copies = make("details", { "class": "copies" }, make("summary", {}, "Copy …"),
         button("Copy line", () => copy(readText(hand), "The line is copied, as you wrote it.")),
-        button("Copy link", () => copy(location.href, "The link to this page with your lines is copied.")),
+        button("Copy link", () => { record(); copy(location.href, "The link to this page with your lines is copied."); }),
         button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste.")));
     const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
         make("div", {}, undo, redo, reset, copies, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"))));
