@@ -31,7 +31,7 @@
         button("Copy link", () => { record(); copy(location.href, "The link to this page with your lines is copied."); }),
         button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste.")));
     const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
-        make("div", {}, undo, redo, reset, copies, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"))));
+        make("div", {}, undo, redo, reset, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"), copies)));
 
     async function copy(text, words) {
         const isCopied = await navigator.clipboard.writeText(text).then(() => true, () => false);
@@ -141,7 +141,7 @@
         if (line.contentEditable !== "plaintext-only") line.contentEditable = "true";
         line.closest("figure").append(panel);
         line.closest("pre").scrollLeft = 0;
-        isDrawn = false;
+        isDrawn = copies.open = false;
         tell("One moment …");
         if (caret !== undefined) {
             line.focus({ preventScroll: true });

@@ -24,8 +24,8 @@ impl Checker<'_> {
             None if suffix.is_empty() => open,
             Some(kind) if kind == Type::F64 || open.fits(&kind) => kind,
             _ => {
-                let sentence = "Something is missing before this, such as *. Numbers are f64, i32, u32 or usize.";
-                return refuse(range.end - suffix.len()..range.end, sentence);
+                let range = range.end - suffix.len()..range.end;
+                return refuse(range, "Numbers are f64, i32, u32 or usize; or is a * missing?");
             }
         };
         let text = if is_negative { format!("-{digits}") } else { digits.to_owned() };
@@ -74,10 +74,7 @@ impl Checker<'_> {
                     let tail = if nodes.is_empty() { tail } else { self.close_whole(tail)? };
                     kind = tail.kind;
                     if let Type::Reference(_) = kind {
-                        return refuse(
-                            tail.range,
-                            "A block can't give a reference: leave out the &.",
-                        );
+                        return refuse(tail.range, "A block gives no reference: leave out the &.");
                     }
                     nodes.push(tail.node);
                 }
@@ -187,7 +184,7 @@ impl Checker<'_> {
     /// Refuses a block before an operator where a statement begins: Rust takes it for the whole.
     pub(super) fn refuse_block_before(&self, syntax: &Expr, part: &Part) -> Checked<()> {
         let before = self.text[..part.range.start].trim_end();
-        let is_start = before.is_empty() || before.ends_with(['{', '}', ';', '/']);
+        let is_start = before.is_empty() || before.ends_with(['{', '}', ';']);
         if is_start && matches!(syntax, Expr::If(_) | Expr::Block(_)) {
             return refuse(part.range.clone(), "Put parentheses around this block.");
         }
@@ -207,12 +204,7 @@ impl Checker<'_> {
             Expr::Loop(one) => (one.loop_token.span, "a loop"),
             Expr::Let(one) => (one.let_token.span, "if let"),
             Expr::Tuple(one) => (one.paren_token.span.join(), "a tuple"),
-            _ => {
-                return refuse(
-                    0..self.text.len(),
-                    "A page can't draw with all of Rust: not with this.",
-                );
-            }
+            _ => return refuse(0..self.text.len(), "A page can't draw with this part of Rust."),
         };
         let sentence = format!(
             "A page can't draw with {what}: it knows let, if … else, blocks, arrays, references, \

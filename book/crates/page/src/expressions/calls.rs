@@ -218,7 +218,9 @@ impl Checker<'_> {
             }
             _ => return Ok(None),
         };
-        let Some(Pat::Ident(hit)) = closure.inputs.first() else { return Ok(None) };
+        let (Some(Pat::Ident(hit)), 1) = (closure.inputs.first(), closure.inputs.len()) else {
+            return Ok(None);
+        };
         self.add_name(&hit.ident, ".t", Type::F64, t)?;
         let body = self.expression(&closure.body);
         self.names.pop();

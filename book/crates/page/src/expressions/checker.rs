@@ -133,7 +133,8 @@ impl<'a> Checker<'a> {
             self.place.variables.iter().filter_map(|(one, _)| one.split_once(['.', '(']));
         if taken.any(|(first, _)| first == name)
             || name == "self"
-            || name.starts_with(char::is_uppercase)
+            || name.starts_with(|sign: char| sign.is_ascii_uppercase())
+            || !suffix.is_empty() && self.names.iter().any(|one| one.0 == name)
         {
             return refuse(ident.span().byte_range(), "Take another name here, in small letters.");
         }

@@ -87,7 +87,8 @@ fn stop(place: usize, refusal: Refusal) {
 }
 
 /// The picture of a step with expressions in place of the book's; or where the reader's program
-/// would stop, and why. A step is a function, or an operator, for a pixel. The first edit is the one that is told of what goes wrong around them.
+/// would stop, and why. A step is a function, or an operator, at a pixel. The first edit is the one
+/// that is told of what goes wrong around them.
 pub fn draw_edited(
     step: &str,
     edits: Vec<(Place, Expression)>,

@@ -1,7 +1,7 @@
 use crate::expressions::checker::Checker;
 use crate::expressions::node::{Node, Stop, spend};
 use crate::expressions::refusal::Refusal;
-use crate::expressions::scan::parse_syntax;
+use crate::expressions::scan::{blank_comments, parse_syntax};
 use crate::expressions::value::Value;
 use course::Place;
 
@@ -18,8 +18,9 @@ pub struct Expression {
 
 /// Reads what a reader wrote at a place.
 pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
-    let syntax = parse_syntax(text)?;
-    let mut checker = Checker::new(place, text);
+    let bare = blank_comments(text)?;
+    let syntax = parse_syntax(&bare)?;
+    let mut checker = Checker::new(place, &bare);
     let node = checker.check_whole(&syntax)?;
     let Checker { locals, steps, .. } = checker;
     Ok(Expression { node, locals, steps, length: text.len() })

@@ -39,6 +39,7 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Type) -
         (Type::DVec3, Type::F64) => " a.dot(b) makes a number of two vectors.",
         (Type::F64 | Type::OpenF64, Type::DVec3) => " DVec3::splat(…) makes a vector of it.",
         (Type::F64 | Type::OpenF64, Type::I32) => " Write 2, or take .powf.",
+        (_, Type::I32) if actual.is_whole() => " Write as i32 behind it.",
         (_, Type::Usize) if actual.is_whole() => " Write as usize behind it.",
         (_, Type::U32) if actual.is_whole() => " Write as u32 behind it.",
         _ => "",

@@ -35,12 +35,8 @@ const SIGNS: [(&str, &str); 18] = [
     ("\\", NO_SIGN),
 ];
 
-/// The expression that a text is, if it is one, and short enough.
+/// The expression that a text without comments is, if it is one.
 pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
-    if LENGTH < text.len() {
-        return refuse(0..text.len(), "That's longer than a line should be.");
-    }
-    check_signs(text)?;
     // Otherwise each text that is read stays in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     syn::parse_str(text).map_err(|error| {
@@ -49,8 +45,13 @@ pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
     })
 }
 
-/// Refuses brackets that don't match, signs that no line has, and what is too deep to be read.
-fn check_signs(text: &str) -> Result<(), Refusal> {
+/// The text with blanks for its comments. Refuses brackets that don't match, signs that no line
+/// has, and what is too long or too deep to be read.
+pub fn blank_comments(text: &str) -> Result<String, Refusal> {
+    if LENGTH < text.len() {
+        return refuse(0..text.len(), "That's longer than a line should be.");
+    }
+    let mut bare = String::new();
     let (mut brackets, mut at, mut tokens, mut is_in_word) = (vec![], 0, 0, false);
     while let Some(sign) = text[at..].chars().next() {
         let (rest, range) = (&text[at..], at..at + sign.len_utf8());
@@ -62,6 +63,7 @@ fn check_signs(text: &str) -> Result<(), Refusal> {
                 return refuse(range.start..text.len(), sentence);
             };
             at = range.start + 2 + length + end.len();
+            bare += &" ".repeat(at - range.start);
             continue;
         }
         if let Some((sign, sentence)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(sign)) {
@@ -70,6 +72,7 @@ fn check_signs(text: &str) -> Result<(), Refusal> {
         let is_word = sign.is_alphanumeric() || sign == '_';
         tokens += usize::from(!(sign.is_whitespace() || is_word && is_in_word));
         is_in_word = is_word;
+        bare.push(sign);
         match sign {
             '(' => brackets.push((range, ')')),
             '[' => brackets.push((range, ']')),
@@ -87,7 +90,7 @@ fn check_signs(text: &str) -> Result<(), Refusal> {
     match brackets.pop() {
         Some((range, closing)) => refuse(range, format!("The {closing} for this is missing.")),
         None if TOKENS < tokens => refuse(0..text.len(), "That's more than a line should have."),
-        None => Ok(()),
+        None => Ok(bare),
     }
 }
 

@@ -89,7 +89,8 @@ impl Type {
         let words = match self {
             Self::F64 | Self::OpenF64 => "a number",
             Self::I32 | Self::OpenI32 | Self::OpenWhole => "a whole number",
-            Self::U32 | Self::Usize => "a whole number from 0 on",
+            Self::U32 => "a u32",
+            Self::Usize => "a usize",
             Self::Bool => "true or false",
             Self::DVec3 => "a vector",
             Self::Attenuation => "an attenuation",
