@@ -50,6 +50,22 @@ fn too_long_or_too_deep_text_is_refused() {
     }
 }
 
+#[test]
+fn answer_is_about_the_lines_and_no_others() {
+    for (lines, words) in [
+        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
+        ("misses d < 0.0 || false", "Not one pixel differs"),
+        ("normal p - sphere.centre", "n is not a unit vector"),
+        ("normal p - sphere.centre\u{1f}diffuse DVec3::X", "\"known\":\"\""),
+        ("byte DVec3::ZERO", "\"known\":\"\""),
+        ("normal p\u{1f}attenuation\u{a0}1.0", "\"size\""),
+        ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
+    ] {
+        let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
+        assert!(text.contains(words), "{lines}: {text}");
+    }
+}
+
 fn find_place(name: &str) -> Place {
     let found_place = all_listed_places().into_iter().find(|place| place.name == name);
     found_place.unwrap_or_else(|| panic!("no place {name}"))
