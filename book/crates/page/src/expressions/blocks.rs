@@ -11,11 +11,11 @@ use syn::{Block, Expr, ExprArray, ExprIf, ExprIndex, ExprReference, Lit, Local, 
 const LET: &str = "A let here is let x = …; or let x: f64 = …;";
 
 impl Checker<'_> {
-    /// A number, or true or false. A sign before it belongs to it: no i32 is 2147483648.
-    pub(super) fn literal(&mut self, literal: &Lit, is_negative: bool) -> Checked<Part> {
+    /// A number, or true or false.
+    pub(super) fn literal(&mut self, literal: &Lit) -> Checked<Part> {
         let range = literal.span().byte_range();
         let (digits, suffix, open) = match literal {
-            Lit::Bool(truth) if !is_negative => return self.truth(truth.value, range),
+            Lit::Bool(truth) => return self.truth(truth.value, range),
             Lit::Int(number) => (number.base10_digits(), number.suffix(), Type::OpenWhole),
             Lit::Float(number) => (number.base10_digits(), number.suffix(), Type::OpenF64),
             _ => return refuse(range, "What number is this?"),
@@ -28,17 +28,17 @@ impl Checker<'_> {
                 return refuse(range, "Numbers are f64, i32, u32 or usize; or is a * missing?");
             }
         };
-        let text = if is_negative { format!("-{digits}") } else { digits.to_owned() };
-        let value = match kind.is_whole() {
-            true => text.parse().ok().map(Value::Whole),
-            false => text.parse().ok().filter(|number: &f64| number.is_finite()).map(Value::F64),
+        let (value, open) = match kind.is_whole() {
+            true => (digits.parse().ok().map(Value::Whole), Type::OpenWhole),
+            false => (digits.parse().ok().map(Value::F64), Type::OpenF64),
         };
-        let Some(value) = value else {
-            return refuse(range, format!("That's beyond {}.", kind.describe()));
-        };
-        let open = if kind.is_whole() { Type::OpenWhole } else { kind.clone() };
-        let part = self.part(Node::Constant(value), open, range)?;
-        self.demand(part, &kind, "")
+        match value.filter(|value| !matches!(value, Value::F64(number) if number.is_infinite())) {
+            Some(value) => {
+                let part = self.part(Node::Constant(value), open, range)?;
+                self.demand(part, &kind, "")
+            }
+            None => refuse(range, format!("That's beyond {}.", kind.describe())),
+        }
     }
 
     pub(super) fn truth(&mut self, truth: bool, range: Range<usize>) -> Checked<Part> {

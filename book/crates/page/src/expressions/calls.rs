@@ -32,12 +32,8 @@ impl Checker<'_> {
         let is_operator = !name.contains(char::is_alphanumeric);
         let is_comparison = COMPARISONS.contains(&name);
         let mut kinds: Vec<_> = parts.iter().map(|part| part.kind.clone()).collect();
-        while let ([Type::Reference(left), Type::Reference(right)], true) =
-            (&kinds[..], is_comparison)
-        {
-            kinds = vec![(**left).clone(), (**right).clone()];
-        }
-        if is_operator && !is_comparison {
+        let are_references = kinds.iter().all(|kind| matches!(kind, Type::Reference(_)));
+        if is_operator && (are_references || !is_comparison) {
             kinds = kinds.into_iter().map(without_reference).collect();
         }
         // There is no operator between two numbers, or truths, that are not of the same type.
@@ -95,48 +91,39 @@ impl Checker<'_> {
     }
 
     pub(super) fn unary(&mut self, unary: &ExprUnary) -> Checked<Part> {
-        let mut inner = &*unary.expr;
-        while let Expr::Paren(paren) = inner {
-            inner = &paren.expr;
-        }
-        let part = match (inner, &unary.op) {
-            (Expr::Lit(literal), UnOp::Neg(sign)) => {
-                let part = self.literal(&literal.lit, true)?;
-                let end = match &*unary.expr {
-                    Expr::Paren(paren) => paren.paren_token.span.join().byte_range().end,
-                    _ => part.range.end,
-                };
-                return Ok(Part { range: sign.span.byte_range().start..end, ..part });
-            }
-            _ => self.expression(&unary.expr)?,
-        };
         let (name, sign) = match &unary.op {
             UnOp::Neg(token) => ("-", token.span.byte_range()),
             UnOp::Not(token) => ("!", token.span.byte_range()),
             UnOp::Deref(token) => ("*", token.span.byte_range()),
             _ => return self.refuse_unsupported(&unary.expr),
         };
+        let part = self.expression(&unary.expr)?;
         let range = sign.start..part.range.end;
-        match (name, part.kind.clone()) {
-            ("*", Type::Reference(kind)) => Ok(Part { kind: *kind, range, ..part }),
-            ("*", _) => refuse(sign, "A value is missing before this. Powers are .powi(2)."),
+        match (name, part.kind.clone(), &part.node) {
+            ("*", Type::Reference(kind), _) => Ok(Part { kind: *kind, range, ..part }),
+            ("*", ..) => refuse(sign, "A value is missing before this. Powers are .powi(2)."),
+            // A sign belongs to its number: no i32 is 2147483648.
+            ("-", kind, Node::Constant(Value::Whole(number))) => match number {
+                1.. => Ok(Part { node: Node::Constant(Value::Whole(-number)), kind, range }),
+                _ => refuse(sign, "This sign is one too many."),
+            },
             _ => self.call(name, vec![part], sign, range),
         }
     }
 
     pub(super) fn cast(&mut self, cast: &ExprCast) -> Checked<Part> {
         let sign = cast.as_token.span.byte_range();
-        let target = self.written_type(&cast.ty).filter(Type::is_plain);
-        let (Some(target), syn::Type::Path(path)) = (target, &*cast.ty) else {
+        let Some(target) = self.written_type(&cast.ty).filter(Type::is_plain) else {
             return refuse(sign, "Behind as: f64, i32, u32 or usize.");
         };
-        let end = path.path.segments.last().map(|name| name.ident.span().byte_range().end);
+        let blanks = self.text[sign.end..].find(target.name()).unwrap_or_default();
+        let end = sign.end + blanks + target.name().len();
         let mut part = self.expression(&cast.expr)?;
         self.refuse_block_before(&cast.expr, &part)?;
         if part.kind == Type::OpenWhole && target.is_whole() {
             part = self.demand(part, &target, "")?;
         }
-        let range = part.range.start..end.unwrap_or(sign.end);
+        let range = part.range.start..end;
         self.call(&format!("as {}", target.name()), vec![part], sign, range)
     }
 

@@ -62,7 +62,7 @@ impl<'a> Checker<'a> {
             return Ok(part);
         }
         match syntax {
-            Expr::Lit(literal) => self.literal(&literal.lit, false),
+            Expr::Lit(literal) => self.literal(&literal.lit),
             Expr::Paren(paren) => {
                 let inner = self.expression(&paren.expr)?;
                 Ok(Part { range: paren.paren_token.span.join().byte_range(), ..inner })
@@ -84,26 +84,27 @@ impl<'a> Checker<'a> {
     }
 
     /// The part, if its value is of a type; the subject begins a sentence about it.
-    pub fn demand(&self, mut part: Part, wanted: &Type, subject: &str) -> Checked<Part> {
+    pub fn demand(&self, part: Part, wanted: &Type, subject: &str) -> Checked<Part> {
         if !part.kind.fits(wanted) {
             let sentence = explain_mismatch(subject, &part, self.text, wanted);
             return refuse(part.range, sentence);
         }
-        if let (Node::Constant(Value::Whole(number)), false) =
-            (&part.node, *wanted == Type::OpenWhole)
-        {
-            let number = *number;
-            let value = match wanted {
-                Type::I32 | Type::OpenI32 => i32::try_from(number).ok().map(Value::I32),
-                Type::U32 => u32::try_from(number).ok().map(Value::U32),
-                _ => u64::try_from(number).ok().map(Value::Usize),
-            };
-            let Some(value) = value else {
-                return refuse(part.range, format!("That's beyond {}.", wanted.describe()));
-            };
-            part.node = Node::Constant(value);
-        }
-        Ok(Part { kind: wanted.clone(), ..part })
+        let value = match (&part.node, wanted) {
+            (Node::Constant(Value::Whole(number)), Type::I32 | Type::OpenI32) => {
+                i32::try_from(*number).ok().map(Value::I32)
+            }
+            (Node::Constant(Value::Whole(number)), Type::U32) => {
+                u32::try_from(*number).ok().map(Value::U32)
+            }
+            (Node::Constant(Value::Whole(number)), Type::Usize) => {
+                u64::try_from(*number).ok().map(Value::Usize)
+            }
+            _ => return Ok(Part { kind: wanted.clone(), ..part }),
+        };
+        let Some(value) = value else {
+            return refuse(part.range, format!("That's beyond {}.", wanted.describe()));
+        };
+        Ok(Part { node: Node::Constant(value), kind: wanted.clone(), ..part })
     }
 
     /// A part. What is the same for each pixel is evaluated here.

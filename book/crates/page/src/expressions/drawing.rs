@@ -54,20 +54,20 @@ pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
         return T::unpack(&Value::Bool(false));
     }
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
-    let edit = edits.iter().find(|(index, _)| *index == place);
-    let value = edit.map(|(_, expression)| match expression.evaluate(variables) {
+    let Some((_, expression)) = edits.iter().find(|(index, _)| *index == place) else {
+        return T::unpack(&Value::Bool(false));
+    };
+    let value = match expression.evaluate(variables) {
         Ok(_) if MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed) => {
             Err((0..expression.length, TOO_LONG))
         }
         value => value,
-    });
-    let (range, sentence) = match value {
-        Some(Ok(value)) => return T::unpack(&value),
-        Some(Err(stop)) => stop,
-        None => (0..0, "There is no edit."),
     };
-    stop(place, Refusal { range, sentence: sentence.to_owned() });
-    T::unpack(&Value::Bool(false))
+    let value = value.unwrap_or_else(|(range, sentence)| {
+        stop(place, Refusal { range, sentence: sentence.to_owned() });
+        Value::Bool(false)
+    });
+    T::unpack(&value)
 }
 
 /// Notes why the reader's program would stop in the code around the edits.
