@@ -85,8 +85,7 @@ fn add_numbers(rows: &mut Vec<Function>) {
     add_methods!(rows: f64, fn(_) -> _: abs floor ceil round trunc fract signum sqrt cbrt recip sin
         cos tan asin acos atan sinh cosh tanh exp exp2 exp_m1 ln log10 log2 ln_1p to_degrees
         to_radians is_nan is_finite is_sign_negative is_sign_positive);
-    add_methods!(rows: f64, fn(_, _) -> _: min max powf powi atan2 hypot copysign midpoint
-        div_euclid);
+    add_methods!(rows: f64, fn(_, _) -> _: min max powf powi atan2 hypot copysign midpoint);
     add_methods!(rows: f64, fn(_, _, _) -> _: mul_add);
     add_comparisons!(rows: f64, i32, u32, u64, bool);
     add_equalities!(rows: f64, i32, u32, u64, bool, DVec3);
@@ -174,11 +173,11 @@ fn add_vectors(rows: &mut Vec<Function>) {
     }
     add_operators! { "+" + "-" - "*" * "/" / }
     add_methods!(rows: DVec3, fn(_) -> _: abs floor ceil round trunc fract signum sqrt sin cos exp
-        exp2 ln log2 recip normalize normalize_or_zero length length_squared length_recip max_element
-        min_element element_sum element_product is_normalized is_finite is_nan);
+        exp2 ln log2 recip normalize normalize_or_zero length length_squared length_recip
+        max_element min_element element_sum element_product is_normalized is_finite is_nan);
     add_methods!(rows: DVec3, fn(_, _) -> _: min max cross dot distance distance_squared
-        angle_between reflect project_onto reject_from midpoint copysign
-        div_euclid with_x with_y with_z powf);
+        angle_between reflect project_onto reject_from midpoint copysign with_x
+        with_y with_z powf);
     add_methods!(rows: DVec3, fn(_, _, _) -> _: new lerp clamp mul_add);
     add! { rows:
         "%", fn(_, _) -> _, remainders;
