@@ -7,9 +7,9 @@ pub struct Pinhole;
 
 impl Interactive for Pinhole {
     const NAME: &str = "pinhole";
-    const TITLE: &str = "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross a virtual image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.";
-    const CAPTION: &str = "Two rays to the ends of an arrow. Behind the pinhole, its image is upside down. At the same distance \
-                  in front, it has the same size, and is upright.";
+    const TITLE: &str = "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross an image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.";
+    const CAPTION: &str = "Two rays to the ends of an arrow. Their lines, continued backwards through the pinhole, draw an image that's upside down. \
+                  At the same distance in front, it has the same size, and is upright.";
 
     fn from_values(_: &[f64]) -> Self {
         Self
@@ -37,7 +37,7 @@ impl Interactive for Pinhole {
         for t in [film, plane, object] {
             drawing.arrow("second", place(&bottom, t), place(&top, t));
         }
-        for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "virtual image plane")] {
+        for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "image plane")] {
             drawing.label("quiet", at_t(t, 198.0), name);
         }
         for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
