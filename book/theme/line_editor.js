@@ -244,13 +244,14 @@
         if (status.dataset.text === text) return; // A list stays open.
         status.dataset.text = text;
         status.replaceChildren(sentence);
-        if (list) status.append(" ", make("details", {}, make("summary", {}, "All names"), make("code", {}, list)));
+        if (list) status.append(" ", make("details", {}, make("summary", {}, "All names"), make("code", { tabindex: 0 }, list)));
     }
 
     // The line stays in view beside the panel.
-    function keepInView() {
+    function keepInView(event) {
+        if (!hand) return;
         document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
-        if (hand === document.activeElement) hand.scrollIntoView({ block: "nearest" });
+        if (event || hand === document.activeElement) hand.scrollIntoView({ block: "nearest" });
     }
 
     // Underlines a part of a line, or nothing.
@@ -328,6 +329,7 @@
             if (isOutside && isBook(hand) && (kind === "click" || event.target.matches?.(":focus-visible"))) release();
         });
     }
+    panel.addEventListener("toggle", keepInView, true);
     addEventListener("resize", () => { if (hand) draw(LARGE); });
     addEventListener("beforeprint", () => {
         release();
