@@ -40,24 +40,24 @@ pub fn edit(words: &str) -> Reply {
     match picture {
         Ok(picture) => {
             let size = json::list([picture.width(), picture.height()]);
-            let known = match (columns, picture.width()) {
+            let note = match (columns, picture.width()) {
                 (640, 640) => describe(&lines, &picture),
                 (640, _) => Some("Drawn smaller, as it takes long to compute.".to_owned()),
                 _ => None,
             };
-            let known = json::quote(&known.unwrap_or_default());
-            let answer = Reply::from_json_fields([("size", size), ("known", known)]);
+            let note = json::quote(&note.unwrap_or_default());
+            let answer = Reply::from_json_fields([("size", size), ("known", note)]);
             Reply { pixels: figures::rgba_bytes(&picture), ..answer }
         }
         Err((name, Refusal { range, sentence })) => {
             let line = lines.iter().find(|(place, _)| place.name == name);
             let text = line.map_or("", |(_, text)| *text);
             // A page counts letters as JavaScript does.
-            let at = |at: usize| text[..at].encode_utf16().count().to_string();
+            let letter_count = |end: usize| text[..end].encode_utf16().count().to_string();
             Reply::from_json_fields([
                 ("line", json::quote(name)),
-                ("from", at(range.start)),
-                ("to", at(range.end)),
+                ("from", letter_count(range.start)),
+                ("to", letter_count(range.end)),
                 ("mistake", json::quote(&sentence)),
             ])
         }

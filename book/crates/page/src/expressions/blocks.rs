@@ -183,8 +183,8 @@ impl Checker<'_> {
 
     /// Refuses a block before an operator where a statement begins: Rust takes it for the whole.
     pub(super) fn refuse_block_before(&self, syntax: &Expr, part: &Part) -> Checked<()> {
-        let before = self.text[..part.range.start].trim_end();
-        let is_start = before.is_empty() || before.ends_with(['{', '}', ';']);
+        let text_before = self.text[..part.range.start].trim_end();
+        let is_start = text_before.is_empty() || text_before.ends_with(['{', '}', ';']);
         if is_start && matches!(syntax, Expr::If(_) | Expr::Block(_)) {
             return refuse(part.range.clone(), "Put parentheses around this block.");
         }
@@ -193,7 +193,7 @@ impl Checker<'_> {
 
     /// Refuses syntax that Rust has, and a line here has not.
     pub(super) fn refuse_unsupported<T>(&self, syntax: &Expr) -> Checked<T> {
-        let (span, what) = match syntax {
+        let (span, syntax_name) = match syntax {
             Expr::Assign(one) => {
                 return refuse(one.eq_token.span.byte_range(), "For =, Rust has == to compare.");
             }
@@ -207,7 +207,7 @@ impl Checker<'_> {
             _ => return refuse(0..self.text.len(), "A page can't draw with this part of Rust."),
         };
         let sentence = format!(
-            "A page can't draw with {what}: it knows let, if … else, blocks, arrays, references, \
+            "A page can't draw with {syntax_name}: it knows let, if … else, blocks, arrays, references, \
              numbers, vectors and their methods."
         );
         refuse(span.byte_range(), sentence)

@@ -17,7 +17,7 @@ type Arguments = Punctuated<Expr, Token![,]>;
 
 const COMPARISONS: [&str; 6] = ["==", "!=", "<", ">", "<=", ">="];
 
-/// What a step asks of its best hit so far, as `places.txt` has it.
+/// Questions of a step about its best hit so far, as `places.txt` has them.
 const BEST: [&str; 2] = ["best.is_none()", "best.as_ref().map_or(f64::INFINITY,|hit|hit.t)"];
 
 impl Checker<'_> {
@@ -49,8 +49,8 @@ impl Checker<'_> {
         };
         let function = rows.iter().find(fits).filter(|_| joined.is_some() || !are_plain);
         let Some(function) = function else {
-            let shown = if name.starts_with("as ") { name } else { &self.text[sign.clone()] };
-            let (wrong, sentence) = explain_refused_call(shown, &rows, &parts, self.text);
+            let shown_name = if name.starts_with("as ") { name } else { &self.text[sign.clone()] };
+            let (wrong, sentence) = explain_refused_call(shown_name, &rows, &parts, self.text);
             return refuse(wrong.unwrap_or(sign), sentence);
         };
         let mut nodes = vec![];
@@ -187,7 +187,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What a line asks of the best hit so far, of which the page knows its t.
+    /// A question about the best hit so far, whose t the page knows.
     fn best_call(
         &mut self,
         method: &str,

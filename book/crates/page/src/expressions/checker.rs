@@ -19,7 +19,7 @@ const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
 /// Compiles the syntax of a text, as far as Rust would.
 pub struct Checker<'a> {
     pub text: &'a str,
-    /// What may be written for a value: variables of the place, such as `ray.start`, and of `let`.
+    /// Names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Type, Node)>,
     /// How many values of `let` it has.
     pub locals: usize,
@@ -130,9 +130,9 @@ impl<'a> Checker<'a> {
     /// Makes a name known, which `let` or a closure gives to a value.
     pub fn add_name(&mut self, ident: &Ident, suffix: &str, kind: Type, node: Node) -> Checked<()> {
         let name = ident.to_string();
-        let mut taken =
+        let mut reserved_names =
             self.place.variables.iter().filter_map(|(one, _)| one.split_once(['.', '(']));
-        if taken.any(|(first, _)| first == name)
+        if reserved_names.any(|(first, _)| first == name)
             || name == "self"
             || name.starts_with(|sign: char| sign.is_ascii_uppercase())
             || !suffix.is_empty() && self.names.iter().any(|one| one.0 == name)
@@ -168,10 +168,12 @@ impl<'a> Checker<'a> {
     }
 
     fn field(&mut self, syntax: &Expr, field: &ExprField) -> Checked<Part> {
-        let whole = chain_range(syntax);
-        let base = self.expression(&field.base).or_else(|refusal| match whole {
+        let full_range = chain_range(syntax);
+        let base = self.expression(&field.base).or_else(|refusal| match full_range {
             // What is not known is named whole, such as `sphere.center`.
-            Some(whole) if refusal.sentence.contains(NAMES_ARE) => self.refuse_unknown(whole),
+            Some(full_range) if refusal.sentence.contains(NAMES_ARE) => {
+                self.refuse_unknown(full_range)
+            }
             _ => Err(refusal),
         })?;
         let Member::Named(member) = &field.member else {

@@ -10,7 +10,7 @@ use image::RgbImage;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
 
-/// What is said of a picture that takes more steps than it may.
+/// Sentence about a picture that takes more steps than it may.
 pub const TOO_LONG: &str = "That takes longer than a page should.";
 
 /// The most steps that the picture may take.

@@ -124,7 +124,7 @@ fn add_numbers(rows: &mut Vec<Function>) {
     }
 }
 
-/// What is left of a division. It takes time for the binary digits of the quotient.
+/// Remainder of a division, which takes time for the binary digits of the quotient.
 fn remainder(a: f64, b: f64) -> f64 {
     let exponent = |number: f64| number.to_bits() >> 52 & 0x7ff;
     spend(2 + exponent(a).saturating_sub(exponent(b)) / 64);

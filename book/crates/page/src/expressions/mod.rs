@@ -14,12 +14,15 @@ macro_rules! editable {
     ($place:literal, $book:expr, [$($variable:expr),*]) => {
         match $crate::expressions::drawing::is_edited($place) {
             false => $book,
-            true => $crate::expressions::drawing::evaluate($place, &[$($crate::expressions::value::Typed::pack($variable)),*]),
+            true => {
+                use $crate::expressions::{drawing::evaluate, value::Typed};
+                evaluate($place, &[$(Typed::pack($variable)),*])
+            }
         }
     };
 }
 
-/// Where a development build of the reader's program stops, the page says so.
+/// Tells the page where a development build of the reader's program would stop.
 macro_rules! debug_assert {
     ($condition:expr, $sentence:literal) => {
         if !$condition {

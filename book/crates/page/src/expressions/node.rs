@@ -19,7 +19,7 @@ pub enum Node {
     Constant(Value),
     /// A variable of the place, by its index.
     Variable(usize),
-    /// What a `let` has written, by its index.
+    /// A value that a `let` has written, by its index.
     Local(usize),
     /// A function of up to three values; the range is that of its name in the text.
     Call(&'static Function, Vec<Node>, Range<usize>),
@@ -41,11 +41,11 @@ pub struct Part {
     pub range: Range<usize>,
 }
 
-/// Where in a text the reader's program would stop, and why.
+/// Range of a text at which the reader's program would stop, and the reason.
 pub type Stop = (Range<usize>, &'static str);
 
 impl Node {
-    /// Its value where the variables and the locals have these.
+    /// Computes its value for these values of the variables and the locals.
     pub fn evaluate(&self, variables: &[Value], locals: &mut [Value]) -> Result<Value, Stop> {
         let mut value_of = |node: &Self| node.evaluate(variables, locals);
         Ok(match self {

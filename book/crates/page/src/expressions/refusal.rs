@@ -9,7 +9,7 @@ use std::ops::Range;
 /// Functions of a type that aren't methods.
 pub const ASSOCIATED: [&str; 4] = ["new", "splat", "from", "from_array"];
 
-/// What is before the names that a line may use.
+/// Beginning of a list of the names that a line may use.
 pub const NAMES_ARE: &str = "These are:\n";
 
 /// Fault in a text.
@@ -66,7 +66,7 @@ pub fn explain_refused_call(
     text: &str,
 ) -> (Option<Range<usize>>, String) {
     let kinds: Vec<_> = parts.iter().map(|part| part.kind.clone()).collect();
-    let whole = parts.iter().find(|part| part.kind.is_whole());
+    let whole_number = parts.iter().find(|part| part.kind.is_whole());
     if let (Some(row), true) = (rows.first(), sign.contains("::") || sign.starts_with('.')) {
         let receivers = usize::from(sign.starts_with('.'));
         if row.takes.len() != parts.len() {
@@ -80,9 +80,9 @@ pub fn explain_refused_call(
         }
     }
     let is_real = |kind: &Type| *kind == Type::DVec3 || kind.is_real();
-    if let (Some(whole), true) = (whole, kinds.iter().any(is_real)) {
-        let sentence = explain_whole_number(&text[whole.range.clone()], &whole.kind);
-        return (Some(whole.range.clone()), sentence);
+    if let (Some(whole_number), true) = (whole_number, kinds.iter().any(is_real)) {
+        let sentence = explain_whole_number(&text[whole_number.range.clone()], &whole_number.kind);
+        return (Some(whole_number.range.clone()), sentence);
     }
     let cure = match (sign, &kinds[..]) {
         ("^", _) => " For powers, Rust has .powi(2) or .powf(0.5).",
@@ -104,7 +104,7 @@ pub fn explain_open_number(text: &str) -> String {
     format!("Rust can't tell yet which kind of number this is: {cure}.")
 }
 
-/// That there is no such name, and what there is.
+/// Says that there is no such name, and lists those that there are.
 pub fn explain_unknown_name(name: &str, place: &Place) -> String {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     let cure = match &*last {
@@ -118,7 +118,7 @@ pub fn explain_unknown_name(name: &str, place: &Place) -> String {
     format!("{name} isn't known here. {cure}")
 }
 
-/// That a type has no such `.FIELD` or `::METHOD`, and what it has.
+/// Says that a type has no such `.FIELD` or `::METHOD`, and lists those that it has.
 pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
     let owner = kind.referent().name();
     let (name, is_method) = (member.trim_start_matches(['.', ':']), member.starts_with(':'));
@@ -126,16 +126,16 @@ pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
         FUNCTIONS.iter().any(|one| one.name.strip_prefix(owner) == Some(member))
     };
     let kind = kind.describe();
-    let other = ["f64", "DVec3"].into_iter().find(|other| has(other, member));
-    match other.and_then(Type::from_name) {
+    let other_type = ["f64", "DVec3"].into_iter().find(|other_type| has(other_type, member));
+    match other_type.and_then(Type::from_name) {
         _ if !is_method && has(owner, &format!("::{name}")) => {
             return format!("Write .{name}(): it's a method.");
         }
         _ if is_method && has(owner, &format!(".{name}")) => {
             return format!("Write .{name} without the (): it's a field.");
         }
-        Some(other) => {
-            return format!(".{name} belongs to {}, and this is {kind}.", other.describe());
+        Some(other_type) => {
+            return format!(".{name} belongs to {}, and this is {kind}.", other_type.describe());
         }
         None if has("i32", member) => {
             return format!(".{name} belongs to a whole number, and this is {kind}. Take .powi.");
@@ -152,7 +152,7 @@ pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
     format!(".{name} isn't known here. Of {kind}, there is:\n{}", names.join(", "))
 }
 
-/// What there is in place of a function that is not known, if something is.
+/// Names the method that Rust has for a function that is not known, if it has one.
 pub fn explain_unknown_function(name: &str, first: &str, count: usize) -> Option<String> {
     let method = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     // Only whole numbers have `pow`.

@@ -13,7 +13,7 @@ const DEPTH: usize = 20;
 const STATEMENTS: &str = "Statements need a block around them: { let x = 1.0; 2.0 * x }.";
 const NO_SIGN: &str = "No line that a page draws has this sign.";
 
-/// What no line may have, each with a sentence about it.
+/// Signs that no line may have, each with a sentence about it.
 const SIGNS: [(&str, &str); 18] = [
     ("<-", "Rust reads <- as one sign: put a blank after the <."),
     ("×", "For ×, Rust has *."),
@@ -54,11 +54,11 @@ pub fn blank_comments(text: &str) -> Result<String, Refusal> {
     let mut bare = String::new();
     let (mut brackets, mut at, mut tokens, mut is_in_word) = (vec![], 0, 0, false);
     while let Some(sign) = text[at..].chars().next() {
-        let (rest, range) = (&text[at..], at..at + sign.len_utf8());
+        let (remaining, range) = (&text[at..], at..at + sign.len_utf8());
         at = range.end;
         let ends = [("//", "\n"), ("/*", "*/")];
-        if let Some((_, end)) = ends.into_iter().find(|(sign, _)| rest.starts_with(sign)) {
-            let Some(length) = rest[2..].find(end) else {
+        if let Some((_, end)) = ends.into_iter().find(|(sign, _)| remaining.starts_with(sign)) {
+            let Some(length) = remaining[2..].find(end) else {
                 let sentence = "This comment hides the rest of the line: write /* … */.";
                 return refuse(range.start..text.len(), sentence);
             };
@@ -66,7 +66,7 @@ pub fn blank_comments(text: &str) -> Result<String, Refusal> {
             bare += &" ".repeat(at - range.start);
             continue;
         }
-        if let Some((sign, sentence)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(sign)) {
+        if let Some((sign, sentence)) = SIGNS.iter().find(|(sign, _)| remaining.starts_with(sign)) {
             return refuse(range.start..range.start + sign.len(), *sentence);
         }
         let is_word = sign.is_alphanumeric() || sign == '_';
@@ -94,7 +94,7 @@ pub fn blank_comments(text: &str) -> Result<String, Refusal> {
     }
 }
 
-/// What a reader is told where `syn` ended, in words of its own.
+/// Explains in plain words why `syn` ended there.
 fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal {
     let end = text.trim_end().len();
     let last = text[..end].char_indices().next_back().map_or(0..0, |(at, _)| at..end);

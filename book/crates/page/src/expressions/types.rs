@@ -37,7 +37,7 @@ impl Type {
         NAMES.into_iter().find(|row| row.1 == name).map(|row| row.0)
     }
 
-    /// Its name; empty if it has none.
+    /// The name of a type that has one; otherwise empty.
     pub fn name(&self) -> &'static str {
         NAMES.into_iter().find(|row| row.0 == *self).map_or("", |row| row.1)
     }
@@ -84,7 +84,7 @@ impl Type {
         Some(if *all == Self::OpenWhole { Self::OpenI32 } else { all.clone() })
     }
 
-    /// What a reader calls it.
+    /// Words for it that a reader knows.
     pub fn describe(&self) -> String {
         let words = match self {
             Self::F64 | Self::OpenF64 => "a number",

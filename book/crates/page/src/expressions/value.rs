@@ -3,7 +3,7 @@ use crate::expressions::types::Type;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// What a part of a line evaluates to. A usize has 64 bits, as on the reader's machine.
+/// Value of a part of a line. A usize has 64 bits, as on the reader's machine.
 #[derive(Clone, Debug)]
 #[allow(missing_docs, reason = "they are called like their types")]
 pub enum Value {
@@ -70,7 +70,7 @@ impl Typed for [f64; 3] {
     }
 }
 
-/// What whole numbers give where they may overflow.
+/// Result of whole numbers, which may overflow.
 impl<T: Typed> Typed for Result<T, &'static str> {
     fn kind() -> Type {
         T::kind()

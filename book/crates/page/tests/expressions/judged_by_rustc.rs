@@ -9,8 +9,8 @@ use std::{collections::BTreeSet, env, fs, process::Command};
 
 const PARAMETERS: &str = "d: f64, e: f64, n: DVec3, l: DVec3, k: i32, h: u32, yes: bool";
 
-const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-    glam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
+const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n\
+    [dependencies]\nglam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
 
 /// The program, up to its functions: a line for each, "stop" where it panics.
 const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; fn main() { \
@@ -37,17 +37,17 @@ fn write_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     text
 }
 
-/// What rustc makes of each line: None where it refuses it.
+/// Asks rustc for the value of each line; None where it refuses it.
 fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a copy");
     fs::write(folder.join("Cargo.toml"), MANIFEST).expect("a file");
-    let mut refused = BTreeSet::new();
+    let mut refused_lines = BTreeSet::new();
     loop {
         let (mut source, mut names) = (PROGRAM.to_owned(), String::new());
         for (index, (kind, text)) in lines.iter().enumerate() {
-            if !refused.contains(&index) {
+            if !refused_lines.contains(&index) {
                 source +=
                     &format!("fn f{index}({PARAMETERS}) -> String {{ let x: {kind} = {text};");
                 source += " format!(\"{x:?}\") }";
@@ -60,19 +60,21 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         fs::write(folder.join("src/main.rs"), source).expect("a file");
         let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
         cargo.args(["run", "-q", "--offline", "--message-format", "short"]);
-        cargo.args(["--target-dir", "target"]).current_dir(&folder);
-        let output = cargo.output().expect("cargo");
+        cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
+        let output = cargo.current_dir(&folder).output().expect("cargo");
         let [text, errors] = [output.stdout, output.stderr].map(String::from_utf8);
         let (text, errors) = (text.expect("a text"), errors.expect("a text"));
         if output.status.success() {
             let (mut values, all) = (text.lines().map(str::to_owned), 0..lines.len());
-            return all.map(|k| (!refused.contains(&k)).then(|| values.next()).flatten()).collect();
+            return all
+                .map(|k| (!refused_lines.contains(&k)).then(|| values.next()).flatten())
+                .collect();
         }
-        let count = refused.len();
+        let count = refused_lines.len();
         let rows = errors.lines().filter(|line| line.contains(": error"));
         let rows = rows.filter_map(|line| line.split(':').nth(1)?.parse::<usize>().ok());
-        refused.extend(rows.map(|row| row - 2));
-        assert!(count < refused.len(), "{errors}");
+        refused_lines.extend(rows.map(|row| row - 2));
+        assert!(count < refused_lines.len(), "{errors}");
     }
 }
 

@@ -15,11 +15,11 @@ fn listed_mistakes_are_drawn_by_an_edited_line() {
     let (mut count, mut refusals) = (0, vec![]);
     for (place, text, expected) in edits.iter().step_by(step) {
         count += 1;
-        let drawn = parse_expression(place, text).and_then(|expression| {
+        let picture = parse_expression(place, text).and_then(|expression| {
             let edits = vec![(place.clone(), expression)];
             draw_edited(place.step_name(), edits, 640, u64::MAX).map_err(|(_, refusal)| refusal)
         });
-        match drawn {
+        match picture {
             Ok(picture) => assert_eq!(
                 hash_picture(&picture),
                 *expected,
