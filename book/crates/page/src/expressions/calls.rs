@@ -131,9 +131,9 @@ impl Checker<'_> {
         let method = call.method.to_string();
         let sign = call.dot_token.span.byte_range().start..call.method.span().byte_range().end;
         let end = call.paren_token.span.join().byte_range().end;
-        let receiver = chain_range(&call.receiver).map(|range| &self.text[range]);
-        if receiver == Some("best.as_ref()")
-            && let Some(part) = self.best_call(&method, &call.args, sign.start..end)?
+        if let Some(range) = chain_range(&call.receiver)
+            && self.text[range.clone()] == *"best.as_ref()"
+            && let Some(part) = self.best_call(&method, &call.args, range.start..end)?
         {
             return Ok(part);
         }

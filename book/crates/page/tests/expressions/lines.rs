@@ -55,6 +55,8 @@ fn answer_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
         ("misses d < 0.0 || false", "Not one pixel differs"),
+        ("nearer t < best.as_ref().map_or(f64::INFINITY, |h| h.t)", "Not one pixel differs"),
+        ("nearer best.as_ref().is_none_or(|h| t < h.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}diffuse DVec3::X", "\"known\":\"\""),
         ("byte DVec3::ZERO", "\"known\":\"\""),
