@@ -102,7 +102,9 @@ impl<'a> Checker<'a> {
             _ => return Ok(Part { kind: wanted.clone(), ..part }),
         };
         let Some(value) = value else {
-            return refuse(part.range, format!("That's beyond {}.", wanted.describe()));
+            let sentence = "With .0 behind it, it isn't one.";
+            let sentence = format!("That's beyond {}. {sentence}", wanted.describe());
+            return refuse(part.range, sentence);
         };
         Ok(Part { node: Node::Constant(value), kind: wanted.clone(), ..part })
     }

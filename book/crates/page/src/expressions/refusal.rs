@@ -80,7 +80,7 @@ pub fn explain_refused_call(
         }
     }
     let is_real = |kind: &Type| *kind == Type::DVec3 || kind.is_real();
-    if let (Some(whole_number), true) = (whole_number, kinds.iter().any(is_real)) {
+    if let (Some(whole_number), true) = (whole_number, sign != "^" && kinds.iter().any(is_real)) {
         let sentence = explain_whole_number(&text[whole_number.range.clone()], &whole_number.kind);
         return (Some(whole_number.range.clone()), sentence);
     }
