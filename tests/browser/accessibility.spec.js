@@ -3,8 +3,11 @@ import AxeBuilder from '@axe-core/playwright';
 import { chapters } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
+// The longest take ten seconds each, and are made of what is on the others, too.
+const LONG = /^(step0[1235]_(rays|program|sphere|nearest|phong)|way_back|mistakes)\.html$/;
+
 for (const name of chapters) {
-  test(`${name} is accessible`, async ({ page, home }) => {
+  test(`${name} is accessible`, { tag: LONG.test(name) ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
     await page.evaluate(() => {
       document.querySelectorAll('details').forEach(box => { box.open = true; });

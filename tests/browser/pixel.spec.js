@@ -36,6 +36,7 @@ test('a pixel is told in one line below the picture, and Back leads to where one
   await open(page, home + page3);
   const link = page.locator('a[href$="#pixel=195,237"]').first();
   await link.scrollIntoViewIfNeeded();
+  await page.locator(`${picture}[data-ready]`).waitFor({ timeout: 20_000 });
   const place = (await link.boundingBox()).y;
   await link.click();
   await expect(page.locator(`${picture} .hint`)).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\)$/);
