@@ -16,16 +16,7 @@ pub(crate) fn find_changed_numbers(
         let Some(typed) = quantity.typed.filter(|typed| typed.since <= drawing.step) else {
             continue;
         };
-        let owners = match quantity.owner {
-            Owner::Object => {
-                (0..drawing.scene.objects.len()).map(|k| (k, drawing.object_name(k))).collect()
-            }
-            Owner::Light => {
-                drawing.light_names.map(str::to_owned).into_iter().enumerate().collect()
-            }
-            Owner::Scene | Owner::Camera => vec![(0, "the scene".to_owned())],
-        };
-        for (k, owner) in owners {
+        for (k, owner) in owner_names(drawing, quantity.owner).into_iter().enumerate() {
             if !may_cause_wrong_pixels(quantity.owner, typed.since, k, comparison) {
                 continue;
             }
@@ -46,6 +37,15 @@ pub(crate) fn find_changed_numbers(
         }
     }
     words
+}
+
+/// The names of all that have a quantity.
+fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
+    match owner {
+        Owner::Object => (0..drawing.scene.objects.len()).map(|k| drawing.object_name(k)).collect(),
+        Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
+        Owner::Scene | Owner::Camera => vec!["the scene".to_owned()],
+    }
 }
 
 /// Whether ours doesn't show object `k`, and it isn't seen in this scene either.

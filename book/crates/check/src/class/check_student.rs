@@ -35,8 +35,7 @@ pub(crate) fn check_students(
     reports.into_iter().map(|(_, report)| report).collect()
 }
 
-/// Looks at the pictures of a student: of each the one that lies highest, and of these the last
-/// that was handed in.
+/// Looks at the pictures of a student.
 fn check_student(
     student: &Student,
     required: &[&'static str],
@@ -50,11 +49,7 @@ fn check_student(
     let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !is_own || required.contains(scene));
     for name in locked_names().into_iter().chain(scene) {
         let is_required = required.contains(&name);
-        let found = rest.iter().filter(|file| file.picture == Some(name));
-        let found = found.min_by_key(|file| {
-            (!has_extension(file.name(), &["png"]), file.path.len(), Reverse(file.version()))
-        });
-        let found = found.copied();
+        let found = choose_file(&rest, name);
         rest.retain(|file| found.is_none_or(|found| !std::ptr::eq(*file, found)));
         let answer = match found.map(|file| (file.name(), file.read())) {
             None if is_required || lists_all => Answer::new(Verdict::Missing, ""),
@@ -72,11 +67,21 @@ fn check_student(
     // What can't be read comes first, as a line tells only some names.
     rest.sort_by_key(|file| !matches!(file.content, Content::Unreadable(_)));
     rest.retain(|file| !file.is_no_picture() || !is_own && !file.name().is_empty());
-    let (other_files, unchecked) =
-        rest.into_iter().partition::<Vec<_>, _>(|file| file.is_no_picture());
-    let [other_files, unchecked] =
-        [other_files, unchecked].map(|files| files.into_iter().map(FoundFile::describe).collect());
-    Report { student: student.unique_name.clone(), pictures, unchecked, other_files }
+    let describe = |is_no_picture: bool| {
+        let files = rest.iter().filter(|file| file.is_no_picture() == is_no_picture);
+        files.map(|file| file.describe()).collect()
+    };
+    let student = student.unique_name.clone();
+    Report { student, pictures, unchecked: describe(false), other_files: describe(true) }
+}
+
+/// Of the files that may be a picture, one that ends as PNG files do, the one that lies highest,
+/// and the last that was handed in.
+fn choose_file<'a>(files: &[&'a FoundFile], name: &str) -> Option<&'a FoundFile> {
+    let files = files.iter().filter(|file| file.picture == Some(name));
+    let is_other = |file: &FoundFile| !has_extension(file.name(), &["png"]);
+    let key = |file: &&&FoundFile| (is_other(file), file.path.len(), Reverse(file.version()));
+    files.min_by_key(key).copied()
 }
 
 /// Tells of each wrong picture which earlier one is wrong by the same cause.
