@@ -1,4 +1,4 @@
-use course::{Step, json};
+use course::{Step, draw_panels, json};
 use image::RgbImage;
 
 /// What an answer says of a picture in a word.
@@ -60,20 +60,25 @@ pub struct Answer {
     pub text: String,
     /// What is known of the cause.
     pub cause: Cause,
-    /// The reader's picture, ours and the difference side by side, where they differ and
-    /// have one size.
-    pub difference: Option<RgbImage>,
+    /// The reader's picture and ours, where they differ and have one size.
+    pub compared: Option<[RgbImage; 2]>,
 }
 
 impl Answer {
     /// An answer of words alone.
     pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self { verdict, text: text.into(), cause: Cause::default(), difference: None }
+        Self { verdict, text: text.into(), cause: Cause::default(), compared: None }
     }
 
     /// Says why nothing was compared.
     pub fn error(reason: impl std::fmt::Display) -> Self {
         Self::new(Verdict::Unreadable, format!("error: {reason}"))
+    }
+
+    /// The reader's picture, ours and the difference side by side, where they differ and have
+    /// one size.
+    pub fn draw_difference(&self) -> Option<RgbImage> {
+        self.compared.as_ref().map(|[yours, ours]| draw_panels(yours, ours))
     }
 
     /// The answer as fields of a JSON object; those of the cause only where they are known.

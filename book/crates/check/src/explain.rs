@@ -10,7 +10,7 @@ use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
 use crate::{Answer, Cause, LockedPictures, Verdict};
-use course::{Step, draw_panels, step_of_example};
+use course::{Step, step_of_example};
 use image::RgbImage;
 
 /// The most changes that are told.
@@ -57,8 +57,8 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         None => String::new(),
     };
     let text = format!("Not right. {known}{details}").trim_end().to_owned();
-    let difference = comparison.map(|_| draw_panels(yours, &target.picture));
-    Answer { verdict: Verdict::NotRight, text, cause, difference }
+    let compared = comparison.map(|_| [yours.clone(), RgbImage::clone(&target.picture)]);
+    Answer { verdict: Verdict::NotRight, text, cause, compared }
 }
 
 /// All numbers and cameras that we know and that give the whole picture, in words; none where

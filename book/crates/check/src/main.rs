@@ -140,8 +140,8 @@ fn check_file(
         Some(scene) => check_scene_png(&png, &file_name, scene, &[], locked),
         None => check_png(&png, &file_name, name, locked),
     };
-    if let Some(difference) = &answer.difference {
-        answer.text += &format!("\n{}", save_difference(difference, file));
+    if let Some(difference) = answer.draw_difference() {
+        answer.text += &format!("\n{}", save_difference(&difference, file));
     }
     answer
 }

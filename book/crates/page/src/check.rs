@@ -29,7 +29,7 @@ fn page_answer(answer: ::check::Answer) -> Reply {
     let code = answer.verdict.exit_code().to_string();
     let mut fields = vec![("code", code), ("text", json::quote(&answer.text))];
     let mut pixels = vec![];
-    if let Some(difference) = answer.difference {
+    if let Some(difference) = answer.draw_difference() {
         let (width, height) = difference.dimensions();
         fields.push(("size", json::list([width, height])));
         pixels = figures::rgba_bytes(&difference);

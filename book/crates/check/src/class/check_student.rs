@@ -8,7 +8,10 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{iter, thread};
 
-/// Looks at the pictures of all students, on all processors.
+/// The most threads; each keeps up to 150 MB of ours.
+const MOST_THREADS: usize = 4;
+
+/// Looks at the pictures of all students, on several processors.
 pub(crate) fn check_students(
     students: &[Student],
     required: &[&'static str],
@@ -23,7 +26,8 @@ pub(crate) fn check_students(
         let check = |(k, student)| (k, check_student(student, required, is_own, &names, &locked));
         taken.map(check).collect::<Vec<_>>()
     };
-    let count = thread::available_parallelism().map_or(1, usize::from).min(students.len());
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    let count = processors.min(students.len()).min(MOST_THREADS);
     let mut reports: Vec<_> = thread::scope(|scope| {
         let workers: Vec<_> = (0..count).map(|_| scope.spawn(work)).collect();
         workers
@@ -61,7 +65,7 @@ fn check_student(
             Some((file, Ok(png))) => check_png(&png, file, Some(name), locked),
         };
         let file = found.map(|file| file.path.join("/"));
-        let answer = Answer { difference: None, ..answer };
+        let answer = Answer { compared: None, ..answer };
         pictures.push(Entry { name, is_required, file, answer, follows: None });
     }
     // What can't be read comes first, as a line tells only some names.

@@ -39,7 +39,7 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answe
         let png = draw_with_crates(path, scene, &trial, k);
         let answer = png.map(|png| check_scene_png(&png, "its picture", scene, &[], &locked));
         let answer = answer.unwrap_or_else(Answer::error);
-        let answer = Answer { difference: None, ..answer };
+        let answer = Answer { compared: None, ..answer };
         let name = NAMED_SCENE_EXAMPLE;
         let entry = Entry { name, is_required: true, file: None, answer, follows: None };
         Report { student, pictures: vec![entry], unchecked: vec![], other_files: vec![] }
