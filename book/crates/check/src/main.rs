@@ -26,8 +26,8 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
-    /// The folder to look in for every picture of the course, or what a class has handed in, as Moodle,
-    /// Canvas or GitHub gives it: a folder or an archive for each student, who gets one line
+    /// The folder to look in for every picture of the course; or what a class has handed in, as
+    /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets one line
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the program of the scene that belongs to a name. With a file, tells whether it is
@@ -36,8 +36,8 @@ struct Arguments {
     #[arg(long, value_name = "NAME", group = "written", conflicts_with = "name")]
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
-    /// A class's list of names, one a line: with --out, writes the scene of each; with --in,
-    /// tells who has handed in nothing, and whose Canvas's names are
+    /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
+    /// gives those who handed in nothing a line, and each name as Canvas joins it its scene
     #[arg(long, value_name = "FILE", group = "written", conflicts_with_all = ["scene", "file"])]
     names: Option<PathBuf>,
     /// Where to write the program of a scene, in UTF-8; with --names, a folder

@@ -31,7 +31,10 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answe
         Ok(entries) => entries.flatten().map(|entry| entry.path()),
         Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
     };
-    let mut paths: Vec<_> = entries.filter(|path| path.is_dir()).collect();
+    let is_hidden = |path: &PathBuf| {
+        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'))
+    };
+    let mut paths: Vec<_> = entries.filter(|path| path.is_dir() && !is_hidden(path)).collect();
     paths.sort();
     let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
     let reports = paths.iter().enumerate().map(|(k, path)| {
