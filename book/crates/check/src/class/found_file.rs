@@ -24,10 +24,8 @@ pub(crate) enum Content {
     Unpacked(Vec<u8>),
     /// Why it can't be read.
     Unreadable(String),
-    /// A picture, perhaps, and none of the course by its name.
-    OtherPicture,
-    /// Something else, or nothing.
-    NoPicture,
+    /// What isn't a picture of the course, by its name.
+    Unread,
 }
 
 impl FoundFile {
@@ -55,13 +53,9 @@ impl FoundFile {
         }
     }
 
+    /// Whether it can't have been meant as a picture, by its ending.
     pub fn is_no_picture(&self) -> bool {
-        matches!(self.content, Content::NoPicture)
-    }
-
-    /// Whether it may have been meant as a picture, by its ending.
-    pub fn has_picture_extension(name: &str) -> bool {
-        has_extension(name, &PICTURE_EXTENSIONS)
+        matches!(self.content, Content::Unread) && !has_picture_extension(self.name())
     }
 
     /// Whether it has the name of a student in its own, as Canvas has it.
@@ -80,4 +74,9 @@ impl FoundFile {
 pub(crate) fn has_extension(name: &str, extensions: &[&str]) -> bool {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_lowercase());
     extension.is_some_and(|extension| extensions.contains(&&*extension))
+}
+
+/// Whether a file may have been meant as a picture, by its ending.
+pub(crate) fn has_picture_extension(name: &str) -> bool {
+    has_extension(name, &PICTURE_EXTENSIONS)
 }

@@ -1,4 +1,4 @@
-use crate::class::found_file::{Content, FoundFile, has_extension};
+use crate::class::found_file::{Content, FoundFile, has_extension, has_picture_extension};
 use crate::png_file::{FILE_BYTES, too_large_clause};
 use crate::read_file::read_file_of_at_most;
 use crate::{escape_for_terminal, find_name_in_file_name};
@@ -13,8 +13,9 @@ use std::path::Path;
 const MOST_ENTRIES: u32 = 20_000;
 const MOST_BYTES: u64 = 1 << 28;
 
-/// All files in a folder or an archive, in so many folders in each other, and in their archives, by their
-/// names, or why it can't be read. Left out are hidden files, what Cargo builds, the locked pictures, and what a Mac adds.
+/// All files in a folder or an archive, in so many folders and archives in each other, by their
+/// names; or why it can't be read. Left out are hidden files, what Cargo builds, the locked
+/// pictures, and what a Mac adds.
 pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<FoundFile>, String> {
     let mut search = Search {
         most_folders,
@@ -47,11 +48,14 @@ struct Search {
 
 impl Search {
     fn add(&mut self, folders: &[String], name: &str, content: Content) {
-        let picture = match content {
-            Content::NoPicture => None,
-            _ => find_name_in_file_name(name, self.names.iter().copied()),
-        };
+        let picture = self.picture_of(name);
         self.files.push(FoundFile { path: join(folders, name), picture, content });
+    }
+
+    /// The picture of the course that the name of a file tells.
+    fn picture_of(&self, name: &str) -> Option<&'static str> {
+        let names = self.names.iter().copied();
+        find_name_in_file_name(name, names).filter(|_| has_picture_extension(name))
     }
 
     fn add_unreadable(&mut self, folders: &[String], why: &str) {
@@ -90,7 +94,7 @@ impl Search {
             }
         }
         if self.files.len() == count {
-            self.add(folders, "", Content::NoPicture);
+            self.add(folders, "", Content::Unread);
         }
     }
 
@@ -103,11 +107,8 @@ impl Search {
         content: impl FnOnce(&mut u64) -> Content,
     ) {
         let is_archive = has_extension(name, &["zip"]);
-        if !is_archive && !FoundFile::has_picture_extension(name) {
-            return self.add(folders, name, Content::NoPicture);
-        }
-        if !is_archive && find_name_in_file_name(name, self.names.iter().copied()).is_none() {
-            return self.add(folders, name, Content::OtherPicture);
+        if !is_archive && self.picture_of(name).is_none() {
+            return self.add(folders, name, Content::Unread);
         }
         let bytes = match content(&mut self.bytes_left) {
             content if !is_archive => return self.add(folders, name, content),
