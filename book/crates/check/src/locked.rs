@@ -2,21 +2,20 @@ use crate::read_png;
 use crate::target::Target;
 use course::{hash_picture, locked_hashes, workspace};
 use image::RgbImage;
-use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fs;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The locked pictures, each read or drawn when it is first asked for.
 pub struct LockedPictures {
     read: fn(&str) -> Result<RgbImage, String>,
-    kept: RefCell<HashMap<String, Rc<Target>>>,
+    kept: Mutex<HashMap<String, Arc<Target>>>,
 }
 
 impl LockedPictures {
     /// Those that a function gives by their names, or says why it can't.
     pub fn new(read: fn(&str) -> Result<RgbImage, String>) -> Self {
-        Self { read, kept: RefCell::default() }
+        Self { read, kept: Mutex::default() }
     }
 
     /// Those in the folder of the course, as far as they are the ones with which this program
@@ -26,18 +25,18 @@ impl LockedPictures {
     }
 
     /// The picture of this name.
-    pub fn get(&self, name: &str) -> Result<Rc<RgbImage>, String> {
+    pub fn get(&self, name: &str) -> Result<Arc<RgbImage>, String> {
         Ok(self.target(name)?.picture.clone())
     }
 
     /// The picture of this name, with what it is drawn of.
-    pub(crate) fn target(&self, name: &str) -> Result<Rc<Target>, String> {
-        if let Some(target) = self.kept.borrow().get(name) {
+    pub(crate) fn target(&self, name: &str) -> Result<Arc<Target>, String> {
+        let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(target) = kept().get(name) {
             return Ok(target.clone());
         }
-        let target = Rc::new(Target::of_locked(name, (self.read)(name)?));
-        self.kept.borrow_mut().insert(name.to_owned(), target.clone());
-        Ok(target)
+        let target = Arc::new(Target::of_locked(name, (self.read)(name)?));
+        Ok(kept().entry(name.to_owned()).or_insert(target).clone())
     }
 }
 

@@ -3,8 +3,7 @@ use crate::drawing::Drawing;
 use crate::escape_for_terminal;
 use course::{Step, camera, camera_with_size};
 use image::RgbImage;
-use std::cell::OnceCell;
-use std::rc::Rc;
+use std::sync::{Arc, OnceLock};
 use step01_rays::render;
 
 /// What a picture is compared with: a locked picture, or the scene of a name.
@@ -15,8 +14,8 @@ pub(crate) struct Target {
     pub name: Option<String>,
     /// None of an exercise.
     pub drawing: Option<Drawing>,
-    pub picture: Rc<RgbImage>,
-    pixels: OnceCell<Vec<Pixel>>,
+    pub picture: Arc<RgbImage>,
+    pixels: OnceLock<Vec<Pixel>>,
 }
 
 impl Target {
@@ -26,8 +25,8 @@ impl Target {
             title: format!("the picture of {name}"),
             name: Some(name.to_owned()),
             drawing: Step::from_name(name).map(Drawing::of_step),
-            picture: Rc::new(picture),
-            pixels: OnceCell::new(),
+            picture: Arc::new(picture),
+            pixels: OnceLock::new(),
         }
     }
 
@@ -37,9 +36,9 @@ impl Target {
         Self {
             title: scene_title(name),
             name: None,
-            picture: Rc::new(render(&camera(), 1, |ray| drawing.colour(ray))),
+            picture: Arc::new(render(&camera(), 1, |ray| drawing.colour(ray))),
             drawing: Some(drawing),
-            pixels: OnceCell::new(),
+            pixels: OnceLock::new(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Answers about files: other formats, damaged ones, what a viewer may show otherwise.
 
-use crate::{assert_locked, draw_step, format_answer, locked};
+use crate::{LOCKED, assert_locked, draw_step, format_answer};
 use check::check_png;
 use course::Step;
 use image::{DynamicImage, ImageFormat, RgbImage};
@@ -32,7 +32,7 @@ fn png_header(columns: u32, rows: u32) -> Vec<u8> {
 
 /// The answer about a file that should be the picture of step 2.
 fn answer(title: &str, file: &[u8]) -> (String, String) {
-    let answer = check_png(file, "my.png", Some("step02_sphere"), &locked());
+    let answer = check_png(file, "my.png", Some("step02_sphere"), &LOCKED);
     (title.to_owned(), format_answer(answer))
 }
 
@@ -106,7 +106,7 @@ fn other_kinds_of_png_are_as_locked() {
     for (file, name) in
         [(encode(wide.into()), "step01_rays"), (tiny.clone(), "glass"), (tiny, "step06_\u{1b}[2J")]
     {
-        let answer = check_png(&file, "a.png", Some(name), &locked());
+        let answer = check_png(&file, "a.png", Some(name), &LOCKED);
         answers.push((name.escape_debug().to_string(), format_answer(answer)));
     }
     assert_locked("other_kinds_of_png", answers);

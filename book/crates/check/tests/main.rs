@@ -16,7 +16,7 @@ use image::codecs::png::PngEncoder;
 use image::{Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
 use std::path::PathBuf;
-use std::{fs, rc::Rc};
+use std::{fs, sync::LazyLock};
 use step01_rays::{Ray, render};
 use step05_phong::{Light, Material};
 
@@ -26,18 +26,12 @@ type Scene = step05_phong::Scene<Material, Light>;
 /// A title, the name of the picture that is expected, and the one that is there.
 type Row = (&'static str, &'static str, RgbImage);
 
-thread_local! {
-    static LOCKED: Rc<LockedPictures> = Rc::new(LockedPictures::in_workspace());
-}
-
 /// The pictures to compare with.
-fn locked() -> Rc<LockedPictures> {
-    LOCKED.with(Rc::clone)
-}
+static LOCKED: LazyLock<LockedPictures> = LazyLock::new(LockedPictures::in_workspace);
 
 /// The locked picture `name`.
 fn locked_picture(name: &str) -> RgbImage {
-    let picture = locked().get(name);
+    let picture = LOCKED.get(name);
     RgbImage::clone(&picture.expect("a locked picture"))
 }
 
@@ -70,7 +64,7 @@ fn encode(picture: &RgbImage) -> Vec<u8> {
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
-    check_picture(&picture.into(), Some(name), &locked())
+    check_picture(&picture.into(), Some(name), &LOCKED)
 }
 
 /// An answer as a snapshot has it.

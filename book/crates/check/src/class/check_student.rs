@@ -8,10 +8,7 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{iter, thread};
 
-/// The most threads; each keeps up to 150 MB of ours.
-const MOST_THREADS: usize = 4;
-
-/// Looks at the pictures of all students, on several processors.
+/// Looks at the pictures of all students, on all processors.
 pub(crate) fn check_students(
     students: &[Student],
     required: &[&'static str],
@@ -19,15 +16,14 @@ pub(crate) fn check_students(
 ) -> Vec<Report> {
     let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
     let next = AtomicUsize::new(0);
+    let locked = LockedPictures::in_workspace();
     let work = || {
-        let locked = LockedPictures::in_workspace();
         let numbers = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
         let taken = numbers.map_while(|k| Some((k, students.get(k)?)));
         let check = |(k, student)| (k, check_student(student, required, is_own, &names, &locked));
         taken.map(check).collect::<Vec<_>>()
     };
-    let processors = thread::available_parallelism().map_or(1, usize::from);
-    let count = processors.min(students.len()).min(MOST_THREADS);
+    let count = thread::available_parallelism().map_or(1, usize::from).min(students.len());
     let mut reports: Vec<_> = thread::scope(|scope| {
         let workers: Vec<_> = (0..count).map(|_| scope.spawn(work)).collect();
         workers
