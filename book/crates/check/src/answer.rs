@@ -38,7 +38,7 @@ impl Verdict {
     }
 }
 
-/// What is known for certain of the cause; None each where several are possible.
+/// The only cause that we know to give the picture; None each where several do.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cause {
     /// The step whose code is at fault.
