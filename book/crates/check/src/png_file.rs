@@ -92,6 +92,10 @@ fn viewer_notes(info: &Info) -> Vec<&'static str> {
     let notes = [
         (is_grey, "The file is grey: one number per pixel, and ours has three."),
         (
+            info.color_type == ColorType::Indexed,
+            "The file has a palette of 256 colours at most, and ours may have more.",
+        ),
+        (
             info.bit_depth == BitDepth::Sixteen,
             "The file has 16 bits per channel; the upper 8 were compared.",
         ),

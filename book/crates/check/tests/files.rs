@@ -30,6 +30,17 @@ fn png_header(columns: u32, rows: u32) -> Vec<u8> {
     [b"\x89PNG\r\n\x1a\n\0\0\0\x0d", &header[..], &sum, b"\0\0\x10\0IDAT\x78\x9c"].concat()
 }
 
+/// A PNG file with a palette.
+fn png_with_palette() -> Vec<u8> {
+    let mut file = vec![];
+    let mut encoder = png::Encoder::new(&mut file, 2, 1);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_palette(vec![1, 2, 3, 4, 5, 6]);
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&[0, 1]));
+    written.expect("a picture");
+    file
+}
+
 /// The answer about a file that should be the picture of step 2.
 fn answer(title: &str, file: &[u8]) -> (String, String) {
     let answer = check_png(file, "my.png", Some("step02_sphere"), &LOCKED);
@@ -95,6 +106,7 @@ fn other_kinds_of_png_are_as_locked() {
         ("opaque", with_alpha(&|_, _| 255)),
         ("invisible", with_alpha(&|_, _| 0)),
         ("one pixel is invisible", with_alpha(&|i, j| if (i, j) == (9, 9) { 0 } else { 255 })),
+        ("palette", png_with_palette()),
         ("colour profile", insert_chunk(&png, b"iCCP", profile)),
         ("turned by EXIF", insert_chunk(&png, b"eXIf", exif_turned)),
         ("animation", insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0])),
