@@ -36,12 +36,12 @@ const PAGES = ['pages.spec.js', 'search.spec.js'];
 const THOROUGH = [
   { name: 'webkit', testMatch: 'webkit.spec.js' },
   {
-    name: 'chromium-dark',
+    name: 'chromium-narrow-dark',
     testMatch: PAGES,
-    use: { ...chromium, ...view(1280, 'dark'), source: 'folder' },
+    use: { ...chromium, ...view(390, 'dark'), source: 'folder' },
   },
   {
-    name: 'firefox-wide',
+    name: 'firefox-wide-dark',
     testMatch: [...PAGES, ...ANSWERS],
     use: { ...firefox(true), ...view(1280, null), source: 'server' },
   },
@@ -62,11 +62,6 @@ export default defineConfig({
       name: 'chromium-wide',
       testMatch: [...PAGES, ...ANSWERS, 'accessibility.spec.js', 'loading.spec.js', 'modules.spec.js'],
       use: { ...chromium, ...view(1280, 'light'), source: 'server' },
-    },
-    {
-      name: 'chromium-narrow',
-      testMatch: 'pages.spec.js',
-      use: { ...chromium, ...view(390, 'light'), source: 'folder' },
     },
     {
       name: 'firefox-narrow',
