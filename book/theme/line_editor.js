@@ -26,12 +26,17 @@
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
     const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
-    const copies = make("details", { "class": "copies" }, make("summary", {}, "Copy …"),
+    const resetAll = button("Reset all", () => {
+        for (const line of findEdited()) setText(line, line.dataset.book);
+        hand.focus();
+        draw(LARGE);
+    });
+    const diff = button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste."));
+    const copies = make("details", { "class": "copies" }, make("summary", {}, "Copy …"), make("div", {},
         button("Copy line", () => copy(readText(hand), "The line is copied, as you wrote it.")),
-        button("Copy link", () => { record(); copy(location.href, "The link to this page with your lines is copied."); }),
-        button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste.")));
+        button("Copy link", () => { record(); copy(location.href, "The link to this page with your lines is copied."); }), diff));
     const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
-        make("div", {}, undo, redo, reset, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"), copies)));
+        make("div", {}, undo, redo, reset, resetAll, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"), copies)));
 
     async function copy(text, words) {
         const isCopied = await navigator.clipboard.writeText(text).then(() => true, () => false);
@@ -215,7 +220,8 @@
             tell("This page can't draw that, or a part of it did not load. Press Enter to try again.");
             return;
         }
-        reset.disabled = isBook(line);
+        reset.disabled = diff.disabled = isBook(line);
+        resetAll.hidden = !others.length;
         panel.classList.toggle("old", Boolean(answer.mistake));
         if (picture.size) {
             const [width, height] = picture.size;
@@ -238,13 +244,16 @@
         keepInView();
     }
 
-    // Says a sentence; a list behind it is folded.
+    // Says a sentence; a list behind it is folded where there is little room.
     function tell(text) {
         const [sentence, list] = text.split("\n");
         if (status.dataset.text === text) return; // A list stays open.
         status.dataset.text = text;
         status.replaceChildren(sentence);
-        if (list) status.append(" ", make("details", {}, make("summary", {}, "All names"), make("code", { tabindex: 0 }, list)));
+        if (!list) return;
+        const names = make("details", {}, make("summary", {}, "All names"), make("code", { tabindex: 0 }, list));
+        names.open = !matchMedia("(max-width: 600px), (max-height: 560px)").matches;
+        status.append(" ", names);
     }
 
     // The line stays in view beside the panel.

@@ -14,6 +14,12 @@
     };
     const WORD = /[\p{L}\p{N}_]+/gu;
     const findWords = text => text.match(WORD) ?? [];
+    // Words that say nothing of what is looked for.
+    const SMALL_WORDS = /^(an?|as|at|by|do(es)?|for|from|how|in|is|it|of|on|or|the|to|what|with)$/i;
+    const findSubjects = query => {
+        const words = findWords(query), subjects = words.filter(word => !SMALL_WORDS.test(word));
+        return subjects.length ? subjects : words;
+    };
     // A word in one spelling, without the endings of most plurals and nouns.
     const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "").replaceAll(/(?<=..)z/g, "s");
     // A name such as `to_radians` is found by its parts, too.
@@ -40,7 +46,7 @@
 
     // The sections with all words of a query, with its hyphens or without.
     function findAll(query) {
-        const queries = [" ", ""].map(link => findWords(query.replaceAll(/\b-\b/g, link))
+        const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
             .map(word => SYNONYMS[word.toLowerCase()] ?? word).join(" "));
         return index.search({ queries: queries.map(words => ({ combineWith: "AND", queries: [words] })) });
     }
@@ -66,7 +72,7 @@
         const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };
         const start = at < 60 ? 0 : text.indexOf(" ", at - 60) + 1;
         return make("li", {}, link, make("span", { class: "teaser" }, start ? "… " : "", text.slice(start, at),
-            make("em", {}, word), `${text.slice(at + word.length, at + 120)} …`));
+            make("em", {}, word), `${text.slice(at + word.length, at + 120).replace(/[\ud800-\udbff]$/, "")} …`));
     }
 
     async function open() {

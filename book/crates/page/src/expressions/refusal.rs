@@ -71,7 +71,8 @@ pub fn explain_refused_call(
         let receivers = usize::from(sign.starts_with('.'));
         if row.takes.len() != parts.len() {
             let (wanted, count) = (row.takes.len() - receivers, parts.len() - receivers);
-            return (None, format!("{sign} takes {wanted} in its parentheses, not {count}."));
+            let values = if wanted == 1 { "one value".into() } else { format!("{wanted} values") };
+            return (None, format!("{sign} takes {values} in its parentheses, not {count}."));
         }
         let mut pairs = parts.iter().zip(&row.takes);
         if let Some((part, wanted)) = pairs.find(|(part, wanted)| !part.kind.fits(wanted)) {

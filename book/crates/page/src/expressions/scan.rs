@@ -29,7 +29,7 @@ const SIGNS: [(&str, &str); 18] = [
     ("'", NO_SIGN),
     ("\"", NO_SIGN),
     ("#", NO_SIGN),
-    ("?", NO_SIGN),
+    ("?", "For ? :, Rust has if … { … } else { … }."),
     ("@", NO_SIGN),
     ("$", NO_SIGN),
     ("\\", NO_SIGN),
@@ -100,6 +100,7 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
     let last = text[..end].char_indices().next_back().map_or(0..0, |(at, _)| at..end);
     let is_end = range.is_empty() || last.end <= range.start;
     let (range, sentence) = match &text[range.clone()] {
+        _ if end == 0 => (0..0, "Write a value here. Reset brings back the book’s."),
         _ if is_end => (last, "A value is missing behind this."),
         _ if error.contains("chained") => (range, "Rust compares two at a time: a < b && b < c."),
         ")" | "]" | "}" => (range, "A value is missing before this."),
