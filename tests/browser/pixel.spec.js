@@ -35,6 +35,8 @@ test('a number that is typed counts, and the nearest allowed one follows', async
 test('a pixel is told in one line below the picture, and Back leads to where one was', async ({ page, home }) => {
   await open(page, home + page3);
   const link = page.locator('a[href$="#pixel=195,237"]').first();
+  // A reader who has come here has seen what is above, so that it has its height.
+  await page.evaluate(() => document.querySelectorAll('main > *').forEach(part => { part.style.contentVisibility = 'visible'; }));
   await link.scrollIntoViewIfNeeded();
   await page.locator(`${picture}[data-ready]`).waitFor({ timeout: 20_000 });
   const place = (await link.boundingBox()).y;
