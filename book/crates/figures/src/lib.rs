@@ -54,7 +54,7 @@ use probe::Probe;
 mod figures;
 mod own_scene;
 mod pictures;
-pub use own_scene::{own_scene, parse_address};
+pub use own_scene::parse_address;
 
 mod figure_list;
 mod reply;

@@ -1,13 +1,14 @@
 //! Pictures at their defaults against the programs.
 
-use figures::{Output, find, own_scene};
+use course::{Step, find_picture};
+use figures::{Output, find};
 use image::RgbImage;
 
 /// The picture of this name, where the parameter with these words, if any, is 1.
 fn draw(name: &str, words: &str) -> RgbImage {
     let figure = find(name).expect("a picture");
     let values = figure.parameters.iter().map(|parameter| match &parameter.words {
-        known if known == words => 1.0,
+        text if text == words => 1.0,
         _ => parameter.default,
     });
     match (figure.draw)(&values.collect::<Vec<_>>()) {
@@ -18,16 +19,17 @@ fn draw(name: &str, words: &str) -> RgbImage {
 
 #[test]
 fn default_picture_is_that_of_the_program() {
-    let mirror: course::Picture = course::examples::mirror::picture;
-    for (name, picture) in course::PICTURES[..5].iter().copied().chain([("mirror", mirror)]) {
-        assert!(draw(name, "-") == picture(&figures::camera(), 1), "{name} is another picture");
+    let steps = Step::NAMES.map(|name| (name, "-", name));
+    let others = [
+        ("mirror", "-", "mirror"),
+        ("own_scene", "-", "step05_phong"),
+        ("own_scene", "shadows and mirrors", "mirror"),
+    ];
+    for (name, words, program) in steps.into_iter().chain(others) {
+        let picture = find_picture(program).expect("a program");
+        assert!(
+            draw(name, words) == picture(&course::camera(), 1),
+            "{name} is another picture than {program}"
+        );
     }
-}
-
-#[test]
-fn own_scene_is_that_of_step_5_and_with_mirrors_that_of_the_example() {
-    let values = find("own_scene").expect("a picture").default_values();
-    assert_eq!(own_scene(&values).scene, step05_phong::scene());
-    let mirror = course::examples::mirror::picture(&figures::camera(), 1);
-    assert!(draw("own_scene", "shadows and mirrors") == mirror);
 }

@@ -5,13 +5,12 @@ mod address;
 mod parameters;
 
 pub use address::parse_address;
-pub use parameters::own_scene;
 
 use crate::projection::SIZE;
 use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, collect_numbers};
 use course::{OwnScene, Owner, format_scene_program};
 use glam::{DVec2, DVec3};
-use parameters::{PARAMETERS, Target};
+use parameters::{PARAMETERS, Target, own_scene};
 use step05_phong::nearest;
 
 /// The picture of the scene, and the values that it was made from.
