@@ -107,7 +107,7 @@ fn is_answered(page: &Page, id: &str) -> bool {
     let has = |selector: &str| !page.select_all(selector).is_empty();
     match kind {
         "pixel" => {
-            let camera = figures::camera();
+            let camera = course::camera();
             let numbers: Vec<u32> = words.split(',').flat_map(str::parse).collect();
             matches!(numbers[..], [i, j] if i < camera.h_res && j < camera.v_res)
                 && has("[data-panel]")

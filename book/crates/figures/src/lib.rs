@@ -35,7 +35,6 @@ pub use text_markup::{escape, italic_letter};
 use view::{View, degrees_left_of_up};
 
 mod discriminant;
-pub use course::{camera, examples::row::Row};
 pub use discriminant::discriminant;
 
 mod aspect_ratio;

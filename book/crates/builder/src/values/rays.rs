@@ -1,7 +1,8 @@
 //! The rays of the course's pictures, and what they meet.
 
-use figures::Row;
-pub use figures::{camera, discriminant};
+pub use course::camera;
+use course::examples::row::Row;
+pub use figures::discriminant;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use step05_phong::{Material, Object, Ray, Sphere, nearest, scene};
 

@@ -1,5 +1,5 @@
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, camera, collect_numbers,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
     degrees_left_of_up, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
@@ -20,7 +20,7 @@ pub struct PhongVectors {
 impl PhongVectors {
     /// The vectors where the scene's warm light is turned by `turn` degrees away from n.
     fn with_turned_light(turn: f64) -> Self {
-        let ray = camera().ray(262.0, 132.0);
+        let ray = course::camera().ray(262.0, 132.0);
         let objects = OBJECTS;
         let point = visible_point(&objects, &ray);
         let (p, n) = point.map_or((ray.start, DVec3::Y), |hit| (hit.p, hit.n));

@@ -1,7 +1,8 @@
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, Row, View, array, collect_numbers,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
     degrees_left_of_up, format_number,
 };
+use course::examples::row::Row;
 use glam::{DVec2, dvec2};
 
 /// The place of C in the drawing.
