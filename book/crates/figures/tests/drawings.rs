@@ -63,6 +63,7 @@ fn drawings_and_numbers_are_as_locked() {
     }
 }
 
+/// Those at the defaults are compared with the programs.
 #[test]
 fn pictures_of_eight_columns_are_as_locked() {
     let pictures = FIGURES.iter().filter(|figure| figure.title.is_empty());
@@ -74,9 +75,12 @@ fn pictures_of_eight_columns_are_as_locked() {
             let rows = image.rows().map(|row| row.map(|pixel| format!("{:?}\n", pixel.0)));
             format!("{}\n{}", figure.name, rows.flatten().collect::<String>())
         };
-        values_to_lock(figure).into_iter().map(draw)
+        (1..3).map(|seed| spread_values(figure, seed)).map(draw)
     });
-    assert_locked("pictures", parts);
+    let mut parts: Vec<_> = parts.collect();
+    // The picture of step 3 has nothing to set.
+    parts.dedup();
+    assert_locked("pictures", parts.into_iter());
 }
 
 /// Each handle with its place at these values; below it, its place and its parameters after it
