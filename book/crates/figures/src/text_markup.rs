@@ -6,9 +6,9 @@ pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
     let mut letters = text.chars();
     while let Some(c) = letters.next() {
-        let (class, shift) = match c {
-            '_' => ("small", 4.0),
-            '^' => ("small", -7.0),
+        let shift = match c {
+            '_' => 4.0,
+            '^' => -7.0,
             _ => {
                 spans.push_str(&escape(&italic_letter(c).to_string()));
                 continue;
@@ -17,7 +17,7 @@ pub fn symbol_spans(text: &str) -> String {
         let shifted = letters.next().map_or(' ', italic_letter);
         let _ = write!(
             spans,
-            r#"<tspan class="{class}" dy="{shift}">{shifted}</tspan><tspan dy="{}">&#8203;</tspan>"#,
+            r#"<tspan class="small" dy="{shift}">{shifted}</tspan><tspan dy="{}">&#8203;</tspan>"#,
             -shift
         );
     }
