@@ -11,10 +11,10 @@ const WHITE: Rgb<u8> = Rgb([255; 3]);
 /// the first picture is brighter, else blue, the brighter the farther apart, and so are
 /// those that only one of them has. A pixel that is alone there has a frame around it.
 pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
-    let width = first.width().max(second.width());
-    let height = first.height().max(second.height());
+    let difference = difference_panel(first, second);
+    let (width, height) = difference.dimensions();
     let mut panels = RgbImage::new(3 * width, height);
-    for (panel, k) in [first, second, &difference_panel(first, second)].into_iter().zip(0..) {
+    for (panel, k) in [first, second, &difference].into_iter().zip(0..) {
         // It fits: a panel is as large as the largest of them.
         let _ = panels.copy_from(panel, k * width, 0);
     }
