@@ -45,9 +45,9 @@ impl Interactive for Lobes {
         let mut drawing = Drawing::new(480.0, 300.0);
         drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
         let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
-        for (k, n) in (1..).zip([1, 10, 40, reader_n]) {
+        for n in [1, 10, 40, reader_n] {
             let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
-            drawing.area(&format!("lobe lobe-{k}"), directions.map(|v| on_lobe(n, v)));
+            drawing.area("lobe", directions.map(|v| on_lobe(n, v)));
         }
         let l = dvec2(-r.x, r.y);
         drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
