@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
-    let found = starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
+    let folder = starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
     let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../.."));
-    found.unwrap_or(compiled).to_owned()
+    folder.unwrap_or(compiled).to_owned()
 }
 
 /// The target folder, marked by Cargo, in which this program lies; that of the workspace

@@ -1,4 +1,4 @@
-//! Numbers as the book writes them, with a minus that is longer than a hyphen.
+//! Numbers as the book writes them, with a minus that is longer than a hyphen, and names.
 
 /// At most four digits after the point.
 pub fn format_number(number: f64) -> String {
