@@ -80,14 +80,6 @@ impl Step {
         Self::NAMES[self as usize]
     }
 
-    /// The names of its chapters, in the order of the book.
-    pub fn chapters(self) -> Vec<&'static str> {
-        match self {
-            Self::Rays => vec![self.name(), "step01_program"],
-            _ => vec![self.name()],
-        }
-    }
-
     /// The step whose name `name` is.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| step.name() == name)
