@@ -35,8 +35,7 @@ pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -
     }
     let clauses = turned_or_swapped_clauses(picture, ours).join(", or ");
     let clause = Some(clauses).filter(|clauses| !clauses.is_empty());
-    let is_same_size = picture.dimensions() == ours.dimensions();
-    match clause.or_else(|| cut_or_enlarged_clause(picture, ours).filter(|_| !is_same_size)) {
+    match clause.or_else(|| cut_or_enlarged_clause(picture, ours)) {
         Some(clause) => format!("This is {title}, {clause}.\n"),
         None => String::new(),
     }
