@@ -1,6 +1,7 @@
 use crate::drawing::{Drawing, ObjectHit};
 use crate::target::Target;
-use image::RgbImage;
+use course::largest_channel_difference;
+use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
@@ -43,7 +44,7 @@ impl Pixel {
 
     /// How far the channel is apart that differs most.
     pub fn largest_difference(&self) -> u8 {
-        (0..3).map(|k| self.yours[k].abs_diff(self.ours[k])).max().unwrap_or(0)
+        largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))
     }
 }
 

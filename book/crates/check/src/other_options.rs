@@ -1,8 +1,8 @@
 use crate::comparison::{RayBudget, scattered_places};
-use crate::drawing::{Drawing, bytes};
-use course::{find_mistakes_with_hash, hash_picture};
+use crate::drawing::Drawing;
+use course::{find_mistakes_with_hash, hash_picture, largest_channel_difference};
 use image::RgbImage;
-use step01_rays::{Camera, mean, sub_pixels};
+use step01_rays::{Camera, mean, rgb8, sub_pixels};
 
 /// The field of view of the locked pictures, in tenths of a degree.
 const FIELD_OF_VIEW: u32 = 600;
@@ -31,18 +31,17 @@ pub(crate) fn describe_other_options(
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let largest_difference = |(i, j): (u32, u32), sub_pixels: &[(f64, f64)]| {
             let (x, y) = (f64::from(i), f64::from(j));
-            let ours = bytes(mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v))));
-            let yours = yours.get_pixel(i, j).0;
-            (0..3).map(|k| ours[k].abs_diff(yours[k])).max()
+            let ours = rgb8(mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v))));
+            largest_channel_difference(yours.get_pixel(i, j), &ours)
         };
         // The sky in the corner hardly depends on the samples.
-        if Some(1) < largest_difference((0, 0), &samples[0]) {
+        if 1 < largest_difference((0, 0), &samples[0]) {
             continue;
         }
         for (side, sub_pixels) in (1..).zip(&samples) {
             let rays = side * side;
             let compared = places.len().min((RAYS / rays) as usize);
-            let is_equal = |place: &_| largest_difference(*place, sub_pixels) == Some(0);
+            let is_equal = |place: &_| largest_difference(*place, sub_pixels) == 0;
             if budget.all(&mut places[..compared], rays, is_equal) {
                 let options = format!(
                     "{columns}×{rows} pixels, {fov_degrees}° and {side}×{side} rays per pixel"
