@@ -2,7 +2,7 @@
 //!
 //! A picture is compared with the locked one of its name, or with the scene that belongs to a
 //! name: a *target*, and, but for exercises, the *drawing* of it, a scene and the functions of a
-//! step. An answer has a *verdict*, a text of about eight lines and, where it is certain, the
+//! step. An answer has a *verdict*, a text of about eight lines and, where we know only one, the
 //! *cause*. It says only what holds in every pixel that it speaks of (`check`):
 //!
 //! 1. The picture is **right**, right **with other options** (`other_options`), or the picture
