@@ -27,12 +27,12 @@ fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
 
 /// The bytes of a locked picture.
 fn ours(name: &str) -> Vec<u8> {
-    encode(&locked_picture(name))
+    encode(locked_picture(name))
 }
 
 /// The bytes of a locked picture with red and blue exchanged.
 fn bgr(name: &str) -> Vec<u8> {
-    encode(&map_locked(name, |_, _, [r, g, b]| [b, g, r]))
+    encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]))
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn reports_on_ones_own_folder_are_as_locked() {
 fn reports_on_classes_are_as_locked() {
     let folder = create_empty_folder("classes");
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(ours);
-    let scene = |name: &str| encode(&draw_named_scene(name).1);
+    let scene = |name: &str| encode(draw_named_scene(name).1);
     let two_pictures = zip(&[("raycaster/step01_rays.png", &rays), ("__MACOSX/._a.png", b"")]);
     let nested = zip(&[("my/pictures.zip", &two_pictures), ("my/notes.txt", b"text")]);
     write_files(

@@ -1,16 +1,9 @@
 //! Answers about files: other formats, damaged ones, what a viewer may show otherwise.
 
-use crate::{LOCKED, assert_locked, draw_step, format_answer};
+use crate::{LOCKED, assert_locked, draw_step, encode, format_answer};
 use check::check_png;
 use course::Step;
-use image::{DynamicImage, ImageFormat, RgbImage};
-use std::io::Cursor;
-
-fn encode(picture: DynamicImage) -> Vec<u8> {
-    let mut png = Cursor::new(vec![]);
-    picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
-    png.into_inner()
-}
+use image::{DynamicImage, RgbImage};
 
 /// A PNG file with a chunk of this name and these bytes before its pixels.
 fn insert_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
@@ -49,7 +42,7 @@ fn answer(title: &str, file: &[u8]) -> (String, String) {
 
 #[test]
 fn other_formats_and_damaged_files_are_as_locked() {
-    let png = encode(draw_step(Step::Sphere).into());
+    let png = encode(draw_step(Step::Sphere));
     let text_mode: Vec<u8> = png.iter().copied().filter(|byte| *byte != b'\r').collect();
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     let mut wrong_sum = png.clone();
@@ -93,7 +86,7 @@ fn other_kinds_of_png_are_as_locked() {
     let with_alpha = |alpha: &dyn Fn(u32, u32) -> u8| {
         let mut picture = ours.to_rgba8();
         picture.enumerate_pixels_mut().for_each(|(i, j, pixel)| pixel[3] = alpha(i, j));
-        encode(picture.into())
+        encode(picture)
     };
     let png = encode(ours.clone());
     let exif_turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
@@ -101,8 +94,8 @@ fn other_kinds_of_png_are_as_locked() {
     let wide = (Step::Rays.picture())(&course::camera_with_size(8192, 128), 1);
     let mut answers = [
         ("plain", png.clone()),
-        ("grey", encode(ours.to_luma8().into())),
-        ("16 bits", encode(ours.to_rgb16().into())),
+        ("grey", encode(ours.to_luma8())),
+        ("16 bits", encode(ours.to_rgb16())),
         ("opaque", with_alpha(&|_, _| 255)),
         ("invisible", with_alpha(&|_, _| 0)),
         ("one pixel is invisible", with_alpha(&|i, j| if (i, j) == (9, 9) { 0 } else { 255 })),
@@ -114,9 +107,9 @@ fn other_kinds_of_png_are_as_locked() {
     ]
     .map(|(title, file)| answer(title, &file))
     .to_vec();
-    let tiny = encode(RgbImage::new(1, 1).into());
+    let tiny = encode(RgbImage::new(1, 1));
     for (file, name) in
-        [(encode(wide.into()), "step01_rays"), (tiny.clone(), "glass"), (tiny, "step06_\u{1b}[2J")]
+        [(encode(wide), "step01_rays"), (tiny.clone(), "glass"), (tiny, "step06_\u{1b}[2J")]
     {
         let answer = check_png(&file, "a.png", Some(name), &LOCKED);
         answers.push((name.escape_debug().to_string(), format_answer(answer)));

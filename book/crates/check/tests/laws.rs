@@ -31,7 +31,7 @@ fn correct_checksums(file: &mut [u8]) {
 
 #[test]
 fn damaged_files_give_answers_without_panic() {
-    let undamaged = encode(&(Step::Rays.picture())(&camera_with_size(16, 9), 1));
+    let undamaged = encode((Step::Rays.picture())(&camera_with_size(16, 9), 1));
     let (mut random, mut counts) = (Rng::with_seed(0x5EED), [0; 2]);
     for k in 0..1000 {
         let mut file = undamaged.clone();

@@ -12,9 +12,9 @@ mod wrong_programs;
 use check::{Answer, LockedPictures, check_picture};
 use course::{Step, camera};
 use glam::DVec3;
-use image::codecs::png::PngEncoder;
-use image::{Rgb, RgbImage};
+use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
+use std::io::Cursor;
 use std::path::PathBuf;
 use std::{fs, sync::LazyLock};
 use step01_rays::{Ray, render};
@@ -57,10 +57,10 @@ fn draw_step(step: Step) -> RgbImage {
     (step.picture())(&camera(), 1)
 }
 
-fn encode(picture: &RgbImage) -> Vec<u8> {
-    let mut png = vec![];
-    picture.write_with_encoder(PngEncoder::new(&mut png)).expect("a picture");
-    png
+fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
+    let mut png = Cursor::new(vec![]);
+    picture.into().write_to(&mut png, ImageFormat::Png).expect("a picture");
+    png.into_inner()
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {

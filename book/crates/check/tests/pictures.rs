@@ -145,7 +145,7 @@ fn answers_about_scenes_of_names_are_as_locked() {
     ];
     let others = ["ada", "bob", "cleo"].map(str::to_owned);
     let answer = |(title, name, picture): (&str, &str, RgbImage)| {
-        let answer = check_scene_png(&encode(&picture), "my.png", name, &others, &LOCKED);
+        let answer = check_scene_png(&encode(picture), "my.png", name, &others, &LOCKED);
         (format!("{title}, {name}"), format_answer(answer))
     };
     assert_locked("scenes_of_names", rows.map(answer));

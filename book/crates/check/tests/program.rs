@@ -40,10 +40,10 @@ fn answers_about_one_file_are_as_locked() {
     write_files(
         &folder,
         [
-            ("step2.png", encode(&locked_picture("step02_sphere"))),
-            ("my.png", encode(&map_locked("step02_sphere", hole))),
-            ("red.png", encode(&map_locked("step05_phong", |_, _, [r, g, b]| [b, g, r]))),
-            ("ada.png", encode(&draw_named_scene("ada").1)),
+            ("step2.png", encode(locked_picture("step02_sphere"))),
+            ("my.png", encode(map_locked("step02_sphere", hole))),
+            ("red.png", encode(map_locked("step05_phong", |_, _, [r, g, b]| [b, g, r]))),
+            ("ada.png", encode(draw_named_scene("ada").1)),
             (odd_name, b"text".to_vec()),
         ],
     );
