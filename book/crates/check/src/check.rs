@@ -86,13 +86,12 @@ pub fn check_picture(
             names.join(", ")
         ));
     }
-    let listed = || {
+    let listed_name = || {
         let mistakes = find_mistakes_with_hash(hash_picture(&picture.rgb));
-        let (_, name) = mistakes.into_iter().next()?;
-        names.iter().find(|known| **known == name).copied()
+        mistakes.first().map(|(_, name)| *name)
     };
-    let found = expected_name.or_else(|| equal_name(&picture.rgb, locked)).or_else(listed);
-    let name = found.map_or_else(|| find_most_similar(&picture.rgb, &names, locked), Ok);
+    let name = expected_name.or_else(|| equal_name(&picture.rgb, locked)).or_else(listed_name);
+    let name = name.map_or_else(|| find_most_similar(&picture.rgb, &names, locked), Ok);
     match name.and_then(|name| locked.target(name)) {
         Err(why) => Answer::error(why),
         Ok(target) if *target.picture == picture.rgb => right(&target.title),

@@ -36,7 +36,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         _ => (vec![], vec![]),
     };
     let (listed, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
-    let listed = tell_listed_mistakes(&listed, drawn_for.as_deref());
+    let listed = tell_listed_mistakes(&listed, drawn_for);
     let has_listed = listed.is_some();
     let (text, mut cause) = listed.unwrap_or_default();
     known += &text;

@@ -21,13 +21,13 @@ pub(crate) fn find_listed_mistakes(
     yours: &RgbImage,
     target: &Target,
     comparison: Option<&Comparison>,
-) -> (Vec<Mistake>, Option<String>) {
+) -> (Vec<Mistake>, Option<&'static str>) {
     if let Some(expected) = &target.name {
         let mut all = find_mistakes_with_hash(hash_picture(yours));
         if all.iter().any(|(_, name)| name == expected) {
             all.retain(|(_, name)| name == expected);
         }
-        let drawn_for = all.first().map(|(_, name)| name.clone()).filter(|name| name != expected);
+        let drawn_for = all.first().map(|(_, name)| *name).filter(|name| name != expected);
         return (all.into_iter().map(|(mistake, _)| mistake).collect(), drawn_for);
     }
     let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {

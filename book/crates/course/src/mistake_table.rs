@@ -64,12 +64,12 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
 
 /// The mistakes that give a picture, to the last pixel, each with the name of what was
 /// drawn; the likeliest first, which are those that the book shows and small ones.
-pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, String)> {
+pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
     let all = mistakes().into_iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
         .filter_map(|(mistake, row)| {
             let index = row.hashes.iter().position(|one| *one == Some(hash))?;
-            let name = mistake.affected_steps().nth(index)?.name().to_owned();
+            let name = mistake.affected_steps().nth(index)?.name();
             Some((mistake, name))
         })
         .collect();

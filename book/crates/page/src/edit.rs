@@ -98,7 +98,7 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
             && (place.code.contains(&old) || !place.find_ranges(&old).is_empty())
     };
     let mistakes = find_mistakes_with_hash(hash);
-    let (mistake, _) = mistakes.iter().find(|(mistake, name)| name == step && is_here(mistake))?;
+    let (mistake, _) = mistakes.iter().find(|(mistake, name)| *name == step && is_here(mistake))?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 

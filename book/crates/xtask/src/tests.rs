@@ -47,6 +47,6 @@ fn the_table_knows_each_mistake_and_what_is_right() {
     assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
     for (name, hash) in right {
         let mistakes = find_mistakes_with_hash(hash);
-        assert!(mistakes.iter().all(|(_, drawn)| drawn != name), "{name} is right");
+        assert!(mistakes.iter().all(|(_, drawn)| *drawn != name), "{name} is right");
     }
 }
