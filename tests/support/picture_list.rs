@@ -25,7 +25,10 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
         ("one_ray", four_tiles, |camera, _| enlarge(render(camera, 1, floor))),
         ("sixteen_rays", four_tiles, |camera, _| enlarge(render(camera, 4, floor))),
-        ("open_gate", gate, |camera, _| enlarge(render(camera, 1, ungated_colour))),
+        ("open_gate", gate, |camera, _| {
+            let scene = scene();
+            enlarge(render(camera, 1, |ray| ungated_colour(&scene, ray)))
+        }),
         ("shut_gate", gate, |camera, _| enlarge(picture(camera, 1))),
         ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
         ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),

@@ -1,6 +1,6 @@
 use glam::DVec3;
 use step01_rays::{AspectRatio, Camera, Ray, direction_colour};
-use step05_phong::{Scene, SurfacePoint, phong, scene, visible_point};
+use step05_phong::{Light, Material, Scene, SurfacePoint, phong, visible_point};
 
 /// The field of view of the course's camera: 60 degrees, turned into radians as by the programs,
 /// as π/3 is another number in its last digit.
@@ -33,16 +33,15 @@ pub fn slide_matrix() -> Camera {
     camera
 }
 
-/// The colour of step 5 without the test of n·l: with each highlight twice, before and behind the
+/// The colour of a scene of step 5 without the test of n·l: with each highlight twice, before and behind the
 /// surface, as r is the same for n and −n and one of the two passes the gate.
-pub fn ungated_colour(ray: &Ray) -> DVec3 {
-    let Scene { objects, ambient_light, lights } = scene();
-    let Some(outside) = visible_point(&objects, ray) else {
+pub fn ungated_colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
+    let Some(outside) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
     let inside = SurfacePoint { n: -outside.n, ..outside };
     let [outside, inside] =
-        [outside, inside].map(|point| phong(&point, ray, ambient_light, &lights));
+        [outside, inside].map(|point| phong(&point, ray, scene.ambient_light, &scene.lights));
     outside.sum() + inside.specular
 }
 

@@ -45,7 +45,8 @@ const TEAL: [u32; 2] = [583, 215];
 /// The number of pixels that change without the test of n·l, and the largest change of a
 /// byte.
 static UNGATED: LazyLock<(usize, u8)> = LazyLock::new(|| {
-    let ungated = render(&camera(), 1, ungated_colour);
+    let scene = scene();
+    let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));
     match Difference::between(&picture(&camera(), 1), &ungated) {
         Some(Difference::Pixels { count, largest, .. }) => (count, largest),
         _ => (0, 0),
