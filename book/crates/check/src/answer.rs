@@ -84,14 +84,14 @@ impl Answer {
     /// The answer as fields of a JSON object; those of the cause only where they are known.
     pub fn json_fields(&self) -> Vec<(&'static str, String)> {
         let Cause { step, file, mistake, .. } = &self.cause;
-        let known = [
+        let fields = [
             ("verdict", Some(self.verdict.words())),
             ("step", step.map(Step::name)),
             ("file", file.as_deref()),
             ("mistake", mistake.as_deref()),
             ("text", Some(&*self.text)),
         ];
-        let known = known.into_iter().filter_map(|(name, value)| Some((name, json::quote(value?))));
-        known.collect()
+        let fields = fields.into_iter();
+        fields.filter_map(|(name, value)| Some((name, json::quote(value?)))).collect()
     }
 }

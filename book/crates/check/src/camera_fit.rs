@@ -57,8 +57,8 @@ fn fit_number(comparison: &Comparison, row: usize, k: usize) -> Option<f64> {
             continue;
         }
         let factor = f64::from([pixel.place.0, pixel.place.1, 1][k]);
-        let rest = pixel.ray.direction[row] - factor * matrix.col(k)[row];
-        let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - rest;
+        let other_terms = pixel.ray.direction[row] - factor * matrix.col(k)[row];
+        let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - other_terms;
         let [low, high] = [bound(byte - 0.5), bound(byte + 0.5)];
         if 0.0 < factor {
             (least, most) = (least.max(low / factor), most.min(high / factor));

@@ -27,19 +27,19 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         return Answer::new(Verdict::RightWithOtherOptions, text);
     }
     let comparison = Comparison::new(target, yours);
-    let mut known = match equal_name(yours, locked) {
+    let mut explanation = match equal_name(yours, locked) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
     let (numbers, cameras) = match &comparison {
-        Some(comparison) if known.is_empty() => find_changes(comparison),
+        Some(comparison) if explanation.is_empty() => find_changes(comparison),
         _ => (vec![], vec![]),
     };
     let (listed, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
-    let listed = tell_listed_mistakes(&listed, drawn_for);
-    let has_listed = listed.is_some();
-    let (text, mut cause) = listed.unwrap_or_default();
-    known += &text;
+    let text_and_cause = tell_listed_mistakes(&listed, drawn_for);
+    let has_listed = text_and_cause.is_some();
+    let (text, mut cause) = text_and_cause.unwrap_or_default();
+    explanation += &text;
     if has_listed && !numbers.is_empty() {
         cause = Cause { all: cause.all, ..Cause::default() };
     }
@@ -49,14 +49,14 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         cause.mistake = Some(change.clone());
     }
     if !changes.is_empty() {
-        known += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
+        explanation += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
     }
     let details = match &comparison {
-        Some(comparison) => details(comparison, target, cause.step, known.is_empty()),
-        None if known.is_empty() => size_lines(yours, target),
+        Some(comparison) => details(comparison, target, cause.step, explanation.is_empty()),
+        None if explanation.is_empty() => size_lines(yours, target),
         None => String::new(),
     };
-    let text = format!("Not right. {known}{details}").trim_end().to_owned();
+    let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), RgbImage::clone(&target.picture)]);
     Answer { verdict: Verdict::NotRight, text, cause, compared }
 }
@@ -73,10 +73,10 @@ fn find_changes(comparison: &Comparison) -> (Vec<String>, Vec<String>) {
 
 /// The first changes, and how many more there are.
 fn join_changes(changes: &[String]) -> String {
-    let told = changes[..changes.len().min(MOST_CHANGES)].join(", or ");
+    let first = changes[..changes.len().min(MOST_CHANGES)].join(", or ");
     match changes.len().saturating_sub(MOST_CHANGES) {
-        0 => told,
-        more => format!("{told}, or with one of {more} other numbers"),
+        0 => first,
+        more => format!("{first}, or with one of {more} other numbers"),
     }
 }
 

@@ -36,11 +36,11 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
         return vec![block];
     }
     let wrong = comparison.wrong_pixels();
-    let mut told: Vec<_> = byte_curve(comparison).into_iter().collect();
+    let mut sentences: Vec<_> = byte_curve(comparison).into_iter().collect();
     let mut facts = vec![];
     if let Some(drawing) = comparison.drawing {
-        told.extend(missing_objects(comparison, drawing));
-        told.extend(wrong_sky(comparison, drawing));
+        sentences.extend(missing_objects(comparison, drawing));
+        sentences.extend(wrong_sky(comparison, drawing));
         facts.extend(sample_facts(drawing));
         facts.extend(light_facts(drawing));
         facts.extend(hit_facts(drawing));
@@ -56,12 +56,12 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
         }
         let (count, all) = (count_in(wrong), wrong.len());
         if all <= of * count {
-            told.push(fact_sentence(&words, count, all));
+            sentences.push(fact_sentence(&words, count, all));
             groups.push(group);
         }
     }
-    told.truncate(MOST_FACTS);
-    told
+    sentences.truncate(MOST_FACTS);
+    sentences
 }
 
 /// `Each wrong pixel is black.`, or `7 of 9 wrong pixels are black.`

@@ -34,8 +34,8 @@ pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     let has = |start: usize, bytes: &[u8]| file.get(start..).is_some_and(|f| f.starts_with(bytes));
     // A text may begin with the two letters of a BMP.
     let is_told = |bytes: &[u8]| bytes != b"BM" || !is_text(&text);
-    let known = FORMATS.iter().find(|(start, bytes, _)| has(*start, bytes) && is_told(bytes));
-    if let Some((_, _, clause)) = known {
+    let format = FORMATS.iter().find(|(start, bytes, _)| has(*start, bytes) && is_told(bytes));
+    if let Some((_, _, clause)) = format {
         return Some(clause);
     }
     Some(match text.trim_matches(['\u{feff}', '\u{fffd}', ' ', '\n', '\r', '\t']) {

@@ -94,8 +94,8 @@ fn format_short_diff(mistake: &Mistake) -> String {
 /// The file of a mistake, and its section in the book.
 fn format_place(mistake: &Mistake) -> String {
     let file = mistake.file.replace("steps/", "").replace("/src/", "/");
-    let known = sections().find(|(name, _)| *name == file).map(|(_, section)| section);
-    let section = mistake.book_entry.as_ref().map(|shown| shown.section).or(known);
+    let section_of_file = sections().find(|(name, _)| *name == file).map(|(_, section)| section);
+    let section = mistake.book_entry.as_ref().map(|shown| shown.section).or(section_of_file);
     let chapter = section.zip(mistake.step());
     let chapter = chapter.map(|(title, step)| format!("step {}, \"{title}\"", step.number()));
     format!("See {}{}.\n", chapter.map_or(String::new(), |text| text + ", and "), mistake.file)

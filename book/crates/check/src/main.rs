@@ -67,8 +67,8 @@ fn parse_scene_name(text: &str) -> Result<String, &'static str> {
 /// The picture of this name.
 fn parse_picture_name(text: &str) -> Result<&'static str, String> {
     let name = if text == "scene" { NAMED_SCENE_EXAMPLE } else { text };
-    let known = locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).find(|one| *one == name);
-    known.ok_or_else(|| "allowed are scene and the names below `check --help`".to_owned())
+    let picture = locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).find(|one| *one == name);
+    picture.ok_or_else(|| "allowed are scene and the names below `check --help`".to_owned())
 }
 
 fn main() -> ExitCode {

@@ -55,13 +55,13 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
     }
     wrong.sort_by_key(|(count, _)| Reverse(*count));
     let wrong: Vec<_> = wrong.into_iter().map(|(_, words)| words).collect();
-    let told = wrong[..wrong.len().min(MOST_REGIONS)].join("; ");
+    let worst = wrong[..wrong.len().min(MOST_REGIONS)].join("; ");
     match (wrong.len().saturating_sub(MOST_REGIONS), right.len()) {
-        (0, 0) => format!("Wrong: {told}.\n"),
-        (0, _) => format!("Wrong: {told}. Everything else is right in every pixel.\n"),
-        (more, 0) => format!("Wrong: {told}; {more} more.\n"),
+        (0, 0) => format!("Wrong: {worst}.\n"),
+        (0, _) => format!("Wrong: {worst}. Everything else is right in every pixel.\n"),
+        (more, 0) => format!("Wrong: {worst}; {more} more.\n"),
         (more, _) => {
-            format!("Right in every pixel: {}. Wrong: {told}; {more} more.\n", right.join(", "))
+            format!("Right in every pixel: {}. Wrong: {worst}; {more} more.\n", right.join(", "))
         }
     }
 }

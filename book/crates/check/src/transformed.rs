@@ -107,8 +107,8 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
         let row = &part.as_raw()[row(part, 0, *l)];
         row.chunks_exact(3).zip(row[3..].chunks_exact(3)).filter(|(a, b)| a != b).count()
     };
-    let told = (0..h).max_by_key(changes).filter(|l| 2 <= changes(l))?;
+    let busiest_row = (0..h).max_by_key(changes).filter(|l| 2 <= changes(l))?;
     let corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
-    let mut corners = corners.filter(|corner| is_there(*corner, told)).take(MOST_PLACES);
+    let mut corners = corners.filter(|corner| is_there(*corner, busiest_row)).take(MOST_PLACES);
     corners.find(|corner| (0..h).all(|l| is_there(*corner, l)))
 }

@@ -13,15 +13,15 @@ fn largest_difference(comparison: &Comparison) -> u8 {
 pub(crate) fn count_sentence(comparison: &Comparison, title: &str) -> String {
     let (count, all) = (comparison.wrong_pixels().len(), comparison.pixels.len());
     let differ = if count == 1 { "differs" } else { "differ" };
-    let most = largest_difference(comparison);
-    format!("{count} of {all} pixels {differ} from {title}, by up to {most} of 255.\n")
+    let largest = largest_difference(comparison);
+    format!("{count} of {all} pixels {differ} from {title}, by up to {largest} of 255.\n")
 }
 
 /// One wrong pixel, among those that differ most: its colours, and what ours computes there.
 pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
     let wrong = comparison.wrong_pixels();
-    let most = largest_difference(comparison);
-    let is_far = |pixel: &&Pixel| most.div_ceil(2) <= pixel.largest_difference();
+    let largest = largest_difference(comparison);
+    let is_far = |pixel: &&Pixel| largest.div_ceil(2) <= pixel.largest_difference();
     let mut far: Vec<_> = wrong.iter().filter(is_far).collect();
     if far.is_empty() {
         return String::new();

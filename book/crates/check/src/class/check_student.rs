@@ -19,9 +19,9 @@ pub(crate) fn check_students(
     let locked = LockedPictures::in_workspace();
     let work = || {
         let numbers = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
-        let taken = numbers.map_while(|k| Some((k, students.get(k)?)));
+        let numbered = numbers.map_while(|k| Some((k, students.get(k)?)));
         let check = |(k, student)| (k, check_student(student, required, is_own, &names, &locked));
-        taken.map(check).collect::<Vec<_>>()
+        numbered.map(check).collect::<Vec<_>>()
     };
     let count = thread::available_parallelism().map_or(1, usize::from).min(students.len());
     let mut reports: Vec<_> = thread::scope(|scope| {
@@ -43,33 +43,33 @@ fn check_student(
     names: &[String],
     locked: &LockedPictures,
 ) -> Report {
-    let mut rest: Vec<_> = student.files.iter().collect();
+    let mut files: Vec<_> = student.files.iter().collect();
     let mut pictures = vec![];
     let lists_all = is_own && required.is_empty();
     let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !is_own || required.contains(scene));
     for name in locked_names().into_iter().chain(scene) {
         let is_required = required.contains(&name);
-        let found = choose_file(&rest, name);
-        rest.retain(|file| found.is_none_or(|found| !std::ptr::eq(*file, found)));
-        let answer = match found.map(|file| (file.name(), file.read())) {
+        let file = choose_file(&files, name);
+        files.retain(|other| file.is_none_or(|file| !std::ptr::eq(*other, file)));
+        let answer = match file.map(|file| (file.name(), file.read())) {
             None if is_required || lists_all => Answer::new(Verdict::Missing, ""),
             None => continue,
             Some((_, Err(why))) => Answer::error(why),
-            Some((file, Ok(png))) if name == NAMED_SCENE_EXAMPLE => {
-                check_scene_png(&png, file, &student.name, names, locked)
+            Some((file_name, Ok(png))) if name == NAMED_SCENE_EXAMPLE => {
+                check_scene_png(&png, file_name, &student.name, names, locked)
             }
-            Some((file, Ok(png))) => check_png(&png, file, Some(name), locked),
+            Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
         };
-        let file = found.map(|file| file.path.join("/"));
+        let file = file.map(|file| file.path.join("/"));
         let answer = Answer { compared: None, ..answer };
         pictures.push(Entry { name, is_required, file, answer, follows: None });
     }
     // What can't be read comes first, as a line tells only some names.
-    rest.sort_by_key(|file| !matches!(file.content, Content::Unreadable(_)));
-    rest.retain(|file| !file.is_no_picture() || !is_own && !file.name().is_empty());
+    files.sort_by_key(|file| !matches!(file.content, Content::Unreadable(_)));
+    files.retain(|file| !file.is_no_picture() || !is_own && !file.name().is_empty());
     let describe = |is_no_picture: bool| {
-        let files = rest.iter().filter(|file| file.is_no_picture() == is_no_picture);
-        files.map(|file| file.describe()).collect()
+        let same = files.iter().filter(|file| file.is_no_picture() == is_no_picture);
+        same.map(|file| file.describe()).collect()
     };
     let student = student.unique_name.clone();
     Report { student, pictures, unchecked: describe(false), other_files: describe(true) }

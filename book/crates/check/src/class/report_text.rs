@@ -25,16 +25,16 @@ impl Entry {
 impl Report {
     /// A line on what there is in place of pictures; None where nothing is.
     fn in_place(&self) -> Option<String> {
-        let mut found = format_names(&self.unchecked);
+        let mut names = format_names(&self.unchecked);
         match self.other_files.len() {
             count if MOST_NAMES < count => {
-                found.push(format!("{count} files that are no pictures"))
+                names.push(format!("{count} files that are no pictures"))
             }
-            _ => found.extend(format_names(&self.other_files)),
+            _ => names.extend(format_names(&self.other_files)),
         }
         let is_empty = self.pictures.iter().all(|entry| entry.answer.verdict == Verdict::Missing);
-        match found.is_empty() {
-            false => Some(format!("not looked at: {}", found.join(", "))),
+        match names.is_empty() {
+            false => Some(format!("not looked at: {}", names.join(", "))),
             true => is_empty.then(|| "nothing was handed in".into()),
         }
     }
@@ -42,9 +42,9 @@ impl Report {
 
 /// The first of some names, and how many more there are.
 fn format_names(names: &[String]) -> Vec<String> {
-    let told = names.iter().take(MOST_NAMES).map(|name| escape_for_terminal(name));
+    let first = names.iter().take(MOST_NAMES).map(|name| escape_for_terminal(name));
     let more = names.len().saturating_sub(MOST_NAMES);
-    told.chain((0 < more).then(|| format!("{more} more"))).collect()
+    first.chain((0 < more).then(|| format!("{more} more"))).collect()
 }
 
 /// How many pictures are right: of those required, if any are, or else all.

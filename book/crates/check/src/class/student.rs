@@ -82,9 +82,9 @@ fn take_key(path: &mut Vec<String>) -> Option<String> {
 
 /// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
 pub(crate) fn split_canvas_name(name: &str) -> Option<(String, String)> {
-    let (student, rest) = name.split_once('_')?;
-    let rest = rest.strip_prefix("LATE_").unwrap_or(rest);
-    let [user, file, name] = rest.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
+    let (student, numbers_and_name) = name.split_once('_')?;
+    let numbers_and_name = numbers_and_name.strip_prefix("LATE_").unwrap_or(numbers_and_name);
+    let [user, file, name] = numbers_and_name.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
     let is_number = |text: &str| 1 < text.len() && text.bytes().all(|byte| byte.is_ascii_digit());
     (is_number(user) && is_number(file)).then(|| (student.to_owned(), name.to_owned()))
 }
