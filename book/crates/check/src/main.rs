@@ -27,7 +27,7 @@ struct Arguments {
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
     /// The folder to look in for every picture of the course; or what a class has handed in, as
-    /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets one line
+    /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets a row
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the program of the scene that belongs to a name. With a file, tells whether it is
@@ -37,7 +37,7 @@ struct Arguments {
     #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
-    /// gives those who handed in nothing a line, and each name as Canvas joins it its scene
+    /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
     #[arg(long, value_name = "FILE", group = "written", conflicts_with_all = ["scene", "file"])]
     names: Option<PathBuf>,
     /// Where to write the program of a scene, in UTF-8; with --names, a folder
@@ -45,8 +45,8 @@ struct Arguments {
     out: Option<PathBuf>,
     /// The pictures that are asked for, with commas between them; `scene` is the scene of the
     /// student's name
-    #[arg(long, value_name = "NAMES", conflicts_with = "file", value_delimiter = ',')]
-    #[arg(value_parser = parse_picture_name)]
+    #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene"])]
+    #[arg(value_delimiter = ',', value_parser = parse_picture_name)]
     require: Vec<&'static str>,
     /// Prints a row for each student and picture, for a spreadsheet
     #[arg(long, conflicts_with_all = ["file", "json"])]
