@@ -22,7 +22,7 @@
         try {
             return await new Promise((resolve, reject) => {
                 port1.onmessage = ({ data }) => resolve(data);
-                worker.addEventListener("error", reject);
+                worker.onerror = reject;
                 worker.postMessage([module, request, file, port2], [port2]);
             });
         } catch (error) {
@@ -76,7 +76,7 @@
             show("", "Looking …");
             try {
                 // A larger one is too large, whatever follows.
-                const bytes = new Uint8Array(await file.slice(0, 2 ** 27 + 1).arrayBuffer());
+                const bytes = new Uint8Array(await file.slice(0, 2 ** 26 + 1).arrayBuffer());
                 const scene = form.elements.scene?.value.trim();
                 const name = scene ? `@${scene}` : form.dataset.name;
                 const answer = await askWorker(`check ${name}\n${file.name}`, bytes);
