@@ -10,7 +10,6 @@ use step05_phong::{
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
 
 /// What a picture is drawn of: a scene, and the functions of a step.
-#[derive(Clone)]
 pub(crate) struct Drawing {
     pub step: Step,
     pub scene: Scene,

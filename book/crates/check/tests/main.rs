@@ -18,10 +18,6 @@ use std::io::Cursor;
 use std::path::PathBuf;
 use std::{fs, sync::LazyLock};
 use step01_rays::{Ray, render};
-use step05_phong::{Light, Material};
-
-/// A scene of step 5.
-type Scene = step05_phong::Scene<Material, Light>;
 
 /// A title, the name of the picture that is expected, and the one that is there.
 type Row = (&'static str, &'static str, RgbImage);
@@ -44,12 +40,6 @@ fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbI
 /// The picture of a function from rays, by the camera of the course.
 fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
-}
-
-/// The picture of a scene with a change.
-fn draw_changed(mut scene: Scene, change: impl Fn(&mut Scene)) -> RgbImage {
-    change(&mut scene);
-    draw(|ray| step05_phong::colour(&scene, ray))
 }
 
 /// The picture of a step, by the camera of the course.

@@ -2,8 +2,8 @@
 //! names.
 
 use crate::{
-    LOCKED, Scene, assert_locked, assert_rows_locked, draw, draw_changed, draw_step, encode,
-    format_answer, locked_picture, map_locked,
+    LOCKED, assert_locked, assert_rows_locked, draw, draw_step, encode, format_answer,
+    locked_picture, map_locked,
 };
 use check::check_scene_png;
 use course::{Step, camera, ungated_colour};
@@ -12,6 +12,10 @@ use image::imageops::{self, FilterType, crop_imm, overlay, resize};
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, render};
 use step02_sphere::Sphere;
+use step05_phong::{Light, Material};
+
+/// A scene of step 5.
+type Scene = step05_phong::Scene<Material, Light>;
 
 const PHONG: &str = "step05_phong";
 
@@ -56,6 +60,12 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("one wrong pixel", "rings", with_pixel(locked_picture("rings"))),
         ],
     );
+}
+
+/// The picture of a scene with a change.
+fn draw_changed(mut scene: Scene, change: impl Fn(&mut Scene)) -> RgbImage {
+    change(&mut scene);
+    draw(|ray| step05_phong::colour(&scene, ray))
 }
 
 /// The picture of step 5 with a change of its scene.
