@@ -35,7 +35,7 @@ pub enum Format {
 /// A student's pictures.
 struct Report {
     student: String,
-    /// Those that were asked for or are there, in the order of the course.
+    /// Those that were asked for or are there, or all, in the order of the course.
     pictures: Vec<Entry>,
     /// Files that may have been meant as pictures, and weren't looked at.
     unchecked: Vec<String>,

@@ -74,7 +74,7 @@ impl<'a> Comparison<'a> {
 /// Column and row of every pixel, in an order that soon comes to each part of the picture.
 pub(crate) fn scattered_places(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(columns), u64::from(columns) * u64::from(rows));
-    // 7919 is a prime, so that it visits every place where it divides no count.
+    // 7919 is a prime, so it visits every place unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
     let place = move |n: u64| n * stride % count;
     (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))

@@ -13,21 +13,21 @@ pub(crate) const FIRST_PIXELS: usize = 500;
 pub(crate) struct Fact<'a> {
     /// Of the facts of one group, only the first is told.
     group: &'static str,
-    /// It is told where it holds for one wrong pixel of so many.
-    of: usize,
+    /// It is told where it holds for at least one wrong pixel in so many.
+    one_in: usize,
     /// What follows after `Each wrong pixel`, beginning with `is` or `has`.
     words: String,
     holds: Box<dyn Fn(&Pixel) -> bool + 'a>,
 }
 
-/// A fact, told where it holds for one wrong pixel of `of`.
+/// A fact, told where it holds for at least one wrong pixel in `one_in`.
 pub(crate) fn fact<'a>(
     group: &'static str,
-    of: usize,
+    one_in: usize,
     words: impl Into<String>,
     holds: impl Fn(&Pixel) -> bool + 'a,
 ) -> Fact<'a> {
-    Fact { group, of, words: words.into(), holds: Box::new(holds) }
+    Fact { group, one_in, words: words.into(), holds: Box::new(holds) }
 }
 
 /// Sentences that are true of the wrong pixels, the strongest first.
@@ -47,15 +47,15 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     }
     facts.extend(byte_facts(comparison));
     let mut groups = vec![];
-    for Fact { group, of, words, holds } in facts {
+    for Fact { group, one_in, words, holds } in facts {
         let count_in = |pixels: &[Pixel]| pixels.iter().filter(|pixel| holds(pixel)).count();
         // Where it holds for too few of the first, all need not be asked.
         let first = &wrong[..wrong.len().min(FIRST_PIXELS)];
-        if groups.contains(&group) || 2 * of * count_in(first) < first.len() {
+        if groups.contains(&group) || 2 * one_in * count_in(first) < first.len() {
             continue;
         }
         let (count, all) = (count_in(wrong), wrong.len());
-        if all <= of * count {
+        if all <= one_in * count {
             sentences.push(fact_sentence(&words, count, all));
             groups.push(group);
         }
