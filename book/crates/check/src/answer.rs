@@ -1,7 +1,7 @@
 use course::{Step, draw_panels, json};
 use image::RgbImage;
 
-/// What an answer says of a picture in a word.
+/// Verdict on a picture, in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Equal to ours in every pixel, and nothing of it is transparent.
@@ -51,14 +51,14 @@ pub struct Cause {
     pub all: Vec<String>,
 }
 
-/// What `check` says of a picture.
+/// Answer of `check` about a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The verdict.
     pub verdict: Verdict,
     /// About eight lines, of which the first says the most.
     pub text: String,
-    /// What is known of the cause.
+    /// The cause, as far as we know it.
     pub cause: Cause,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,

@@ -19,8 +19,8 @@ pub(crate) fn byte_facts<'a>(comparison: &'a Comparison) -> [Fact<'a>; 9] {
     };
     let is_beside = |one: &Pixel, (di, dj): (i32, i32)| {
         let place = one.place.0.checked_add_signed(di).zip(one.place.1.checked_add_signed(dj));
-        let beside = place.and_then(|(i, j)| comparison.ours.get_pixel_checked(i, j));
-        beside.is_some_and(|beside| beside.0 == one.yours)
+        let neighbour = place.and_then(|(i, j)| comparison.ours.get_pixel_checked(i, j));
+        neighbour.is_some_and(|neighbour| neighbour.0 == one.yours)
     };
     [
         grey_of(0, "red"),

@@ -35,7 +35,7 @@ pub enum Format {
 /// A student's pictures.
 struct Report {
     student: String,
-    /// Those that were asked for or are there, or all, in the order of the course.
+    /// Pictures that were asked for or are there, or all of the course, in its order.
     pictures: Vec<Entry>,
     /// Files that may have been meant as pictures, and weren't looked at.
     unchecked: Vec<String>,
@@ -47,7 +47,7 @@ struct Report {
 struct Entry {
     name: &'static str,
     is_required: bool,
-    /// Where it was found.
+    /// The path of the file that was looked at.
     file: Option<String>,
     answer: Answer,
     /// The earlier picture that is wrong by the same cause, and this cause.

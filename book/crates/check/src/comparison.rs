@@ -7,7 +7,7 @@ use step01_rays::Ray;
 
 /// A reader's picture beside ours of the same size.
 pub(crate) struct Comparison<'a> {
-    /// What ours is drawn of; None of an exercise.
+    /// The drawing of ours; None of an exercise.
     pub drawing: Option<&'a Drawing>,
     pub ours: &'a RgbImage,
     /// All pixels, those that are wrong first, each part scattered over the picture, so that
@@ -80,8 +80,8 @@ pub(crate) fn scattered_places(columns: u32, rows: u32) -> impl Iterator<Item = 
     (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
 }
 
-/// Rays that may still be computed for an answer: the bound of its time, the same on
-/// every machine.
+/// Rays that may still be computed to try something: the bound of its time, the same on every
+/// machine.
 pub(crate) struct RayBudget(Cell<u32>);
 
 impl RayBudget {

@@ -9,7 +9,7 @@ use step05_phong::{
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
 
-/// What a picture is drawn of: a scene, and the functions of a step.
+/// A scene, and the functions of a step that draw it.
 pub(crate) struct Drawing {
     pub step: Step,
     pub scene: Scene,

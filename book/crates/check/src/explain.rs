@@ -35,8 +35,8 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         Some(comparison) if explanation.is_empty() => find_changes(comparison),
         _ => (vec![], vec![]),
     };
-    let (listed, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
-    let text_and_cause = tell_listed_mistakes(&listed, drawn_for);
+    let (mistakes, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
+    let text_and_cause = tell_listed_mistakes(&mistakes, drawn_for);
     let has_listed = text_and_cause.is_some();
     let (text, mut cause) = text_and_cause.unwrap_or_default();
     explanation += &text;

@@ -15,7 +15,7 @@ pub(crate) struct Fact<'a> {
     group: &'static str,
     /// It is told where it holds for at least one wrong pixel in so many.
     one_in: usize,
-    /// What follows after `Each wrong pixel`, beginning with `is` or `has`.
+    /// Words that follow after `Each wrong pixel`, beginning with `is` or `has`.
     words: String,
     holds: Box<dyn Fn(&Pixel) -> bool + 'a>,
 }

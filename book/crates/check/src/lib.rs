@@ -20,8 +20,9 @@
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
 //! draw a scene that they don't know (`class::trial`).
 //!
-//! Each ray is taken from a `RayBudget`, so that an answer comes soon, and is the same on every
-//! machine; of a file, no more is read than a picture has (`read_file`, `png_file`).
+//! Options, numbers and cameras are tried with the rays of a `RayBudget`, so that an answer comes
+//! soon, and is the same on every machine; of a file, no more is read than a picture has
+//! (`read_file`, `png_file`).
 
 mod answer;
 mod byte_facts;

@@ -13,12 +13,12 @@ pub struct LockedPictures {
 }
 
 impl LockedPictures {
-    /// Those that a function gives by their names, or says why it can't.
+    /// Pictures that a function gives by their names, or says why it can't.
     pub fn new(read: fn(&str) -> Result<RgbImage, String>) -> Self {
         Self { read, kept: Mutex::default() }
     }
 
-    /// Those in the folder of the course, as far as they are the ones with which this program
+    /// Pictures in the folder of the course, as far as they are the ones with which this program
     /// was compiled.
     pub fn in_workspace() -> Self {
         Self::new(|name| verify(name, read(name)?))

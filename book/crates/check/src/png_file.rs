@@ -14,7 +14,7 @@ const LARGEST: (u32, u32) = (8192, 4608);
 /// A picture that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Its pixels.
+    /// The pixels, without alpha.
     pub rgb: RgbImage,
     /// How many pixels are not opaque.
     pub transparent_count: usize,

@@ -6,7 +6,7 @@ use image::RgbImage;
 use std::sync::{Arc, OnceLock};
 use step01_rays::render;
 
-/// What a picture is compared with: a locked picture, or the scene of a name.
+/// A picture to compare with: a locked one, or the scene of a name.
 pub(crate) struct Target {
     /// Such as `the picture of glass`.
     pub title: String,

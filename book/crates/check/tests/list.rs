@@ -11,11 +11,11 @@ fn read_in_workspace(path: &str) -> String {
 
 #[test]
 fn each_listed_mistake_applies_once_and_is_unique() {
-    let mut seen = HashSet::new();
+    let mut changes = HashSet::new();
     for mistake in mistakes() {
         let applied = mistake.apply_and_unindent(&read_in_workspace(&mistake.file));
         let is_change = mistake.old != mistake.new;
-        let is_new = seen.insert((mistake.file.clone(), mistake.old_and_new_lines()));
+        let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
         assert!(applied.is_some() && is_change && is_new, "{}: {}", mistake.file, mistake.title);
     }
 }

@@ -18,23 +18,23 @@ pub(crate) struct FoundFile {
     pub content: Content,
 }
 
-/// What is in a file.
+/// Content of a file.
 pub(crate) enum Content {
     OnDisk(PathBuf),
     Unpacked(Vec<u8>),
     /// Why it can't be read.
     Unreadable(String),
-    /// What isn't a picture of the course, by its name.
+    /// By its name no picture of the course.
     Unread,
 }
 
 impl FoundFile {
-    /// Its name, as far as it has one.
+    /// The file's name, as far as it has one.
     pub fn name(&self) -> &str {
         self.path.last().map_or("", String::as_str)
     }
 
-    /// Its bytes, or why they can't be read.
+    /// The file's bytes, or why they can't be read.
     pub fn read(&self) -> Result<Vec<u8>, String> {
         match &self.content {
             Content::OnDisk(path) => read_bounded_file(path),
@@ -43,7 +43,7 @@ impl FoundFile {
         }
     }
 
-    /// Its path and, if it can't be read, why not.
+    /// The file's path and, if it can't be read, why not.
     pub fn describe(&self) -> String {
         let names: Vec<_> = self.path.iter().filter(|name| !name.is_empty()).collect();
         let path = names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join("/");
