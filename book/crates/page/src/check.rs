@@ -36,31 +36,3 @@ fn page_answer(answer: ::check::Answer) -> Reply {
     }
     Reply { pixels, ..Reply::from_json_fields(fields) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ::check::LockedPictures;
-    use image::codecs::png::PngEncoder;
-
-    #[test]
-    fn page_says_what_the_program_says() {
-        let locked = LockedPictures::in_workspace();
-        let mut picture = draw_picture("step03_nearest", SIZE[0]).expect("a picture");
-        for wrong_row in [None, Some(9)] {
-            if let Some(j) = wrong_row {
-                (0..SIZE[0]).for_each(|i| picture.put_pixel(i, j, image::Rgb([0; 3])));
-            }
-            let mut png = vec![];
-            picture.write_with_encoder(PngEncoder::new(&mut png)).expect("a picture");
-            for (name, expected) in [("step03_nearest", Some("step03_nearest")), ("*", None)] {
-                let said = ::check::check_png(&png, "step3.png", expected, &locked).text;
-                let answer = check(&format!("{name}\nstep3.png"), &png);
-                assert!(answer.text.contains(&json::quote(&said)), "{name}: {}", answer.text);
-            }
-            let said = ::check::check_scene_png(&png, "me.png", "Ada L", &[], &locked).text;
-            let answer = check("@Ada L\nme.png", &png);
-            assert!(answer.text.contains(&json::quote(&said)), "{}", answer.text);
-        }
-    }
-}
