@@ -7,6 +7,7 @@ use crate::expressions::steps::{
 use crate::expressions::value::{Typed, Value};
 use course::{Place, all_listed_places};
 use image::RgbImage;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
 
@@ -49,24 +50,19 @@ pub(crate) fn is_edited(place: usize) -> bool {
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
 pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
-    // Once a picture is refused, nothing is evaluated for it.
-    if MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed) {
-        return T::unpack(&Value::Bool(false));
-    }
+    let is_over = || MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed);
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
-    let Some((_, expression)) = edits.iter().find(|(index, _)| *index == place) else {
-        return T::unpack(&Value::Bool(false));
-    };
-    let value = match expression.evaluate(variables) {
-        Ok(_) if MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed) => {
-            Err((0..expression.length, TOO_LONG))
+    let mut value = Value::Bool(false);
+    // Once a picture is refused, nothing is evaluated for it.
+    if !is_over()
+        && let Some((_, line)) = edits.iter().find(|(index, _)| *index == place)
+    {
+        match line.evaluate(variables) {
+            Ok(_) if is_over() => stop(place, 0..line.length, TOO_LONG),
+            Ok(result) => value = result,
+            Err((range, sentence)) => stop(place, range, sentence),
         }
-        value => value,
-    };
-    let value = value.unwrap_or_else(|(range, sentence)| {
-        stop(place, Refusal { range, sentence: sentence.to_owned() });
-        Value::Bool(false)
-    });
+    }
     T::unpack(&value)
 }
 
@@ -75,14 +71,13 @@ pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
 pub(crate) fn stop_outside(sentence: &str) {
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
     if let Some((place, expression)) = edits.first() {
-        let sentence = format!("Here your program would stop: {sentence}.");
-        stop(*place, Refusal { range: 0..expression.length, sentence });
+        stop(*place, 0..expression.length, &format!("Here your program would stop: {sentence}."));
     }
 }
 
-fn stop(place: usize, refusal: Refusal) {
+fn stop(place: usize, range: Range<usize>, sentence: &str) {
     let mut stop = STOP.lock().unwrap_or_else(PoisonError::into_inner);
-    stop.get_or_insert((place, refusal));
+    stop.get_or_insert((place, Refusal { range, sentence: sentence.to_owned() }));
     STEPS.store(u64::MAX / 2, Relaxed);
 }
 
