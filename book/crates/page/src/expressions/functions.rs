@@ -61,22 +61,24 @@ macro_rules! add_methods {
     };
 }
 
-macro_rules! add_comparisons {
-    ($rows:ident: $($type:ty),*) => {
-        $(add! { $rows:
-            "<", fn(_, _) -> _, |a: $type, b: $type| a < b;
-            ">", fn(_, _) -> _, |a: $type, b: $type| a > b;
-            "<=", fn(_, _) -> _, |a: $type, b: $type| a <= b;
-            ">=", fn(_, _) -> _, |a: $type, b: $type| a >= b;
-        })*
+/// Adds constants of a type under the names that they have there.
+macro_rules! add_constants {
+    ($rows:ident: $type:ident: $($name:ident)*) => {
+        add! { $rows: $(
+            concat!(stringify!($type), "::", stringify!($name)), fn() -> _, || $type::$name;
+        )* }
     };
 }
 
-macro_rules! add_equalities {
+macro_rules! add_comparisons {
     ($rows:ident: $($type:ty),*) => {
         $(add! { $rows:
             "==", fn(_, _) -> _, |a: $type, b: $type| a == b;
             "!=", fn(_, _) -> _, |a: $type, b: $type| a != b;
+            "<", fn(_, _) -> _, |a: $type, b: $type| a < b;
+            ">", fn(_, _) -> _, |a: $type, b: $type| a > b;
+            "<=", fn(_, _) -> _, |a: $type, b: $type| a <= b;
+            ">=", fn(_, _) -> _, |a: $type, b: $type| a >= b;
         })*
     };
 }
@@ -88,12 +90,10 @@ fn add_numbers(rows: &mut Vec<Function>) {
     add_methods!(rows: f64, fn(_, _) -> _: min max powf powi atan2 hypot copysign midpoint);
     add_methods!(rows: f64, fn(_, _, _) -> _: mul_add);
     add_comparisons!(rows: f64, i32, u32, u64, bool);
-    add_equalities!(rows: f64, i32, u32, u64, bool, DVec3);
+    add_constants!(rows: f64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY);
+    add_constants!(rows: i32: MAX MIN);
+    add_constants!(rows: u32: MAX);
     add! { rows:
-        "+", fn(_, _) -> f64, |a: f64, b: f64| a + b;
-        "-", fn(_, _) -> f64, |a: f64, b: f64| a - b;
-        "*", fn(_, _) -> f64, |a: f64, b: f64| a * b;
-        "/", fn(_, _) -> f64, |a: f64, b: f64| a / b;
         "%", fn(_, _) -> _, remainder;
         "-", fn(_) -> f64, |a: f64| -a;
         "-", fn(_) -> _, |a: i32| a.checked_neg().ok_or(OVERFLOW);
@@ -108,15 +108,6 @@ fn add_numbers(rows: &mut Vec<Function>) {
         "f64::from", fn(_) -> _, |a: bool| f64::from(a);
         "i32::from", fn(_) -> _, |a: bool| i32::from(a);
         "u32::from", fn(_) -> _, |a: bool| u32::from(a);
-        "f64::MAX", fn() -> _, || f64::MAX;
-        "f64::MIN", fn() -> _, || f64::MIN;
-        "f64::NAN", fn() -> _, || f64::NAN;
-        "f64::EPSILON", fn() -> _, || f64::EPSILON;
-        "f64::INFINITY", fn() -> _, || f64::INFINITY;
-        "f64::NEG_INFINITY", fn() -> _, || f64::NEG_INFINITY;
-        "i32::MAX", fn() -> _, || i32::MAX;
-        "i32::MIN", fn() -> _, || i32::MIN;
-        "u32::MAX", fn() -> _, || u32::MAX;
         "std::f64::consts::PI", fn() -> _, || std::f64::consts::PI;
         "std::f64::consts::TAU", fn() -> _, || std::f64::consts::TAU;
         "std::f64::consts::SQRT_2", fn() -> _, || std::f64::consts::SQRT_2;
@@ -149,7 +140,6 @@ fn add_whole_numbers(rows: &mut Vec<Function>) {
                 concat!($name, "::clamp"), fn(_, _, _) -> _, |a: $type, min: $type, max: $type| {
                     if min <= max { Ok(a.clamp(min, max)) } else { Err(CLAMP) }
                 };
-                concat!($name, "::abs_diff"), fn(_, _) -> _, |a: $type, b: $type| a.abs_diff(b);
             })*
         };
     }
@@ -165,6 +155,7 @@ fn add_vectors(rows: &mut Vec<Function>) {
     macro_rules! add_operators {
         ($($sign:literal $operator:tt)*) => {
             $(add! { rows:
+                $sign, fn(_, _) -> f64, |a: f64, b: f64| a $operator b;
                 $sign, fn(_, _) -> DVec3, |a: DVec3, b: DVec3| a $operator b;
                 $sign, fn(_, _) -> DVec3, |a: DVec3, b: f64| a $operator b;
                 $sign, fn(_, _) -> DVec3, |a: f64, b: DVec3| a $operator b;
@@ -180,6 +171,8 @@ fn add_vectors(rows: &mut Vec<Function>) {
         with_y with_z powf);
     add_methods!(rows: DVec3, fn(_, _, _) -> _: new lerp clamp mul_add);
     add! { rows:
+        "==", fn(_, _) -> _, |a: DVec3, b: DVec3| a == b;
+        "!=", fn(_, _) -> _, |a: DVec3, b: DVec3| a != b;
         "%", fn(_, _) -> _, remainders;
         "%", fn(_, _) -> _, |a, b: f64| remainders(a, DVec3::splat(b));
         "%", fn(_, _) -> _, |a: f64, b| remainders(DVec3::splat(a), b);
@@ -197,12 +190,7 @@ fn add_vectors(rows: &mut Vec<Function>) {
         "Attenuation.c", fn(_) -> _, |one: Attenuation| one.c;
         "Attenuation::divisor", fn(_, _) -> f64, |one: Attenuation, d: f64| one.divisor(d);
     }
-    macro_rules! add_constants {
-        ($($name:ident)*) => {
-            add! { rows: $(concat!("DVec3::", stringify!($name)), fn() -> _, || DVec3::$name;)* }
-        };
-    }
-    add_constants!(ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z);
+    add_constants!(rows: DVec3: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z);
 }
 
 fn remainders(a: DVec3, b: DVec3) -> DVec3 {
