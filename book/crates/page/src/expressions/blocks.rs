@@ -55,10 +55,9 @@ impl Checker<'_> {
         };
         let other = self.expression(other)?;
         let range = sign.start..other.range.end;
-        let (nodes, kind) = self.join(vec![then, other], "if … else")?;
-        let [then, other] = &nodes[..] else { return refuse(range, "Where is its else?") };
-        let node = Node::If(Box::new([condition.node, then.clone(), other.clone()]));
-        self.part(node, kind, range)
+        let (mut nodes, kind) = self.join(vec![then, other], "if … else")?;
+        nodes.insert(0, condition.node);
+        self.part(Node::If(nodes), kind, range)
     }
 
     pub(super) fn block(&mut self, block: &Block) -> Checked<Part> {
@@ -113,16 +112,9 @@ impl Checker<'_> {
 
     /// A type that is written, if a line can have it.
     pub(super) fn written_type(&self, written: &syn::Type) -> Option<Type> {
-        match written {
-            syn::Type::Path(path) => {
-                let name = self.table_name(path.path.get_ident()?.span().byte_range()).ok()?;
-                Type::from_name(&name).filter(|kind| *kind != Type::Attenuation)
-            }
-            syn::Type::Reference(reference) if reference.mutability.is_none() => {
-                Some(Type::Reference(Box::new(self.written_type(&reference.elem)?)))
-            }
-            _ => None,
-        }
+        let syn::Type::Path(path) = written else { return None };
+        let name = self.table_name(path.path.get_ident()?.span().byte_range()).ok()?;
+        Type::from_name(&name).filter(|kind| *kind != Type::Attenuation)
     }
 
     pub(super) fn array(&mut self, array: &ExprArray) -> Checked<Part> {
@@ -134,7 +126,7 @@ impl Checker<'_> {
     }
 
     /// Parts that have to be of one type, and that type.
-    fn join(&mut self, parts: Vec<Part>, name: &str) -> Checked<(Vec<Node>, Type)> {
+    pub(super) fn join(&mut self, parts: Vec<Part>, name: &str) -> Checked<(Vec<Node>, Type)> {
         let Some(kind) = Type::join(parts.iter().map(|part| &part.kind)) else {
             let (wrong, sentence) = explain_refused_call(name, &[], &parts, self.text);
             return refuse(wrong.unwrap_or(0..self.text.len()), sentence);
@@ -163,7 +155,7 @@ impl Checker<'_> {
                 refuse(sign, format!("It has {length} elements; the first is [0]."))
             }
             (Type::Array(item, _), _) => {
-                let node = Node::Index(Box::new([base.node, position.node]), sign);
+                let node = Node::Index(vec![base.node, position.node], sign);
                 self.part(node, (**item).clone(), range)
             }
             _ => refuse(sign, "Vectors and arrays have elements, and this is none."),
@@ -199,10 +191,7 @@ impl Checker<'_> {
             }
             Expr::Closure(one) => (one.or1_token.span, "a closure"),
             Expr::Match(one) => (one.match_token.span, "a match"),
-            Expr::ForLoop(one) => (one.for_token.span, "a loop"),
-            Expr::While(one) => (one.while_token.span, "a loop"),
-            Expr::Loop(one) => (one.loop_token.span, "a loop"),
-            Expr::Let(one) => (one.let_token.span, "if let"),
+            Expr::Let(one) => (one.let_token.span, "if let, or let without a block"),
             Expr::Tuple(one) => (one.paren_token.span.join(), "a tuple"),
             _ => return refuse(0..self.text.len(), "A page can't draw with this part of Rust."),
         };

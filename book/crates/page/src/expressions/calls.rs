@@ -84,10 +84,10 @@ impl Checker<'_> {
         let right = self.demand(right, &Type::Bool, &subject)?.node;
         let constant = Node::Constant(Value::Bool(name == "||"));
         let parts = match name {
-            "&&" => [left, right, constant],
-            _ => [left, constant, right],
+            "&&" => vec![left, right, constant],
+            _ => vec![left, constant, right],
         };
-        self.part(Node::If(Box::new(parts)), Type::Bool, range)
+        self.part(Node::If(parts), Type::Bool, range)
     }
 
     pub(super) fn unary(&mut self, unary: &ExprUnary) -> Checked<Part> {
@@ -175,8 +175,7 @@ impl Checker<'_> {
         let sign = chain_range(&call.func).unwrap_or(0..self.text.len());
         let range = sign.start..call.paren_token.span.join().byte_range().end;
         let name = self.table_name(sign.clone())?;
-        let is_known = FUNCTIONS.iter().any(|row| row.name == name && !row.takes.is_empty());
-        if is_known && name.contains("::") {
+        if FUNCTIONS.iter().any(|row| row.name == name && !row.takes.is_empty()) {
             let parts: Checked<_> = call.args.iter().map(|one| self.expression(one)).collect();
             return self.call(&name, parts?, sign, range);
         }
@@ -199,9 +198,8 @@ impl Checker<'_> {
         let arguments: Vec<_> = arguments.iter().collect();
         let (default, closure) = match (method, &arguments[..]) {
             ("map_or", [default, Expr::Closure(closure)]) => (self.expression(default)?, closure),
-            ("is_none_or", [Expr::Closure(closure)]) => (self.truth(true, range.clone())?, closure),
-            ("is_some_and", [Expr::Closure(closure)]) => {
-                (self.truth(false, range.clone())?, closure)
+            ("is_none_or" | "is_some_and", [Expr::Closure(closure)]) => {
+                (self.truth(method == "is_none_or", range.clone())?, closure)
             }
             _ => return Ok(None),
         };
@@ -211,16 +209,13 @@ impl Checker<'_> {
         self.add_name(&hit.ident, ".t", Type::F64, t)?;
         let body = self.expression(&closure.body);
         self.names.pop();
-        let (body, kind) = (body?, default.kind);
-        let Some(kind) = Type::join([&kind, &body.kind].into_iter()) else {
-            let sentence = "Before the comma and behind the bars, two types don't belong together.";
-            return refuse(body.range, sentence);
-        };
+        let (mut nodes, kind) = self.join(vec![default, body?], method)?;
         // Both are evaluated, though one is needed: as in Rust.
         let local = self.locals;
         self.locals += 1;
-        let choice = Node::If(Box::new([is_none, Node::Local(local), body.node]));
-        let nodes = vec![Node::Let(local, Box::new(default.node)), choice];
+        let default = std::mem::replace(&mut nodes[0], Node::Local(local));
+        nodes.insert(0, is_none);
+        let nodes = vec![Node::Let(local, Box::new(default)), Node::If(nodes)];
         self.part(Node::Block(nodes), kind, range).map(Some)
     }
 }

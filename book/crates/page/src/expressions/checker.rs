@@ -89,21 +89,18 @@ impl<'a> Checker<'a> {
             let sentence = explain_mismatch(subject, &part, self.text, wanted);
             return refuse(part.range, sentence);
         }
-        let value = match (&part.node, wanted) {
-            (Node::Constant(Value::Whole(number)), Type::I32 | Type::OpenI32) => {
-                i32::try_from(*number).ok().map(Value::I32)
-            }
-            (Node::Constant(Value::Whole(number)), Type::U32) => {
-                u32::try_from(*number).ok().map(Value::U32)
-            }
-            (Node::Constant(Value::Whole(number)), Type::Usize) => {
-                u64::try_from(*number).ok().map(Value::Usize)
-            }
-            _ => return Ok(Part { kind: wanted.clone(), ..part }),
+        let Node::Constant(Value::Whole(number)) = part.node else {
+            return Ok(Part { kind: wanted.clone(), ..part });
+        };
+        let value = match wanted {
+            Type::U32 => number.try_into().ok().map(Value::U32),
+            Type::Usize => number.try_into().ok().map(Value::Usize),
+            Type::OpenWhole => Some(Value::Whole(number)),
+            _ => number.try_into().ok().map(Value::I32),
         };
         let Some(value) = value else {
-            let sentence = "With .0 behind it, it isn't one.";
-            let sentence = format!("That's beyond {}. {sentence}", wanted.describe());
+            let kind = wanted.describe();
+            let sentence = format!("That's beyond {kind}. With .0 behind it, it isn't one.");
             return refuse(part.range, sentence);
         };
         Ok(Part { node: Node::Constant(value), kind: wanted.clone(), ..part })

@@ -24,14 +24,14 @@ pub enum Node {
     /// A function of up to three values; the range is that of its name in the text.
     Call(&'static Function, Vec<Node>, Range<usize>),
     /// A condition and two branches.
-    If(Box<[Node; 3]>),
+    If(Vec<Node>),
     /// Writes a local.
     Let(usize, Box<Node>),
     /// Evaluates all, and has the value of the last.
     Block(Vec<Node>),
     Array(Vec<Node>),
     /// An element of an array, and its index.
-    Index(Box<[Node; 2]>, Range<usize>),
+    Index(Vec<Node>, Range<usize>),
 }
 
 /// A compiled part of a text, its type, and where it stands.
@@ -96,11 +96,11 @@ impl Node {
     pub fn is_constant(&self) -> bool {
         let is_constant = |node: &Self| matches!(node, Self::Constant(_));
         match self {
-            Self::Call(_, nodes, _) | Self::Block(nodes) | Self::Array(nodes) => {
-                nodes.iter().all(is_constant)
-            }
-            Self::If(parts) => parts.iter().all(is_constant),
-            Self::Index(parts, _) => parts.iter().all(is_constant),
+            Self::Call(_, nodes, _)
+            | Self::If(nodes)
+            | Self::Block(nodes)
+            | Self::Array(nodes)
+            | Self::Index(nodes, _) => nodes.iter().all(is_constant),
             node => is_constant(node),
         }
     }
