@@ -34,7 +34,6 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Type) -
     }
     let cure = match (actual, wanted) {
         (Type::Reference(inner), _) if **inner == *wanted => " Leave out the &.",
-        (_, Type::Reference(inner)) if **inner == *actual => " Put a & before it.",
         (_, Type::Bool) => " Compare something, as in a < b.",
         (Type::DVec3, Type::F64) => " a.dot(b) makes a number of two vectors.",
         (Type::F64 | Type::OpenF64, Type::DVec3) => " DVec3::splat(…) makes a vector of it.",
@@ -88,7 +87,6 @@ pub fn explain_refused_call(
     let cure = match (sign, &kinds[..]) {
         ("^", _) => " For powers, Rust has .powi(2) or .powf(0.5).",
         _ if kinds.contains(&Type::Bool) => " f64::from(a < b) is a number, 1 or 0.",
-        (_, [Type::Reference(_), _] | [_, Type::Reference(_)]) => " Leave out the &.",
         (_, [_, _]) if kinds.iter().all(Type::is_whole) => " Write as i32 behind one of them.",
         _ => "",
     };
@@ -110,7 +108,9 @@ pub fn explain_unknown_name(name: &str, place: &Place) -> String {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     let cure = match &*last {
         "pi" => "Rust's π is std::f64::consts::PI.".to_owned(),
-        _ if name.starts_with("DVec3") => "DVec3::new(1.0, 0.0, 0.5) is a vector.".to_owned(),
+        _ if name.starts_with("DVec3") || ["vec3", "dvec3", "rgb", "color"].contains(&&*last) => {
+            "DVec3::new(1.0, 0.0, 0.5) is a vector.".to_owned()
+        }
         _ => {
             let variables = place.variables.iter().map(|(name, _)| *name);
             format!("{NAMES_ARE}{}", variables.collect::<Vec<_>>().join(", "))
@@ -127,28 +127,24 @@ pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
         FUNCTIONS.iter().any(|one| one.name.strip_prefix(owner) == Some(member))
     };
     let kind = kind.describe();
-    let other_type = ["f64", "DVec3"].into_iter().find(|other_type| has(other_type, member));
-    match other_type.and_then(Type::from_name) {
-        _ if !is_method && has(owner, &format!("::{name}")) => {
-            return format!("Write .{name}(): it's a method.");
-        }
-        _ if is_method && has(owner, &format!(".{name}")) => {
-            return format!("Write .{name} without the (): it's a field.");
-        }
-        Some(other_type) => {
-            return format!(".{name} belongs to {}, and this is {kind}.", other_type.describe());
-        }
-        None if has("i32", member) => {
-            return format!(".{name} belongs to a whole number, and this is {kind}. Take .powi.");
-        }
-        None => {}
+    if !is_method && has(owner, &format!("::{name}")) {
+        return format!("Write .{name}(): it's a method.");
     }
-    let names = FUNCTIONS.iter().filter_map(|one| one.name.strip_prefix(owner));
-    let names = names.filter(|name| name.starts_with([':', '.']));
-    let mut names: Vec<_> = names.map(|name| name.trim_start_matches([':', '.'])).collect();
-    names.retain(|name| {
-        name.starts_with(|sign: char| sign.is_ascii_lowercase()) && !ASSOCIATED.contains(name)
-    });
+    if is_method && has(owner, &format!(".{name}")) {
+        return format!("Write .{name} without the (): it's a field.");
+    }
+    if let Some(other) = [Type::F64, Type::DVec3].iter().find(|other| has(other.name(), member)) {
+        return format!(".{name} belongs to {}, and this is {kind}.", other.describe());
+    }
+    if name == "pow" {
+        return format!(".pow belongs to a whole number, and this is {kind}. Take .powi.");
+    }
+    let names =
+        FUNCTIONS.iter().filter_map(|one| one.name.strip_prefix(owner)?.strip_prefix(['.', ':']));
+    let names = names.map(|name| name.trim_start_matches(':'));
+    let is_listed =
+        |name: &&str| name.starts_with(char::is_lowercase) && !ASSOCIATED.contains(name);
+    let mut names: Vec<_> = names.filter(is_listed).collect();
     names.sort_unstable();
     format!(".{name} isn't known here. Of {kind}, there is:\n{}", names.join(", "))
 }
@@ -158,9 +154,6 @@ pub fn explain_unknown_function(name: &str, first: &str, count: usize) -> Option
     let method = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     // Only whole numbers have `pow`.
     let method = if method == "pow" { "powi".to_owned() } else { method };
-    if ["vec3", "dvec3", "rgb", "color"].contains(&&*method) {
-        return Some(format!("{name} isn't known here. DVec3::new(1.0, 0.0, 0.5) is a vector."));
-    }
     let names = ["f64", "DVec3"].map(|owner| format!("{owner}::{method}"));
     let is_method = FUNCTIONS.iter().any(|one| names.iter().any(|name| name == one.name));
     let others = if count < 2 { "" } else { "…" };

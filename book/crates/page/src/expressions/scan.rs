@@ -11,10 +11,9 @@ const TOKENS: usize = 200;
 const DEPTH: usize = 20;
 
 const STATEMENTS: &str = "Statements need a block around them: { let x = 1.0; 2.0 * x }.";
-const NO_SIGN: &str = "No line that a page draws has this sign.";
 
 /// Signs that no line may have, each with a sentence about it.
-const SIGNS: [(&str, &str); 18] = [
+const SIGNS: [(&str, &str); 12] = [
     ("<-", "Rust reads <- as one sign: put a blank after the <."),
     ("×", "For ×, Rust has *."),
     ("·", "For ·, Rust has * between numbers, and a.dot(b) between vectors."),
@@ -26,13 +25,7 @@ const SIGNS: [(&str, &str); 18] = [
     ("≤", "For ≤, Rust has <=."),
     ("≥", "For ≥, Rust has >=."),
     ("π", "For π, Rust has std::f64::consts::PI."),
-    ("'", NO_SIGN),
-    ("\"", NO_SIGN),
-    ("#", NO_SIGN),
     ("?", "For ? :, Rust has if … { … } else { … }."),
-    ("@", NO_SIGN),
-    ("$", NO_SIGN),
-    ("\\", NO_SIGN),
 ];
 
 /// The expression that a text without comments is, if it is one.
@@ -69,6 +62,9 @@ pub fn blank_comments(text: &str) -> Result<String, Refusal> {
         if let Some((sign, sentence)) = SIGNS.iter().find(|(sign, _)| remaining.starts_with(sign)) {
             return refuse(range.start..range.start + sign.len(), *sentence);
         }
+        if "'\"#@$\\".contains(sign) {
+            return refuse(range, "No line that a page draws has this sign.");
+        }
         let is_word = sign.is_alphanumeric() || sign == '_';
         tokens += usize::from(!(sign.is_whitespace() || is_word && is_in_word));
         is_in_word = is_word;
@@ -104,9 +100,7 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
         _ if is_end => (last, "A value is missing behind this."),
         _ if error.contains("chained") => (range, "Rust compares two at a time: a < b && b < c."),
         ")" | "]" | "}" => (range, "A value is missing before this."),
-        "*" => (range, "A value is missing before this. Powers are .powi(2)."),
         "=" => (range, "For =, Rust has == to compare."),
-        "let" | "fn" => (range, STATEMENTS),
         _ if error.contains("an expression") => {
             (range, "A number, a name or a ( is missing before this.")
         }
