@@ -14,6 +14,19 @@ const make = (tag, attributes, ...children) => {
 // Writes a text, unless it is there already: then nothing is laid out anew for it.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
+// Copies a text; returns false where the browser doesn't let a page do so.
+const copyText = async text => {
+    try { await navigator.clipboard.writeText(text); } catch { return false; }
+    return true;
+};
+
+// Copies a text, and says so on its button for a while.
+async function copyBy(button, text, words = "Copied") {
+    const label = button.dataset.label ??= button.textContent;
+    write(button, await copyText(text) ? words : "Not copied");
+    setTimeout(() => { button.textContent = label; }, 1500);
+}
+
 // A number as people type it: 58.72, 58,72, 1/2, −3 or 60°; NaN if it is none.
 function readNumber(text) {
     const parts = text.replace(/[\s°]/g, "").replace(/−/g, "-").split("/").map(part => part.replace(",", "."));
@@ -69,13 +82,10 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     const here = links.find(a => name(a) === name(location)) ?? (["", "index"].includes(name(location)) ? links[0] : null);
     if (here) {
         here.setAttribute("aria-current", "page");
-        const list = document.createElement("ol");
-        list.className = "here";
+        const list = make("ol", { class: "here" });
         for (const heading of document.querySelectorAll("main h2[id]")) {
-            const item = list.appendChild(document.createElement("li"));
-            const link = item.appendChild(document.createElement("a"));
-            link.href = `#${heading.id}`;
-            link.append(...heading.cloneNode(true).querySelector("a.header").childNodes);
+            const words = heading.cloneNode(true).querySelector("a.header").childNodes;
+            list.append(make("li", {}, make("a", { href: `#${heading.id}` }, ...words)));
         }
         if (list.children.length) here.closest("li").append(list);
         // Once the page is laid out, as it will be anyway.
@@ -106,25 +116,17 @@ function colours() {
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const caption = code.closest(".listing")?.querySelector("figcaption");
     if (!caption) continue;
-    const button = caption.appendChild(document.createElement("button"));
-    button.type = "button";
-    button.className = "copy";
-    button.textContent = "Copy";
-    button.setAttribute("aria-label", `Copy ${caption.querySelector(".path").textContent}`);
-    button.addEventListener("click", async () => {
-        try {
-            const copy = code.cloneNode(true);
-            const edited = copy.querySelectorAll("[data-book]");
-            for (const line of edited) line.textContent = line.dataset.book;
-            // The file's own line ends and blank lines, so that its parts can be put below each other.
-            const [first, last] = caption.parentElement.dataset.lines.split("-");
-            const ends = last - first + 1 - copy.textContent.split("\n").length + 1;
-            await navigator.clipboard.writeText(copy.textContent + "\n".repeat(Math.max(0, ends)));
-            button.textContent = edited.length ? "Copied, without your lines" : "Copied";
-        } catch {
-            button.textContent = "Not copied";
-        }
-        setTimeout(() => { button.textContent = "Copy"; }, 1500);
+    const label = `Copy ${caption.querySelector(".path").textContent}`;
+    const button = caption.appendChild(make("button", { type: "button", class: "copy", "aria-label": label }, "Copy"));
+    button.addEventListener("click", () => {
+        const copy = code.cloneNode(true);
+        const edited = copy.querySelectorAll("[data-book]");
+        for (const line of edited) line.textContent = line.dataset.book;
+        // The file's own line ends and blank lines, so that its parts can be put below each other.
+        const [first, last] = caption.parentElement.dataset.lines.split("-");
+        const ends = last - first + 1 - copy.textContent.split("\n").length + 1;
+        const text = copy.textContent + "\n".repeat(Math.max(0, ends));
+        copyBy(button, text, edited.length ? "Copied, without your lines" : "Copied");
     });
 }
 

@@ -12,9 +12,9 @@
     const find = name => document.querySelector(`[data-line="${name}"]`);
     const books = new Map(); // What the book has there, as HTML, of those that are edited or in hand.
     let hand = null;
-    // All that was written, as the texts of the edited lines by name, and which of these is shown.
-    let [states, shown] = [[{}], 0];
-    let [frame, rest, isDrawn] = [0, 0, false];
+    // All that was written, as the texts of the edited lines by name, and which of these the page has.
+    let [states, current] = [[{}], 0];
+    let [frame, restTimer, isDrawn] = [0, 0, false];
 
     const button = (words, act, label = words) => {
         const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
@@ -39,7 +39,7 @@
         make("div", {}, undo, redo, reset, resetAll, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"), copies)));
 
     async function copy(text, words) {
-        const isCopied = await navigator.clipboard.writeText(text).then(() => true, () => false);
+        const isCopied = await copyText(text);
         copies.open = false;
         tell(isCopied ? words : "This browser doesn't let a page copy here.");
     }
@@ -172,17 +172,17 @@
     // Notes what is written, for undo and in the address.
     function record() {
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
-        if (JSON.stringify(edits) !== JSON.stringify(states[shown])) states.splice(shown += 1, Infinity, edits);
-        [undo.disabled, redo.disabled] = [shown === 0, shown === states.length - 1];
+        if (JSON.stringify(edits) !== JSON.stringify(states[current])) states.splice(current += 1, Infinity, edits);
+        [undo.disabled, redo.disabled] = [current === 0, current === states.length - 1];
         writeAddress(edits);
     }
 
     // Shows what was written one edit later or earlier, and takes the line in hand that differs.
     function show(later) {
         record();
-        const [before, after] = [states[shown], states[shown + later]];
+        const [before, after] = [states[current], states[current + later]];
         if (!after) return;
-        shown += later;
+        current += later;
         clearTimers();
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
@@ -191,14 +191,14 @@
 
     function clearTimers() {
         cancelAnimationFrame(frame);
-        clearTimeout(rest);
+        clearTimeout(restTimer);
     }
 
     function drawSoon() {
         clearTimers();
         underline();
         frame = requestAnimationFrame(() => draw(SMALL));
-        rest = setTimeout(draw, REST, LARGE);
+        restTimer = setTimeout(draw, REST, LARGE);
     }
 
     // Draws what is written. What there is to say, is said at rest.
@@ -291,15 +291,15 @@
     // Opens the edits that are in the address, and takes the first in hand.
     function openAddress() {
         if (!location.hash.startsWith("#line=")) return;
-        const edits = location.hash.slice(6).split("&line=").map(edit => edit.match(EDIT) ?? []);
-        const known = edits.filter(([, name]) => name && find(name));
-        for (const [, name, text] of known) {
+        const matches = location.hash.slice(6).split("&line=").map(edit => edit.match(EDIT));
+        const edits = matches.filter(match => match && find(match[1]));
+        for (const [, name, text] of edits) {
             let written = text;
             try { written = decodeURIComponent(text); } catch { /* as it is */ }
             setText(find(name), written.replace(/\u00a0/g, " "));
         }
-        if (!known.length) return;
-        const line = find(known[0][1]);
+        if (!edits.length) return;
+        const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         line.closest("main > *").style.contentVisibility = "visible";
         take(line);
@@ -344,7 +344,7 @@
         release();
         [...books.keys()].forEach(line => setText(line, line.dataset.book));
     });
-    addEventListener("afterprint", () => Object.entries(states[shown]).forEach(([name, text]) => setText(find(name), text)));
+    addEventListener("afterprint", () => Object.entries(states[current]).forEach(([name, text]) => setText(find(name), text)));
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.
     window.visualViewport?.addEventListener("resize", () => {

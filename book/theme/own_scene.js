@@ -116,15 +116,10 @@ function addColourField(figure, tools) {
 }
 
 function addCopies(figure, addTool) {
-    const copy = (button, text) => navigator.clipboard.writeText(text).then(() => "Copied", () => "Not copied").then(words => {
-        const label = button.textContent;
-        button.textContent = words;
-        setTimeout(() => { button.textContent = label; }, 1500);
-    });
-    const link = addTool("Copy link", () => copy(link, location.href));
-    const rust = addTool("Copy Rust", () => copy(rust, figure.answer.numbers.rust));
+    const link = addTool("Copy link", () => copyBy(link, location.href));
+    const rust = addTool("Copy Rust", () => copyBy(rust, figure.answer.numbers.rust));
     addTool("Download PNG", () => {
-        const large = document.createElement("canvas"), kept = document.createElement("canvas");
+        const large = make("canvas", {}), kept = make("canvas", {});
         const values = figure.values.map((value, k) => k === figure.about.columns ? 2 * KEPT_COLUMNS : value);
         const answer = figure.ask("show", ...values);
         [large.width, large.height] = answer.size;

@@ -55,10 +55,10 @@
         if (!index) return;
         const query = field.value.trim();
         const all = findAll(query);
-        const found = all.length ? all : index.search(query, { fuzzy: 0.4 });
-        list.replaceChildren(...found.slice(0, LIMIT).map(makeItem));
+        const results = all.length ? all : index.search(query, { fuzzy: 0.4 });
+        list.replaceChildren(...results.slice(0, LIMIT).map(makeItem));
         const count = all.length === 1 ? "One section" : `${all.length} sections${LIMIT < all.length ? `; here are ${LIMIT}` : ""}`;
-        const near = found.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
+        const near = results.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
         if (!sections.length) write(status, "There is no index here: cargo run makes it.");
         else write(status, all.length ? count : query && near);
     }
@@ -102,9 +102,9 @@
         else return;
         event.preventDefault();
     });
-    const asked = new URLSearchParams(location.search).get("search");
-    if (asked) {
-        field.value = asked;
+    const query = new URLSearchParams(location.search).get("search");
+    if (query) {
+        field.value = query;
         open();
     }
 }
