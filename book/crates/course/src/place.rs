@@ -31,7 +31,7 @@ pub fn all_listed_places() -> Vec<Place> {
     places
 }
 
-/// The place of a line such as `a: number = v.dot(v)`.
+/// The place of a line such as `a: f64 = v.dot(v)`.
 fn parse_place(file: &'static str, line: &'static str) -> Option<Place> {
     let (head, code) = line.split_once(" = ")?;
     let (name, kind) = head.split_once(": ")?;
