@@ -40,6 +40,7 @@ fn too_long_or_too_deep_text_is_refused() {
         ("-".repeat(399), "more than a line"),
         ("|".repeat(399), "more than a line"),
         (format!("1.0{}", "+1e300%v.x".repeat(30)), "longer than a page"),
+        (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
     ] {
         let refusal = draw("a", &text).expect_err("it is refused");
         assert!(refusal.sentence.contains(words), "{text}: {}", refusal.sentence);
@@ -58,9 +59,12 @@ fn answer_is_about_the_lines_and_no_others() {
         ("nearer t < best.as_ref().map_or(f64::INFINITY, |h| h.t)", "Not one pixel differs"),
         ("nearer best.as_ref().is_none_or(|h| t < h.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
-        ("normal p - sphere.centre\u{1f}diffuse DVec3::X", "\"known\":\"\""),
-        ("byte DVec3::ZERO", "\"known\":\"\""),
-        ("normal p\u{1f}attenuation\u{a0}1.0", "\"size\""),
+        (
+            "normal p - sphere.centre\u{1f}attenuation self.a + self.b * d + self.c * d * d",
+            "\"known\":\"\"",
+        ),
+        ("byte intensity + 0.5", "\"known\":\"\""),
+        ("to_light p - self.position", "l points from the light to the surface"),
         ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
     ] {
         let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
