@@ -23,8 +23,6 @@ pub fn variables(name: &str) -> Reply {
 /// which of them, and from which letter to which. Of a picture in its full size it is told
 /// whether it is right or a known mistake's.
 pub fn edit(words: &str) -> Reply {
-    // Editors, and programs through which a link goes, write blanks of their own.
-    let words = words.replace('\u{a0}', " ");
     let (columns, lines) = words.split_once(' ').unwrap_or_default();
     let lines = lines.split('\u{1f}').filter_map(|line| line.split_once(' '));
     let lines: Vec<_> = lines.filter_map(|(name, text)| Some((find_place(name)?, text))).collect();
