@@ -51,5 +51,6 @@ test('three scenes to start from are drawn', async ({ page, home }) => {
     await link.click();
     await expect(page.locator('figure[data-live=own_scene]')).toBeInViewport();
     await expect(page.locator('.refused')).toBeHidden();
+    await expect(page.getByRole('button', { name: 'Reset' })).toBeEnabled();
   }
 });
