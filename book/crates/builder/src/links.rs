@@ -46,9 +46,7 @@ fn addresses_in(element: ElementRef<'_>) -> Vec<(&str, &str)> {
         match name {
             // Says where the book is, and fetches nothing.
             "href" if element.value().name() == "base" => {}
-            "href" | "src" | "data" | "poster" | "action" | "formaction" | "background" => {
-                addresses.push((name, value));
-            }
+            "href" | "src" => addresses.push((name, value)),
             "srcset" | "imagesrcset" => {
                 let sets = value.split(',').filter_map(|set| set.split_whitespace().next());
                 addresses.extend(sets.map(|address| (name, address)));
