@@ -32,8 +32,8 @@ fn is_name(before: &str, word: &str, after: &str) -> bool {
 #[test]
 fn names_in_the_text_are_names_of_the_code() {
     let files = SOURCE_FILES.texts_with_suffix("").flat_map(|(path, text)| [path, text]);
-    let mut known: HashSet<_> = files.flat_map(words).map(|(_, word, _)| word).collect();
-    known.extend(FOREIGN_NAMES);
+    let mut names: HashSet<_> = files.flat_map(words).map(|(_, word, _)| word).collect();
+    names.extend(FOREIGN_NAMES);
     let mut faults = vec![];
     for (path, text) in read_folder("book/src").texts_with_suffix(".md") {
         let mut is_listing = false;
@@ -41,7 +41,7 @@ fn names_in_the_text_are_names_of_the_code() {
             is_listing ^= line.starts_with("```");
             let codes = line.split('`').skip(1).step_by(2).filter(|_| !is_listing);
             for (before, word, after) in codes.flat_map(words) {
-                if is_name(before, word, after) && !known.contains(word) {
+                if is_name(before, word, after) && !names.contains(word) {
                     faults.push(format!("book/src/{path}:{number}: no code has `{word}`."));
                 }
             }

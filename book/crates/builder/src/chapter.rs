@@ -127,9 +127,9 @@ impl<'a> Chapter<'a> {
         let text = self.edits.text;
         for (offset, _) in text[range.clone()].match_indices("{{#") {
             let start = range.start + offset;
-            let rest = &text[start + 3..range.end];
-            let rest = rest.split("{{#").next().unwrap_or_default();
-            let end = start + 3 + rest.find("}}").map_or(rest.len(), |end| end + 2);
+            let tail = &text[start + 3..range.end];
+            let directive = tail.split("{{#").next().unwrap_or_default();
+            let end = start + 3 + directive.find("}}").map_or(directive.len(), |end| end + 2);
             self.edits.replace(start..end, numbers::fill_in_text(&text[start..end]));
         }
     }

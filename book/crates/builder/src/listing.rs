@@ -65,8 +65,8 @@ pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String,
 fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
     let step = Step::from_path(path)?;
     let file = path.split_once(step.name())?.1;
-    let mut before = Step::ALL.into_iter().rev().filter(|before| *before < step);
-    before.find_map(|step| {
+    let mut earlier_steps = Step::ALL.into_iter().rev().filter(|earlier| *earlier < step);
+    earlier_steps.find_map(|step| {
         fs::read_to_string(workspace.join(format!("steps/{}{file}", step.name()))).ok()
     })
 }

@@ -35,12 +35,12 @@ pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
         }
     }
     println!("Mistakes to draw: {}", selected.len());
-    for some in selected.chunks(COUNT) {
-        for (mistake, pictures) in some.iter().zip(mistake_program::draw(some)?) {
+    for batch in selected.chunks(COUNT) {
+        for (mistake, pictures) in batch.iter().zip(mistake_program::draw(batch)?) {
             table.insert(mistake, &pictures)?;
         }
         table.write(&all)?;
-        println!("{} drawn", some.len());
+        println!("{} drawn", batch.len());
     }
     Ok(table.write(&all)?)
 }
@@ -111,11 +111,11 @@ impl Table {
             let Some(step) = Step::from_name(name) else { continue };
             let shown = all.iter().flat_map(Mistake::shown_pictures);
             let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
-            let known: Vec<_> =
+            let pictures: Vec<_> =
                 names.filter_map(|name| self.small_pictures.get_key_value(name)).collect();
-            known.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
-            if !known.is_empty() {
-                write_small_pictures(step, &known)?;
+            pictures.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
+            if !pictures.is_empty() {
+                write_small_pictures(step, &pictures)?;
             }
         }
         for mistake in all {

@@ -43,11 +43,11 @@ pub const VALUES: &Values = &[
     ("problem-sun", || format_fixed(sunlight(60.0) / sunlight(10.0), 2)),
     ("problem-attenuation", || {
         let lamps = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let left = lamps.map(|[a, b, c]| {
+        let shares = lamps.map(|[a, b, c]| {
             let attenuation = Attenuation { a, b, c };
             attenuation.divisor(2.0) / attenuation.divisor(6.0)
         });
-        format_fixed(100.0 * left.iter().sum::<f64>() / 3.0, 2)
+        format_fixed(100.0 * shares.iter().sum::<f64>() / 3.0, 2)
     }),
     ("problem-byte", || {
         let matte = Matte::of(DVec3::splat(0.9));
