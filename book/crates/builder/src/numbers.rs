@@ -15,7 +15,7 @@ pub fn fill_in_text(text: &str) -> Result<String, String> {
     })
 }
 
-/// The same for a formula: `convert` gets it with a mark where a number moves.
+/// The same for a formula: `to_mathml` gets it with a mark where a number moves.
 pub fn fill_in_formula(
     latex: &str,
     to_mathml: impl FnOnce(&str) -> Result<String, String>,
