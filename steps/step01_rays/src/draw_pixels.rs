@@ -2,7 +2,7 @@ use crate::Camera;
 use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
-/// Draws the picture of a camera's size that has `pixel(i, j)` in column i and row j.
+/// Draws a picture of the camera's size, with `pixel(i, j)` in column i and row j.
 /// All processors draw at once, a row each.
 pub fn draw_pixels(
     camera: &Camera,

@@ -12,8 +12,8 @@ pub enum Roots {
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
 /// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
-/// are lost. pbrt and kurbo find the other root first, then this one from
-/// their product, c/a; with 64 bits, the lecture's form gives the same picture.
+/// are lost. The libraries pbrt and kurbo find the other root first, and this one from
+/// the product of both, c/a; with 64 bits, the lecture's form gives the same picture.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));

@@ -9,7 +9,7 @@ use image::RgbImage;
 use mirror::{Mirror, OFFSET, colour, mirrors};
 use step05_phong::{Camera, Light, Object, Scene, Sphere, render, run};
 
-/// The centre of a ball of this radius that lies on `ground`, above or below `place`.
+/// The centre of a ball of this radius that lies on `ground`, at the x and z of `place`.
 fn on_top(ground: &Sphere, place: DVec3, radius: f64) -> Option<DVec3> {
     let aside = (place - ground.centre).with_y(0.0);
     let squared = (ground.radius + radius).powi(2) - aside.length_squared();
@@ -21,7 +21,7 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// The material of one of the scene's spheres; every fifth marble is a mirror.
+/// The material of one of the scene's spheres; every fifth seed gives a good mirror.
 fn material(seed: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][seed % 6];
     let material = scene.objects[painted].material.material;

@@ -34,7 +34,7 @@ pub fn shadowed_phong(
 
 /// A material that is partly a mirror.
 pub struct Mirror {
-    /// The material of the rest.
+    /// The material of the part that doesn't mirror, 1 − k.
     pub material: Material,
     /// k, the part of its colour that it mirrors, 0 to 1.
     pub k: f64,
