@@ -11,8 +11,8 @@ impl Interactive for AttenuationFigure {
     const NAME: &str = "attenuation";
     const TITLE: &str = "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.";
     const CAPTION: &str = "What a light gives at the distance $d$, in units of its $L_d$. With $a$ \
-                  alone it never fades. With $b$ it fades fastest near the light. With $c$ it hardly fades there, \
-                  but far away it fades most. The curve of the warm light<span class='move'>, until you change it,</span> \
+                  alone it never fades. With some $b$ it begins to fade at once. With some $c$ it hardly fades at \
+                  first, but ends up lowest. The curve of the warm light<span class='move'>, until you change it,</span> \
                   has some of each, and begins above 1; at $d = 6$ it gives {{#number attenuation:share}}.";
 
     fn parameters() -> Vec<Parameter> {

@@ -98,7 +98,7 @@ impl Interactive for BallOutlines {
     const TITLE: &str = "Seven balls in an arc round the eye, from above, and over it the picture of those in view. The rays that touch one on the right are cut by the image plane at a slant; in the picture, the balls are the longer the further they are from the middle.";
     const CAPTION: &str = "Equal balls, all at the same distance from the eye. The lower part shows them from above, the upper one their images in a picture with $\\theta = {{#number eggs:angle}}°$. \
                   The last ball that's whole in the picture is {{#number eggs:phi}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
-                  The dashed ray goes through its centre: on the image plane, the outer part of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>";
+                  The dashed ray goes through its centre, and on the image plane, the outer half of the image is longer than the inner one. <span class='move'>Make $\\theta$ larger.</span>";
 
     fn parameters() -> Vec<Parameter> {
         vec![Parameter::new(["θ", "field of view", "°"], 100.0, [60.0, 140.0], 1.0)]

@@ -45,8 +45,8 @@ pub struct Frustum {
 impl Interactive for Frustum {
     const NAME: &str = "frustum";
     const TITLE: &str = "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.";
-    const CAPTION: &str = "The frustum is the shaded part; the words at the balls say what OpenGL does. Our rays start at $C$, \
-                  know no planes, and meet all three. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>";
+    const CAPTION: &str = "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
+                  ignore both planes, and meet all three balls. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>";
 
     fn parameters() -> Vec<Parameter> {
         vec![

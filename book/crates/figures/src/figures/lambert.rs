@@ -27,7 +27,7 @@ impl Interactive for Lambert {
     const TITLE: &str = "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.";
     const CAPTION: &str = "Lambert's cosine law. Both beams are equally wide and carry the same light. At {{#number lambert:angle}}°, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above: \
-                  the cosine of the angle, or nothing where that is negative. (Of a beam that's nearly level, only what falls on this piece of ground is drawn.) \
+                  the cosine of the angle, and nothing from a light below the ground. (Of a beam that's nearly level, only what falls on this piece of ground is drawn.) \
                   <span class='move'>Lower the light to the ground, and below it.</span>";
 
     fn parameters() -> Vec<Parameter> {

@@ -81,7 +81,7 @@ impl Interactive for ThreeCases {
     const NAME: &str = "three-cases";
     const TITLE: &str = "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.";
     const CAPTION: &str = "The three cases. Where the curve $at^2 + bt + c$ is 0, the ray meets the circle, at the point \
-                  straight above. The discriminant says which case it is before any root is known. \
+                  straight above. The sign of $D$ says which case it is before any root is known. \
                   <span class='move'>Drag a ray until it touches.</span>";
 
     fn parameters() -> Vec<Parameter> {
