@@ -83,7 +83,7 @@ fn run_workflow(folder: &Path) -> Result<String> {
     fs::create_dir_all(&job).expect("a folder");
     run(&job, "git clone --quiet ../ada student").expect("a clone");
     let commands = workflow_commands();
-    assert_eq!(commands.len(), 2);
+    assert_eq!(commands.len(), 3);
     let results: Vec<_> = commands.iter().map(|command| run(&job, command)).collect();
     results.into_iter().collect()
 }
