@@ -9,8 +9,8 @@ pub struct AspectRatios;
 impl Interactive for AspectRatios {
     const NAME: &str = "aspect-ratios";
     const TITLE: &str = "Four rectangles of one width: 4:3 standard video, 16:9 widescreen video, 2.35:1 many movies, 2.59:1 Cinerama; each is less tall than the one before.";
-    const CAPTION: &str = "Four aspect ratios at the same width, and the rows that 640 columns of square pixels \
-                  get in each. The wider the format, the fewer the rows.";
+    const CAPTION: &str = "Four aspect ratios at the same width, each with the rows that go with 640 columns of square \
+                  pixels. The wider the format, the fewer the rows.";
 
     fn from_values(_: &[f64]) -> Self {
         Self

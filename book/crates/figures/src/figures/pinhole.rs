@@ -9,7 +9,7 @@ impl Interactive for Pinhole {
     const NAME: &str = "pinhole";
     const TITLE: &str = "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross an image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.";
     const CAPTION: &str = "Two rays to the ends of an arrow. Their lines, extended behind the pinhole, draw an image that's upside down. \
-                  At the same distance in front, it has the same size, and is upright.";
+                  At the same distance in front, it has the same size, and is upright. Here, each $V$ leads to the image plane, so $t$ is 1 there.";
 
     fn from_values(_: &[f64]) -> Self {
         Self

@@ -24,7 +24,7 @@ impl Interactive for RightHand {
         let mut drawing = Drawing::new(480.0, 208.0);
         drawing.line("guide", c, project(1.25 * forward));
         let beside = project(1.25 * forward) + dvec2(8.0, 0.0);
-        drawing.label_starting_at("quiet", beside, "the camera looks here");
+        drawing.label_starting_at("quiet", beside, "the camera looks this way");
         for (class, axis, label, shift) in [
             ("vector", DVec3::X, "$x$: thumb", dvec2(10.0, 6.0)),
             ("second", DVec3::Y, "$y$: index finger", dvec2(12.0, 8.0)),
