@@ -1,19 +1,19 @@
 /// The real roots of a quadratic: three cases, told apart by D = b² − 4ac.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
-    /// D < 0: no root; the ray misses.
+    /// D < 0: no root; the line misses.
     Zero,
-    /// D = 0: one; the ray touches.
+    /// D = 0: one; the line touches.
     One(f64),
-    /// D > 0: two, the smaller first; the ray goes in and comes out.
+    /// D > 0: two, the smaller first; the line goes in and comes out.
     Two(f64, f64),
 }
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
 /// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
-/// are lost. The libraries pbrt and kurbo find the other root first, and this one from
-/// the product of both, c/a; with 64 bits, the lecture's form gives the same picture.
+/// are lost. Careful libraries compute the other root, and divide c/a, the product of
+/// both, by it. With 64 bits, the lecture's form gives the same picture.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));

@@ -3,7 +3,7 @@ use crate::Sphere;
 /// A thing to see; `M` is a flat colour here, and something else in later steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<M> {
-    /// What it is called, for those who speak of it; no picture depends on it.
+    /// Its name, for people to read; no picture depends on it.
     pub name: &'static str,
     /// Its place and its size.
     pub sphere: Sphere,

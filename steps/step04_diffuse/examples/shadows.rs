@@ -45,7 +45,7 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     intensity
 }
 
-/// The picture: the colour of every ray. Behind the cool light, there is a moon.
+/// The picture: the colour of every ray. There is a moon behind the cool light.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let mut scene = scene();
     let sphere = Sphere { centre: DVec3::new(6.4, 3.4, -15.5), radius: 1.3 };

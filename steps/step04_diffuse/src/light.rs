@@ -22,7 +22,7 @@ impl Attenuation {
     }
 }
 
-/// A light that shines from one point to all sides.
+/// A light that shines from one point in all directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
     /// Where it is.
@@ -35,7 +35,7 @@ pub struct PointLight {
 
 impl PointLight {
     /// The unit vector l from the point `p` to the light, and the distance d.
-    /// At the light itself, d is 0 and l is along x.
+    /// At the light itself, where there's no direction, d is 0 and l is (1, 0, 0).
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

@@ -21,7 +21,8 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// The material of one of the scene's spheres; every fifth seed gives a good mirror.
+/// A material of the scene, but for the ground's, white and green; every fifth number
+/// gives a good mirror.
 fn material(seed: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][seed % 6];
     let material = scene.objects[painted].material.material;

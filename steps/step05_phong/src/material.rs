@@ -8,6 +8,6 @@ pub struct Material {
     pub matte: Matte,
     /// R_s, the part of the light that it mirrors; 0 to 1 for red, green and blue.
     pub specular: DVec3,
-    /// n, the shininess: the larger, the smaller the highlight; above 0.
+    /// n, the shininess: the larger it is, the smaller the highlight; above 0.
     pub shininess: i32,
 }
