@@ -27,7 +27,7 @@ impl Interactive for Lambert {
     const TITLE: &str = "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.";
     const CAPTION: &str = "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above, which is \
-                  the cosine of the angle. From a light below the ground, it gets nothing. <span class='move'>Lower the light, to the ground and below it. \
+                  the cosine of the angle. From a light below the ground, it gets nothing. <span class='move'>Lower the light to the ground, and then below it. \
                   (A low beam lights more ground than is drawn.)</span>";
 
     fn parameters() -> Vec<Parameter> {
