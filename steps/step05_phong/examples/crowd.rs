@@ -21,26 +21,26 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// A material of the scene, but for the ground's, white and green; every fifth number
-/// gives a good mirror.
-fn material(seed: usize, scene: &Scene<Mirror, Light>) -> Mirror {
-    let painted = [0, 2, 3, 5, 7, 8][seed % 6];
+/// A material of the scene, but not of the ground, the white or the green sphere; every
+/// fifth number gives a good mirror.
+fn material(number: usize, scene: &Scene<Mirror, Light>) -> Mirror {
+    let painted = [0, 2, 3, 5, 7, 8][number % 6];
     let material = scene.objects[painted].material.material;
-    Mirror { material, k: if seed.is_multiple_of(5) { 0.8 } else { 0.12 } }
+    Mirror { material, k: if number.is_multiple_of(5) { 0.8 } else { 0.12 } }
 }
 
 /// The scene of the mirrors, and on its ground as many marbles as find room.
 pub fn crowd() -> Scene<Mirror, Light> {
     let mut scene = mirrors();
     let ground = scene.objects[1].sphere;
-    for seed in 1..600 {
-        let (angle, away) = (2.4 * seed as f64, 0.33 * (seed as f64).sqrt());
+    for number in 1..600 {
+        let (angle, away) = (2.4 * number as f64, 0.33 * (number as f64).sqrt());
         let place = DVec3::new(away * angle.cos(), 0.0, away * angle.sin() - 7.5);
-        let radius = [0.19, 0.25, 0.3, 0.38][seed % 4];
+        let radius = [0.19, 0.25, 0.3, 0.38][number % 4];
         let Some(centre) = on_top(&ground, place, radius) else { continue };
         let marble = Sphere { centre, radius };
         if !scene.objects.iter().any(|object| overlap(&object.sphere, &marble)) {
-            let material = material(seed, &scene);
+            let material = material(number, &scene);
             scene.objects.push(Object { name: "marble", sphere: marble, material });
         }
     }
