@@ -26,7 +26,6 @@ pub const VALUES: &Values = &[
     ("step01-rows-scope", || {
         format_number(AspectRatio { width: 2.35, height: 1.0 }.v_res(640).into())
     }),
-    ("step01-half-light", || format_fixed(0.5_f64.powf(2.2), 2)),
 ];
 
 /// The pixel of the worked example.

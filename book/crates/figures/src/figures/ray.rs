@@ -52,8 +52,8 @@ impl Interactive for RayFigure {
     const NAME: &str = "ray";
     const TITLE: &str = "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.";
     const CAPTION: &str = "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
-                  $V$ has length {{#number ray:length}}, and the point {{#number ray:point}} has $t = {{#number ray:t}}$. \
-                  <span class='move'>Make $V$ longer, and see the $t$ of this same point change.</span>";
+                  $V$ has length {{#number ray:length}}, and the point with the coordinates {{#number ray:point}} has $t = {{#number ray:t}}$. \
+                  <span class='move'>Make $V$ longer, and this same point gets a smaller $t$.</span>";
 
     fn parameters() -> Vec<Parameter> {
         vec![

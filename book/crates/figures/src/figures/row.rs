@@ -27,7 +27,7 @@ impl RowFigure {
 impl Interactive for RowFigure {
     const NAME: &str = "row";
     const TITLE: &str = "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.";
-    const CAPTION: &str = "Follow $V_0$ to the left end of the image plane; from there, every step $D$ leads to the next ray. \
+    const CAPTION: &str = "Follow $V_0$ to the first pixel; from there, every step $D$ leads to the next ray. \
                   Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
                   <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>";
 
