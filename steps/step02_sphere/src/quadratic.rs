@@ -12,8 +12,8 @@ pub enum Roots {
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
 /// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
-/// are lost. Careful libraries compute the other root, and divide c/a, the product of
-/// both, by it. With 64 bits, the lecture's form gives the same picture.
+/// are lost. Careful libraries compute only the other root, and divide the product of
+/// the two, c/a, by it. With 64 bits, the lecture's form gives the same picture.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));

@@ -94,7 +94,7 @@ impl Interactive for Lambert {
             }
             // A light from below needs the room below the ground.
             let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
-            let label = format!("$n$·$l$ = cos {degrees}° = {}", format_rounded(cosine, 3));
+            let label = format!("cos {degrees}° = {}", format_rounded(cosine, 3));
             drawing.label("", ground + shift, &label);
             let label = match share {
                 ..0.0005 => format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3)),
