@@ -36,7 +36,7 @@ pub fn shadowed_phong(
 pub struct Mirror {
     /// The material of the part that doesn't mirror, 1 − k.
     pub material: Material,
-    /// k, the part of its colour that it mirrors, 0 to 1.
+    /// k, how much of its colour is a mirror image, 0 to 1.
     pub k: f64,
 }
 

@@ -1,15 +1,15 @@
 //! Step 5, stage 3 of the lecture "Ray Casting": specular light and the Phong sum.
-//! Here is all that the course offers, step by step:
+//! Here is all that the five crates offer, step by step:
 //!
 //! 1. [`Camera`] and [`Ray`]; [`render`] draws a function from rays to colours, and
 //!    [`draw_pixels`], [`sub_pixels`], [`mean`] and [`rgb8`] are its parts;
 //!    [`direction_colour`] is the sky, and [`run`] the program around a picture.
 //! 2. [`Sphere`], and where a ray meets it.
-//! 3. [`Object`], [`nearest`] and its [`Hit`]; [`OBJECTS`] are the nine of the course.
+//! 3. [`Object`], [`nearest`] and its [`Hit`]; [`OBJECTS`] are the nine of the book.
 //! 4. [`SurfacePoint`], found by [`visible_point`]; [`Matte`] and [`PointLight`];
 //!    [`ambient`] and [`diffuse`]; a [`Scene`] of any materials and lights.
 //! 5. [`Material`] and [`Light`]; [`reflect`] and [`specular`]; [`phong`], the sum;
-//!    [`colour`] is what a ray sees of a scene, such as the course's [`scene`].
+//!    [`colour`] is what a ray sees of a scene, such as the book's [`scene`].
 
 pub use step04_diffuse::{
     AMBIENT, Attenuation, COOL, Camera, Hit, Matte, OBJECTS, Object, PointLight,

@@ -3,7 +3,7 @@ use crate::{
 };
 use glam::DVec3;
 
-/// The three terms of the light that leaves a point; I_d and I_s over all lights.
+/// The terms of the light that leaves a point; I_d and I_s are sums over all lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
     /// I_a, of the light that is the same everywhere.
