@@ -10,13 +10,13 @@
 //!
 //! - a *listing* is a file of a step or a part of it (`include` in a fence), or a number
 //!   that moves (`listing`); it says where a reader may edit it (`course::Place`);
-//! - a *value* is computed from the steps when the book is built, a *number* moves on the
+//! - a *value* is computed by the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made
 //!   from code; with `live` behind it, it *answers*: its *controls* set the parameters,
 //!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
 //! - a *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader;
-//! - a `problem` is to be solved on paper: its answer is a value, and `answer` holds the way
+//! - a `problem` is to be solved on paper: it has a number for an answer, and `answer` holds the way
 //!   to it; `problem-sheet` has those of all chapters once more;
 //! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what

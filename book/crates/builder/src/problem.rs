@@ -1,16 +1,17 @@
-use crate::values;
 use std::fmt::Write;
 
-/// The HTML for `{{#problem 7 near-root}}`, which begins the problem of this number; its
-/// answer is a value.
+/// The HTML for `{{#problem 7 0.622}}`, which begins the problem of this number and gives its
+/// answer.
 ///
 /// The problem's text follows, `{{#answer}}`, the way to the answer, and `{{#end}}`. What a
 /// reader types in is compared by book/theme/book.js: a whole number exactly, any other
 /// within 1 %.
 pub fn opening_html(words: &str) -> Result<String, String> {
-    let (number, value) =
-        words.split_once(' ').ok_or("a problem is {{#problem NUMBER VALUE}}".to_owned())?;
-    let answer = values::value_text(value)?.replace(',', "");
+    let (number, answer) = words.split_once(' ').unwrap_or_default();
+    let answer = answer.replace(',', "");
+    if number.is_empty() || answer.parse::<f64>().is_err() {
+        return Err("a problem is {{#problem NUMBER ANSWER}}, two numbers".to_owned());
+    }
     let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
     Ok(format!(
         "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\" \

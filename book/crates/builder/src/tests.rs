@@ -54,7 +54,7 @@ fn what_nests_without_end_is_a_fault() {
 
 #[test]
 fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
-    let problem = "# A title\n\n{{#problem 7 camera-tan}}\n\nHow far?\n\n{{#answer}}\n\n**So far.** A way.\n\n\
+    let problem = "# A title\n\n{{#problem 7 0.5}}\n\nHow far?\n\n{{#answer}}\n\n**So far.** A way.\n\n\
                    {{#end}}\n\nText.\n";
     let chapters =
         [("One: practice", problem), ("None", "# None\n"), ("Two", &problem.replace('7', "8"))];
@@ -69,10 +69,13 @@ fn problems_are_short_numbered_as_they_are_read_and_answered_in_bold() {
     let text: String = names.filter_map(|name| files.text(name)).collect();
     let problems: Vec<_> = text.split("\n{{#problem ").skip(1).collect();
     for (number, problem) in (1..).zip(&problems) {
-        assert!(problem.starts_with(&format!("{number} ")), "{number}: {problem}");
+        let answer =
+            problem.strip_prefix(&format!("{number} ")).and_then(|rest| rest.split("}}").next());
+        let answer = answer.expect("the problems are numbered");
         let words = problem.split("\n{{#answer}}").next().map(str::split_whitespace);
         assert!(words.is_some_and(|words| words.count() <= 80), "{problem}");
-        assert!(problem.contains("{{#answer}}\n\n**"), "The sheet shows what is bold: {problem}");
+        let bold = format!("{{{{#answer}}}}\n\n**{answer}");
+        assert!(problem.contains(&bold), "The sheet shows what is bold: {problem}");
     }
     assert!(10 < problems.len());
 }
@@ -84,7 +87,7 @@ fn every_figure_and_every_value_is_used() {
     let chapters: String = texts.chain([pixel_panel::TEXT]).collect();
     let figures = figures::FIGURES.iter().filter(|live| !live.title.is_empty());
     let figures = figures.map(|live| format!("{{{{#figure {}", live.name));
-    let values = values::names().map(|name| format!("{{{{#value {name}"));
+    let values = values::count_names().map(|name| format!("{{{{#value {name}"));
     let unused = figures.chain(values).filter(|directive| {
         ["}}", " "].iter().all(|end| !chapters.contains(&format!("{directive}{end}")))
     });

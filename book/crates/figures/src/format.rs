@@ -29,12 +29,6 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// Three numbers as a column of a formula, in LaTeX.
-pub fn format_column(vector: impl Into<[f64; 3]>) -> String {
-    let [x, y, z] = vector.into().map(format_number);
-    format!(r"\begin{{bmatrix}} {x} \\ {y} \\ {z} \end{{bmatrix}}")
-}
-
 /// A count, with a comma between thousands.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();

@@ -19,8 +19,7 @@
 
 mod format;
 pub use format::{
-    format_column, format_count, format_fixed, format_number, format_rounded, format_vector,
-    short_name,
+    format_count, format_fixed, format_number, format_rounded, format_vector, short_name,
 };
 
 mod drawing;
