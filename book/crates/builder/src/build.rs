@@ -1,6 +1,7 @@
+use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
-use crate::{Files, Page, Site, inline_stylesheets, links, paper_page, search};
+use crate::{Files, Page, Site, links, picture, search};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -41,24 +42,17 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
     let files = Files::read(&folder)?;
     let html: Vec<_> = files.texts_with_suffix(".html").collect();
     let pages = html.into_par_iter().map(|(name, html)| {
-        let mut page = Page::parse(name, html);
-        finish_page(&mut page, &files)?;
-        fs::write(folder.join(name), page.html.html()).with_context(|| name.to_owned())?;
-        Ok((name.to_owned(), page))
+        let mut html = inline_stylesheets(html, &files).with_context(|| name.to_owned())?;
+        if name == "print.html" {
+            // A picture that waits to be seen would not be on paper.
+            html = html.replace(picture::LAZY, "");
+        }
+        fs::write(folder.join(name), &html).with_context(|| name.to_owned())?;
+        Ok((name.to_owned(), Page::parse(name, &html)))
     });
     let pages = pages.collect::<Result<_>>()?;
     let site = Site { files, pages };
     fs::write(folder.join(search::INDEX), search::index_script(&site))?;
     fail_with_faults(&links::find_faults(&site))?;
     Ok(site)
-}
-
-/// Finishes a page that mdBook has written.
-fn finish_page(page: &mut Page, files: &Files) -> Result<()> {
-    match page.name.as_str() {
-        "toc.html" => return Ok(()),
-        "print.html" => paper_page::arrange_for_paper(page)?,
-        _ => {}
-    }
-    inline_stylesheets::inline_stylesheets(page, files)
 }

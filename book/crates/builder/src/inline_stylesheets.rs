@@ -1,22 +1,18 @@
+use crate::Files;
 use crate::files::resolve_path;
-use crate::{Files, Page};
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 
-/// Puts into a page, instead of links to them, the styles that are among the `files` of
-/// the book, so that it is shown at once.
-pub fn inline_stylesheets(page: &mut Page, files: &Files) -> Result<()> {
-    let links = page.select_all("link[rel=stylesheet]");
-    ensure!(!links.is_empty(), "{} has no styles", page.name);
-    let mut styles = String::new();
-    for link in &links {
-        let path = link.attr("href").unwrap_or_default();
-        let css = files.text(path);
-        styles += &rebase_urls(css.with_context(|| format!("there is no {path}"))?, path);
+/// The `html` of a page with the styles themselves in place of links to them, so that it is shown
+/// at once. They are among the `files` of the book.
+pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String> {
+    let mut parts = html.split("<link rel=\"stylesheet\" href=\"");
+    let mut inlined = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (path, rest) = part.split_once("\">").context("a link to a style has no end")?;
+        let css = files.text(path).with_context(|| format!("there is no {path}"))?;
+        inlined += &format!("<style>\n{}</style>{rest}", rebase_urls(css, path));
     }
-    let links: Vec<_> = links.iter().map(|link| link.id()).collect();
-    page.insert_html_before(links[0], &format!("<style>\n{styles}</style>"));
-    links.into_iter().for_each(|link| page.remove_node(link));
-    Ok(())
+    Ok(inlined)
 }
 
 /// The style from the file `path` for a page: its addresses count from there.

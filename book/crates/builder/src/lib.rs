@@ -2,9 +2,8 @@
 //!
 //! `Sources` are what the chapters show: the workspace, and the pictures and scripts that pages
 //! find in `generated/`. `Course` is an mdBook preprocessor: it expands the chapters, for
-//! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages and finishes those: styles
-//! inside, the index of the search, the whole book arranged for paper. A page is read and changed
-//! as a tree. At the end each link is followed.
+//! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages, puts the styles into them,
+//! and writes the index of the search. At the end each link is followed.
 //!
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
@@ -55,7 +54,6 @@ mod preprocessor;
 
 mod inline_stylesheets;
 mod links;
-mod paper_page;
 mod search;
 
 mod build;

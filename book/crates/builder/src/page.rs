@@ -1,4 +1,3 @@
-use ego_tree::NodeId;
 use scraper::{ElementRef, Html, Selector};
 
 /// A page of the book, as a browser reads it.
@@ -29,24 +28,6 @@ impl Page {
             .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
             .filter_map(|node| node.value().as_element()?.id());
         ids_before.next().map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
-    }
-
-    /// Puts a piece of HTML before a node.
-    pub(crate) fn insert_html_before(&mut self, before: NodeId, html: &str) {
-        let tree = &mut self.html.tree;
-        let piece = tree.extend_tree(Html::parse_fragment(html).tree).id();
-        let nodes = tree.get(piece).and_then(|root| root.first_child());
-        let nodes: Vec<_> = nodes.iter().flat_map(|top| top.children()).map(|n| n.id()).collect();
-        for node in nodes {
-            if let Some(mut before) = tree.get_mut(before) {
-                before.insert_id_before(node);
-            }
-        }
-    }
-
-    /// Takes a node away, with all that is in it.
-    pub(crate) fn remove_node(&mut self, node: NodeId) {
-        self.html.tree.get_mut(node).iter_mut().for_each(|node| node.detach());
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand_directives;
-use crate::{Files, Page, Site, Sources, links, paper_page, pixel_panel, problem, values};
+use crate::{Files, Page, Site, Sources, links, pixel_panel, problem, values};
 use course::workspace;
 use std::sync::LazyLock;
 
@@ -100,17 +100,4 @@ fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
     let files = Files([("a.html".to_owned(), vec![])].into());
     let site = Site { files, pages: [("a.html".to_owned(), page)].into() };
     insta::assert_snapshot!(links::find_faults(&site).join("\n"));
-}
-
-#[test]
-fn on_paper_answers_come_behind_their_chapter() {
-    let predict = "<details class=\"predict\"><summary>why?</summary>so</details>";
-    let aside = "<details class=\"aside\"><summary>by the way</summary>it</details>";
-    let next = "<div style=\"break-before: page;\"></div>";
-    let chapter = |name| format!("<h1 id=\"{name}\"><a>{name}</a></h1>");
-    let (one, two) = (chapter("one"), chapter("two"));
-    let html = format!("<main>{one}{next}{two}{predict}{aside}end</main>");
-    let mut page = Page::parse("print.html", &html);
-    paper_page::arrange_for_paper(&mut page).expect("a book of two chapters");
-    insta::assert_snapshot!(page.html.html());
 }
