@@ -12,8 +12,7 @@ const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");
 const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
 
 /// The numbers of a hit of a mirrored ray, in the columns of its row.
-const MIRROR_COLUMNS: [&str; 9] =
-    ["object", "t", "k", "I", "hidden", "matte", "specular", "p", "n"];
+const MIRROR_COLUMNS: [&str; 4] = ["object", "t", "k", "I"];
 
 /// The rows of what a ray meets: the example `mirror` allows ten mirrors.
 const MIRROR_ROWS: usize = 11;

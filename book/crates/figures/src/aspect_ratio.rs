@@ -2,7 +2,7 @@ use crate::Parameter;
 use step01_rays::{AspectRatio, Camera};
 
 /// The lecture's four aspect ratios.
-pub const ASPECT_RATIOS: [AspectRatio; 4] = [
+const ASPECT_RATIOS: [AspectRatio; 4] = [
     AspectRatio { width: 4.0, height: 3.0 },
     AspectRatio { width: 16.0, height: 9.0 },
     AspectRatio { width: 2.35, height: 1.0 },

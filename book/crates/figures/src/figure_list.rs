@@ -13,7 +13,6 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         Figure::of::<row::RowFigure>(),
         Figure::of::<right_hand::RightHand>(),
         Figure::of::<camera::CameraFigure>(),
-        Figure::of::<aspect_ratios::AspectRatios>(),
         Figure::of::<three_cases::ThreeCases>(),
         Figure::of::<hits_along_a_ray::HitsAlongARay>(),
         Figure::of::<scene_from_above::SceneFromAbove>(),

@@ -1,6 +1,5 @@
 //! The figures: each is drawn by the step's own functions.
 
-pub mod aspect_ratios;
 pub mod attenuation;
 pub mod ball_outlines;
 pub mod camera;

@@ -3,10 +3,10 @@ use crate::{
     Handle, Interactive, Numbers, Output, Parameter, Probe, array, collect_numbers, format_number,
     format_vector, short_name,
 };
-use course::examples::mirror::{Mirror, colour, hidden, mirrors, shadowed_phong};
+use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
 use step05_phong::{
-    Light, Ray, Scene, SurfacePoint, nearest, reflect, render, rgb8, visible_point,
+    Hit, Light, Ray, Scene, SurfacePoint, nearest, reflect, render, rgb8, visible_point,
 };
 
 /// The offsets, written as in the listing.
@@ -17,9 +17,6 @@ const OFFSETS: &[&str] = &[
 
 /// The largest depth, that of the example.
 const MAX_DEPTH: u32 = 10;
-
-/// The columns of the table of what a ray meets.
-const COLUMNS: [&str; 9] = ["object", "t", "p", "n", "hidden", "matte", "specular", "k", "I"];
 
 /// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
 /// the object at the probe to set.
@@ -36,36 +33,19 @@ impl Mirrors {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// The row of what `ray` meets, and the mirrored ray.
-    fn trace_hit(&self, ray: &Ray, depth: u32) -> (Numbers, Option<Ray>) {
-        let Scene { objects, ambient_light, lights } = &self.scene;
+    /// The object, t, k and I of what `ray` meets, and the mirrored ray.
+    fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
+        let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
         let hit = nearest(objects, ray).zip(visible_point(objects, ray));
-        let Some((hit, point)) = hit else {
-            return (collect_numbers([("object", "sky".into()), ("I", intensity)]), None);
+        let Some((Hit { object, t }, SurfacePoint { p, n, material })) = hit else {
+            return (["sky".into(), String::new(), String::new(), intensity], None);
         };
-        let SurfacePoint { p, n, material: Mirror { material, k } } = point;
-        let is_hidden =
-            |light: &Light| hidden(objects, &point, light.point_light.position, self.offset);
-        let named_lights = lights.iter().zip(["warm", "cool"]);
-        let hidden_lights = named_lights.filter(|(light, _)| is_hidden(light));
-        let hidden_lights: Vec<_> = hidden_lights.map(|(_, name)| name).collect();
-        let shaded = SurfacePoint { p, n, material };
-        let terms = shadowed_phong(&shaded, ray, *ambient_light, lights, is_hidden);
-        let direction = reflect(n, -ray.direction);
-        let is_mirror = 0.0 < *k && 0 < depth;
-        let row = collect_numbers([
-            ("object", short_name(hit.object.name).into()),
-            ("t", format_number(hit.t)),
-            ("p", format_vector(p)),
-            ("n", format_vector(n)),
-            ("hidden", hidden_lights.join(", ")),
-            ("matte", format_vector(terms.ambient + terms.diffuse)),
-            ("specular", format_vector(terms.specular)),
-            ("k", if is_mirror { format_number(*k) } else { "0".into() }),
-            ("I", intensity),
-        ]);
-        (row, is_mirror.then_some(Ray { start: p + self.offset * n, direction }))
+        let k = if depth == 0 { 0.0 } else { material.k };
+        let row = [short_name(object.name).into(), format_number(t), format_number(k), intensity];
+        let start = p + self.offset * n;
+        let mirrored = Ray { start, direction: reflect(n, -ray.direction) };
+        (row, (0.0 < k).then_some(mirrored))
     }
 }
 
@@ -116,10 +96,9 @@ impl Interactive for Mirrors {
         ]);
         for k in 0..=MAX_DEPTH {
             let hit = ray.map(|ray| self.trace_hit(&ray, self.depth - k));
-            let (mut row, mirrored) = hit.unwrap_or_default();
-            for name in COLUMNS {
-                numbers.insert(format!("{name}{k}"), row.remove(name).unwrap_or_default());
-            }
+            let (row, mirrored) = hit.unwrap_or_default();
+            let names = ["object", "t", "k", "I"].map(|name| format!("{name}{k}"));
+            numbers.extend(names.into_iter().zip(row));
             ray = mirrored;
         }
         numbers
