@@ -150,13 +150,13 @@ impl<'a> Chapter<'a> {
     /// compiles.
     fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Result<String, String> {
         let CodeBlockKind::Fenced(info) = kind else { return numbers::fill_in_text(source) };
-        let (language, folder) = info.split_once(',').unwrap_or((info, ""));
+        let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let html = if content.trim_start().starts_with("{{#include") {
-            listing::html(language, &content, self.sources, &mut self.listings)?
+            listing::html(language, word, &content, self.sources, &mut self.listings)?
         } else if language == "console" {
-            console::figure_markdown(folder, &content)?
+            console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
             return Err("code is from a file: {{#include path}}".to_owned());
         } else {
@@ -177,7 +177,6 @@ impl<'a> Chapter<'a> {
             ("figure", name) => figure::html(name),
             ("check", name) => check_form::html(name, self.sources),
             ("mistakes", step) => mistake_gallery::html(step, self.sources),
-            ("listing", words) => listing::moving_listing_html(words, &mut self.listings),
             ("by-hand", test) => Ok(console::by_hand_note_html(test)),
             ("rust", words) => markdown::inline_html(words)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
@@ -213,8 +212,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A paragraph of nothing but pictures; it says behind them, by `{{#live}}`, that
-    /// they answer, or by `{{#live own_scene}}`, what does.
+    /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
+    /// answers there.
     fn expand_pictures_alone(
         &self,
         events: &Events,

@@ -7,8 +7,8 @@
 //!
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
-//! - a *listing* is a file of a step or a part of it (`include` in a fence), or a number
-//!   that moves (`listing`); it says where a reader may edit it (`course::Place`);
+//! - a *listing* is a file of a step or a part of it (`include` in a fence); it says where a
+//!   reader may edit it (`course::Place`);
 //! - a *value* is computed by the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made

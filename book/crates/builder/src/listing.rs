@@ -1,5 +1,5 @@
+use crate::Sources;
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Sources, values};
 use course::{Place, Step};
 use figures::escape;
 use std::fs;
@@ -15,9 +15,11 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 ///
 /// A path is relative to the chapters; what is in `book/reader` and `book/typed` is of the
 /// reader's own folder. The first listing of a file on a page has an id for links to it, such
-/// as `listing-step01_rays-src-ray.rs`; `ids` holds those.
+/// as `listing-step01_rays-src-ray.rs`; `ids` holds those. A file that is a number of a picture,
+/// such as `own_scene:rust`, moves with it.
 pub fn html(
     language: &str,
+    number_name: &str,
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
@@ -46,19 +48,12 @@ pub fn html(
     let old = file_of_step_before(path, &sources.workspace);
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
     let places = places_attribute(path, &code);
-    let attributes = format!("data-lines=\"{first}-{last}\"{places}");
+    let number = match number_name {
+        "" => String::new(),
+        name => format!(" data-code=\"{}\"", escape(name)),
+    };
+    let attributes = format!("data-lines=\"{first}-{last}\"{number}{places}");
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
-}
-
-/// The listing for `{{#listing own_scene:rust steps/step05_phong/examples/own_scene.rs}}`:
-/// a file whose text is a number that moves.
-pub fn moving_listing_html(words: &str, ids: &mut Vec<String>) -> Result<String, String> {
-    let (number_name, path) =
-        words.split_once(' ').ok_or("a listing that moves is {{#listing NAME:NUMBER path}}")?;
-    let code = values::value_text(number_name)?;
-    let lines = code.lines().count();
-    let attributes = format!("data-lines=\"1-{lines}\" data-code=\"{number_name}\"");
-    Ok(figure_markdown(path, &attributes, "", "", ("rust", &code), ids))
 }
 
 /// The text of the file of the same name in the last step before that has one.

@@ -3,7 +3,6 @@ use crate::markdown::inline_html;
 use crate::mistake_list::effect_of_picture;
 use crate::sources::Sources;
 use figures::{Figure, escape};
-use std::path::Path;
 
 /// Attribute that makes a picture load when it comes into view.
 pub const LAZY: &str = r#" loading="lazy""#;
@@ -36,15 +35,6 @@ impl Picture {
         Self { alt, source, caption: String::new() }
     }
 
-    /// Finds the live figure that answers in this picture: by `name`, or by the name of
-    /// its file.
-    fn find_live(&self, name: &str) -> Result<&'static Figure, String> {
-        let file = Path::new(&self.source).file_stem().and_then(|name| name.to_str());
-        let name = if name.is_empty() { file } else { Some(name) };
-        name.and_then(figures::find)
-            .ok_or(format!("nothing answers for the picture {}", self.source))
-    }
-
     /// The picture alone, in its size; it loads when it comes into view.
     pub fn html(&self, sources: &Sources) -> Result<String, String> {
         let Self { alt, source, .. } = self;
@@ -64,9 +54,8 @@ impl Picture {
     }
 }
 
-/// A figure of the pictures of a paragraph, side by side if there are several. Where
-/// they are `live`, by a name or by that of their files, what `panel_html` says of a pixel
-/// stands below each.
+/// A figure of the pictures of a paragraph, side by side if there are several. Where a picture
+/// is `live`, what is so called answers in it, and what `panel_html` says of a pixel stands below.
 pub fn figures_html(
     pictures: &[Picture],
     live: Option<&str>,
@@ -78,7 +67,7 @@ pub fn figures_html(
         let image = picture.html(sources)?;
         let (mut data, mut controls_html, mut below) = Default::default();
         if let Some(name) = live {
-            let answers = picture.find_live(name)?;
+            let answers = figures::find(name).ok_or(format!("nothing called {name:?} answers"))?;
             data = format!(" data-live=\"{}\"", answers.name);
             controls_html = controls::html(answers);
             if answers.has_probe() {
