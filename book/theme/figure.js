@@ -97,12 +97,12 @@ class Figure {
         });
     }
 
-    // The controls are printed: for a parameter a range, a switch or a list, and a field for a number.
+    // The controls are printed: for a parameter a range or a switch, and a field for a number.
     findControls() {
         this.parameterControls = this.values.map((_, k) => {
             const element = this.controls.querySelector(`[data-parameter="${k}"]`);
             if (!element) return null;
-            const inputs = [...element.querySelectorAll("input, select")];
+            const inputs = [...element.querySelectorAll("input")];
             inputs.forEach(input => this.followInput(input, k));
             return { element, inputs, output: element.querySelector("b"), group: element.dataset.group };
         });

@@ -114,10 +114,6 @@ impl Control<'_> {
                 let field = format!("<input type=\"checkbox\"{checked}>");
                 ("switch", format!("<label>{label}{field}</label>"))
             }
-            ControlKind::Choice(names) if names.len() < 4 => {
-                let field = select_html(names, *default);
-                ("field", format!("<label>{label} {field}</label>"))
-            }
             ControlKind::Choice(_) => {
                 let text = escape(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
@@ -155,12 +151,4 @@ fn label_html(symbol: &str, words: &str) -> String {
         _ => format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape(&symbol)),
     };
     format!("<span>{symbol}{}</span>", escape(words))
-}
-
-fn select_html(names: &[&str], default: f64) -> String {
-    let options = names.iter().enumerate().map(|(k, name)| {
-        let selected = if k as f64 == default { " selected" } else { "" };
-        format!("<option value=\"{k}\"{selected}>{}</option>", escape(name))
-    });
-    format!("<select>{}</select>", options.collect::<String>())
 }

@@ -35,7 +35,7 @@ impl Interactive for RowFigure {
         vec![
             Parameter::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
             Parameter::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
-            Parameter::choice("divide the width by", 0.0, &["hRes − 1", "hRes"]),
+            Parameter::switch("divide the width by hRes, not by hRes − 1", false),
         ]
     }
 
