@@ -41,13 +41,6 @@ impl Drawing {
         self.body += &format!(r#"<path class="{class} area" d="{}Z"></path>"#, commands(points));
     }
 
-    /// A rectangle, from its middle to its upper right corner.
-    pub fn rectangle(&mut self, class: &str, middle: DVec2, half_diagonal: DVec2) {
-        let flip = dvec2(half_diagonal.x, -half_diagonal.y);
-        let corners = [-half_diagonal, flip, half_diagonal, -flip];
-        self.area(class, corners.map(|corner| middle + corner));
-    }
-
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let DVec2 { x, y } = centre;
