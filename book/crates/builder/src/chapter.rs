@@ -6,9 +6,7 @@ use crate::{
     pixel_panel, problem,
 };
 use figures::Figure;
-use mdbook_markdown::pulldown_cmark::{
-    BrokenLink, CodeBlockKind, Event, LinkType, Parser, Tag, TextMergeWithOffset,
-};
+use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TextMergeWithOffset};
 use std::ops::Range;
 
 /// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
@@ -49,7 +47,8 @@ type Events<'a> = [(Event<'a>, Range<usize>)];
 impl<'a> Chapter<'a> {
     fn expand_blocks(&mut self) {
         let (mut end_of_last, mut nesting) = (0, 0);
-        let events = self.parse_events();
+        let parser = Parser::new_ext(self.edits.text, markdown::markdown_options());
+        let events: Vec<_> = TextMergeWithOffset::new(parser.into_offset_iter()).collect();
         for (index, (event, range)) in events.iter().enumerate() {
             match event {
                 Event::Start(_) => nesting += 1,
@@ -71,23 +70,6 @@ impl<'a> Chapter<'a> {
         if let Some(position) = self.open_problem.or(self.open_box) {
             self.edits.add_fault(position, "the box has no {{#end}}");
         }
-    }
-
-    /// The chapter's Markdown. A link such as `[words][name]` to nothing is a fault.
-    fn parse_events(&mut self) -> Vec<(Event<'a>, Range<usize>)> {
-        let (text, edits) = (self.edits.text, &mut self.edits);
-        let mut add_fault = |link: BrokenLink| {
-            if let LinkType::Reference | LinkType::Collapsed = link.link_type {
-                edits.add_fault(
-                    link.span.start,
-                    format!("no line says where [{}] leads", link.reference),
-                );
-            }
-            None
-        };
-        let options = markdown::markdown_options();
-        let parser = Parser::new_with_broken_link_callback(text, options, Some(&mut add_fault));
-        TextMergeWithOffset::new(parser.into_offset_iter()).collect()
     }
 
     /// What stands in place of a part of the chapter; None for text that stays as it is.

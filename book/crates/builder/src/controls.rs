@@ -14,76 +14,69 @@ pub fn html(live: &Figure) -> String {
     let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();
     groups.retain(|group| !group.is_empty());
-    let (mut switches, mut others) = (String::new(), String::new());
-    let (exact, controls) = exact_and_other_controls(live);
-    for control in controls {
-        let is_above = groups.is_empty() || control.parameter.control == ControlKind::Switch;
-        *if is_above { &mut switches } else { &mut others } += &control.html(live);
-    }
+    let controls = live.parameters.iter().enumerate().map(|(k, parameter)| {
+        let handle = live.handles.iter().find(|handle| handle.parameters.contains(&k));
+        Control { live, k, parameter, handle: handle.filter(|_| parameter.group.is_empty()) }
+    });
+    let controls = controls.filter(|one| one.parameter.control != ControlKind::Columns);
+    let (exact, others): (Vec<_>, Vec<_>) = controls.partition(Control::is_exact);
+    let (above, below): (Vec<_>, Vec<_>) = others
+        .iter()
+        .partition(|one| groups.is_empty() || one.parameter.control == ControlKind::Switch);
+    let [above, below] =
+        [above, below].map(|some| some.into_iter().map(Control::html).collect::<String>());
     let hint = if live.has_probe() { HINT } else { "" };
     let content = if groups.is_empty() {
-        format!("{switches}{}{RESET}", exact_html(live, &exact))
+        format!("{above}{}{RESET}", exact_html(&exact))
     } else {
         let options = groups.iter().map(|group| format!("<option>{}</option>", escape(group)));
         let options: String = options.collect();
         format!(
             "<div class=\"choice\"><label>Change <select>{options}</select></label>\
-             {switches}{RESET}</div>{others}"
+             {above}{RESET}</div>{below}"
         )
     };
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
 /// The folded number fields, in a row for each object that they are of.
-fn exact_html(live: &Figure, exact: &[Control]) -> String {
+fn exact_html(exact: &[Control]) -> String {
+    if exact.is_empty() {
+        return String::new();
+    }
     let words = |control: &Control| control.symbol_and_words().1;
     let rows = exact.chunk_by(|one, other| words(one) == words(other)).map(|row| {
         let of = words(&row[0]);
-        let fields: String = row.iter().map(|control| control.html(live)).collect();
+        let fields: String = row.iter().map(Control::html).collect();
         let of = escape(of.strip_prefix("of ").unwrap_or(&of));
         format!("<span class=\"row\"><span>{of}</span>{fields}</span>")
     });
     let rows: String = rows.collect();
-    if rows.is_empty() {
-        return rows;
-    }
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// A parameter, its number, and the handle that sets it.
+/// A parameter, its number, and the handle that sets it; none sets what has a group.
 struct Control<'a> {
+    live: &'a Figure,
     k: usize,
     parameter: &'a Parameter,
     handle: Option<&'a Handle>,
-    is_exact: bool,
-}
-
-/// The controls of what a handle sets, with the other coordinates of the same object; and
-/// all others. What has a group is in its fields alone.
-fn exact_and_other_controls(live: &Figure) -> (Vec<Control<'_>>, Vec<Control<'_>>) {
-    let parameters = live.parameters.iter().enumerate();
-    let parameters = parameters.filter(|(_, parameter)| parameter.control != ControlKind::Columns);
-    let mut controls: Vec<_> = parameters
-        .map(|(k, parameter)| {
-            let mut handles = live.handles.iter().filter(|_| parameter.group.is_empty());
-            let handle = handles.find(|handle| handle.parameters.contains(&k));
-            Control { k, parameter, handle, is_exact: handle.is_some() }
-        })
-        .collect();
-    let objects: Vec<_> = controls.iter().filter(|control| control.is_exact).collect();
-    let objects: Vec<_> = objects.iter().map(|control| control.symbol_and_words().1).collect();
-    for control in &mut controls {
-        control.is_exact |= objects.contains(&control.parameter.words);
-    }
-    controls.into_iter().partition(|control| control.is_exact)
 }
 
 impl Control<'_> {
+    /// Whether a handle sets the parameter, or another coordinate of the same object.
+    fn is_exact(&self) -> bool {
+        let Parameter { words, group, .. } = self.parameter;
+        let mut set = self.live.handles.iter().flat_map(|handle| handle.parameters);
+        let is_of_object = |k: usize| group.is_empty() && self.live.parameters[k].words == *words;
+        self.handle.is_some() || !words.is_empty() && set.any(is_of_object)
+    }
+
     /// The control at its default. What a handle sets has no range beside its number field.
-    fn html(&self, live: &Figure) -> String {
+    fn html(&self) -> String {
+        let Self { live, k, parameter, .. } = self;
         let (symbol, words) = self.symbol_and_words();
         let (class, content) = self.class_and_content(symbol, &words);
-        let Self { k, parameter, .. } = self;
         let first_group = live.handles.first().map_or("", |handle| {
             let [first, _] = handle.parameters;
             live.parameters[first].group
@@ -119,7 +112,7 @@ impl Control<'_> {
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
-            ControlKind::Number(unit) if self.is_exact => {
+            ControlKind::Number(unit) if self.is_exact() => {
                 let label = label_html(symbol, "");
                 ("field", format!("<label>{label} {number}{}</label>", escape(unit)))
             }
