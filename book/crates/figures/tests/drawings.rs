@@ -3,7 +3,7 @@
 
 use figures::{FIGURES, Figure, Output, find, parse_address, reply};
 use glam::dvec2;
-use insta::{Settings, assert_snapshot};
+use insta::assert_snapshot;
 
 /// The reply to a request, in lines.
 fn reply_lines(request: &str) -> String {
@@ -13,6 +13,12 @@ fn reply_lines(request: &str) -> String {
         .fold(text, |text, element| text.replace(element, &format!("\n{element}")))
         .replace(",\"", ",\n\"")
         .replace(",{", ",\n{")
+}
+
+/// The requests, each with its reply below it.
+fn replies(requests: &[String]) -> String {
+    let parts = requests.iter().map(|request| format!("{request}\n{}\n", reply_lines(request)));
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 /// Allowed values all over their ranges, others for each seed.
@@ -36,16 +42,6 @@ fn values_to_lock(figure: &Figure) -> Vec<Vec<f64>> {
     [figure.default_values()].into_iter().chain(spread).collect()
 }
 
-/// Compares a text with the snapshot of this name.
-#[track_caller]
-fn assert_locked(name: &str, parts: impl Iterator<Item = String>) {
-    let text = parts.collect::<Vec<_>>().join("\n");
-    let mut settings = Settings::clone_current();
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| assert_snapshot!(name, text));
-}
-
 #[test]
 fn drawings_and_numbers_are_as_locked() {
     for figure in FIGURES.iter() {
@@ -55,8 +51,7 @@ fn drawings_and_numbers_are_as_locked() {
             let values = values.iter().map(|value| format!(" {value}"));
             format!("{verb} {}{}", figure.name, values.collect::<String>())
         }));
-        let parts = requests.iter().map(|request| format!("{request}\n{}\n", reply_lines(request)));
-        assert_locked(figure.name, parts);
+        assert_snapshot!(figure.name, replies(&requests));
     }
 }
 
@@ -77,7 +72,7 @@ fn pictures_of_eight_columns_are_as_locked() {
     let mut parts: Vec<_> = parts.collect();
     // The picture of step 3 has nothing to set.
     parts.dedup();
-    assert_locked("pictures", parts.into_iter());
+    assert_snapshot!("pictures", parts.join("\n"));
 }
 
 /// Each handle with its place at these values; below it, its place and its parameters after it
@@ -119,7 +114,7 @@ fn dragged_and_stepped_handles_are_as_locked() {
         let values = parse_address(own_scene, address).expect("a scene");
         format!("own_scene at {address}\n{}\n", handle_lines(own_scene, &values))
     });
-    assert_locked("handles", parts.chain(cameras));
+    assert_snapshot!("handles", parts.chain(cameras).collect::<Vec<_>>().join("\n"));
 }
 
 #[test]
@@ -134,9 +129,6 @@ fn replies_to_addresses_are_as_locked() {
         // The camera is at its own target.
         "camera-position-backwards:-1",
     ];
-    let parts = addresses.map(|address| {
-        let request = format!("open own_scene {address}");
-        format!("{request}\n{}\n", reply_lines(&request))
-    });
-    assert_locked("addresses", parts.into_iter());
+    let requests = addresses.map(|address| format!("open own_scene {address}"));
+    assert_snapshot!("addresses", replies(&requests));
 }
