@@ -97,23 +97,13 @@ impl<'a> Chapter<'a> {
             Event::Code(_) => numbers::fill_in_text(source).map(|code| code.replace('−', "-")),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
-                self.fill_in_numbers(range);
+                let first = source.find("{{#")?;
+                let text = numbers::fill_in_text(&source[first..]);
+                self.edits.replace(range.start + first..range.end, text);
                 return None;
             }
             _ => return None,
         })
-    }
-
-    /// Puts numbers into a text in place of its directives.
-    fn fill_in_numbers(&mut self, range: &Range<usize>) {
-        let text = self.edits.text;
-        for (offset, _) in text[range.clone()].match_indices("{{#") {
-            let start = range.start + offset;
-            let tail = &text[start + 3..range.end];
-            let directive = tail.split("{{#").next().unwrap_or_default();
-            let end = start + 3 + directive.find("}}").map_or(directive.len(), |end| end + 2);
-            self.edits.replace(start..end, numbers::fill_in_text(&text[start..end]));
-        }
     }
 
     /// Finds a $ in the `source` at this position, which is text or HTML.
