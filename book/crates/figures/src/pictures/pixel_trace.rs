@@ -9,7 +9,7 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect, visible_point,
 };
 
-/// The trace of the probe's pixel; `trace_shading` adds what lies between the nearest hit
+/// The trace of the probe's pixel; `trace_shading` adds what lies between the point
 /// and the colour.
 pub fn trace_pixel<M>(
     probe: &Probe,
@@ -22,6 +22,7 @@ pub fn trace_pixel<M>(
         ("i", format_number(probe.i)),
         ("j", format_number(probe.j)),
         ("V", format_vector(ray.direction)),
+        ("length", format_number(ray.direction.length())),
         ("sum", format_vector(colour(&ray))),
         ("bytes", format_vector(rgb8(colour(&ray)).0.map(f64::from))),
     ]);
@@ -41,11 +42,13 @@ pub fn trace_pixel<M>(
         numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
     // A ray has either a nearest hit or a colour of the sky; the other is empty.
-    let [object, t, sky] = match nearest(objects, &ray) {
-        Some(Hit { object, t }) => [short_name(object.name).into(), format_number(t), "".into()],
-        None => ["".into(), "".into(), format_vector(direction_colour(&ray))],
+    let [object, t, p, sky] = match nearest(objects, &ray) {
+        Some(Hit { object, t }) => {
+            [short_name(object.name).into(), format_number(t), format_vector(ray.at(t)), "".into()]
+        }
+        None => ["".into(), "".into(), "".into(), format_vector(direction_colour(&ray))],
     };
-    numbers.extend(collect_numbers([("object", object), ("t", t), ("sky", sky)]));
+    numbers.extend(collect_numbers([("object", object), ("t", t), ("p", p), ("sky", sky)]));
     numbers.extend(trace_shading(&ray));
     numbers
 }
@@ -60,7 +63,6 @@ pub fn trace_shading(scene: &Scene<Material, Light>, ray: &Ray) -> Numbers {
     let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
     let v = -ray.direction.normalize();
     let mut numbers = collect_numbers([
-        ("p", format_vector(p)),
         ("n", format_vector(n)),
         ("v", format_vector(v)),
         ("shininess", material.shininess.to_string()),
