@@ -1,11 +1,10 @@
-use super::view_pyramid::{draw_steps, draw_view_pyramid};
 use crate::aspect_ratio::{aspect_ratio_parameter, camera};
 use crate::{
     Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
     format_number, format_vector,
 };
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
-use step01_rays::{Camera, Ray};
+use step01_rays::{Camera, Ray, direction_colour, render};
 
 /// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
 /// one of the pixels.
@@ -38,6 +37,46 @@ impl CameraFigure {
         let first = project(0.0, 0.0);
         let steps = DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
         nearest_pixel(&self.camera, steps.inverse() * (place - first))
+    }
+
+    /// The image plane with a dot for each pixel, and the rays through its corners.
+    fn draw_pyramid(&self, drawing: &mut Drawing) {
+        let Self { camera, .. } = self;
+        let c = self.project(camera.centre);
+        let [right, bottom] = [camera.h_res, camera.v_res].map(|n| f64::from(n - 1));
+        let corners = [(0.0, 0.0), (right, 0.0), (right, bottom), (0.0, bottom)];
+        let rays = corners.map(|(i, j)| camera.ray(i, j));
+        drawing.area("plane", rays.map(|ray| self.project(ray.at(1.0))));
+        for ray in rays {
+            let corner = self.project(ray.at(1.0));
+            drawing.line("ray faint", c, corner);
+            drawing.line("guide", corner, self.project(ray.at(1.26)));
+        }
+        drawing.line("guide", c, self.project(DVec3::NEG_Z));
+        let place = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
+        let radius = (0.36 * place(0.0, 0.0).distance(place(1.0, 0.0))).min(5.0);
+        for (i, j, pixel) in render(camera, 1, direction_colour).enumerate_pixels() {
+            drawing.pixel(place(f64::from(i), f64::from(j)), radius, pixel.0);
+        }
+    }
+
+    /// V_0, D_u and D_v, and the steps that lead to the pixel.
+    fn draw_steps(&self, drawing: &mut Drawing) {
+        let Camera { centre, matrix, .. } = self.camera;
+        let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
+        let (c, first) = (self.project(centre), self.project(v_0));
+        let above = self.project(self.camera.ray(self.pixel.x, 0.0).at(1.0));
+        drawing.line("way", first, above);
+        drawing.line("way", above, self.project(self.ray().at(1.0)));
+        drawing.arrow("vector", c, first);
+        let label = (c + first) / 2.0 + dvec2(-6.0, -12.0);
+        drawing.label_ending_at("strong", label, "$V_0$");
+        drawing.arrow("accent", first, self.project(v_0 + d_u));
+        drawing.arrow("second", first, self.project(v_0 + d_v));
+        let label = self.project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0);
+        drawing.label("accent", label, "$D_u$");
+        let label = self.project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0);
+        drawing.label_starting_at("second over", label, "$D_v$");
     }
 }
 
@@ -77,17 +116,15 @@ impl Interactive for CameraFigure {
     }
 
     fn draw(&self) -> Output {
-        let Self { camera, pixel } = self;
-        let project = |point: DVec3| self.project(point);
-        let c = project(DVec3::ZERO);
+        let c = self.project(DVec3::ZERO);
         let mut drawing = Drawing::new(480.0, 310.0);
-        draw_view_pyramid(&mut drawing, camera, project);
-        draw_steps(&mut drawing, camera, *pixel, project);
+        self.draw_pyramid(&mut drawing);
+        self.draw_steps(&mut drawing);
         drawing.dot("eye", c);
         drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
-        let tip = project(self.ray().at(1.42));
+        let tip = self.project(self.ray().at(1.42));
         drawing.arrow("ray", c, tip);
-        let label = format!("$i$ = {}, $j$ = {}", pixel.x, pixel.y);
+        let label = format!("$i$ = {}, $j$ = {}", self.pixel.x, self.pixel.y);
         if tip.x < 380.0 {
             drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
         } else {
@@ -96,7 +133,7 @@ impl Interactive for CameraFigure {
         }
         let corner = dvec2(44.0, 286.0);
         for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-            let arrow = (project(axis) - c) * 40.0 / (project(DVec3::Y) - c).length();
+            let arrow = (self.project(axis) - c) * 40.0 / (self.project(DVec3::Y) - c).length();
             drawing.arrow("axis", corner, corner + arrow);
             drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
         }

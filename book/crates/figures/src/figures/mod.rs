@@ -15,4 +15,3 @@ pub mod right_hand;
 pub mod row;
 pub mod scene_from_above;
 pub mod three_cases;
-mod view_pyramid;
