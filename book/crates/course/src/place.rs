@@ -72,7 +72,7 @@ impl Place {
         };
         let is_unknown = |variable: &&str| {
             let mut parts = variable.split('.');
-            let first = parts.next().and_then(|first| first.split('(').next());
+            let first = parts.next().and_then(|first| first.split(['(', ':']).next());
             let mut fields = parts.filter(|part| !part.contains(['(', ')']));
             !has(text, first.unwrap_or_default()) || fields.any(|field| !has(sources, field))
         };

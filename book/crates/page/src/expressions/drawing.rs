@@ -1,10 +1,9 @@
-use crate::expressions::Expression;
-use crate::expressions::node::STEPS;
+use crate::expressions::node::{Expression, STEPS};
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
-use crate::expressions::value::{Typed, Value};
+use crate::expressions::value::Value;
 use course::{Place, all_listed_places};
 use image::RgbImage;
 use std::ops::Range;
@@ -49,10 +48,10 @@ pub(crate) fn is_edited(place: usize) -> bool {
 
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
-pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
+pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
     let is_over = || MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed);
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
-    let mut value = Value::Bool(false);
+    let mut value = Value::Unfit;
     // Once a picture is refused, nothing is evaluated for it.
     if !is_over()
         && let Some((_, line)) = edits.iter().find(|(index, _)| *index == place)
@@ -63,7 +62,7 @@ pub(crate) fn evaluate<T: Typed>(place: usize, variables: &[Value]) -> T {
             Err((range, sentence)) => stop(place, range, sentence),
         }
     }
-    T::unpack(&value)
+    T::try_from(value).unwrap_or_default()
 }
 
 /// Notes why the reader's program would stop in the code around the edits.

@@ -1,213 +1,152 @@
-use crate::expressions::node::{Function, spend};
-use crate::expressions::steps::step04_diffuse::Attenuation;
-use crate::expressions::value::{Typed, Value};
+use crate::expressions::node::spend;
+use crate::expressions::value::Value::{self, Array, Bool, F64, I32, Stop, Unfit, Vector};
 use glam::DVec3;
-use std::sync::LazyLock;
+use std::f64::consts;
 
-const OVERFLOW: &str = "Here your program would stop: the result is beyond its type.";
-const DIVISION: &str = "Here your program would stop: it divides by 0, or beyond its type.";
-const CLAMP: &str = "Here your program would stop: the lower limit is above the upper.";
-
-/// The functions, operators, constants (functions of nothing) and fields that a line may use: a
-/// name such as `f64::max`, `DVec3.x`, `+` or `as f64`, what it takes and gives, what it does.
-pub static FUNCTIONS: LazyLock<Vec<Function>> = LazyLock::new(|| {
-    let mut rows = vec![];
-    add_numbers(&mut rows);
-    add_whole_numbers(&mut rows);
-    add_vectors(&mut rows);
-    add_casts(&mut rows);
-    rows
-});
-
-/// A function of Rust as a row of the table.
-trait Row {
-    fn row(self, name: &'static str) -> Function;
+/// A function that a line may call.
+pub struct Function {
+    pub name: &'static str,
+    pub apply: fn(&[Value]) -> Value,
 }
 
-macro_rules! row {
-    ($($type:ident $index:literal),*) => {
-        impl<$($type: Typed + 'static,)* R: Typed + 'static> Row for fn($($type),*) -> R {
-            fn row(self, name: &'static str) -> Function {
-                Function {
-                    name,
-                    takes: vec![$($type::kind()),*],
-                    gives: R::kind(),
-                    apply: Box::new(move |_values: &[Value]| {
-                        self($($type::unpack(&_values[$index])),*).pack()
-                    }),
-                }
-            }
-        }
-    };
-}
-row!();
-row!(A 0);
-row!(A 0, B 1);
-row!(A 0, B 1, C 2);
+const OVERFLOW: Value = Stop("Here your program would stop: the result is beyond its type.");
+const DIVISION: Value = Stop("Here your program would stop: it divides by 0, or beyond its type.");
+const CLAMP: Value = Stop("Here your program would stop: the lower limit is above the upper.");
 
-/// Adds functions under names of their own.
-macro_rules! add {
-    ($rows:ident: $($name:expr, $signature:ty, $function:expr;)*) => {
-        $($rows.push(Row::row($function as $signature, $name));)*
+/// The functions of a name: methods such as `max`, other functions such as `DVec3::new`, fields
+/// such as `.x`, operators, casts such as `as f64`; constants are functions of nothing.
+pub fn functions(name: &str) -> impl Iterator<Item = &'static Function> {
+    FUNCTIONS.iter().copied().flatten().filter(move |function| function.name == name)
+}
+
+/// Functions, each of values that match a pattern.
+macro_rules! functions {
+    ($($name:expr, $pattern:pat => $result:expr;)*) => {
+        &[$(Function {
+            name: $name,
+            apply: |values| match *values { $pattern => $result, _ => Unfit },
+        }),*]
     };
 }
 
-/// Adds methods of a type under the names that they have there.
-macro_rules! add_methods {
-    ($rows:ident: $type:ident, $signature:ty: $($name:ident)*) => {
-        add! { $rows: $(
-            concat!(stringify!($type), "::", stringify!($name)), $signature, $type::$name;
+/// Functions of a type, under the names that they have there.
+macro_rules! methods {
+    ($type:ident $pattern:tt $values:tt $result:ident: $($name:ident)*) => {
+        &[$(Function {
+            name: stringify!($name),
+            apply: |values| match *values { $pattern => $result($type::$name $values), _ => Unfit },
+        }),*]
+    };
+}
+
+macro_rules! constants {
+    ($type:ident $result:ident: $($name:ident)*) => {
+        functions! { $(
+            concat!(stringify!($type), "::", stringify!($name)), [] => $result($type::$name);
         )* }
     };
 }
 
-/// Adds constants of a type under the names that they have there.
-macro_rules! add_constants {
-    ($rows:ident: $type:ident: $($name:ident)*) => {
-        add! { $rows: $(
-            concat!(stringify!($type), "::", stringify!($name)), fn() -> _, || $type::$name;
-        )* }
+/// Operators; those of whole numbers stop a program that overflows, as in a development build.
+macro_rules! operators {
+    ($($name:literal $sign:tt $checked:ident $stop:ident;)*) => {
+        &[$(Function {
+            name: $name,
+            apply: |values| match *values {
+                [F64(a), F64(b)] => F64(a $sign b),
+                [Vector(a), Vector(b)] => Vector(a $sign b),
+                [Vector(a), F64(b)] => Vector(a $sign b),
+                [F64(a), Vector(b)] => Vector(a $sign b),
+                [I32(a), I32(b)] => a.$checked(b).map_or($stop, I32),
+                _ => Unfit,
+            },
+        }),*]
     };
 }
 
-macro_rules! add_comparisons {
-    ($rows:ident: $($type:ty),*) => {
-        $(add! { $rows:
-            "==", fn(_, _) -> _, |a: $type, b: $type| a == b;
-            "!=", fn(_, _) -> _, |a: $type, b: $type| a != b;
-            "<", fn(_, _) -> _, |a: $type, b: $type| a < b;
-            ">", fn(_, _) -> _, |a: $type, b: $type| a > b;
-            "<=", fn(_, _) -> _, |a: $type, b: $type| a <= b;
-            ">=", fn(_, _) -> _, |a: $type, b: $type| a >= b;
-        })*
+macro_rules! comparisons {
+    ($($name:literal $sign:tt)*) => {
+        &[$(Function {
+            name: $name,
+            apply: |values| match *values {
+                [F64(a), F64(b)] => Bool(a $sign b),
+                [I32(a), I32(b)] => Bool(a $sign b),
+                _ => Unfit,
+            },
+        }),*]
     };
 }
 
-fn add_numbers(rows: &mut Vec<Function>) {
-    add_methods!(rows: f64, fn(_) -> _: abs floor ceil round trunc fract signum sqrt cbrt recip sin
-        cos tan asin acos atan sinh cosh tanh exp exp2 exp_m1 ln log10 log2 ln_1p to_degrees
-        to_radians is_nan is_finite is_sign_negative is_sign_positive);
-    add_methods!(rows: f64, fn(_, _) -> _: min max powf powi atan2 hypot copysign midpoint);
-    add_methods!(rows: f64, fn(_, _, _) -> _: mul_add);
-    add_comparisons!(rows: f64, i32, u32, u64, bool);
-    add_constants!(rows: f64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY);
-    add_constants!(rows: i32: MAX MIN);
-    add_constants!(rows: u32: MAX);
-    add! { rows:
-        "%", fn(_, _) -> _, remainder;
-        "-", fn(_) -> f64, |a: f64| -a;
-        "-", fn(_) -> _, |a: i32| a.checked_neg().ok_or(OVERFLOW);
-        "!", fn(_) -> bool, |a: bool| !a;
-        "f64::rem_euclid", fn(_, _) -> _, |a, b| (remainder(a, b), a.rem_euclid(b)).1;
-        "f64::clamp", fn(_, _, _) -> _, |a: f64, min: f64, max: f64| {
-            if min <= max { Ok(a.clamp(min, max)) } else { Err(CLAMP) }
+pub static FUNCTIONS: &[&[Function]] = &[
+    methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
+        tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),
+    methods!(f64 [F64(a)] (a) Bool: is_nan is_finite is_sign_negative is_sign_positive),
+    methods!(f64 [F64(a), F64(b)] (a, b) F64: min max powf atan2 hypot copysign midpoint),
+    methods!(f64 [F64(a), I32(b)] (a, b) F64: powi),
+    methods!(f64 [F64(a), F64(b), F64(c)] (a, b, c) F64: mul_add),
+    methods!(DVec3 [Vector(a)] (a) Vector: abs floor ceil round trunc fract signum sqrt sin cos exp
+        recip normalize normalize_or_zero),
+    methods!(DVec3 [Vector(a)] (a) F64: length length_squared length_recip max_element min_element
+        element_sum element_product),
+    methods!(DVec3 [Vector(a), Vector(b)] (a, b) Vector: min max cross reflect project_onto
+        reject_from midpoint),
+    methods!(DVec3 [Vector(a), Vector(b)] (a, b) F64: dot distance distance_squared angle_between),
+    methods!(DVec3 [Vector(a), F64(b)] (a, b) Vector: powf with_x with_y with_z),
+    methods!(DVec3 [Vector(a), Vector(b), F64(c)] (a, b, c) Vector: lerp),
+    methods!(DVec3 [Vector(a), Vector(b), Vector(c)] (a, b, c) Vector: clamp mul_add),
+    methods!(i32 [I32(a), I32(b)] (a, b) I32: min max),
+    constants!(f64 F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
+    constants!(DVec3 Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
+    operators! {
+        "+" + checked_add OVERFLOW;
+        "-" - checked_sub OVERFLOW;
+        "*" * checked_mul OVERFLOW;
+        "/" / checked_div DIVISION;
+    },
+    comparisons! { "==" == "!=" != "<" < ">" > "<=" <= ">=" >= },
+    functions! {
+        "==", [Vector(a), Vector(b)] => Bool(a == b);
+        "!=", [Vector(a), Vector(b)] => Bool(a != b);
+        "==", [Bool(a), Bool(b)] => Bool(a == b);
+        "!=", [Bool(a), Bool(b)] => Bool(a != b);
+        "!", [Bool(a)] => Bool(!a);
+        "-", [F64(a)] => F64(-a);
+        "-", [Vector(a)] => Vector(-a);
+        "-", [I32(a)] => a.checked_neg().map_or(OVERFLOW, I32);
+        "%", [F64(a), F64(b)] => F64(remainder(a, b));
+        "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(DIVISION, I32);
+        "rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
+        "rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(DIVISION, I32);
+        "abs", [I32(a)] => a.checked_abs().map_or(OVERFLOW, I32);
+        "clamp", [F64(a), F64(min), F64(max)] => match min <= max {
+            true => F64(a.clamp(min, max)),
+            false => CLAMP,
         };
-        "f64::from", fn(_) -> f64, |a: f64| a;
-        "f64::from", fn(_) -> _, |a: i32| f64::from(a);
-        "f64::from", fn(_) -> _, |a: u32| f64::from(a);
-        "f64::from", fn(_) -> _, |a: bool| f64::from(a);
-        "i32::from", fn(_) -> _, |a: bool| i32::from(a);
-        "u32::from", fn(_) -> _, |a: bool| u32::from(a);
-        "std::f64::consts::PI", fn() -> _, || std::f64::consts::PI;
-        "std::f64::consts::TAU", fn() -> _, || std::f64::consts::TAU;
-        "std::f64::consts::SQRT_2", fn() -> _, || std::f64::consts::SQRT_2;
-        "std::f64::consts::FRAC_PI_2", fn() -> _, || std::f64::consts::FRAC_PI_2;
-    }
-}
+        "as f64", [F64(a)] => F64(a);
+        "as f64", [I32(a)] => F64(a.into());
+        "as i32", [F64(a)] => I32(a as i32);
+        "as i32", [I32(a)] => I32(a);
+        "as i32", [Bool(a)] => I32(a.into());
+        "f64::from", [F64(a)] => F64(a);
+        "f64::from", [I32(a)] => F64(a.into());
+        "f64::from", [Bool(a)] => F64(a.into());
+        "DVec3::new", [F64(x), F64(y), F64(z)] => Vector(DVec3::new(x, y, z));
+        "DVec3::splat", [F64(a)] => Vector(DVec3::splat(a));
+        "DVec3::from", [Array(a)] => Vector(a.into());
+        "[…]", [F64(x), F64(y), F64(z)] => Array([x, y, z]);
+        "[]", [Array(a), I32(index @ 0..=2)] => F64(a[index as usize]);
+        "[]", [Vector(a), I32(index @ 0..=2)] => F64(a[index as usize]);
+        ".x", [Vector(a)] => F64(a.x);
+        ".y", [Vector(a)] => F64(a.y);
+        ".z", [Vector(a)] => F64(a.z);
+        "std::f64::consts::PI", [] => F64(consts::PI);
+        "std::f64::consts::TAU", [] => F64(consts::TAU);
+    },
+];
 
 /// Remainder of a division, which takes time for the binary digits of the quotient.
 fn remainder(a: f64, b: f64) -> f64 {
     let exponent = |number: f64| number.to_bits() >> 52 & 0x7ff;
     spend(2 + exponent(a).saturating_sub(exponent(b)) / 64);
     a % b
-}
-
-/// Adds whole numbers, which stop a program where they overflow, as in a development build.
-fn add_whole_numbers(rows: &mut Vec<Function>) {
-    macro_rules! add_whole {
-        ($($type:ty, $name:literal;)*) => {
-            $(add! { rows:
-                "+", fn(_, _) -> _, |a: $type, b: $type| a.checked_add(b).ok_or(OVERFLOW);
-                "-", fn(_, _) -> _, |a: $type, b: $type| a.checked_sub(b).ok_or(OVERFLOW);
-                "*", fn(_, _) -> _, |a: $type, b: $type| a.checked_mul(b).ok_or(OVERFLOW);
-                "/", fn(_, _) -> _, |a: $type, b: $type| a.checked_div(b).ok_or(DIVISION);
-                "%", fn(_, _) -> _, |a: $type, b: $type| a.checked_rem(b).ok_or(DIVISION);
-                concat!($name, "::min"), fn(_, _) -> _, |a: $type, b: $type| a.min(b);
-                concat!($name, "::max"), fn(_, _) -> _, |a: $type, b: $type| a.max(b);
-                concat!($name, "::pow"), fn(_, _) -> _, |a: $type, b: u32| {
-                    a.checked_pow(b).ok_or(OVERFLOW)
-                };
-                concat!($name, "::clamp"), fn(_, _, _) -> _, |a: $type, min: $type, max: $type| {
-                    if min <= max { Ok(a.clamp(min, max)) } else { Err(CLAMP) }
-                };
-            })*
-        };
-    }
-    add_whole! { i32, "i32"; u32, "u32"; u64, "usize"; }
-    add! { rows:
-        "i32::abs", fn(_) -> _, |a: i32| a.checked_abs().ok_or(OVERFLOW);
-        "i32::signum", fn(_) -> i32, i32::signum;
-        "i32::rem_euclid", fn(_, _) -> _, |a: i32, b: i32| a.checked_rem_euclid(b).ok_or(DIVISION);
-    }
-}
-
-fn add_vectors(rows: &mut Vec<Function>) {
-    macro_rules! add_operators {
-        ($($sign:literal $operator:tt)*) => {
-            $(add! { rows:
-                $sign, fn(_, _) -> f64, |a: f64, b: f64| a $operator b;
-                $sign, fn(_, _) -> DVec3, |a: DVec3, b: DVec3| a $operator b;
-                $sign, fn(_, _) -> DVec3, |a: DVec3, b: f64| a $operator b;
-                $sign, fn(_, _) -> DVec3, |a: f64, b: DVec3| a $operator b;
-            })*
-        };
-    }
-    add_operators! { "+" + "-" - "*" * "/" / }
-    add_methods!(rows: DVec3, fn(_) -> _: abs floor ceil round trunc fract signum sqrt sin cos exp
-        exp2 ln log2 recip normalize normalize_or_zero length length_squared length_recip
-        max_element min_element element_sum element_product is_normalized is_finite is_nan);
-    add_methods!(rows: DVec3, fn(_, _) -> _: min max cross dot distance distance_squared
-        angle_between reflect project_onto reject_from midpoint copysign with_x
-        with_y with_z powf);
-    add_methods!(rows: DVec3, fn(_, _, _) -> _: new lerp clamp mul_add);
-    add! { rows:
-        "==", fn(_, _) -> _, |a: DVec3, b: DVec3| a == b;
-        "!=", fn(_, _) -> _, |a: DVec3, b: DVec3| a != b;
-        "%", fn(_, _) -> _, remainders;
-        "%", fn(_, _) -> _, |a, b: f64| remainders(a, DVec3::splat(b));
-        "%", fn(_, _) -> _, |a: f64, b| remainders(DVec3::splat(a), b);
-        "DVec3::rem_euclid", fn(_, _) -> _, |a, b| (remainders(a, b), a.rem_euclid(b)).1;
-        "-", fn(_) -> DVec3, |a: DVec3| -a;
-        "DVec3::splat", fn(_) -> _, DVec3::splat;
-        "DVec3::from", fn(_) -> DVec3, |a: [f64; 3]| DVec3::from(a);
-        "DVec3::from_array", fn(_) -> _, DVec3::from_array;
-        "DVec3::to_array", fn(_) -> _, |a: DVec3| a.to_array();
-        "DVec3.x", fn(_) -> _, |a: DVec3| a.x;
-        "DVec3.y", fn(_) -> _, |a: DVec3| a.y;
-        "DVec3.z", fn(_) -> _, |a: DVec3| a.z;
-        "Attenuation.a", fn(_) -> _, |one: Attenuation| one.a;
-        "Attenuation.b", fn(_) -> _, |one: Attenuation| one.b;
-        "Attenuation.c", fn(_) -> _, |one: Attenuation| one.c;
-        "Attenuation::divisor", fn(_, _) -> f64, |one: Attenuation, d: f64| one.divisor(d);
-    }
-    add_constants!(rows: DVec3: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z);
-}
-
-fn remainders(a: DVec3, b: DVec3) -> DVec3 {
-    DVec3::new(remainder(a.x, b.x), remainder(a.y, b.y), remainder(a.z, b.z))
-}
-
-fn add_casts(rows: &mut Vec<Function>) {
-    macro_rules! add_casts {
-        ($($from:ty => $($to:ty, $name:literal)*;)*) => {
-            $($(add! { rows: concat!("as ", $name), fn(_) -> $to, |a: $from| a as $to; })*)*
-        };
-    }
-    add_casts! {
-        f64 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
-        i32 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
-        u32 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
-        u64 => f64, "f64" i32, "i32" u32, "u32" u64, "usize";
-        bool => bool, "bool" i32, "i32" u32, "u32" u64, "usize";
-    }
 }

@@ -3,11 +3,13 @@
 //!
 //! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
 //! script copies the steps' own source and puts a question, `editable!`, around each place;
-//! all else of a picture is the steps' code. `syn` reads a reader's text, once `scan` has found
-//! that it is neither too long nor too deep. The *checker* finds the type of each part, by the
-//! rules of Rust and the *functions* of a table, and compiles it to a *node*, which is evaluated
-//! for each pixel. What Rust would refuse is refused: a range of the text and a sentence. So is
-//! what would stop the reader's program while it draws. `drawing` draws a step with the edits.
+//! all else of a picture is the steps' code. `syn` reads a reader's text, once it's known to be
+//! neither too long nor too deep. The *compiler* makes *nodes* of it, which are evaluated for each
+//! pixel. What a value is tells its type, and a table of *functions* has a row for each list of
+//! types: so the compiler, which knows a *sample* of each part's value, finds out by calling a
+//! function whether Rust would. What Rust would refuse is refused: a range of the text and a
+//! sentence. So is what would stop the reader's program while it draws. `drawing` draws a step
+//! with the edits.
 
 /// The reader's expression where `place` is edited, else the book's.
 macro_rules! editable {
@@ -15,8 +17,8 @@ macro_rules! editable {
         match $crate::expressions::drawing::is_edited($place) {
             false => $book,
             true => {
-                use $crate::expressions::{drawing::evaluate, value::Typed};
-                evaluate($place, &[$(Typed::pack($variable)),*])
+                use $crate::expressions::{drawing::evaluate, value::Value};
+                evaluate($place, vec![$(Value::from($variable)),*])
             }
         }
     };
@@ -36,20 +38,17 @@ mod steps {
     include!(concat!(env!("OUT_DIR"), "/steps.rs"));
 }
 
-mod blocks;
-mod calls;
-mod checker;
+mod compiler;
+mod drawing;
 mod functions;
 mod node;
+mod parts;
 mod refusal;
-mod scan;
-mod types;
+mod syntax;
 mod value;
+
+pub use compiler::parse_expression;
+pub use drawing::{TOO_LONG, draw_edited, editable_places, place_faults};
+pub use node::Expression;
 pub use refusal::Refusal;
 pub use value::Value;
-
-mod expression;
-pub use expression::{Expression, parse_expression};
-
-mod drawing;
-pub use drawing::{TOO_LONG, draw_edited, editable_places, place_faults};

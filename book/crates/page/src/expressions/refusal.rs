@@ -1,16 +1,10 @@
 //! What a reader is told where Rust would refuse a text.
 
-use crate::expressions::functions::FUNCTIONS;
-use crate::expressions::node::{Function, Part};
-use crate::expressions::types::Type;
+use crate::expressions::compiler::Part;
+use crate::expressions::functions::{FUNCTIONS, functions};
+use crate::expressions::value::{SAMPLES, Value};
 use course::Place;
 use std::ops::Range;
-
-/// Functions of a type that aren't methods.
-pub const ASSOCIATED: [&str; 4] = ["new", "splat", "from", "from_array"];
-
-/// Beginning of a list of the names that a line may use.
-pub const NAMES_ARE: &str = "These are:\n";
 
 /// Fault in a text.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,91 +15,93 @@ pub struct Refusal {
     pub sentence: String,
 }
 
+pub type Checked<T> = Result<T, Refusal>;
+
 /// Refuses a part of a text.
-pub fn refuse<T>(range: Range<usize>, sentence: impl Into<String>) -> Result<T, Refusal> {
+pub fn refuse<T>(range: Range<usize>, sentence: impl Into<String>) -> Checked<T> {
     Err(Refusal { range, sentence: sentence.into() })
 }
 
 /// Why a value does not fit where another type is wanted; the subject begins the sentence.
-pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Type) -> String {
-    let actual = &part.kind;
-    if wanted.is_real() && actual.is_whole() {
-        return explain_whole_number(&text[part.range.clone()], actual);
-    }
+pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Value) -> String {
+    let (actual, text) = (&part.sample, &text[part.range.clone()]);
     let cure = match (actual, wanted) {
-        (Type::Reference(inner), _) if **inner == *wanted => " Leave out the &.",
-        (_, Type::Bool) => " Compare something, as in a < b.",
-        (Type::DVec3, Type::F64) => " a.dot(b) makes a number of two vectors.",
-        (Type::F64 | Type::OpenF64, Type::DVec3) => " DVec3::splat(…) makes a vector of it.",
-        (Type::F64 | Type::OpenF64, Type::I32) => " Write 2, or take .powf.",
-        (_, Type::I32) if actual.is_whole() => " Write as i32 behind it.",
-        (_, Type::Usize) if actual.is_whole() => " Write as usize behind it.",
-        (_, Type::U32) if actual.is_whole() => " Write as u32 behind it.",
+        (Value::I32(_), Value::F64(_) | Value::Vector(_)) => {
+            let is_literal = text.parse::<i32>().is_ok();
+            let cure = if is_literal { format!("{text}.0") } else { format!("f64::from({text})") };
+            return format!("Write {cure}: Rust doesn't mix whole numbers with others.");
+        }
+        (_, Value::Bool(_)) => " Compare something, as in a < b.",
+        (Value::Bool(_), Value::F64(_)) => " f64::from(a < b) is a number, 1 or 0.",
+        (Value::Vector(_), Value::F64(_)) => " a.dot(b) makes a number of two vectors.",
+        (Value::F64(_), Value::Vector(_)) => " DVec3::splat(…) makes a vector of it.",
+        (Value::F64(_), Value::I32(_)) => " Write 2, or take .powf.",
         _ => "",
     };
     format!("{subject} {}, not {}.{cure}", wanted.describe(), actual.describe())
 }
 
-/// How a whole number becomes an `f64`.
-fn explain_whole_number(text: &str, kind: &Type) -> String {
-    let cure = match text.trim_start_matches('-').bytes().all(|sign| sign.is_ascii_digit()) {
-        true => format!("{text}.0"),
-        false if *kind == Type::Usize => format!("({text}) as f64"),
-        false => format!("f64::from({text})"),
-    };
-    format!("Write {cure}: Rust doesn't mix whole numbers with others.")
+/// The lists of values, one of each type, that a function of this name takes.
+fn find_signatures(name: &str) -> Vec<Vec<Value>> {
+    let (mut lists, mut found) = (vec![vec![]], vec![]);
+    for _ in 0..3 {
+        let with_another = |list: &Vec<Value>| {
+            SAMPLES.map(|(_, sample, _)| list.iter().copied().chain([sample]).collect())
+        };
+        lists = lists.iter().flat_map(with_another).collect();
+        let fits = |list: &&Vec<Value>| {
+            functions(name).any(|row| !matches!((row.apply)(list), Value::Unfit))
+        };
+        found.extend(lists.iter().filter(fits).cloned());
+    }
+    found
 }
 
-/// Why what is written as `sign` can't be called with these values, and which of them is wrong, if
-/// it is one; the rows are those of its name.
+/// Why a function can't be called with these values, and which of them is wrong, if it is one.
 pub fn explain_refused_call(
-    sign: &str,
-    rows: &[&Function],
+    name: &str,
     parts: &[Part],
     text: &str,
 ) -> (Option<Range<usize>>, String) {
-    let kinds: Vec<_> = parts.iter().map(|part| part.kind.clone()).collect();
-    let whole_number = parts.iter().find(|part| part.kind.is_whole());
-    if let (Some(row), true) = (rows.first(), sign.contains("::") || sign.starts_with('.')) {
-        let receivers = usize::from(sign.starts_with('.'));
-        if row.takes.len() != parts.len() {
-            let (wanted, count) = (row.takes.len() - receivers, parts.len() - receivers);
-            let values = if wanted == 1 { "one value".into() } else { format!("{wanted} values") };
-            return (None, format!("{sign} takes {values} in its parentheses, not {count}."));
-        }
-        let mut pairs = parts.iter().zip(&row.takes);
-        if let Some((part, wanted)) = pairs.find(|(part, wanted)| !part.kind.fits(wanted)) {
-            let sentence = explain_mismatch(&format!("{sign} takes"), part, text, wanted);
-            return (Some(part.range.clone()), sentence);
-        }
-    }
-    let is_real = |kind: &Type| *kind == Type::DVec3 || kind.is_real();
-    if let (Some(whole_number), true) = (whole_number, sign != "^" && kinds.iter().any(is_real)) {
-        let sentence = explain_whole_number(&text[whole_number.range.clone()], &whole_number.kind);
-        return (Some(whole_number.range.clone()), sentence);
-    }
-    let cure = match (sign, &kinds[..]) {
-        ("^", _) => " For powers, Rust has .powi(2) or .powf(0.5).",
-        _ if kinds.contains(&Type::Bool) => " f64::from(a < b) is a number, 1 or 0.",
-        (_, [_, _]) if kinds.iter().all(Type::is_whole) => " Write as i32 behind one of them.",
-        _ => "",
+    let is_method = name.starts_with(|sign: char| sign.is_alphabetic() || sign == '.')
+        && !name.contains([':', ' ']);
+    let shown_name =
+        format!("{}{name}", if name.starts_with('.') || !is_method { "" } else { "." });
+    let fits = |(part, wanted): (&Part, &Value)| part.sample.is_like(wanted);
+    // The one that is nearest to what is written.
+    let signatures = find_signatures(name);
+    let nearest = signatures.iter().rev().max_by_key(|list| {
+        let count = parts.iter().zip(*list).filter(|pair| fits(*pair)).count();
+        (list.len() == parts.len(), count)
+    });
+    let Some(wanted) = nearest else {
+        let cure = if name == "^" { " For powers, Rust has .powi(2) or .powf(0.5)." } else { "" };
+        return (None, format!("A page can't draw with {name}.{cure}"));
     };
-    let kinds: Vec<_> = kinds.iter().map(|kind| kind.describe()).collect();
-    (None, format!("{sign} can't be used with {}.{cure}", kinds.join(" and ")))
+    let receivers = usize::from(is_method);
+    let mut pairs = parts.iter().zip(wanted).enumerate();
+    let wrong = pairs.find(|(_, pair)| !fits(*pair));
+    let (Some((index, (part, wanted))), true) = (wrong, wanted.len() == parts.len()) else {
+        let [wanted, count] = [wanted.len(), parts.len()].map(|count| count - receivers);
+        return (
+            None,
+            format!("The number of values is wrong: {shown_name} takes {wanted}, not {count}."),
+        );
+    };
+    let verb = if index < receivers { "belongs to" } else { "takes" };
+    let sentence = explain_mismatch(&format!("{shown_name} {verb}"), part, text, wanted);
+    (Some(part.range.clone()), sentence)
 }
 
-/// Why no method of a number such as 2.0 can be called.
-pub fn explain_open_number(text: &str) -> String {
-    let cure = match text.starts_with(|sign: char| sign.is_ascii_digit()) {
-        true => format!("write {text}_f64"),
-        false => "write _f64 behind a number in it".to_owned(),
-    };
-    format!("Rust can't tell yet which kind of number this is: {cure}.")
-}
-
-/// Says that there is no such name, and lists those that there are.
-pub fn explain_unknown_name(name: &str, place: &Place) -> String {
+/// Says that there is no such name, and lists those that there are; it may be called with parts.
+pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> String {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
+    // Only whole numbers have `pow`.
+    let method = if last == "pow" { "powi" } else { &last };
+    if let (Some(first), Some(_)) = (parts.first(), functions(method).next()) {
+        let (first, others) = (&text[first.range.clone()], if parts.len() < 2 { "" } else { "…" });
+        return format!("In Rust, it's a method: {first}.{method}({others}).");
+    }
     let cure = match &*last {
         "pi" => "Rust's π is std::f64::consts::PI.".to_owned(),
         _ if name.starts_with("DVec3") || ["vec3", "dvec3", "rgb", "color"].contains(&&*last) => {
@@ -113,49 +109,36 @@ pub fn explain_unknown_name(name: &str, place: &Place) -> String {
         }
         _ => {
             let variables = place.variables.iter().map(|(name, _)| *name);
-            format!("{NAMES_ARE}{}", variables.collect::<Vec<_>>().join(", "))
+            format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
         }
     };
     format!("{name} isn't known here. {cure}")
 }
 
-/// Says that a type has no such `.FIELD` or `::METHOD`, and lists those that it has.
-pub fn explain_unknown_member(member: &str, kind: &Type) -> String {
-    let owner = kind.referent().name();
-    let (name, is_method) = (member.trim_start_matches(['.', ':']), member.starts_with(':'));
-    let has = |owner: &str, member: &str| {
-        FUNCTIONS.iter().any(|one| one.name.strip_prefix(owner) == Some(member))
-    };
-    let kind = kind.describe();
-    if !is_method && has(owner, &format!("::{name}")) {
+/// Says that a value has no such `.FIELD` or `METHOD`, and lists those that it has.
+pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
+    let name = member.trim_start_matches('.');
+    if functions(name).next().is_some() {
         return format!("Write .{name}(): it's a method.");
     }
-    if is_method && has(owner, &format!(".{name}")) {
+    if functions(&format!(".{name}")).next().is_some() {
         return format!("Write .{name} without the (): it's a field.");
     }
-    if let Some(other) = [Type::F64, Type::DVec3].iter().find(|other| has(other.name(), member)) {
-        return format!(".{name} belongs to {}, and this is {kind}.", other.describe());
-    }
-    if name == "pow" {
-        return format!(".pow belongs to a whole number, and this is {kind}. Take .powi.");
-    }
-    let names =
-        FUNCTIONS.iter().filter_map(|one| one.name.strip_prefix(owner)?.strip_prefix(['.', ':']));
-    let names = names.map(|name| name.trim_start_matches(':'));
-    let is_listed =
-        |name: &&str| name.starts_with(char::is_lowercase) && !ASSOCIATED.contains(name);
-    let mut names: Vec<_> = names.filter(is_listed).collect();
+    let takes_it = |name: &&str| {
+        let first = find_signatures(name).into_iter().filter_map(|list| list.first().copied());
+        name.bytes()
+            .all(|sign| sign.is_ascii_lowercase() || sign.is_ascii_digit() || b"._".contains(&sign))
+            && first.into_iter().any(|first| first.is_like(receiver))
+    };
+    let mut names: Vec<_> = FUNCTIONS.iter().copied().flatten().map(|row| row.name).collect();
+    names.retain(|name| takes_it(&name));
     names.sort_unstable();
-    format!(".{name} isn't known here. Of {kind}, there is:\n{}", names.join(", "))
-}
-
-/// Names the method that Rust has for a function that is not known, if it has one.
-pub fn explain_unknown_function(name: &str, first: &str, count: usize) -> Option<String> {
-    let method = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
-    // Only whole numbers have `pow`.
-    let method = if method == "pow" { "powi".to_owned() } else { method };
-    let names = ["f64", "DVec3"].map(|owner| format!("{owner}::{method}"));
-    let is_method = FUNCTIONS.iter().any(|one| names.iter().any(|name| name == one.name));
-    let others = if count < 2 { "" } else { "…" };
-    is_method.then(|| format!("In Rust, it's a method: {first}.{method}({others})."))
+    names.dedup();
+    let names: Vec<_> = names.iter().map(|name| name.trim_start_matches('.')).collect();
+    let cure = if name == "pow" { " Powers are .powi(2)." } else { "" };
+    format!(
+        ".{name} isn't known here.{cure} Of {}, there is:\n{}",
+        receiver.describe(),
+        names.join(", ")
+    )
 }

@@ -1,84 +1,63 @@
-use crate::expressions::steps::step04_diffuse::Attenuation;
-use crate::expressions::types::Type;
 use glam::DVec3;
-use std::sync::Arc;
+use std::mem::discriminant;
 
-/// Value of a part of a line. A usize has 64 bits, as on the reader's machine.
-#[derive(Clone, Debug)]
+/// Value of a part of a line, which has that type.
+#[derive(Clone, Copy, Debug)]
 #[allow(missing_docs, reason = "they are called like their types")]
 pub enum Value {
     F64(f64),
+    Vector(DVec3),
     I32(i32),
-    U32(u32),
-    Usize(u64),
-    /// A number such as 2 before its type is known.
-    Whole(i64),
     Bool(bool),
-    DVec3(DVec3),
-    Attenuation(Attenuation),
-    Array(Arc<[Value]>),
+    Array([f64; 3]),
     /// Why the reader's program stops here.
     Stop(&'static str),
+    /// The answer of a function to values that it doesn't take.
+    Unfit,
 }
 
-/// A type of the machine that is one of a line.
-pub trait Typed {
-    /// The type in a line.
-    fn kind() -> Type;
-    /// The value in a line.
-    fn pack(self) -> Value;
-    /// The value that a line has; the types of a line were checked before.
-    fn unpack(value: &Value) -> Self;
+/// A value of each type, with the name of the type, and words for it that a reader knows.
+pub const SAMPLES: [(&str, Value, &str); 5] = [
+    ("f64", Value::F64(1.0), "a number"),
+    ("DVec3", Value::Vector(DVec3::ONE), "a vector"),
+    ("i32", Value::I32(1), "a whole number"),
+    ("bool", Value::Bool(true), "true or false"),
+    ("[f64;3]", Value::Array([1.0; 3]), "an array"),
+];
+
+impl Value {
+    /// A value of the type of this name.
+    pub fn from_type(name: &str) -> Option<Self> {
+        SAMPLES.into_iter().find(|row| row.0 == name).map(|row| row.1)
+    }
+
+    /// Whether it is of the same type.
+    pub fn is_like(&self, other: &Self) -> bool {
+        discriminant(self) == discriminant(other)
+    }
+
+    /// Words for its type.
+    pub fn describe(&self) -> &'static str {
+        SAMPLES.iter().find(|row| row.1.is_like(self)).map_or("", |row| row.2)
+    }
 }
 
-macro_rules! typed {
-    ($($type:ty: $name:ident, $default:expr;)*) => {
-        $(impl Typed for $type {
-            fn kind() -> Type {
-                Type::$name
+macro_rules! convert {
+    ($($type:ty: $name:ident)*) => {
+        $(impl From<$type> for Value {
+            fn from(value: $type) -> Self {
+                Value::$name(value)
             }
-            fn pack(self) -> Value {
-                Value::$name(self)
-            }
-            fn unpack(value: &Value) -> Self {
-                if let Value::$name(value) = value { *value } else { $default }
+        }
+
+        impl TryFrom<Value> for $type {
+            type Error = ();
+
+            fn try_from(value: Value) -> Result<Self, ()> {
+                if let Value::$name(value) = value { Ok(value) } else { Err(()) }
             }
         })*
     };
 }
 
-typed! {
-    f64: F64, 0.0;
-    i32: I32, 0;
-    u32: U32, 0;
-    u64: Usize, 0;
-    bool: Bool, false;
-    DVec3: DVec3, DVec3::ZERO;
-    Attenuation: Attenuation, Attenuation { a: 0.0, b: 0.0, c: 0.0 };
-}
-
-impl Typed for [f64; 3] {
-    fn kind() -> Type {
-        Type::Array(Box::new(Type::F64), 3)
-    }
-    fn pack(self) -> Value {
-        Value::Array(self.map(Value::F64).into())
-    }
-    fn unpack(value: &Value) -> Self {
-        let Value::Array(values) = value else { return [0.0; 3] };
-        [0, 1, 2].map(|index| values.get(index).map_or(0.0, f64::unpack))
-    }
-}
-
-/// Result of whole numbers, which may overflow.
-impl<T: Typed> Typed for Result<T, &'static str> {
-    fn kind() -> Type {
-        T::kind()
-    }
-    fn pack(self) -> Value {
-        self.map_or_else(Value::Stop, T::pack)
-    }
-    fn unpack(value: &Value) -> Self {
-        Ok(T::unpack(value))
-    }
-}
+convert! { f64: F64 DVec3: Vector i32: I32 bool: Bool }

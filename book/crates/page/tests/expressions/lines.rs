@@ -37,8 +37,8 @@ fn too_long_or_too_deep_text_is_refused() {
         (format!("{}1.0{}", "(".repeat(41), ")".repeat(41)), "inside each other"),
         ("[".repeat(41), "inside each other"),
         ("-".repeat(10_000), "longer than a line"),
-        ("-".repeat(399), "more than a line"),
-        ("|".repeat(399), "more than a line"),
+        ("-".repeat(399), "longer than a line"),
+        ("|".repeat(399), "longer than a line"),
         (format!("1.0{}", "+1e300%v.x".repeat(30)), "longer than a page"),
         (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
     ] {
