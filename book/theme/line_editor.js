@@ -206,11 +206,10 @@
         const line = hand;
         const others = findEdited().filter(other => other !== line);
         const words = one => `${one.dataset.line} ${readText(one)}`;
-        let answer, picture, variables;
+        let answer, picture;
         try {
             const module = await wasmModules.get("expressions");
             if (line !== hand) return;
-            ({ variables } = ask(module, `variables ${line.dataset.line}`));
             answer = picture = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
             // Before anything can be drawn with the line, there is the book's picture.
             if (answer.mistake && !isDrawn) picture = ask(module, `edit ${columns} ${line.dataset.line} ${line.dataset.book}`);
@@ -237,7 +236,7 @@
         if (wrong) {
             tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
         } else if (isBook(line)) {
-            tell(`This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${variables.join(", ")}`);
+            tell(`This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${answer.names.join(", ")}`);
         } else {
             tell(answer.known || "Drawn with what you wrote. The address of the page holds it, too.");
         }

@@ -1,27 +1,18 @@
-use crate::expressions::{
-    Expression, Refusal, TOO_LONG, draw_edited, editable_places, parse_expression,
-};
+use crate::expressions::{Refusal, TOO_LONG, draw_edited, editable_places, parse_expression};
 use course::{Mistake, Place, find_mistakes_with_hash, hash_picture, json, locked_hashes};
 use figures::Reply;
 use image::RgbImage;
 
 /// The most steps of a picture: with them it takes less than 200 ms.
-const STEPS: u64 = 2_500_000;
+const STEPS: i64 = 2_500_000;
 
 /// Places of step 2 that say at which t a ray meets the ball, which its picture doesn't show.
 const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far"];
 
-/// The names that an expression may use at the place NAME.
-pub fn variables(name: &str) -> Reply {
-    let Some(place) = find_place(name) else { return Reply::default() };
-    let names = place.variables.iter().map(|(name, _)| json::quote(name));
-    Reply::from_json_fields([("variables", json::list(names))])
-}
-
 /// The picture of a step with expressions of the reader's in it, to the words
-/// `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`; or what is wrong with
-/// which of them, and from which letter to which. Of a picture in its full size it is told
-/// whether it is right or a known mistake's.
+/// `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`, and the names that the
+/// first may use; or what is wrong with which of them, and from which letter to which. Of a picture
+/// in its full size it is told whether it is right or a known mistake's.
 pub fn edit(words: &str) -> Reply {
     let (columns, lines) = words.split_once(' ').unwrap_or_default();
     let lines = lines.split('\u{1f}').filter_map(|line| line.split_once(' '));
@@ -29,22 +20,19 @@ pub fn edit(words: &str) -> Reply {
     let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {
         return Reply::default();
     };
-    let draw = |columns, most_steps| {
-        draw_edited(place.step_name(), parse_lines(&lines)?, columns, most_steps)
-    };
-    // A hundredth of the pixels tells what all would take.
-    let is_long = draw(64, STEPS / 100).is_err_and(|(_, refusal)| refusal.sentence == TOO_LONG);
-    let picture = draw(if is_long { columns.min(320) } else { columns }, STEPS);
-    match picture {
+    match draw(&lines, columns) {
         Ok(picture) => {
-            let size = json::list([picture.width(), picture.height()]);
             let note = match (columns, picture.width()) {
                 (640, 640) => describe(&lines, &picture),
                 (640, _) => Some("Drawn smaller, as it takes long to compute.".to_owned()),
                 _ => None,
             };
-            let note = json::quote(&note.unwrap_or_default());
-            let answer = Reply::from_json_fields([("size", size), ("known", note)]);
+            let names = place.variables.iter().map(|(name, _)| json::quote(name));
+            let answer = Reply::from_json_fields([
+                ("size", json::list([picture.width(), picture.height()])),
+                ("known", json::quote(&note.unwrap_or_default())),
+                ("names", json::list(names)),
+            ]);
             Reply { pixels: figures::rgba_bytes(&picture), ..answer }
         }
         Err((name, Refusal { range, sentence })) => {
@@ -62,14 +50,17 @@ pub fn edit(words: &str) -> Reply {
     }
 }
 
-type Edits = Vec<(Place, Expression)>;
-
-fn parse_lines(lines: &[(Place, &str)]) -> Result<Edits, (&'static str, Refusal)> {
-    let expressions = lines.iter().map(|(place, text)| {
-        let expression = parse_expression(place, text).map_err(|refusal| (place.name, refusal))?;
-        Ok((place.clone(), expression))
+/// The picture with these lines, smaller where it would take too long.
+fn draw(lines: &[(Place, &str)], columns: u32) -> Result<RgbImage, (&'static str, Refusal)> {
+    let edits = lines.iter().map(|(place, text)| match parse_expression(place, text) {
+        Ok(expression) => Ok((place.clone(), expression)),
+        Err(refusal) => Err((place.name, refusal)),
     });
-    expressions.collect()
+    let edits = edits.collect::<Result<Vec<_>, _>>()?;
+    // A hundredth of the pixels tells what all would take.
+    let small_picture = draw_edited(&edits, 64, STEPS / 100);
+    let is_long = small_picture.is_err_and(|(_, refusal)| refusal.sentence == TOO_LONG);
+    draw_edited(&edits, if is_long { columns.min(320) } else { columns }, STEPS)
 }
 
 /// A sentence about a picture that is the right one, or that of a listed mistake in the line.

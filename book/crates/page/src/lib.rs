@@ -16,7 +16,7 @@ mod edit;
 #[cfg(feature = "expressions")]
 pub mod expressions;
 #[cfg(feature = "expressions")]
-pub use edit::{edit, variables};
+pub use edit::edit;
 
 // `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
 #[allow(unsafe_code)]
@@ -30,7 +30,6 @@ use figures::Reply;
 /// - `check NAME`, a line break and `FILE` is about the file whose bytes came with it: see
 ///   [`check`](check()).
 /// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
-/// - `variables PLACE` gives the names that a line may use: see [`variables`].
 /// - `edit COLUMNS PLACE EXPRESSION` draws a step with lines of the reader's: see [`edit`].
 /// - [`figures::reply`] gets all others.
 pub fn answer(request: &str, file: &[u8]) -> Reply {
@@ -43,8 +42,6 @@ pub fn answer(request: &str, file: &[u8]) -> Reply {
         Some(("check", words)) => check(words, file),
         #[cfg(feature = "check")]
         Some(("draw", name)) => draw(name),
-        #[cfg(feature = "expressions")]
-        Some(("variables", name)) => variables(name),
         #[cfg(feature = "expressions")]
         Some(("edit", words)) => edit(words),
         #[cfg(feature = "live")]

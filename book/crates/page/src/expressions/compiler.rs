@@ -30,7 +30,7 @@ pub struct Compiler<'a> {
     /// Names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Part)>,
     pub slots: usize,
-    steps: u64,
+    steps: i64,
 }
 
 /// Reads what a reader wrote at a place.
@@ -107,7 +107,10 @@ impl Compiler<'_> {
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
         let is_known =
             self.names.iter().any(|(known, _)| known.split(is_end).next() == Some(&name));
-        if is_known || name == "self" || name.starts_with(|sign: char| sign.is_uppercase()) {
+        if is_known
+            || ["self", "gen"].contains(&&*name)
+            || name.starts_with(|sign: char| sign.is_uppercase())
+        {
             return refuse(range_of(ident), "Take another name here, in small letters.");
         }
         self.names.push((name + suffix, part));

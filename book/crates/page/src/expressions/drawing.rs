@@ -1,4 +1,4 @@
-use crate::expressions::node::{Expression, STEPS};
+use crate::expressions::node::{Expression, REMAINING_STEPS};
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
@@ -12,9 +12,6 @@ use std::sync::{Mutex, PoisonError, RwLock};
 
 /// Sentence about a picture that takes more steps than it may.
 pub const TOO_LONG: &str = "That takes longer than a page should.";
-
-/// The most steps that the picture may take.
-static MOST_STEPS: AtomicU64 = AtomicU64::new(0);
 
 /// The places that are edited: a bit for the index of each.
 static PLACES: AtomicU64 = AtomicU64::new(0);
@@ -49,13 +46,12 @@ pub(crate) fn is_edited(place: usize) -> bool {
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
 pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
-    let is_over = || MOST_STEPS.load(Relaxed) < STEPS.load(Relaxed);
+    let is_over = || REMAINING_STEPS.load(Relaxed) < 0;
     let edits = EDITS.read().unwrap_or_else(PoisonError::into_inner);
+    let edit = edits.iter().find(|(index, _)| *index == place);
     let mut value = Value::Unfit;
     // Once a picture is refused, nothing is evaluated for it.
-    if !is_over()
-        && let Some((_, line)) = edits.iter().find(|(index, _)| *index == place)
-    {
+    if let Some((_, line)) = edit.filter(|_| !is_over()) {
         match line.evaluate(variables) {
             Ok(_) if is_over() => stop(place, 0..line.length, TOO_LONG),
             Ok(result) => value = result,
@@ -77,39 +73,37 @@ pub(crate) fn stop_outside(sentence: &str) {
 fn stop(place: usize, range: Range<usize>, sentence: &str) {
     let mut stop = STOP.lock().unwrap_or_else(PoisonError::into_inner);
     stop.get_or_insert((place, Refusal { range, sentence: sentence.to_owned() }));
-    STEPS.store(u64::MAX / 2, Relaxed);
+    REMAINING_STEPS.store(i64::MIN / 2, Relaxed);
 }
 
 /// The picture of a step with expressions in place of the book's; or where the reader's program
 /// would stop, and why. A step is a function, or an operator, at a pixel. The first edit is the one
 /// that is told of what goes wrong around them.
 pub fn draw_edited(
-    step: &str,
-    edits: Vec<(Place, Expression)>,
+    edits: &[(Place, Expression)],
     columns: u32,
-    most_steps: u64,
+    most_steps: i64,
 ) -> Result<RgbImage, (&'static str, Refusal)> {
     let _alone = DRAWING.lock();
     let places = all_listed_places();
     let index_of = |place: &Place| places.iter().position(|one| one == place);
-    let edits: Vec<_> = edits
-        .into_iter()
-        .filter_map(|(place, expression)| Some((index_of(&place)?, expression)))
-        .collect();
-    let bits = edits.iter().fold(0, |bits, (index, _)| bits | 1 << index);
-    *EDITS.write().unwrap_or_else(PoisonError::into_inner) = edits;
-    STEPS.store(0, Relaxed);
-    MOST_STEPS.store(most_steps, Relaxed);
+    let indexed_edits = edits
+        .iter()
+        .filter_map(|(place, expression)| Some((index_of(place)?, expression.clone())))
+        .collect::<Vec<_>>();
+    let bits = indexed_edits.iter().fold(0, |bits, (index, _)| bits | 1 << index);
+    *EDITS.write().unwrap_or_else(PoisonError::into_inner) = indexed_edits;
+    REMAINING_STEPS.store(most_steps, Relaxed);
     PLACES.store(bits, Relaxed);
-    let picture = match step {
+    let picture = match edits.first().map_or("", |(place, _)| place.step_name()) {
         "step01_rays" => step01_rays::picture,
         "step02_sphere" => step02_sphere::picture,
         "step03_nearest" => step03_nearest::picture,
         "step04_diffuse" => step04_diffuse::picture,
         _ => step05_phong::picture,
     };
-    let (rows, angle) = (columns * 9 / 16, 60_f64.to_radians());
-    let picture = picture(&step01_rays::Camera::new(columns, rows, angle), 1);
+    let angle = 60_f64.to_radians();
+    let picture = picture(&step01_rays::Camera::new(columns, columns * 9 / 16, angle), 1);
     PLACES.store(0, Relaxed);
     match STOP.lock().unwrap_or_else(PoisonError::into_inner).take() {
         Some((place, refusal)) => Err((places[place].name, refusal)),

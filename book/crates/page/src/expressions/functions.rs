@@ -146,7 +146,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
 
 /// Remainder of a division, which takes time for the binary digits of the quotient.
 fn remainder(a: f64, b: f64) -> f64 {
-    let exponent = |number: f64| number.to_bits() >> 52 & 0x7ff;
-    spend(2 + exponent(a).saturating_sub(exponent(b)) / 64);
+    let exponent = |number: f64| (number.to_bits() >> 52 & 0x7ff) as i64;
+    spend(2 + (exponent(a) - exponent(b)).max(0) / 64);
     a % b
 }

@@ -1,6 +1,6 @@
 use crate::expressions::value::Value;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
 
 /// A compiled part of a line.
 #[derive(Clone)]
@@ -60,12 +60,13 @@ impl Node {
 }
 
 /// Meaning of a reader's text: a function of the variables of its place.
+#[derive(Clone)]
 pub struct Expression {
     pub(super) node: Node,
     /// How many variables and values of `let` it has.
     pub(super) slots: usize,
     /// Functions and operators that it calls at most.
-    pub(super) steps: u64,
+    pub(super) steps: i64,
     /// Bytes of its text.
     pub(super) length: usize,
 }
@@ -79,10 +80,10 @@ impl Expression {
     }
 }
 
-/// The steps that a picture has taken so far.
-pub static STEPS: AtomicU64 = AtomicU64::new(0);
+/// The steps that a picture may still take.
+pub static REMAINING_STEPS: AtomicI64 = AtomicI64::new(0);
 
 /// Counts steps of a picture.
-pub fn spend(steps: u64) {
-    STEPS.fetch_add(steps, Relaxed);
+pub fn spend(steps: i64) {
+    REMAINING_STEPS.fetch_sub(steps, Relaxed);
 }

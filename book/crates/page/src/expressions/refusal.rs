@@ -131,7 +131,7 @@ pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
             && first.into_iter().any(|first| first.is_like(receiver))
     };
     let mut names: Vec<_> = FUNCTIONS.iter().copied().flatten().map(|row| row.name).collect();
-    names.retain(|name| takes_it(&name));
+    names.retain(|name| takes_it(name));
     names.sort_unstable();
     names.dedup();
     let names: Vec<_> = names.iter().map(|name| name.trim_start_matches('.')).collect();

@@ -26,7 +26,7 @@ fn answer(name: &str, text: &str) -> String {
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
     let place = find_place(name);
     let expression = parse_expression(&place, text)?;
-    let picture = draw_edited(place.step_name(), vec![(place, expression)], 64, 30_000);
+    let picture = draw_edited(&[(place, expression)], 64, 30_000);
     picture.map(|_| ()).map_err(|(_, refusal)| refusal)
 }
 

@@ -1,40 +1,58 @@
-//! A listed mistake that is typed into a line draws that mistake's picture.
+//! Each place as it stands draws the locked picture; a listed mistake that is typed into it draws
+//! that mistake's.
 
 use course::{
     Mistake, Place, TableRow, hash_picture, locked_hashes, mistakes, table_rows, workspace,
 };
-use page::expressions::{draw_edited, editable_places, parse_expression};
+use page::expressions::{draw_edited, editable_places, parse_expression, place_faults};
 use std::{env, fs};
 
-/// A tenth of the listed mistakes that change one place and nothing else, all where THOROUGH is
-/// set.
 #[test]
-fn listed_mistakes_are_drawn_by_an_edited_line() {
-    let edits: Vec<_> = editable_places().iter().flat_map(edits_of_listed_mistakes).collect();
+fn no_place_has_a_fault() {
+    let faults = place_faults().join("\n");
+    assert_eq!(faults, "", "The steps have changed; mend book/crates/course/places.txt");
+    assert_eq!(editable_places().len(), 30);
+}
+
+/// The places as they stand, and a tenth of the listed mistakes that change one place and nothing
+/// else, all where THOROUGH is set.
+#[test]
+fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if env::var_os("THOROUGH").is_some() { 1 } else { 10 };
-    let (mut count, mut refusals) = (0, vec![]);
-    for (place, text, expected) in edits.iter().step_by(step) {
+    let (mut count, mut refusals) = (0, String::new());
+    let edits: Vec<_> = editable_places().iter().flat_map(edits_of_listed_mistakes).collect();
+    let unedited_places = editable_places().into_iter().map(|place| {
+        let (text, hash) = (place.code.to_owned(), locked_hash(&place));
+        (place, text, hash)
+    });
+    for (place, text, expected) in unedited_places.chain(edits.into_iter().step_by(step)) {
         count += 1;
-        let picture = parse_expression(place, text).and_then(|expression| {
-            let edits = vec![(place.clone(), expression)];
-            draw_edited(place.step_name(), edits, 640, u64::MAX).map_err(|(_, refusal)| refusal)
+        let picture = parse_expression(&place, &text).and_then(|expression| {
+            let edits = [(place.clone(), expression)];
+            draw_edited(&edits, 640, i64::MAX).map_err(|(_, refusal)| refusal)
         });
         match picture {
             Ok(picture) => assert_eq!(
                 hash_picture(&picture),
-                *expected,
+                expected,
                 "{}: {text} draws another picture than the table has; where the code or the list \
                  has changed, `cargo xtask` makes the table anew",
                 place.name
             ),
             Err(refusal) => {
-                refusals.push(format!("{}: {text}: {}\n", place.name, refusal.sentence));
+                assert_ne!(text, place.code, "{}: {}", place.name, refusal.sentence);
+                refusals += &format!("{}: {text}: {}\n", place.name, refusal.sentence);
             }
         }
     }
-    let refused_count = refusals.len();
-    let refusals = refusals.concat();
+    let refused_count = refusals.lines().count();
     assert!(10 * refused_count < count, "of {count}, these are refused:\n{refusals}");
+}
+
+/// The hash of the right picture of a place's step.
+fn locked_hash(place: &Place) -> u64 {
+    let locked_picture = locked_hashes().find(|(name, _)| *name == place.step_name());
+    locked_picture.expect("a locked picture").1
 }
 
 /// The mistakes that change `place` alone: what is written there, and the hash of the picture.
@@ -45,12 +63,10 @@ fn edits_of_listed_mistakes(place: &Place) -> Vec<(Place, String, u64)> {
     let bare = lines.join("\n");
     let range = place.find_ranges(&bare).first().cloned().expect("the place");
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
-    let right = locked_hashes().find(|(name, _)| *name == place.step_name());
-    let (_, right) = right.expect("a locked picture");
     let edit = |(mistake, row): (Mistake, TableRow)| {
         let edited = mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
-        Some((place.clone(), new.to_owned(), row.hashes.first()?.unwrap_or(right)))
+        Some((place.clone(), new.to_owned(), row.hashes.first()?.unwrap_or(locked_hash(place))))
     };
     mistakes().into_iter().zip(table_rows()).filter_map(edit).collect()
 }

@@ -4,4 +4,3 @@
 mod judged_by_rustc;
 mod lines;
 mod listed_mistakes;
-mod unedited_places;
