@@ -131,8 +131,8 @@ impl Compiler<'_> {
         let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
         let mut rows = functions(name);
         let Some(function) = rows.find(|row| !matches!((row.apply)(&values), Unfit)) else {
-            let (range, sentence) = explain_refused_call(name, &parts, self.text);
-            return refuse(range.unwrap_or(sign), sentence);
+            let (range, sentence) = explain_refused_call(name, sign.clone(), &parts, self.text);
+            return refuse(range, sentence);
         };
         let sample = match ((function.apply)(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.

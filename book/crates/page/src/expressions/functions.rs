@@ -19,6 +19,11 @@ pub fn functions(name: &str) -> impl Iterator<Item = &'static Function> {
     FUNCTIONS.iter().copied().flatten().filter(move |function| function.name == name)
 }
 
+/// Whether there is a function of this name.
+pub fn is_known(name: &str) -> bool {
+    functions(name).next().is_some()
+}
+
 /// Functions, each of values that match a pattern.
 macro_rules! functions {
     ($($name:expr, $pattern:pat => $result:expr;)*) => {

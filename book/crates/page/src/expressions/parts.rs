@@ -1,15 +1,14 @@
 //! What a line may have: each kind of syntax.
 
 use crate::expressions::compiler::{Compiler, Part, range_of, write_tokens};
-use crate::expressions::functions::functions;
+use crate::expressions::functions::is_known;
 use crate::expressions::node::Node;
 use crate::expressions::refusal::{Checked, explain_unknown_member, explain_unknown_name, refuse};
 use crate::expressions::value::Value::{self, Bool, F64, I32};
-use quote::ToTokens;
 use std::ops::Range;
 use syn::{
-    Block, Expr, ExprBinary, ExprCall, ExprField, ExprIf, ExprIndex, ExprMethodCall, ExprUnary,
-    Lit, Local, LocalInit, Pat, PatIdent, ReturnType, Stmt, UnOp,
+    Block, Expr, ExprBinary, ExprCall, ExprField, ExprIf, ExprIndex, ExprMethodCall, ExprPath,
+    ExprUnary, Lit, Local, LocalInit, Pat, PatIdent, Stmt, UnOp,
 };
 
 const UNSUPPORTED: &str = "A page can't draw with this part of Rust: it knows let, if … else, \
@@ -33,9 +32,9 @@ impl Compiler<'_> {
             Expr::Cast(cast) => {
                 let part = self.expression(&cast.expr)?;
                 let name = format!("as {}", write_tokens(&cast.ty));
-                match functions(&name).next() {
-                    Some(_) => self.call(&name, vec![part], range_of(&cast.as_token)),
-                    None => refuse(range_of(&cast.ty), "Behind as, there is f64 or i32."),
+                match is_known(&name) {
+                    true => self.call(&name, vec![part], range_of(&cast.as_token)),
+                    false => refuse(range_of(&cast.ty), "Behind as, there is f64 or i32."),
                 }
             }
             Expr::Path(path) => self.path_call(path, vec![]),
@@ -43,11 +42,11 @@ impl Compiler<'_> {
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Call(call) => self.function_call(call),
             Expr::Index(index) => self.index(index),
-            Expr::Array(array) => {
-                let parts = array.elems.iter().map(|one| self.expression(one));
-                let parts = parts.collect::<Checked<_>>()?;
+            Expr::Array(array) if array.elems.len() == 3 => {
+                let parts = self.expressions(&array.elems)?;
                 self.call("[…]", parts, range_of(syntax))
             }
+            Expr::Array(_) => refuse(range_of(syntax), "An array here has three numbers."),
             Expr::If(branches) => self.branches(branches),
             Expr::Block(block) => self.block(&block.block),
             Expr::Reference(one) => refuse(range_of(&one.and_token), "Leave out the &."),
@@ -82,11 +81,17 @@ impl Compiler<'_> {
         Ok(Part { node: Node::If(Box::new(nodes)), ..right })
     }
 
+    fn expressions<'a>(&mut self, all: impl IntoIterator<Item = &'a Expr>) -> Checked<Vec<Part>> {
+        all.into_iter().map(|syntax| self.expression(syntax)).collect()
+    }
+
     /// A constant, or the call of a function, of this path.
-    fn path_call(&mut self, path: &syn::ExprPath, parts: Vec<Part>) -> Checked<Part> {
-        let (name, range) = (self.read_path(path)?, range_of(path));
+    fn path_call(&mut self, path: &ExprPath, parts: Vec<Part>) -> Checked<Part> {
+        let (name, range) = (write_tokens(path), range_of(path));
+        if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
+            return refuse(range, "This file has no use glam::DVec3.");
+        }
         let (owner, method) = name.split_once("::").unwrap_or_default();
-        let is_known = |name| functions(name).next().is_some();
         match (Value::from_type(owner).filter(|_| is_known(method)), parts.first()) {
             (Some(owner), Some(first)) => {
                 self.demand(first, owner, &format!("{name} takes"))?;
@@ -97,19 +102,10 @@ impl Compiler<'_> {
         }
     }
 
-    /// A path as the table of functions has it.
-    fn read_path(&self, path: &impl ToTokens) -> Checked<String> {
-        let name = write_tokens(path);
-        if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
-            return refuse(range_of(path), "This file has no use glam::DVec3.");
-        }
-        Ok(name)
-    }
-
     fn function_call(&mut self, call: &ExprCall) -> Checked<Part> {
-        let parts = call.args.iter().map(|one| self.expression(one)).collect::<Checked<_>>()?;
+        let parts = self.expressions(&call.args)?;
         match &*call.func {
-            Expr::Path(path) if !call.args.is_empty() => self.path_call(path, parts),
+            Expr::Path(path) if !parts.is_empty() => self.path_call(path, parts),
             _ => refuse(range_of(call), UNSUPPORTED),
         }
     }
@@ -133,9 +129,7 @@ impl Compiler<'_> {
         if write_tokens(&call.receiver) == "best.as_ref()" {
             return self.best_call(call);
         }
-        let receivers = std::iter::once(&*call.receiver);
-        let parts = receivers.chain(&call.args).map(|one| self.expression(one));
-        let parts = parts.collect::<Checked<Vec<_>>>()?;
+        let parts = self.expressions(std::iter::once(&*call.receiver).chain(&call.args))?;
         if call.turbofish.is_some() {
             return refuse(range_of(&call.turbofish), "Leave out the ::<…>.");
         }
@@ -150,7 +144,7 @@ impl Compiler<'_> {
                 "Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.";
             return refuse(parts[0].range.clone(), sentence);
         }
-        if functions(name).next().is_none() {
+        if !is_known(name) {
             return refuse(sign, explain_unknown_member(name, &parts[0].sample));
         }
         self.call(name, parts, sign)
@@ -164,14 +158,14 @@ impl Compiler<'_> {
             ("is_none_or", [Expr::Closure(closure)]) => (constant(Bool(true), false), closure),
             _ => return refuse(range_of(call), UNSUPPORTED),
         };
-        let (written, output) = (write_tokens(closure), &closure.output);
         let [is_none, t] = BEST.map(|name| self.find_name(name));
-        let (Some(Pat::Ident(hit)), Some(is_none), Some(t), Node::Constant(_), ReturnType::Default) =
-            (closure.inputs.first(), is_none, t, &default.node, output)
+        let (Some(Pat::Ident(hit)), Some(is_none), Some(t), Node::Constant(_)) =
+            (closure.inputs.first(), is_none, t, &default.node)
         else {
             return refuse(range_of(call), UNSUPPORTED);
         };
-        if !written.starts_with(&format!("|{}|", hit.ident)) {
+        // Neither types nor further words.
+        if write_tokens(closure) != format!("|{}|{}", hit.ident, write_tokens(&closure.body)) {
             return refuse(range_of(call), UNSUPPORTED);
         }
         self.add_name(&hit.ident, ".t", t)?;
@@ -229,24 +223,14 @@ impl Compiler<'_> {
 
     /// The slot that a `let` writes and its value; None where that is the same at each pixel.
     fn declaration(&mut self, local: &Local) -> Checked<Option<(usize, Node)>> {
-        let (pattern, written) = match &local.pat {
-            Pat::Type(typed) => (&*typed.pat, Some(self.read_path(&typed.ty)?)),
-            pattern => (pattern, None),
-        };
-        let wanted = written.as_ref().map(|name| Value::from_type(name));
         let (
             Pat::Ident(PatIdent { ident, by_ref: None, subpat: None, .. }),
             Some(LocalInit { expr, diverge: None, .. }),
-            None | Some(Some(_)),
-        ) = (pattern, &local.init, wanted)
+        ) = (&local.pat, &local.init)
         else {
-            return refuse(range_of(local), "A let here is let x = …; or let x: f64 = …;");
+            return refuse(range_of(local), "A let here is let x = …;");
         };
-        let mut part = self.expression(expr)?;
-        if let Some(wanted) = wanted.flatten() {
-            self.demand(&part, wanted, "This let takes")?;
-            part.is_open = false;
-        }
+        let part = self.expression(expr)?;
         if part.node.is_constant() {
             self.add_name(ident, "", part)?;
             return Ok(None);
@@ -260,16 +244,17 @@ impl Compiler<'_> {
 
 /// A number, or true or false.
 fn literal_part(literal: &Lit) -> Checked<Part> {
-    let (sample, suffix) = match literal {
-        Lit::Bool(truth) => (Some(Bool(truth.value)), "bool"),
-        Lit::Int(number) => (number.base10_parse().map(I32).ok(), number.suffix()),
-        Lit::Float(number) => (number.base10_parse().map(F64).ok(), number.suffix()),
-        _ => (None, ""),
+    let sample = match literal {
+        Lit::Bool(truth) => Some(Bool(truth.value)),
+        Lit::Int(number) => number.base10_parse().map(I32).ok(),
+        Lit::Float(number) => number.base10_parse().map(F64).ok(),
+        _ => None,
     };
-    match (sample, suffix) {
-        (Some(sample @ (F64(f64::MIN..=f64::MAX) | I32(_))), "") => Ok(constant(sample, true)),
-        (Some(sample @ F64(f64::MIN..=f64::MAX)), "f64") => Ok(constant(sample, false)),
-        (Some(sample @ I32(_)), "i32") | (Some(sample), "bool") => Ok(constant(sample, false)),
+    match (sample, literal.suffix()) {
+        (Some(F64(f64::INFINITY)), _) => refuse(range_of(literal), "That's beyond an f64."),
+        (Some(sample), "") => Ok(constant(sample, true)),
+        (Some(sample @ I32(_)), "i32") => Ok(constant(sample, false)),
+        (Some(sample @ F64(_)), "f64") => Ok(constant(sample, false)),
         _ => refuse(range_of(literal), "Rust has no such f64 or i32; or is a * missing?"),
     }
 }

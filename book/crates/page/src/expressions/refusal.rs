@@ -1,9 +1,10 @@
 //! What a reader is told where Rust would refuse a text.
 
 use crate::expressions::compiler::Part;
-use crate::expressions::functions::{FUNCTIONS, functions};
+use crate::expressions::functions::{FUNCTIONS, functions, is_known};
 use crate::expressions::value::{SAMPLES, Value};
 use course::Place;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Fault in a text.
@@ -57,16 +58,14 @@ fn find_signatures(name: &str) -> Vec<Vec<Value>> {
     found
 }
 
-/// Why a function can't be called with these values, and which of them is wrong, if it is one.
+/// Why a function, whose name is at `sign`, can't be called with these values, and what is wrong.
 pub fn explain_refused_call(
     name: &str,
+    sign: Range<usize>,
     parts: &[Part],
     text: &str,
-) -> (Option<Range<usize>>, String) {
-    let is_method = name.starts_with(|sign: char| sign.is_alphabetic() || sign == '.')
-        && !name.contains([':', ' ']);
-    let shown_name =
-        format!("{}{name}", if name.starts_with('.') || !is_method { "" } else { "." });
+) -> (Range<usize>, String) {
+    let shown_name = &text[sign.clone()];
     let fits = |(part, wanted): (&Part, &Value)| part.sample.is_like(wanted);
     // The one that is nearest to what is written.
     let signatures = find_signatures(name);
@@ -76,21 +75,23 @@ pub fn explain_refused_call(
     });
     let Some(wanted) = nearest else {
         let cure = if name == "^" { " For powers, Rust has .powi(2) or .powf(0.5)." } else { "" };
-        return (None, format!("A page can't draw with {name}.{cure}"));
+        return (sign, format!("A page can't draw with {name}.{cure}"));
     };
-    let receivers = usize::from(is_method);
+    let wanted_count = wanted.len();
+    let receivers = usize::from(shown_name.starts_with('.'));
     let mut pairs = parts.iter().zip(wanted).enumerate();
-    let wrong = pairs.find(|(_, pair)| !fits(*pair));
-    let (Some((index, (part, wanted))), true) = (wrong, wanted.len() == parts.len()) else {
-        let [wanted, count] = [wanted.len(), parts.len()].map(|count| count - receivers);
-        return (
-            None,
-            format!("The number of values is wrong: {shown_name} takes {wanted}, not {count}."),
-        );
-    };
-    let verb = if index < receivers { "belongs to" } else { "takes" };
-    let sentence = explain_mismatch(&format!("{shown_name} {verb}"), part, text, wanted);
-    (Some(part.range.clone()), sentence)
+    match pairs.find(|(_, pair)| !fits(*pair)) {
+        Some((index, (part, wanted))) if wanted_count == parts.len() => {
+            let verb = if index < receivers { "belongs to" } else { "takes" };
+            let sentence = explain_mismatch(&format!("{shown_name} {verb}"), part, text, wanted);
+            (part.range.clone(), sentence)
+        }
+        _ => {
+            let [wanted, count] = [wanted_count, parts.len()].map(|count| count - receivers);
+            let sentence = "The number of values is wrong";
+            (sign, format!("{sentence}: {shown_name} takes {wanted}, not {count}."))
+        }
+    }
 }
 
 /// Says that there is no such name, and lists those that there are; it may be called with parts.
@@ -98,7 +99,7 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     // Only whole numbers have `pow`.
     let method = if last == "pow" { "powi" } else { &last };
-    if let (Some(first), Some(_)) = (parts.first(), functions(method).next()) {
+    if let Some(first) = parts.first().filter(|_| is_known(method)) {
         let (first, others) = (&text[first.range.clone()], if parts.len() < 2 { "" } else { "…" });
         return format!("In Rust, it's a method: {first}.{method}({others}).");
     }
@@ -118,27 +119,21 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
 /// Says that a value has no such `.FIELD` or `METHOD`, and lists those that it has.
 pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
     let name = member.trim_start_matches('.');
-    if functions(name).next().is_some() {
+    if is_known(name) {
         return format!("Write .{name}(): it's a method.");
     }
-    if functions(&format!(".{name}")).next().is_some() {
+    if is_known(&format!(".{name}")) {
         return format!("Write .{name} without the (): it's a field.");
     }
     let takes_it = |name: &&str| {
-        let first = find_signatures(name).into_iter().filter_map(|list| list.first().copied());
-        name.bytes()
-            .all(|sign| sign.is_ascii_lowercase() || sign.is_ascii_digit() || b"._".contains(&sign))
-            && first.into_iter().any(|first| first.is_like(receiver))
+        let is_part = |sign: char| sign.is_alphanumeric() || sign == '_';
+        let mut signatures = find_signatures(name).into_iter();
+        name.trim_start_matches('.').chars().all(is_part)
+            && signatures.any(|list| list[0].is_like(receiver))
     };
-    let mut names: Vec<_> = FUNCTIONS.iter().copied().flatten().map(|row| row.name).collect();
-    names.retain(|name| takes_it(name));
-    names.sort_unstable();
-    names.dedup();
-    let names: Vec<_> = names.iter().map(|name| name.trim_start_matches('.')).collect();
+    let names = FUNCTIONS.iter().copied().flatten().map(|row| row.name).filter(takes_it);
+    let names: BTreeSet<_> = names.map(|name| name.trim_start_matches('.')).collect();
+    let names = names.into_iter().collect::<Vec<_>>().join(", ");
     let cure = if name == "pow" { " Powers are .powi(2)." } else { "" };
-    format!(
-        ".{name} isn't known here.{cure} Of {}, there is:\n{}",
-        receiver.describe(),
-        names.join(", ")
-    )
+    format!(".{name} isn't known here.{cure} Of {}, there is:\n{names}", receiver.describe())
 }

@@ -22,7 +22,7 @@ pub const SAMPLES: [(&str, Value, &str); 5] = [
     ("DVec3", Value::Vector(DVec3::ONE), "a vector"),
     ("i32", Value::I32(1), "a whole number"),
     ("bool", Value::Bool(true), "true or false"),
-    ("[f64;3]", Value::Array([1.0; 3]), "an array"),
+    ("[f64; 3]", Value::Array([1.0; 3]), "an array"),
 ];
 
 impl Value {
