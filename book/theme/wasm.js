@@ -46,13 +46,13 @@ async function startModule({ module, mistakes }) {
 function ask(module, request, file) {
     const copyIn = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
     const words = new TextEncoder().encode(request);
-    copyIn(words, module.live_request(words.length));
-    if (file) copyIn(file, module.live_file(file.length));
-    module.live_answer();
+    copyIn(words, module.live_room(0, words.length));
+    if (file) copyIn(file, module.live_room(1, file.length));
+    const address = module.live_answer();
+    const [text, letters, pixels, count] = new Uint32Array(module.memory.buffer, address, 4);
     const copyOut = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
-    const text = new TextDecoder().decode(copyOut(module.live_text(), module.live_text_length()));
-    const answer = JSON.parse(text);
-    if (answer.size) answer.pixels = copyOut(module.live_pixels(), module.live_pixels_length());
+    const answer = JSON.parse(new TextDecoder().decode(copyOut(text, letters)));
+    if (answer.size) answer.pixels = copyOut(pixels, count);
     return answer;
 }
 

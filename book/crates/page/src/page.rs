@@ -7,58 +7,29 @@ use figures::Reply;
 use std::cell::RefCell;
 
 thread_local! {
-    static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
-    static FILE: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
-    static ANSWER: RefCell<Reply> = RefCell::default();
+    static ROOMS: RefCell<[Vec<u8>; 2]> = const { RefCell::new([vec![], vec![]]) };
+    static ANSWER: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
-/// Makes room for a request of this many bytes.
+/// Makes room for this many bytes: of the next request, 0, or of its file, 1.
 #[unsafe(no_mangle)]
-extern "C" fn live_request(length: usize) -> *mut u8 {
-    REQUEST.with_borrow_mut(|request| {
-        *request = vec![0; length];
-        request.as_mut_ptr()
+extern "C" fn live_room(index: usize, length: usize) -> *mut u8 {
+    ROOMS.with_borrow_mut(|rooms| {
+        rooms[index] = vec![0; length];
+        rooms[index].as_mut_ptr()
     })
 }
 
-/// Makes room for the file of the next request, of this many bytes.
+/// Answers the request that was written into its room. At the address that it gives are those of
+/// the answer's text and of its pixels, each with the length in bytes.
 #[unsafe(no_mangle)]
-extern "C" fn live_file(length: usize) -> *mut u8 {
-    FILE.with_borrow_mut(|file| {
-        *file = vec![0; length];
-        file.as_mut_ptr()
+extern "C" fn live_answer() -> *const usize {
+    let [request, file] = ROOMS.take();
+    let reply = answer(str::from_utf8(&request).unwrap_or_default(), &file);
+    let [text, pixels] = [reply.text.as_bytes(), &reply.pixels];
+    let ranges = [text.as_ptr() as usize, text.len(), pixels.as_ptr() as usize, pixels.len()];
+    ANSWER.with_borrow_mut(|answer| {
+        *answer = (reply, ranges);
+        answer.1.as_ptr()
     })
-}
-
-/// Answers the request that was written into its room.
-#[unsafe(no_mangle)]
-extern "C" fn live_answer() {
-    let file = FILE.take();
-    let answer =
-        REQUEST.with_borrow(|request| answer(str::from_utf8(request).unwrap_or_default(), &file));
-    ANSWER.set(answer);
-}
-
-/// The address of the answer's text.
-#[unsafe(no_mangle)]
-extern "C" fn live_text() -> *const u8 {
-    ANSWER.with_borrow(|answer| answer.text.as_ptr())
-}
-
-/// The length of the answer's text in bytes.
-#[unsafe(no_mangle)]
-extern "C" fn live_text_length() -> usize {
-    ANSWER.with_borrow(|answer| answer.text.len())
-}
-
-/// The address of the answer's pixels.
-#[unsafe(no_mangle)]
-extern "C" fn live_pixels() -> *const u8 {
-    ANSWER.with_borrow(|answer| answer.pixels.as_ptr())
-}
-
-/// The length of the answer's pixels in bytes.
-#[unsafe(no_mangle)]
-extern "C" fn live_pixels_length() -> usize {
-    ANSWER.with_borrow(|answer| answer.pixels.len())
 }
