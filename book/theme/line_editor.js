@@ -6,7 +6,6 @@
 {
     const SMALL = 320, LARGE = 640; // Columns while one types, and at rest.
     const REST = 300; // Milliseconds after the last key.
-    const EDIT = /^(\w+)(?::|%3A)(.*)$/i;
 
     // Colours make other elements of the lines, unless they are edited.
     const find = name => document.querySelector(`[data-line="${name}"]`);
@@ -22,27 +21,15 @@
         return one;
     };
     const canvas = make("canvas", { role: "img", "aria-label": "the picture with your lines", width: LARGE, height: LARGE * 9 / 16 });
-    const status = make("p", { role: "status", id: "line-status" });
+    const status = make("p", { role: "status" });
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
     const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
-    const resetAll = button("Reset all", () => {
-        for (const line of findEdited()) setText(line, line.dataset.book);
-        hand.focus();
-        draw(LARGE);
-    });
-    const diff = button("Copy as a diff", () => copy(makeDiff(hand), "The line is copied as a diff. In your folder: git apply, and paste."));
-    const copies = make("details", { "class": "copies" }, make("summary", {}, "Copy …"), make("div", {},
-        button("Copy line", () => copy(readText(hand), "The line is copied, as you wrote it.")),
-        button("Copy link", () => { record(); copy(location.href, "The link to this page with your lines is copied."); }), diff));
+    const copyLine = button("Copy line", () => copyBy(copyLine, readText(hand), "Line copied"));
+    const copyLink = button("Copy link", () => { record(); copyBy(copyLink, location.href, "Link copied"); });
+    const close = button("✕", () => { const line = hand; release(); line.focus(); }, "Close");
     const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
-        make("div", {}, undo, redo, reset, resetAll, button("✕", () => { const line = hand; release(); line.focus(); }, "Close"), copies)));
-
-    async function copy(text, words) {
-        const isCopied = await copyText(text);
-        copies.open = false;
-        tell(isCopied ? words : "This browser doesn't let a page copy here.");
-    }
+        make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
 
     // So many letters of an element, from one on.
     function makeRange(element, from, length) {
@@ -65,7 +52,9 @@
         for (const place of listing.dataset.places.split(" ")) {
             const [name, from, length] = place.split(":");
             const range = makeRange(code, Number(from), Number(length));
-            const line = make("span", { "class": "line", "data-line": name });
+            const line = make("span", {
+                "class": "line", "data-line": name, spellcheck: false, autocapitalize: "off", autocorrect: "off",
+            });
             line.append(range.extractContents());
             range.insertNode(line);
             makeButton(line);
@@ -77,28 +66,27 @@
         code.addEventListener("keydown", event => {
             const line = event.target.closest("[data-line]");
             if (!line) return;
-            const isZ = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z";
-            if (isZ || (line !== hand ? [" ", "Enter"] : ["Enter"]).includes(event.key)) event.preventDefault();
-            if (isZ) {
+            if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
                 show(event.shiftKey ? 1 : -1);
-            } else if (line !== hand) {
-                if (event.key === "Enter" || event.key === " ") take(line, line.textContent.length);
-            } else if (event.key === "Enter") {
+            } else if (line !== hand && [" ", "Enter"].includes(event.key)) {
+                take(line, line.textContent.length);
+            } else if (line === hand && event.key === "Enter") {
                 draw(LARGE);
-            } else if (event.key === "Escape") {
+            } else if (line === hand && event.key === "Escape") {
                 record();
                 setText(line, line.dataset.book);
-                release();
-                line.focus();
+                close.click();
+            } else {
+                return;
             }
+            event.preventDefault();
         });
         code.addEventListener("input", drawSoon);
     }
 
     function makeButton(line) {
-        for (const name of ["contenteditable", "aria-describedby", "aria-invalid"]) line.removeAttribute(name);
-        const words = line.textContent.replace(/\s+/g, " ");
-        for (const [name, value] of Object.entries({ role: "button", tabindex: 0, "aria-label": `Edit ${words}` })) line.setAttribute(name, value);
+        line.removeAttribute("contenteditable");
+        Object.assign(line, { role: "button", tabIndex: 0, ariaLabel: `Edit ${line.textContent.replace(/\s+/g, " ")}`, ariaInvalid: null });
     }
 
     // The text of a line; editors write blanks of their own.
@@ -122,14 +110,13 @@
         makeButton(line);
     }
 
-    // How many letters of a line are before a press; all, if it is none.
-    function findCaret(line, { clientX = -1, clientY = -1 }) {
-        const caret = document.caretPositionFromPoint?.(clientX, clientY) ?? document.caretRangeFromPoint?.(clientX, clientY);
-        const [node, offset] = [caret?.offsetNode ?? caret?.startContainer ?? null, caret?.offset ?? caret?.startOffset];
-        if (!line.contains(node)) return line.textContent.length;
+    // How many letters of a line are before a press; all, where the browser doesn't know.
+    function findCaret(line, { clientX, clientY }) {
+        const caret = document.caretPositionFromPoint?.(clientX, clientY);
+        if (!caret || !line.contains(caret.offsetNode)) return line.textContent.length;
         const before = document.createRange();
         before.setStart(line, 0);
-        before.setEnd(node, offset);
+        before.setEnd(caret.offsetNode, caret.offset);
         return before.toString().length;
     }
 
@@ -138,15 +125,10 @@
         release();
         hand = line;
         setText(line, readText(line));
-        const states = {
-            role: "textbox", "aria-label": "Your line", "aria-describedby": status.id, contenteditable: "plaintext-only",
-            spellcheck: false, autocapitalize: "off", autocorrect: "off",
-        };
-        for (const [name, value] of Object.entries(states)) line.setAttribute(name, value);
-        if (line.contentEditable !== "plaintext-only") line.contentEditable = "true";
+        Object.assign(line, { role: "textbox", ariaLabel: "Your line", contentEditable: "plaintext-only" });
         line.closest("figure").append(panel);
         line.closest("pre").scrollLeft = 0;
-        isDrawn = copies.open = false;
+        isDrawn = false;
         tell("One moment …");
         if (caret !== undefined) {
             line.focus({ preventScroll: true });
@@ -161,7 +143,7 @@
         const line = hand;
         clearTimers();
         record();
-        underline();
+        mark();
         hand = null;
         setText(line, readText(line));
         panel.remove();
@@ -196,7 +178,7 @@
 
     function drawSoon() {
         clearTimers();
-        underline();
+        mark();
         frame = requestAnimationFrame(() => draw(SMALL));
         restTimer = setTimeout(draw, REST, LARGE);
     }
@@ -219,8 +201,7 @@
             tell("This page can't draw that, or a part of it did not load. Press Enter to try again.");
             return;
         }
-        reset.disabled = diff.disabled = isBook(line);
-        resetAll.hidden = !others.length;
+        reset.disabled = isBook(line);
         panel.classList.toggle("old", Boolean(answer.mistake));
         if (picture.size) {
             const [width, height] = picture.size;
@@ -231,8 +212,8 @@
         if (columns !== LARGE) return;
         record();
         const wrong = answer.line && find(answer.line);
-        line.setAttribute("aria-invalid", wrong === line);
-        underline(wrong, answer.from, answer.to);
+        line.ariaInvalid = wrong === line;
+        mark(wrong, answer.from, answer.to);
         if (wrong) {
             tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
         } else if (isBook(line)) {
@@ -262,42 +243,28 @@
         if (event || hand === document.activeElement) hand.scrollIntoView({ block: "nearest" });
     }
 
-    // Underlines a part of a line, or nothing.
-    function underline(line, from, to) {
-        document.querySelectorAll(".wrong").forEach(one => one.remove());
+    // Marks a part of a line as wrong, or nothing.
+    function mark(line, from, to) {
+        window.CSS.highlights?.delete("wrong");
         if (!line) return;
-        const [pre, text] = [line.closest("pre"), readText(line)];
-        const range = makeRange(line, from === text.length ? from - 1 : from, Math.max(1, to - from));
-        const frame = pre.getBoundingClientRect();
-        for (const box of text ? range.getClientRects() : line.getClientRects()) {
-            const mark = make("span", { "class": "wrong", "aria-hidden": "true" });
-            Object.assign(mark.style, {
-                left: `${box.left - frame.left + pre.scrollLeft}px`, top: `${box.top - frame.top}px`,
-                width: `${Math.max(8, box.width)}px`, height: `${box.height + 3}px`,
-            });
-            pre.append(mark);
-        }
+        const isEnd = from === line.textContent.length;
+        const range = makeRange(line, isEnd ? from - 1 : from, Math.max(1, to - from));
+        window.CSS.highlights?.set("wrong", new Highlight(range));
     }
 
-    // The address holds the edits; a mail program may stop before a parenthesis at its end.
+    // The address holds the edits.
     function writeAddress(edits) {
-        const encode = text => encodeURIComponent(text).replace(/[!'()*]/g, sign => `%${sign.charCodeAt(0).toString(16).toUpperCase()}`);
-        const hash = Object.entries(edits).map(([name, text]) => `line=${name}:${encode(text)}`).join("&");
-        if (!hash && !location.hash.startsWith("#line=")) return;
-        history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+        const hash = new URLSearchParams(Object.entries(edits).map(([name, text]) => ["line", `${name}:${text}`]));
+        if (!hash.size && !location.hash.startsWith("#line=")) return;
+        history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
     // Opens the edits that are in the address, and takes the first in hand.
     function openAddress() {
-        if (!location.hash.startsWith("#line=")) return;
-        const matches = location.hash.slice(6).split("&line=").map(edit => edit.match(EDIT));
-        const edits = matches.filter(match => match && find(match[1]));
-        for (const [, name, text] of edits) {
-            let written = text;
-            try { written = decodeURIComponent(text); } catch { /* as it is */ }
-            setText(find(name), written.replace(/\u00a0/g, " "));
-        }
+        const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
+        const edits = words.map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && find(match[1]));
         if (!edits.length) return;
+        for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
         const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         line.closest("main > *").style.contentVisibility = "visible";
@@ -305,45 +272,11 @@
         requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
     }
 
-    // A line for the reader's own file, as `git apply` takes it.
-    function makeDiff(line) {
-        const listing = line.closest("figure");
-        const code = listing.querySelector("code").cloneNode(true);
-        for (const other of code.querySelectorAll("[data-book]")) {
-            if (other.dataset.line !== line.dataset.line) other.textContent = other.dataset.book;
-        }
-        const before = document.createRange();
-        before.setStart(code, 0);
-        before.setEndBefore(code.querySelector(`[data-line="${line.dataset.line}"]`));
-        const start = before.toString();
-        const all = code.textContent.replace(/\n$/, "");
-        const [book, now] = [start + line.dataset.book + all.slice(start.length + line.textContent.length), all].map(text => text.split("\n"));
-        const first = start.split("\n").length - 1;
-        const [gone, come] = [line.dataset.book, line.textContent].map(text => text.split("\n").length);
-        const [above, below] = [book.slice(Math.max(0, first - 3), first), book.slice(first + gone, first + gone + 3)];
-        const from = Number(listing.dataset.lines.split("-")[0]) + first - above.length;
-        const [old, count] = [gone, come].map(rows => rows + above.length + below.length);
-        const rows = (sign, list) => list.map(row => `${sign}${row.replace(/\u00a0/g, " ")}\n`).join("");
-        const { path } = listing.dataset;
-        return `--- a/${path}\n+++ b/${path}\n@@ -${from},${old} +${from},${count} @@\n`
-            + rows(" ", above) + rows("-", book.slice(first, first + gone)) + rows("+", now.slice(first, first + come)) + rows(" ", below);
-    }
-
-    // What is as the book has it is closed by a click elsewhere, or when the keyboard leaves it: not
-    // by a press, whose target would move away.
-    for (const kind of ["click", "focusin"]) {
-        addEventListener(kind, event => {
-            const isOutside = hand && !event.composedPath().includes(hand.closest("figure"));
-            if (isOutside && isBook(hand) && (kind === "click" || event.target.matches?.(":focus-visible"))) release();
-        });
-    }
-    panel.addEventListener("toggle", keepInView, true);
-    addEventListener("resize", () => { if (hand) draw(LARGE); });
-    addEventListener("beforeprint", () => {
-        release();
-        [...books.keys()].forEach(line => setText(line, line.dataset.book));
+    // What is as the book has it is closed by a click elsewhere.
+    addEventListener("click", event => {
+        if (hand && isBook(hand) && !event.composedPath().includes(hand.closest("figure"))) release();
     });
-    addEventListener("afterprint", () => Object.entries(states[current]).forEach(([name, text]) => setText(find(name), text)));
+    panel.addEventListener("toggle", keepInView, true);
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.
     window.visualViewport?.addEventListener("resize", () => {
