@@ -37,10 +37,7 @@ macro_rules! functions {
 /// Functions of a type, under the names that they have there.
 macro_rules! methods {
     ($type:ident $pattern:tt $values:tt $result:ident: $($name:ident)*) => {
-        &[$(Function {
-            name: stringify!($name),
-            apply: |values| match *values { $pattern => $result($type::$name $values), _ => Unfit },
-        }),*]
+        functions! { $(stringify!($name), $pattern => $result($type::$name $values);)* }
     };
 }
 
@@ -55,30 +52,22 @@ macro_rules! constants {
 /// Operators; those of whole numbers stop a program that overflows, as in a development build.
 macro_rules! operators {
     ($($name:literal $sign:tt $checked:ident $stop:ident;)*) => {
-        &[$(Function {
-            name: $name,
-            apply: |values| match *values {
-                [F64(a), F64(b)] => F64(a $sign b),
-                [Vector(a), Vector(b)] => Vector(a $sign b),
-                [Vector(a), F64(b)] => Vector(a $sign b),
-                [F64(a), Vector(b)] => Vector(a $sign b),
-                [I32(a), I32(b)] => a.$checked(b).map_or($stop, I32),
-                _ => Unfit,
-            },
-        }),*]
+        functions! { $(
+            $name, [F64(a), F64(b)] => F64(a $sign b);
+            $name, [Vector(a), Vector(b)] => Vector(a $sign b);
+            $name, [Vector(a), F64(b)] => Vector(a $sign b);
+            $name, [F64(a), Vector(b)] => Vector(a $sign b);
+            $name, [I32(a), I32(b)] => a.$checked(b).map_or($stop, I32);
+        )* }
     };
 }
 
 macro_rules! comparisons {
     ($($name:literal $sign:tt)*) => {
-        &[$(Function {
-            name: $name,
-            apply: |values| match *values {
-                [F64(a), F64(b)] => Bool(a $sign b),
-                [I32(a), I32(b)] => Bool(a $sign b),
-                _ => Unfit,
-            },
-        }),*]
+        functions! { $(
+            $name, [F64(a), F64(b)] => Bool(a $sign b);
+            $name, [I32(a), I32(b)] => Bool(a $sign b);
+        )* }
     };
 }
 

@@ -2,14 +2,12 @@
 //! ask when lines are edited.
 //!
 //! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
-//! script copies the steps' own source and puts a question, `editable!`, around each place;
-//! all else of a picture is the steps' code. `syn` reads a reader's text, once it's known to be
-//! neither too long nor too deep. The *compiler* makes *nodes* of it, which are evaluated for each
-//! pixel. What a value is tells its type, and a table of *functions* has a row for each list of
+//! script copies the steps' own source and puts a question, `editable!`, around each place.
+//! `syn` reads a reader's text, and the *compiler* makes *nodes* of it, which are evaluated for
+//! each pixel. A value tells its type, and a table of *functions* what they do with values of which
 //! types: so the compiler, which knows a *sample* of each part's value, finds out by calling a
-//! function whether Rust would. What Rust would refuse is refused: a range of the text and a
-//! sentence. So is what would stop the reader's program while it draws. `drawing` draws a step
-//! with the edits.
+//! function whether Rust would. What Rust would refuse is refused, with a range of the text and a
+//! sentence; so is what would stop the reader's program while it draws.
 
 /// The reader's expression where `place` is edited, else the book's.
 macro_rules! editable {

@@ -8,8 +8,6 @@ const LENGTH: usize = 400;
 const SIGNS: usize = 200;
 const DEPTH: usize = 20;
 
-const STATEMENTS: &str = "Statements need a block around them: { let x = 1.0; 2.0 * x }.";
-
 /// Signs that no line may have, each with a sentence about it.
 const UNREAD_SIGNS: [(&str, &str); 3] = [
     ("//", "This comment hides the rest of the line: write /* … */."),
@@ -30,36 +28,34 @@ pub fn parse_syntax(text: &str) -> Checked<Expr> {
 
 /// Refuses signs that no line has, and what is too long or too deep to be read.
 fn check_signs(text: &str) -> Checked<()> {
-    let whole = 0..text.len();
-    let is_unknown = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
-    if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unknown(*sign)) {
-        let sentence = format!(
-            "A page can't read {sign}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), .sqrt(), \
-             <=, std::f64::consts::PI."
-        );
-        return refuse(at..at + sign.len_utf8(), sentence);
-    }
-    for (sign, sentence) in UNREAD_SIGNS {
-        if let Some(at) = text.find(sign) {
-            return refuse(at..at + sign.len(), sentence);
-        }
-    }
-    if LENGTH < text.len() || SIGNS < text.matches(|sign: char| sign.is_ascii_punctuation()).count()
-    {
-        return refuse(whole, "That's longer than a line should be.");
-    }
-    let mut depth = 0_usize;
+    let (mut sign_count, mut depth) = (0, 0_usize);
     for (at, sign) in text.char_indices() {
+        let range = at..at + sign.len_utf8();
+        if !sign.is_ascii() || "'\"#@$\\".contains(sign) {
+            let sentence = format!(
+                "A page can't read {sign}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), \
+                 .sqrt(), <=, std::f64::consts::PI."
+            );
+            return refuse(range, sentence);
+        }
+        sign_count += usize::from(sign.is_ascii_punctuation());
         match sign {
             '(' | '[' | '{' => depth += 1,
             ')' | ']' | '}' => depth = depth.saturating_sub(1),
             _ => {}
         }
         if DEPTH < depth {
-            return refuse(at..at + 1, "That's too many inside each other.");
+            return refuse(range, "That's too many inside each other.");
         }
     }
-    Ok(())
+    if LENGTH < text.len() || SIGNS < sign_count {
+        return refuse(0..text.len(), "That's longer than a line should be.");
+    }
+    let find = |(sign, sentence)| Some((text.match_indices(sign).next()?, sentence));
+    match UNREAD_SIGNS.into_iter().find_map(find) {
+        Some(((at, sign), sentence)) => refuse(at..at + sign.len(), sentence),
+        None => Ok(()),
+    }
 }
 
 /// Explains in plain words why `syn` ended there.
@@ -78,7 +74,7 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
             (at..text.len().min(at + 1), sentence)
         }
         _ if error.contains("chained") => (range, "Rust compares two at a time: a < b && b < c."),
-        (";", _) => (range, STATEMENTS),
+        (";", _) => (range, "Statements need a block: { let x = 1.0; 2.0 * x }."),
         ("=", _) => (range, "For =, Rust has == to compare."),
         _ if is_end => (end - 1..end, "A value is missing behind this."),
         _ => (range, "Something is missing before this, such as a value, * or +."),

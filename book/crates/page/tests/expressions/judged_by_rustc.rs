@@ -65,10 +65,12 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         let [text, errors] = [output.stdout, output.stderr].map(String::from_utf8);
         let (text, errors) = (text.expect("a text"), errors.expect("a text"));
         if output.status.success() {
-            let (mut values, all) = (text.lines().map(str::to_owned), 0..lines.len());
-            return all
-                .map(|k| (!refused_lines.contains(&k)).then(|| values.next()).flatten())
-                .collect();
+            let mut values = text.lines().map(str::to_owned);
+            let answers = (0..lines.len()).map(|index| match refused_lines.contains(&index) {
+                true => None,
+                false => values.next(),
+            });
+            return answers.collect();
         }
         let count = refused_lines.len();
         let rows = errors.lines().filter(|line| line.contains(": error"));
