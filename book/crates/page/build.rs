@@ -22,33 +22,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=../course/src/place.rs");
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
-        let step = step?;
-        if !step.file_type()?.is_dir() {
-            continue;
-        }
-        let step = step.file_name().display().to_string();
-        for file in read_dir(Path::new(STEPS).join(&step).join("src"))? {
-            let file = file?;
-            let name = format!("{step}/src/{}", file.file_name().display());
-            files.insert(name, read_to_string(file.path())?.replace('\r', ""));
+        for file in step?.path().join("src").read_dir().into_iter().flatten() {
+            let path = file?.path();
+            let name = path.strip_prefix(STEPS)?.display().to_string().replace('\\', "/");
+            files.insert(name, read_to_string(path)?.replace('\r', ""));
         }
     }
     let sources: String = files.values().map(String::as_str).collect();
     let (mut faults, mut edits) = (vec![], vec![]);
-    for (index, place) in all_listed_places().into_iter().enumerate() {
+    for place in all_listed_places() {
         let text = files.get(place.file).map_or("", String::as_str);
         match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
-            (None, [range]) => edits.push((range.clone(), index, place)),
+            (None, [range]) => edits.push((range.clone(), place)),
             (fault, _) => faults.push((place.name, fault.unwrap_or_default())),
         }
     }
     // From the end of a file to its start, as each edit moves what comes behind it.
-    edits.sort_by_key(|(range, ..)| Reverse(range.start));
-    for (range, index, place) in edits {
+    edits.sort_by_key(|(range, _)| Reverse(range.start));
+    for (range, place) in edits {
         let Some(text) = files.get_mut(place.file) else { continue };
         let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
         let (code, variables) = (&text[range.clone()], variables.join(", "));
-        let question = format!("editable!({index}, {code}, [{variables}])");
+        let question = format!("editable!({}, {code}, [{variables}])", place.index);
         text.replace_range(range, &question);
     }
     let out = env::var("OUT_DIR")?;

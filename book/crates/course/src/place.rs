@@ -3,6 +3,8 @@ use std::ops::Range;
 /// An expression in the steps that a reader may edit: a block of places.txt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
+    /// Number in the order of places.txt, from 0 on.
+    pub index: usize,
     /// Name in the address of an edit.
     pub name: &'static str,
     /// Path of the file, seen from the folder of the steps.
@@ -21,7 +23,7 @@ pub fn all_listed_places() -> Vec<Place> {
     for line in include_str!("../places.txt").lines() {
         if let Some(path) = line.strip_prefix("@ ") {
             file = path;
-        } else if let Some(place) = parse_place(file, line) {
+        } else if let Some(place) = parse_place(places.len(), file, line) {
             places.push(place);
         } else if let Some(place) = places.last_mut() {
             let Some((kind, names)) = line.trim().split_once(' ') else { continue };
@@ -32,10 +34,10 @@ pub fn all_listed_places() -> Vec<Place> {
 }
 
 /// The place of a line such as `a: f64 = v.dot(v)`.
-fn parse_place(file: &'static str, line: &'static str) -> Option<Place> {
+fn parse_place(index: usize, file: &'static str, line: &'static str) -> Option<Place> {
     let (head, code) = line.split_once(" = ")?;
     let (name, kind) = head.split_once(": ")?;
-    Some(Place { name, file, code, kind, variables: vec![] })
+    Some(Place { index, name, file, code, kind, variables: vec![] })
 }
 
 impl Place {

@@ -52,15 +52,14 @@ pub fn edit(words: &str) -> Reply {
 
 /// The picture with these lines, smaller where it would take too long.
 fn draw(lines: &[(Place, &str)], columns: u32) -> Result<RgbImage, (&'static str, Refusal)> {
-    let edits = lines.iter().map(|(place, text)| match parse_expression(place, text) {
-        Ok(expression) => Ok((place.clone(), expression)),
-        Err(refusal) => Err((place.name, refusal)),
-    });
-    let edits = edits.collect::<Result<Vec<_>, _>>()?;
+    let parse = |(place, text): &(Place, &str)| {
+        parse_expression(place, text).map_err(|refusal| (place.name, refusal))
+    };
+    let lines = lines.iter().map(parse).collect::<Result<Vec<_>, _>>()?;
     // A hundredth of the pixels tells what all would take.
-    let small_picture = draw_edited(&edits, 64, STEPS / 100);
+    let small_picture = draw_edited(&lines, 64, STEPS / 100);
     let is_long = small_picture.is_err_and(|(_, refusal)| refusal.sentence == TOO_LONG);
-    draw_edited(&edits, if is_long { columns.min(320) } else { columns }, STEPS)
+    draw_edited(&lines, if is_long { columns.min(320) } else { columns }, STEPS)
 }
 
 /// A sentence about a picture that is the right one, or that of a listed mistake in the line.

@@ -56,7 +56,8 @@ pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
         _ => {
             compiler.demand(&part, sample_of(place.kind), "Here belongs")?;
             let Compiler { slots, steps, .. } = compiler;
-            return Ok(Expression { node: part.node, slots, steps, length: text.len() });
+            let (place, length) = (place.clone(), text.len());
+            return Ok(Expression { place, node: part.node, slots, steps, length });
         }
     };
     refuse(part.range, sentence)

@@ -1,4 +1,5 @@
 use crate::expressions::value::Value;
+use course::Place;
 use std::ops::Range;
 use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
 
@@ -62,6 +63,7 @@ impl Node {
 /// Meaning of a reader's text: a function of the variables of its place.
 #[derive(Clone)]
 pub struct Expression {
+    pub(super) place: Place,
     pub(super) node: Node,
     /// How many variables and values of `let` it has.
     pub(super) slots: usize,

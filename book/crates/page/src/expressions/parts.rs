@@ -32,10 +32,7 @@ impl Compiler<'_> {
             Expr::Cast(cast) => {
                 let part = self.expression(&cast.expr)?;
                 let name = format!("as {}", write_tokens(&cast.ty));
-                match is_known(&name) {
-                    true => self.call(&name, vec![part], range_of(&cast.as_token)),
-                    false => refuse(range_of(&cast.ty), "Behind as, there is f64 or i32."),
-                }
+                self.call(&name, vec![part], range_of(&cast.as_token))
             }
             Expr::Path(path) => self.path_call(path, vec![]),
             Expr::Field(field) => self.field(field),

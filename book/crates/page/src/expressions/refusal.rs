@@ -74,7 +74,11 @@ pub fn explain_refused_call(
         (list.len() == parts.len(), count)
     });
     let Some(wanted) = nearest else {
-        let cure = if name == "^" { " For powers, Rust has .powi(2) or .powf(0.5)." } else { "" };
+        let cure = match name {
+            "^" => " For powers, Rust has .powi(2) or .powf(0.5).",
+            _ if name.starts_with("as ") => " It knows as f64 and as i32.",
+            _ => "",
+        };
         return (sign, format!("A page can't draw with {name}.{cure}"));
     };
     let wanted_count = wanted.len();

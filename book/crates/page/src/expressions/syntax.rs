@@ -75,7 +75,6 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
         }
         _ if error.contains("chained") => (range, "Rust compares two at a time: a < b && b < c."),
         (";", _) => (range, "Statements need a block: { let x = 1.0; 2.0 * x }."),
-        ("=", _) => (range, "For =, Rust has == to compare."),
         _ if is_end => (end - 1..end, "A value is missing behind this."),
         _ => (range, "Something is missing before this, such as a value, * or +."),
     };

@@ -94,7 +94,7 @@ fn rustc_judges_made_lines() {
     let [d, e] = [0.75, -3.5].map(Value::F64);
     let values = vec![d, e, n, l, Value::I32(-3), Value::Bool(true)];
     let variables = PARAMETERS.split(", ").filter_map(|one| one.split_once(": ")).collect();
-    let mut place = Place { name: "", file: "", code: "", kind: "", variables };
+    let mut place = Place { index: 0, name: "", file: "", code: "", kind: "", variables };
     let (mut wrong, mut only_here, mut equal) = (String::new(), String::new(), 0);
     for ((kind, text), judged) in lines.iter().zip(ask_rustc(&lines)) {
         place.kind = kind;

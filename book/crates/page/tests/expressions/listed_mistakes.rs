@@ -28,8 +28,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     for (place, text, expected) in unedited_places.chain(edits.into_iter().step_by(step)) {
         count += 1;
         let picture = parse_expression(&place, &text).and_then(|expression| {
-            let edits = [(place.clone(), expression)];
-            draw_edited(&edits, 640, i64::MAX).map_err(|(_, refusal)| refusal)
+            draw_edited(&[expression], 640, i64::MAX).map_err(|(_, refusal)| refusal)
         });
         match picture {
             Ok(picture) => assert_eq!(
