@@ -1,4 +1,4 @@
-use crate::expressions::functions::functions;
+use crate::expressions::functions::find_function;
 use crate::expressions::node::{Expression, Node};
 use crate::expressions::refusal::{Checked, explain_mismatch, explain_refused_call, refuse};
 use crate::expressions::syntax::parse_syntax;
@@ -130,8 +130,7 @@ impl Compiler<'_> {
     /// The call of a function, an operator or a cast, whose name is at `sign`.
     pub fn call(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
         let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
-        let mut rows = functions(name);
-        let Some(function) = rows.find(|row| !matches!((row.apply)(&values), Unfit)) else {
+        let Some(function) = find_function(name, &values) else {
             let (range, sentence) = explain_refused_call(name, sign.clone(), &parts, self.text);
             return refuse(range, sentence);
         };

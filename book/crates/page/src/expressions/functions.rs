@@ -13,15 +13,15 @@ const OVERFLOW: Value = Stop("Here your program would stop: the result is beyond
 const DIVISION: Value = Stop("Here your program would stop: it divides by 0, or beyond its type.");
 const CLAMP: Value = Stop("Here your program would stop: the lower limit is above the upper.");
 
-/// The functions of a name: methods such as `max`, other functions such as `DVec3::new`, fields
-/// such as `.x`, operators, casts such as `as f64`; constants are functions of nothing.
-pub fn functions(name: &str) -> impl Iterator<Item = &'static Function> {
-    FUNCTIONS.iter().copied().flatten().filter(move |function| function.name == name)
-}
-
 /// Whether there is a function of this name.
 pub fn is_known(name: &str) -> bool {
-    functions(name).next().is_some()
+    FUNCTIONS.iter().copied().flatten().any(|function| function.name == name)
+}
+
+/// The function of this name that takes values of these types.
+pub fn find_function(name: &str, values: &[Value]) -> Option<&'static Function> {
+    let mut functions = FUNCTIONS.iter().copied().flatten();
+    functions.find(|one| one.name == name && !matches!((one.apply)(values), Unfit))
 }
 
 /// Functions, each of values that match a pattern.
@@ -71,6 +71,8 @@ macro_rules! comparisons {
     };
 }
 
+/// Methods such as `max`, other functions such as `DVec3::new`, fields such as `.x`, operators,
+/// casts such as `as f64`; constants are functions of nothing.
 pub static FUNCTIONS: &[&[Function]] = &[
     methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
         tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),

@@ -1,7 +1,7 @@
 //! What a reader is told where Rust would refuse a text.
 
 use crate::expressions::compiler::Part;
-use crate::expressions::functions::{FUNCTIONS, functions, is_known};
+use crate::expressions::functions::{FUNCTIONS, find_function, is_known};
 use crate::expressions::value::{SAMPLES, Value};
 use course::Place;
 use std::collections::BTreeSet;
@@ -42,20 +42,11 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Value) 
     format!("{subject} {}, not {}.{cure}", wanted.describe(), actual.describe())
 }
 
-/// The lists of values, one of each type, that a function of this name takes.
-fn find_signatures(name: &str) -> Vec<Vec<Value>> {
-    let (mut lists, mut found) = (vec![vec![]], vec![]);
-    for _ in 0..3 {
-        let with_another = |list: &Vec<Value>| {
-            SAMPLES.map(|(_, sample, _)| list.iter().copied().chain([sample]).collect())
-        };
-        lists = lists.iter().flat_map(with_another).collect();
-        let fits = |list: &&Vec<Value>| {
-            functions(name).any(|row| !matches!((row.apply)(list), Value::Unfit))
-        };
-        found.extend(lists.iter().filter(fits).cloned());
-    }
-    found
+/// Whether a function takes these values, or these and further ones.
+fn can_take(name: &str, values: &[Value]) -> bool {
+    let can_take_more = |(_, sample, _)| can_take(name, &[values, &[sample]].concat());
+    find_function(name, values).is_some()
+        || values.len() < 3 && SAMPLES.into_iter().any(can_take_more)
 }
 
 /// Why a function, whose name is at `sign`, can't be called with these values, and what is wrong.
@@ -66,36 +57,27 @@ pub fn explain_refused_call(
     text: &str,
 ) -> (Range<usize>, String) {
     let shown_name = &text[sign.clone()];
-    let fits = |(part, wanted): (&Part, &Value)| part.sample.is_like(wanted);
-    // The one that is nearest to what is written.
-    let signatures = find_signatures(name);
-    let nearest = signatures.iter().rev().max_by_key(|list| {
-        let count = parts.iter().zip(*list).filter(|pair| fits(*pair)).count();
-        (list.len() == parts.len(), count)
-    });
-    let Some(wanted) = nearest else {
-        let cure = match name {
-            "^" => " For powers, Rust has .powi(2) or .powf(0.5).",
-            _ if name.starts_with("as ") => " It knows as f64 and as i32.",
-            _ => "",
-        };
-        return (sign, format!("A page can't draw with {name}.{cure}"));
-    };
-    let wanted_count = wanted.len();
-    let receivers = usize::from(shown_name.starts_with('.'));
-    let mut pairs = parts.iter().zip(wanted).enumerate();
-    match pairs.find(|(_, pair)| !fits(*pair)) {
-        Some((index, (part, wanted))) if wanted_count == parts.len() => {
-            let verb = if index < receivers { "belongs to" } else { "takes" };
-            let sentence = explain_mismatch(&format!("{shown_name} {verb}"), part, text, wanted);
-            (part.range.clone(), sentence)
-        }
-        _ => {
-            let [wanted, count] = [wanted_count, parts.len()].map(|count| count - receivers);
-            let sentence = "The number of values is wrong";
-            (sign, format!("{sentence}: {shown_name} takes {wanted}, not {count}."))
+    let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
+    for (_, sample, _) in SAMPLES {
+        for (index, part) in parts.iter().enumerate() {
+            let mut other_values = values.clone();
+            other_values[index] = sample;
+            if find_function(name, &other_values).is_some() {
+                let is_receiver = index == 0 && shown_name.starts_with('.');
+                let verb = if is_receiver { "belongs to" } else { "takes" };
+                let subject = format!("{shown_name} {verb}");
+                return (part.range.clone(), explain_mismatch(&subject, part, text, &sample));
+            }
         }
     }
+    let sentence = match name {
+        "^" => "For powers, Rust has .powi(2) or .powf(0.5).".to_owned(),
+        _ if name.starts_with("as ") => "Behind as, there is f64 or i32.".to_owned(),
+        _ if !is_known(name) => format!("A page can't draw with {name}."),
+        _ if can_take(name, &values) => format!("{shown_name} takes more values."),
+        _ => format!("{shown_name} takes other values, or fewer."),
+    };
+    (sign, sentence)
 }
 
 /// Says that there is no such name, and lists those that there are; it may be called with parts.
@@ -109,7 +91,7 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
     }
     let cure = match &*last {
         "pi" => "Rust's π is std::f64::consts::PI.".to_owned(),
-        _ if name.starts_with("DVec3") || ["vec3", "dvec3", "rgb", "color"].contains(&&*last) => {
+        _ if name.starts_with("DVec3") || last.contains("vec3") => {
             "DVec3::new(1.0, 0.0, 0.5) is a vector.".to_owned()
         }
         _ => {
@@ -129,11 +111,9 @@ pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
     if is_known(&format!(".{name}")) {
         return format!("Write .{name} without the (): it's a field.");
     }
+    let is_part = |sign: char| sign.is_alphanumeric() || sign == '_';
     let takes_it = |name: &&str| {
-        let is_part = |sign: char| sign.is_alphanumeric() || sign == '_';
-        let mut signatures = find_signatures(name).into_iter();
-        name.trim_start_matches('.').chars().all(is_part)
-            && signatures.any(|list| list[0].is_like(receiver))
+        name.trim_start_matches('.').chars().all(is_part) && can_take(name, &[*receiver])
     };
     let names = FUNCTIONS.iter().copied().flatten().map(|row| row.name).filter(takes_it);
     let names: BTreeSet<_> = names.map(|name| name.trim_start_matches('.')).collect();
