@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let text = files.get(place.file).map_or("", String::as_str);
         match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
             (None, [range]) => edits.push((range.clone(), place)),
-            (fault, _) => faults.push((place.name, fault.unwrap_or_default())),
+            (fault, _) => faults.extend(fault),
         }
     }
     // From the end of a file to its start, as each edit moves what comes behind it.
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         text.replace_range(range, &question);
     }
     let out = env::var("OUT_DIR")?;
-    let mut modules = format!("pub const FAULTS: &[(&str, &str)] = &{faults:?};\n");
+    let mut modules = format!("pub const FAULTS: &[&str] = &{faults:?};\n");
     for (name, text) in &files {
         let path = Path::new(&out).join(name);
         create_dir_all(path.parent().unwrap_or(&path))?;

@@ -1,5 +1,7 @@
-use crate::expressions::{Refusal, TOO_LONG, draw_edited, editable_places, parse_expression};
-use course::{Mistake, Place, find_mistakes_with_hash, hash_picture, json, locked_hashes};
+use crate::expressions::{Refusal, TOO_LONG, draw_edited, parse_expression};
+use course::{
+    Mistake, Place, all_listed_places, find_mistakes_with_hash, hash_picture, json, locked_hashes,
+};
 use figures::Reply;
 use image::RgbImage;
 
@@ -91,5 +93,5 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
 }
 
 fn find_place(name: &str) -> Option<Place> {
-    editable_places().into_iter().find(|place| place.name == name)
+    all_listed_places().into_iter().find(|place| place.name == name)
 }

@@ -131,8 +131,7 @@ impl Compiler<'_> {
     pub fn call(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
         let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
         let Some(function) = find_function(name, &values) else {
-            let (range, sentence) = explain_refused_call(name, sign.clone(), &parts, self.text);
-            return refuse(range, sentence);
+            return Err(explain_refused_call(name, sign, &parts, self.text));
         };
         let sample = match ((function.apply)(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.

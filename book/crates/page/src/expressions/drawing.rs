@@ -1,10 +1,9 @@
 use crate::expressions::node::{Expression, REMAINING_STEPS};
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
-    FAULTS, step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
+    step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
 use crate::expressions::value::Value;
-use course::{Place, all_listed_places};
 use image::RgbImage;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -24,18 +23,6 @@ static STOP: Mutex<Option<(&str, Refusal)>> = Mutex::new(None);
 
 /// Held while a picture is drawn, as there is one set of edits.
 static DRAWING: Mutex<()> = Mutex::new(());
-
-/// The places that can be edited.
-pub fn editable_places() -> Vec<Place> {
-    let mut places = all_listed_places();
-    places.retain(|place| FAULTS.iter().all(|(name, _)| *name != place.name));
-    places
-}
-
-/// A sentence about each place that can't be edited, since the steps have changed.
-pub fn place_faults() -> Vec<&'static str> {
-    FAULTS.iter().map(|(_, fault)| *fault).collect()
-}
 
 /// Whether the place with this index is edited.
 #[inline(always)]

@@ -127,11 +127,9 @@ impl Compiler<'_> {
             return self.best_call(call);
         }
         let parts = self.expressions(std::iter::once(&*call.receiver).chain(&call.args))?;
-        if call.turbofish.is_some() {
-            return refuse(range_of(&call.turbofish), "Leave out the ::<…>.");
-        }
         let range = range_of(&call.dot_token).start..range_of(&call.method).end;
-        self.call_member(&call.method.to_string(), parts, range)
+        let name = call.method.to_string() + &write_tokens(&call.turbofish);
+        self.call_member(&name, parts, range)
     }
 
     /// The field `.NAME` or the method `NAME` of a value.

@@ -50,12 +50,7 @@ fn can_take(name: &str, values: &[Value]) -> bool {
 }
 
 /// Why a function, whose name is at `sign`, can't be called with these values, and what is wrong.
-pub fn explain_refused_call(
-    name: &str,
-    sign: Range<usize>,
-    parts: &[Part],
-    text: &str,
-) -> (Range<usize>, String) {
+pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text: &str) -> Refusal {
     let shown_name = &text[sign.clone()];
     let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
     for (_, sample, _) in SAMPLES {
@@ -66,7 +61,8 @@ pub fn explain_refused_call(
                 let is_receiver = index == 0 && shown_name.starts_with('.');
                 let verb = if is_receiver { "belongs to" } else { "takes" };
                 let subject = format!("{shown_name} {verb}");
-                return (part.range.clone(), explain_mismatch(&subject, part, text, &sample));
+                let sentence = explain_mismatch(&subject, part, text, &sample);
+                return Refusal { range: part.range.clone(), sentence };
             }
         }
     }
@@ -77,7 +73,7 @@ pub fn explain_refused_call(
         _ if can_take(name, &values) => format!("{shown_name} takes more values."),
         _ => format!("{shown_name} takes other values, or fewer."),
     };
-    (sign, sentence)
+    Refusal { range: sign, sentence }
 }
 
 /// Says that there is no such name, and lists those that there are; it may be called with parts.
