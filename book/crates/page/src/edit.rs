@@ -37,18 +37,12 @@ pub fn edit(words: &str) -> Reply {
             ]);
             Reply { pixels: figures::rgba_bytes(&picture), ..answer }
         }
-        Err((name, Refusal { range, sentence })) => {
-            let line = lines.iter().find(|(place, _)| place.name == name);
-            let text = line.map_or("", |(_, text)| *text);
-            // A page counts letters as JavaScript does.
-            let letter_count = |end: usize| text[..end].encode_utf16().count().to_string();
-            Reply::from_json_fields([
-                ("line", json::quote(name)),
-                ("from", letter_count(range.start)),
-                ("to", letter_count(range.end)),
-                ("mistake", json::quote(&sentence)),
-            ])
-        }
+        Err((name, Refusal { range, sentence })) => Reply::from_json_fields([
+            ("line", json::quote(name)),
+            ("from", range.start.to_string()),
+            ("to", range.end.to_string()),
+            ("mistake", json::quote(&sentence)),
+        ]),
     }
 }
 

@@ -7,12 +7,14 @@ use crate::expressions::refusal::{Checked, explain_unknown_member, explain_unkno
 use crate::expressions::value::Value::{self, Bool, F64, I32};
 use std::ops::Range;
 use syn::{
-    Block, Expr, ExprBinary, ExprCall, ExprField, ExprIf, ExprIndex, ExprMethodCall, ExprPath,
-    ExprUnary, Lit, Local, LocalInit, Pat, PatIdent, Stmt, UnOp,
+    Expr, ExprBinary, ExprCall, ExprField, ExprIf, ExprIndex, ExprMethodCall, ExprPath, ExprUnary,
+    Lit, LocalInit, Pat, PatIdent, Stmt, UnOp,
 };
 
 const UNSUPPORTED: &str = "A page can't draw with this part of Rust: it knows let, if … else, \
     blocks, arrays of three numbers, vectors and their methods.";
+
+const BLOCK: &str = "A block here has let x = …; and a value at its end.";
 
 /// Questions of a step about its best hit so far, as `places.txt` has them.
 const BEST: [&str; 2] = ["best.is_none()", "best.as_ref().map_or(f64::INFINITY,|hit|hit.t)"];
@@ -45,7 +47,7 @@ impl Compiler<'_> {
             }
             Expr::Array(_) => refuse(range_of(syntax), "An array here has three numbers."),
             Expr::If(branches) => self.branches(branches),
-            Expr::Block(block) => self.block(&block.block),
+            Expr::Block(block) => self.block(&block.block.stmts, range_of(block)),
             Expr::Reference(one) => refuse(range_of(&one.and_token), "Leave out the &."),
             Expr::Assign(one) => refuse(range_of(&one.eq_token), "For =, Rust has == to compare."),
             _ => refuse(range_of(syntax), UNSUPPORTED),
@@ -184,7 +186,8 @@ impl Compiler<'_> {
     fn branches(&mut self, branches: &ExprIf) -> Checked<Part> {
         let condition = self.expression(&branches.cond)?;
         self.demand(&condition, Bool(true), "An if takes")?;
-        let then = self.block(&branches.then_branch)?;
+        let then = &branches.then_branch;
+        let then = self.block(&then.stmts, range_of(then))?;
         let Some((_, other)) = &branches.else_branch else {
             let sentence = "This if needs an else { … }: what is the value otherwise?";
             return refuse(range_of(&branches.if_token), sentence);
@@ -196,44 +199,33 @@ impl Compiler<'_> {
         Ok(Part { node, is_open, ..then })
     }
 
-    fn block(&mut self, block: &Block) -> Checked<Part> {
-        let sentence = "A block here has let x = …; and a value at its end.";
-        let Some((Stmt::Expr(value, None), statements)) = block.stmts.split_last() else {
-            return refuse(range_of(block), sentence);
+    /// The value of these statements, the last of a block.
+    fn block(&mut self, statements: &[Stmt], range: Range<usize>) -> Checked<Part> {
+        let (local, rest) = match statements {
+            [Stmt::Expr(value, None)] => return self.expression(value),
+            [Stmt::Local(local), rest @ ..] => (local, rest),
+            _ => return refuse(range, BLOCK),
         };
-        let (count, mut lets) = (self.names.len(), vec![]);
-        for statement in statements {
-            let Stmt::Local(local) = statement else {
-                return refuse(range_of(statement), sentence);
-            };
-            lets.extend(self.declaration(local)?);
-        }
-        let mut part = self.expression(value)?;
-        self.names.truncate(count);
-        for (slot, node) in lets.into_iter().rev() {
-            part.node = Node::Let(slot, Box::new([node, part.node]));
-        }
-        Ok(part)
-    }
-
-    /// The slot that a `let` writes and its value; None where that is the same at each pixel.
-    fn declaration(&mut self, local: &Local) -> Checked<Option<(usize, Node)>> {
         let (
             Pat::Ident(PatIdent { ident, by_ref: None, subpat: None, .. }),
             Some(LocalInit { expr, diverge: None, .. }),
         ) = (&local.pat, &local.init)
         else {
-            return refuse(range_of(local), "A let here is let x = …;");
+            return refuse(range, BLOCK);
         };
-        let part = self.expression(expr)?;
-        if part.node.is_constant() {
-            self.add_name(ident, "", part)?;
-            return Ok(None);
-        }
-        let slot = self.slots;
-        let named_part = self.new_slot(part.sample, part.is_open);
+        let value = self.expression(expr)?;
+        let (slot, is_constant) = (self.slots, value.node.is_constant());
+        let named_part = match is_constant {
+            true => value.clone(),
+            false => self.new_slot(value.sample, value.is_open),
+        };
         self.add_name(ident, "", named_part)?;
-        Ok(Some((slot, part.node)))
+        let mut part = self.block(rest, range)?;
+        self.names.pop();
+        if !is_constant {
+            part.node = Node::Let(slot, Box::new([value.node, part.node]));
+        }
+        Ok(part)
     }
 }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Fault in a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
-    /// Bytes of the text that are wrong.
+    /// Letters of the text that are wrong.
     pub range: Range<usize>,
     /// One or two sentences for the reader; a list of names may follow, on a line of its own.
     pub sentence: String,

@@ -30,7 +30,7 @@ pub fn parse_syntax(text: &str) -> Checked<Expr> {
 fn check_signs(text: &str) -> Checked<()> {
     let (mut sign_count, mut depth) = (0, 0_usize);
     for (at, sign) in text.char_indices() {
-        let range = at..at + sign.len_utf8();
+        let range = at..at + 1;
         if !sign.is_ascii() || "'\"#@$\\".contains(sign) {
             let sentence = format!(
                 "A page can't read {sign}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), \

@@ -18,9 +18,8 @@ fn answer(name: &str, text: &str) -> String {
     let Err(Refusal { range, sentence }) = draw(name, text) else {
         return "drawn\n".to_owned();
     };
-    let count = |range: &str| range.chars().count();
-    let [blanks, marks] = [count(&text[..range.start]), count(&text[range]).max(1)];
-    format!("{}{}\n{sentence}\n", " ".repeat(name.len() + 2 + blanks), "^".repeat(marks))
+    let blanks = " ".repeat(name.len() + 2 + range.start);
+    format!("{blanks}{}\n{sentence}\n", "^".repeat(range.len().max(1)))
 }
 
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
