@@ -141,9 +141,8 @@
     function release() {
         if (!hand) return;
         const line = hand;
-        clearTimers();
+        clearLine();
         record();
-        mark();
         hand = null;
         setText(line, readText(line));
         panel.remove();
@@ -156,7 +155,9 @@
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
         if (JSON.stringify(edits) !== JSON.stringify(states[current])) states.splice(current += 1, Infinity, edits);
         [undo.disabled, redo.disabled] = [current === 0, current === states.length - 1];
-        writeAddress(edits);
+        const hash = new URLSearchParams(Object.entries(edits).map(([name, text]) => ["line", `${name}:${text}`]));
+        if (!hash.size && !location.hash.startsWith("#line=")) return;
+        history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
     // Shows what was written one edit later or earlier, and takes the line in hand that differs.
@@ -165,20 +166,20 @@
         const [before, after] = [states[current], states[current + later]];
         if (!after) return;
         current += later;
-        clearTimers();
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
         take(differ[0], differ[0].textContent.length);
     }
 
-    function clearTimers() {
+    // Drops what was to be drawn later, and what was told of the line.
+    function clearLine() {
         cancelAnimationFrame(frame);
         clearTimeout(restTimer);
+        mark();
     }
 
     function drawSoon() {
-        clearTimers();
-        mark();
+        clearLine();
         frame = requestAnimationFrame(() => draw(SMALL));
         restTimer = setTimeout(draw, REST, LARGE);
     }
@@ -250,13 +251,6 @@
         const isEnd = from === line.textContent.length;
         const range = makeRange(line, isEnd ? from - 1 : from, Math.max(1, to - from));
         window.CSS.highlights?.set("wrong", new Highlight(range));
-    }
-
-    // The address holds the edits.
-    function writeAddress(edits) {
-        const hash = new URLSearchParams(Object.entries(edits).map(([name, text]) => ["line", `${name}:${text}`]));
-        if (!hash.size && !location.hash.startsWith("#line=")) return;
-        history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
     // Opens the edits that are in the address, and takes the first in hand.

@@ -24,14 +24,9 @@ mod page;
 
 use figures::Reply;
 
-/// Answers a request.
-///
-/// - `mistakes` brings the texts of the list of mistakes, to a module: they aren't in it.
-/// - `check NAME`, a line break and `FILE` is about the file whose bytes came with it: see
-///   [`check`](check()).
-/// - `draw NAME`, or `draw NAME COLUMNS`, gives a picture of the course: see [`draw`].
-/// - `edit COLUMNS PLACE EXPRESSION` draws a step with lines of the reader's: see [`edit`].
-/// - [`figures::reply`] gets all others.
+/// Answers a request. `mistakes` brings the texts of the list of mistakes, to a module: they aren't
+/// in it. What begins with `check`, `draw` or `edit` goes to the function of that name, all else to
+/// [`figures::reply`].
 pub fn answer(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
         None if request == "mistakes" => {

@@ -39,7 +39,13 @@ impl Compiler<'_> {
             Expr::Path(path) => self.path_call(path, vec![]),
             Expr::Field(field) => self.field(field),
             Expr::MethodCall(call) => self.method_call(call),
-            Expr::Call(call) => self.function_call(call),
+            Expr::Call(ExprCall { func, args, .. }) => match &**func {
+                Expr::Path(path) if !args.is_empty() => {
+                    let parts = self.expressions(args)?;
+                    self.path_call(path, parts)
+                }
+                _ => refuse(range_of(func), UNSUPPORTED),
+            },
             Expr::Index(index) => self.index(index),
             Expr::Array(array) if array.elems.len() == 3 => {
                 let parts = self.expressions(&array.elems)?;
@@ -98,14 +104,6 @@ impl Compiler<'_> {
             }
             (None, _) if name.contains("::") && is_known(&name) => self.call(&name, parts, range),
             _ => refuse(range, explain_unknown_name(&name, &parts, self.place, self.text)),
-        }
-    }
-
-    fn function_call(&mut self, call: &ExprCall) -> Checked<Part> {
-        let parts = self.expressions(&call.args)?;
-        match &*call.func {
-            Expr::Path(path) if !parts.is_empty() => self.path_call(path, parts),
-            _ => refuse(range_of(call), UNSUPPORTED),
         }
     }
 
