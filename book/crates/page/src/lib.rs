@@ -5,11 +5,7 @@
 #[cfg(feature = "check")]
 mod check;
 #[cfg(feature = "check")]
-mod draw_picture;
-#[cfg(feature = "check")]
-pub use check::check;
-#[cfg(feature = "check")]
-pub use draw_picture::draw;
+pub use check::{check, draw};
 
 #[cfg(feature = "expressions")]
 mod edit;

@@ -23,6 +23,12 @@ pub struct Part {
     pub range: Range<usize>,
 }
 
+impl Part {
+    pub fn new(node: Node, sample: Value, is_open: bool) -> Self {
+        Self { node, sample, is_open, range: 0..0 }
+    }
+}
+
 /// Compiles the syntax of a text, as far as Rust would.
 pub struct Compiler<'a> {
     pub place: &'a Place,
@@ -99,7 +105,7 @@ impl Compiler<'_> {
     /// A value that is written while a line is evaluated.
     pub fn new_slot(&mut self, sample: Value, is_open: bool) -> Part {
         self.slots += 1;
-        Part { node: Node::Slot(self.slots - 1), sample, is_open, range: 0..0 }
+        Part::new(Node::Slot(self.slots - 1), sample, is_open)
     }
 
     /// Makes a name known, which `let` or a closure gives to a value.
@@ -148,6 +154,6 @@ impl Compiler<'_> {
         let is_operator = !name.contains(char::is_alphanumeric);
         let is_open = is_operator && parts.iter().all(|part| part.is_open);
         let nodes = parts.into_iter().map(|part| part.node).collect();
-        Ok(Part { node: Node::Call(function.apply, nodes, sign), sample, is_open, range: 0..0 })
+        Ok(Part::new(Node::Call(function.apply, nodes, sign), sample, is_open))
     }
 }

@@ -148,9 +148,10 @@ impl Compiler<'_> {
     /// A question about the best hit so far, whose t the page knows.
     fn best_call(&mut self, call: &ExprMethodCall) -> Checked<Part> {
         let arguments: Vec<_> = call.args.iter().collect();
+        let truth = Part::new(Node::Constant(Bool(true)), Bool(true), false);
         let (default, closure) = match (&*call.method.to_string(), &arguments[..]) {
             ("map_or", [default, Expr::Closure(closure)]) => (self.expression(default)?, closure),
-            ("is_none_or", [Expr::Closure(closure)]) => (constant(Bool(true), false), closure),
+            ("is_none_or", [Expr::Closure(closure)]) => (truth, closure),
             _ => return refuse(range_of(call), UNSUPPORTED),
         };
         let [is_none, t] = BEST.map(|name| self.find_name(name));
@@ -235,15 +236,12 @@ fn literal_part(literal: &Lit) -> Checked<Part> {
         Lit::Float(number) => number.base10_parse().map(F64).ok(),
         _ => None,
     };
+    let is_open = literal.suffix().is_empty();
     match (sample, literal.suffix()) {
         (Some(F64(f64::INFINITY)), _) => refuse(range_of(literal), "That's beyond an f64."),
-        (Some(sample), "") => Ok(constant(sample, true)),
-        (Some(sample @ I32(_)), "i32") => Ok(constant(sample, false)),
-        (Some(sample @ F64(_)), "f64") => Ok(constant(sample, false)),
+        (Some(sample), "") | (Some(sample @ I32(_)), "i32") | (Some(sample @ F64(_)), "f64") => {
+            Ok(Part::new(Node::Constant(sample), sample, is_open))
+        }
         _ => refuse(range_of(literal), "Rust has no such f64 or i32; or is a * missing?"),
     }
-}
-
-fn constant(sample: Value, is_open: bool) -> Part {
-    Part { node: Node::Constant(sample), sample, is_open, range: 0..0 }
 }

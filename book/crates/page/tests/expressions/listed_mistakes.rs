@@ -12,7 +12,6 @@ use std::{env, fs};
 fn no_place_has_a_fault() {
     let faults = FAULTS.join("\n");
     assert_eq!(faults, "", "The steps have changed; mend book/crates/course/places.txt");
-    assert_eq!(all_listed_places().len(), 30);
 }
 
 /// The places as they stand, and a tenth of the listed mistakes that change one place and nothing
