@@ -30,13 +30,16 @@ pub(crate) fn is_edited(place: usize) -> bool {
     PLACES.load(Relaxed) >> place & 1 != 0
 }
 
+/// Whether a picture is refused: then nothing is evaluated for it.
+fn is_over() -> bool {
+    REMAINING_STEPS.load(Relaxed) < 0
+}
+
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
 pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
-    let is_over = || REMAINING_STEPS.load(Relaxed) < 0;
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     let mut value = Value::Unfit;
-    // Once a picture is refused, nothing is evaluated for it.
     if let Some(line) = lines.iter().find(|line| line.place.index == place && !is_over()) {
         match line.evaluate(variables) {
             Ok(_) if is_over() => stop(line, 0..line.length, TOO_LONG),
@@ -51,7 +54,7 @@ pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec
 #[cold]
 pub(crate) fn stop_outside(sentence: &str) {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
-    if let Some(line) = lines.first() {
+    if let Some(line) = lines.first().filter(|_| !is_over()) {
         stop(line, 0..line.length, &format!("Here your program would stop: {sentence}."));
     }
 }

@@ -90,7 +90,6 @@ pub static FUNCTIONS: &[&[Function]] = &[
     methods!(DVec3 [Vector(a), F64(b)] (a, b) Vector: powf with_x with_y with_z),
     methods!(DVec3 [Vector(a), Vector(b), F64(c)] (a, b, c) Vector: lerp),
     methods!(DVec3 [Vector(a), Vector(b), Vector(c)] (a, b, c) Vector: clamp mul_add),
-    methods!(i32 [I32(a), I32(b)] (a, b) I32: min max),
     constants!(f64 F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
     constants!(DVec3 Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
     operators! {
@@ -101,10 +100,6 @@ pub static FUNCTIONS: &[&[Function]] = &[
     },
     comparisons! { "==" == "!=" != "<" < ">" > "<=" <= ">=" >= },
     functions! {
-        "==", [Vector(a), Vector(b)] => Bool(a == b);
-        "!=", [Vector(a), Vector(b)] => Bool(a != b);
-        "==", [Bool(a), Bool(b)] => Bool(a == b);
-        "!=", [Bool(a), Bool(b)] => Bool(a != b);
         "!", [Bool(a)] => Bool(!a);
         "-", [F64(a)] => F64(-a);
         "-", [Vector(a)] => Vector(-a);
@@ -113,7 +108,6 @@ pub static FUNCTIONS: &[&[Function]] = &[
         "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(DIVISION, I32);
         "rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
         "rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(DIVISION, I32);
-        "abs", [I32(a)] => a.checked_abs().map_or(OVERFLOW, I32);
         "clamp", [F64(a), F64(min), F64(max)] => match min <= max {
             true => F64(a.clamp(min, max)),
             false => CLAMP,
