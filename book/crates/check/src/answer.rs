@@ -38,17 +38,36 @@ impl Verdict {
     }
 }
 
-/// The only cause that we know to give the picture; None each where several do.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// Something that we know and that gives the reader's picture in every pixel.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
-    /// The step whose code is at fault.
+    /// A listed mistake, or what is another number, in a few words.
+    pub words: String,
+    /// The step whose code is at fault, as far as we know it.
     pub step: Option<Step>,
-    /// The file, seen from the root of the workspace.
+    /// The file, seen from the root of the workspace, as far as we know it.
     pub file: Option<String>,
-    /// The mistake, in a few words.
-    pub mistake: Option<String>,
-    /// All mistakes that we know and that give the picture.
-    pub all: Vec<String>,
+    /// Lines about what is written there.
+    pub details: String,
+}
+
+impl Cause {
+    /// Its words, and its file.
+    pub fn words_and_file(&self) -> String {
+        match &self.file {
+            Some(file) => format!("{} ({file})", self.words),
+            None => self.words.clone(),
+        }
+    }
+}
+
+/// What all causes have in common; None where they differ, or one of them hasn't it.
+pub(crate) fn common_part<'a, T: PartialEq>(
+    causes: &'a [Cause],
+    part: impl Fn(&'a Cause) -> Option<T>,
+) -> Option<T> {
+    let common = part(causes.first()?);
+    common.filter(|common| causes.iter().all(|cause| part(cause).as_ref() == Some(common)))
 }
 
 /// Answer of `check` about a picture.
@@ -58,8 +77,8 @@ pub struct Answer {
     pub verdict: Verdict,
     /// About eight lines, of which the first says the most.
     pub text: String,
-    /// The cause, as far as we know it.
-    pub cause: Cause,
+    /// All causes that we know.
+    pub causes: Vec<Cause>,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,
 }
@@ -67,7 +86,7 @@ pub struct Answer {
 impl Answer {
     /// An answer of words alone.
     pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self { verdict, text: text.into(), cause: Cause::default(), compared: None }
+        Self { verdict, text: text.into(), causes: vec![], compared: None }
     }
 
     /// Says why nothing was compared.
@@ -83,12 +102,12 @@ impl Answer {
 
     /// The answer as fields of a JSON object; those of the cause only where they are known.
     pub fn json_fields(&self) -> Vec<(&'static str, String)> {
-        let Cause { step, file, mistake, .. } = &self.cause;
+        let step = common_part(&self.causes, |cause| cause.step);
         let fields = [
             ("verdict", Some(self.verdict.words())),
             ("step", step.map(Step::name)),
-            ("file", file.as_deref()),
-            ("mistake", mistake.as_deref()),
+            ("file", common_part(&self.causes, |cause| cause.file.as_deref())),
+            ("mistake", common_part(&self.causes, |cause| Some(&*cause.words))),
             ("text", Some(&*self.text)),
         ];
         let fields = fields.into_iter();

@@ -5,7 +5,6 @@ use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::drawing::Drawing;
 use course::{Step, camera};
 use std::iter::once;
-use step01_rays::Camera;
 
 /// The cameras with another x, another y or both, of one vector each, that give the reader's
 /// picture in every pixel, in words.
@@ -33,15 +32,13 @@ pub(crate) fn find_cameras(
             let vector = ["D_u", "D_v", "V_0"][k];
             clauses.push(format!("{axis} of {vector} = {number:.6} instead of {old:.6}"));
         }
-        let bytes = |camera: &Camera, pixel: &Pixel| {
-            drawing.bytes(&camera.ray(pixel.place.0.into(), pixel.place.1.into()))
-        };
-        if budget.all(&mut pixels, 1, |pixel| bytes(&yours, pixel) == pixel.yours) {
-            words.push(format!("with {}", clauses.join(" and ")).replace('-', "−"));
+        let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
+        if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
+            words.push(clauses.join(" and ").replace('-', "−"));
         }
     }
     if drawing.step == Step::Rays && !words.is_empty() {
-        words.push("with other colours of the directions".into());
+        words.push("other colours of the directions".into());
     }
     words
 }

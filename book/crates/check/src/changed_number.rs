@@ -1,5 +1,5 @@
-use crate::comparison::{Comparison, Pixel, RayBudget};
-use crate::drawing::{Drawing, Scene, bytes, colour};
+use crate::comparison::{Comparison, RayBudget};
+use crate::drawing::Drawing;
 use course::{OwnScene, Owner, QUANTITIES, Step, Typed};
 
 /// All single numbers of the scene, typed otherwise, that give the reader's picture in every
@@ -9,31 +9,24 @@ pub(crate) fn find_changed_numbers(
     drawing: &Drawing,
     budget: &RayBudget,
 ) -> Vec<String> {
-    let mut pixels: Vec<&Pixel> = comparison.pixels.iter().collect();
-    let mut own = OwnScene::new(drawing.scene.clone());
+    let mut pixels: Vec<_> = comparison.pixels.iter().collect();
+    let own = OwnScene::new(drawing.scene().clone());
+    let mut changed = Drawing { own, ..*drawing };
     let mut words = vec![];
     for quantity in QUANTITIES {
         let Some(typed) = quantity.typed.filter(|typed| typed.since <= drawing.step) else {
             continue;
         };
         for (k, owner) in owner_names(drawing, quantity.owner).into_iter().enumerate() {
-            if !may_cause_wrong_pixels(quantity.owner, typed.since, k, comparison) {
-                continue;
-            }
-            let (old, count) = ((quantity.get)(&own, k), quantity.numbers.len());
+            let (old, count) = ((quantity.get)(&drawing.own, k), quantity.numbers.len());
             for new in all_with_one_number_changed(old, count, typed) {
-                (quantity.set)(&mut own, k, new);
-                let is_given = |pixel: &&Pixel| match quantity.owner {
-                    Owner::Object if is_of_others(pixel, k, &own.scene) => !pixel.is_wrong(),
-                    _ => bytes(colour(drawing.step, &own.scene, &pixel.ray)) == pixel.yours,
-                };
-                if budget.all(&mut pixels, 1, is_given) {
+                (quantity.set)(&mut changed.own, k, new);
+                if budget.all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours) {
                     let [new, old] = [new, old].map(|one| format_numbers(&one[..count]));
-                    let name = quantity.name;
-                    words.push(format!("with {name} of {owner} = {new} instead of {old}"));
+                    words.push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                 }
             }
-            (quantity.set)(&mut own, k, old);
+            (quantity.set)(&mut changed.own, k, old);
         }
     }
     words
@@ -42,25 +35,12 @@ pub(crate) fn find_changed_numbers(
 /// The names of all that have a quantity.
 fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
     match owner {
-        Owner::Object => (0..drawing.scene.objects.len()).map(|k| drawing.object_name(k)).collect(),
+        Owner::Object => {
+            (0..drawing.scene().objects.len()).map(|k| drawing.object_name(k)).collect()
+        }
         Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
         Owner::Scene | Owner::Camera => vec!["the scene".to_owned()],
     }
-}
-
-/// Whether ours doesn't show object `k`, and it isn't seen in this scene either.
-fn is_of_others(pixel: &Pixel, k: usize, scene: &Scene) -> bool {
-    let is_before = |t| pixel.hit.is_none_or(|hit| t < hit.t);
-    let hit = || scene.objects[k].sphere.intersect(&pixel.ray).first_hit();
-    pixel.object() != Some(k) && !hit().is_some_and(is_before)
-}
-
-/// Whether all wrong pixels are where a quantity of owner `k` can change one.
-fn may_cause_wrong_pixels(owner: Owner, since: Step, k: usize, comparison: &Comparison) -> bool {
-    comparison.wrong_pixels().iter().all(|pixel| match owner {
-        Owner::Object => since == Step::Sphere || pixel.object() == Some(k),
-        _ => !pixel.is_sky(),
-    })
 }
 
 /// One number or three, one of them changed to another that somebody may have typed.

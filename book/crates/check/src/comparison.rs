@@ -1,6 +1,6 @@
 use crate::drawing::{Drawing, ObjectHit};
 use crate::target::Target;
-use course::largest_channel_difference;
+use course::{camera_with_size, largest_channel_difference};
 use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
@@ -51,17 +51,22 @@ impl Pixel {
 impl<'a> Comparison<'a> {
     /// Compares a picture with a target; None where their sizes differ.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
-        if yours.dimensions() != target.picture.dimensions() {
+        let (drawing, ours) = (target.drawing.as_ref(), &*target.picture);
+        let (columns, rows) = ours.dimensions();
+        if yours.dimensions() != (columns, rows) {
             return None;
         }
-        let all = target.pixels().iter().map(|pixel| {
-            let yours = yours.get_pixel(pixel.place.0, pixel.place.1).0;
-            Pixel { yours, ..*pixel }
-        });
-        let mut pixels = Vec::with_capacity(all.len());
-        pixels.extend(all.clone().filter(Pixel::is_wrong));
-        pixels.extend(all.filter(|pixel| !pixel.is_wrong()));
-        Some(Self { drawing: target.drawing.as_ref(), ours: &target.picture, pixels })
+        let camera = camera_with_size(columns, rows);
+        let pixel = |(i, j): (u32, u32)| {
+            let ray = camera.ray(i.into(), j.into());
+            let hit = drawing.and_then(|drawing| drawing.visible_hit(&ray));
+            let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
+            Pixel { place: (i, j), ray, hit, yours, ours }
+        };
+        let (mut pixels, right): (Vec<_>, Vec<_>) =
+            scattered_places(columns, rows).map(pixel).partition(Pixel::is_wrong);
+        pixels.extend(right);
+        Some(Self { drawing, ours, pixels })
     }
 
     /// The pixels that are wrong.

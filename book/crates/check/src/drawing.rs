@@ -1,10 +1,7 @@
-use course::{Step, named_scene};
+use course::{OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
-use step05_phong::{
-    Light, Material, Phong, Ray, SurfacePoint, ambient, diffuse, direction_colour, normal, phong,
-    reflect, visible_point,
-};
+use step05_phong::{Light, Material, Phong, Ray, SurfacePoint, direction_colour, normal, phong};
 
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
@@ -12,7 +9,7 @@ pub(crate) type Scene = step05_phong::Scene<Material, Light>;
 /// A scene, and the functions of a step that draw it.
 pub(crate) struct Drawing {
     pub step: Step,
-    pub scene: Scene,
+    pub own: OwnScene,
     /// Names of the lights, in their order.
     pub light_names: [&'static str; 2],
 }
@@ -38,24 +35,30 @@ impl Drawing {
             }
             _ => {}
         }
-        Self { step, scene, light_names: ["the warm light", "the cool light"] }
+        let light_names = ["the warm light", "the cool light"];
+        Self { step, own: OwnScene::new(scene), light_names }
     }
 
     /// The drawing of the scene that belongs to a name.
     pub fn of_name(name: &str) -> Self {
-        let scene = named_scene(name);
-        Self { step: Step::Phong, scene, light_names: ["the first light", "the second light"] }
+        let light_names = ["the first light", "the second light"];
+        Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.own.scene
     }
 
     /// The name of an object, with its article where it needs one.
     pub fn object_name(&self, object: usize) -> String {
-        let name = self.scene.objects[object].name;
+        let name = self.scene().objects[object].name;
         if name.ends_with(|c: char| c.is_numeric()) { name.into() } else { format!("the {name}") }
     }
 
     /// The intensity that a ray gets.
     pub fn colour(&self, ray: &Ray) -> DVec3 {
-        colour(self.step, &self.scene, ray)
+        let hit = self.visible_hit(ray);
+        hit.map_or_else(|| direction_colour(ray), |hit| self.colour_at_hit(ray, hit))
     }
 
     /// The bytes that a ray gets.
@@ -65,7 +68,7 @@ impl Drawing {
 
     /// The first place on each object that a ray meets, whatever hides it there.
     pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
-        self.scene.objects.iter().enumerate().filter_map(|(object, one)| {
+        self.scene().objects.iter().enumerate().filter_map(|(object, one)| {
             let t = one.sphere.intersect(ray).first_hit()?;
             Some(ObjectHit { t, object })
         })
@@ -76,61 +79,25 @@ impl Drawing {
         self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
-    /// Whether each light is on the outer side at a hit, and whether a highlight of one, large
-    /// or small, reaches there.
-    pub fn lights_at_hit(&self, ray: &Ray, hit: ObjectHit) -> ([bool; 2], bool) {
-        let p = ray.at(hit.t);
-        let n = normal(&self.scene.objects[hit.object].sphere, p);
-        let (mut lit, mut in_highlight) = ([false; 2], false);
-        for (light, lit) in self.scene.lights.iter().zip(&mut lit) {
-            let (l, _) = light.point_light.direction_from(p);
-            *lit = 0.0 < n.dot(l);
-            in_highlight |= *lit && reflect(n, l).dot(ray.direction) < 0.0;
+    /// The intensity that an object has at a hit, whatever hides it there.
+    pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
+        match self.step < Step::Diffuse {
+            true => self.scene().objects[hit.object].material.matte.diffuse,
+            false => self.terms_at_hit(ray, hit, &self.scene().lights).sum(),
         }
-        (lit, in_highlight)
     }
 
-    /// The terms of the light at a hit, whatever hides it there; those of one light alone, or
-    /// of all.
-    pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: Option<usize>) -> Phong {
-        let object = &self.scene.objects[hit.object];
+    /// The terms of some lights at a hit, whatever hides it there.
+    pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit, lights: &[Light]) -> Phong {
+        let object = &self.scene().objects[hit.object];
         let p = ray.at(hit.t);
         let point = SurfacePoint { p, n: normal(&object.sphere, p), material: &object.material };
-        let lights = match light {
-            Some(k) => &self.scene.lights[k..=k],
-            None => &self.scene.lights,
-        };
-        let terms = phong(&point, ray, self.scene.ambient_light, lights);
+        let terms = phong(&point, ray, self.scene().ambient_light, lights);
         match self.step {
             Step::Phong => terms,
             _ => Phong { specular: DVec3::ZERO, ..terms },
         }
     }
-
-    /// The bytes that an object has at a hit, whatever hides it there.
-    pub fn bytes_at_hit(&self, ray: &Ray, hit: ObjectHit) -> [u8; 3] {
-        let flat = self.scene.objects[hit.object].material.matte.diffuse;
-        let is_lit = Step::Diffuse <= self.step;
-        bytes(if is_lit { self.terms_at_hit(ray, hit, None).sum() } else { flat })
-    }
-}
-
-/// The intensity that a ray gets of a scene, by the functions of a step.
-pub(crate) fn colour(step: Step, scene: &Scene, ray: &Ray) -> DVec3 {
-    if step == Step::Phong {
-        return step05_phong::colour(scene, ray);
-    }
-    let Some(point) = visible_point(&scene.objects, ray) else { return direction_colour(ray) };
-    let matte = &point.material.matte;
-    if step < Step::Diffuse {
-        return matte.diffuse;
-    }
-    let mut intensity = ambient(matte, scene.ambient_light);
-    for Light { point_light, .. } in &scene.lights {
-        let (l, d) = point_light.direction_from(point.p);
-        intensity += diffuse(point.n, l, d, matte, point_light);
-    }
-    intensity
 }
 
 /// The bytes of an intensity, as the course encodes it.

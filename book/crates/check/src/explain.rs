@@ -1,20 +1,21 @@
+use crate::answer::{Cause, common_part};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::check::equal_name;
 use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::facts::tell_facts;
-use crate::listed_mistake::{find_listed_mistakes, tell_listed_mistakes};
+use crate::listed_mistake::find_listed_mistakes;
 use crate::other_options::describe_other_options;
 use crate::regions::describe_regions;
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
-use crate::{Answer, Cause, LockedPictures, Verdict};
+use crate::{Answer, LockedPictures, Verdict};
 use course::{Step, step_of_example};
 use image::RgbImage;
 
-/// The most changes that are told.
-const MOST_CHANGES: usize = 3;
+/// The most causes that are told.
+const MOST_CAUSES: usize = 3;
 
 /// How many rays may be computed to try changes.
 const RAYS: u32 = 4_000_000;
@@ -31,63 +32,58 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
-    let (numbers, cameras) = match &comparison {
-        Some(comparison) if explanation.is_empty() => find_changes(comparison),
-        _ => (vec![], vec![]),
-    };
-    let (mistakes, drawn_for) = find_listed_mistakes(yours, target, comparison.as_ref());
-    let text_and_cause = tell_listed_mistakes(&mistakes, drawn_for);
-    let has_listed = text_and_cause.is_some();
-    let (text, mut cause) = text_and_cause.unwrap_or_default();
-    explanation += &text;
-    if has_listed && !numbers.is_empty() {
-        cause = Cause { all: cause.all, ..Cause::default() };
+    let mut causes = find_listed_mistakes(yours, target, comparison.as_ref());
+    if explanation.is_empty() {
+        causes.extend(comparison.iter().flat_map(find_changes));
     }
-    let changes = [numbers, cameras].concat();
-    cause.all.extend(changes.iter().cloned());
-    if let ([change], false) = (&changes[..], has_listed) {
-        cause.mistake = Some(change.clone());
-    }
-    if !changes.is_empty() {
-        explanation += &format!("It is, in every pixel, {title} {}.\n", join_changes(&changes));
-    }
+    explanation += &tell_causes(&causes);
     let details = match &comparison {
-        Some(comparison) => details(comparison, target, cause.step, explanation.is_empty()),
+        Some(comparison) => details(comparison, target, &causes, explanation.is_empty()),
         None if explanation.is_empty() => size_lines(yours, target),
         None => String::new(),
     };
     let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), RgbImage::clone(&target.picture)]);
-    Answer { verdict: Verdict::NotRight, text, cause, compared }
+    Answer { verdict: Verdict::NotRight, text, causes, compared }
 }
 
-/// All numbers and cameras that we know and that give the whole picture, in words; none where
-/// not all could be tried.
-fn find_changes(comparison: &Comparison) -> (Vec<String>, Vec<String>) {
-    let Some(drawing) = comparison.drawing else { return (vec![], vec![]) };
+/// All numbers and cameras that we know and that give the whole picture; none where not all
+/// could be tried.
+fn find_changes(comparison: &Comparison) -> Vec<Cause> {
+    let Some(drawing) = comparison.drawing else { return vec![] };
     let budget = RayBudget::new(RAYS);
-    let numbers = find_changed_numbers(comparison, drawing, &budget);
-    let cameras = find_cameras(comparison, drawing, &budget);
-    if budget.is_spent() { (vec![], vec![]) } else { (numbers, cameras) }
+    let numbers = find_changed_numbers(comparison, drawing, &budget).into_iter();
+    let cameras = find_cameras(comparison, drawing, &budget).into_iter();
+    let all = numbers.map(|words| (words, None));
+    let all = all.chain(cameras.map(|words| (words, Some(Step::Rays))));
+    let causes = all.map(|(words, step)| Cause { words, step, file: None, details: String::new() });
+    let causes = causes.collect();
+    if budget.is_spent() { vec![] } else { causes }
 }
 
-/// The first changes, and how many more there are.
-fn join_changes(changes: &[String]) -> String {
-    let first = changes[..changes.len().min(MOST_CHANGES)].join(", or ");
-    match changes.len().saturating_sub(MOST_CHANGES) {
-        0 => first,
-        more => format!("{first}, or with one of {more} other numbers"),
+/// Lines about causes: all of them as far as there is room, and the first in full.
+fn tell_causes(causes: &[Cause]) -> String {
+    match causes {
+        [] => String::new(),
+        [Cause { words, details, .. }] => {
+            format!("This gives the picture, in every pixel: {words}.\n{details}")
+        }
+        [first, ..] => {
+            let told = causes.iter().take(MOST_CAUSES).map(Cause::words_and_file);
+            let told = told.collect::<Vec<_>>().join("; ");
+            let more = match causes.len().saturating_sub(MOST_CAUSES) {
+                0 => String::new(),
+                more => format!("; {more} more"),
+            };
+            let details = &first.details;
+            format!("Each of these gives the picture, in every pixel: {told}{more}.\n{details}")
+        }
     }
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts and the regions, if
 /// nothing explains it; the tests by hand, from the first step that may be wrong; one pixel.
-fn details(
-    comparison: &Comparison,
-    target: &Target,
-    step: Option<Step>,
-    has_facts: bool,
-) -> String {
+fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts: bool) -> String {
     let mut text = count_sentence(comparison, &target.title);
     if has_facts {
         text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
@@ -102,7 +98,8 @@ fn details(
             // The sky and bytes are step 1's.
             let is_of_rays = wrong.iter().any(Pixel::is_sky) || wrong.iter().all(is_above_1);
             let first = if is_of_rays { Step::Rays } else { Step::Sphere };
-            text += &tests_line(step.unwrap_or(first), drawing.step);
+            let first = common_part(causes, |cause| cause.step).unwrap_or(first);
+            text += &tests_line(first, drawing.step);
         }
         None => text += &check_step_first_line(target),
     }

@@ -2,17 +2,16 @@
 //!
 //! A picture is compared with the locked one of its name, or with the scene that belongs to a
 //! name: a *target*, and, but for exercises, the *drawing* of it, a scene and the functions of a
-//! step. An answer has a *verdict*, a text of about eight lines and, where we know only one, the
-//! *cause*. It says only what holds in every pixel that it speaks of (`check`):
+//! step. An answer has a *verdict*, a text of about eight lines and the *causes* that we know. It
+//! says only what holds in every pixel that it speaks of (`check`):
 //!
 //! 1. The picture is **right**, right **with other options** (`other_options`), or the picture
 //!    of another name.
 //! 2. It is ours as a whole, **turned, cut out or enlarged** (`transformed`).
-//! 3. These very pixels are what a **listed mistake** gives (`listed_mistake`); with the scene
-//!    of a name, some of these are drawn anew (`scene_mistake`).
-//! 4. It is ours with **one other number** of the scene (`changed_number`), or with the camera
-//!    that the sky tells (`camera_fit`). All that give every byte are told.
-//! 5. Else **facts** (`facts`): sentences that are true of each wrong pixel, or of a number of
+//! 3. **Causes**, all that we know to give every byte: a listed mistake (`listed_mistake`; with
+//!    the scene of a name, some of these are drawn anew, `scene_mistake`), one other number of the
+//!    scene (`changed_number`), the camera that the sky tells (`camera_fit`).
+//! 4. Else **facts** (`facts`): sentences that are true of each wrong pixel, or of a number of
 //!    them; and the objects that are right and wrong (`regions`).
 //!
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
@@ -41,7 +40,6 @@ mod other_options;
 mod png_file;
 mod read_file;
 mod regions;
-mod scene_facts;
 mod scene_files;
 mod scene_mistake;
 mod target;
@@ -52,7 +50,6 @@ mod wrong_pixel;
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_picture, check_png, check_scene_png};
 pub use class::{Format, report_on_folder, report_on_workspaces};
-pub use listed_mistake::sections;
 pub use locked::LockedPictures;
 pub use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};

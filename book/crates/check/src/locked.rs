@@ -1,6 +1,6 @@
 use crate::read_png;
 use crate::target::Target;
-use course::{hash_picture, locked_hashes, workspace};
+use course::workspace;
 use image::RgbImage;
 use std::collections::HashMap;
 use std::fs;
@@ -18,10 +18,9 @@ impl LockedPictures {
         Self { read, kept: Mutex::default() }
     }
 
-    /// Pictures in the folder of the course, as far as they are the ones with which this program
-    /// was compiled.
+    /// Pictures in the folder of the course.
     pub fn in_workspace() -> Self {
-        Self::new(|name| verify(name, read(name)?))
+        Self::new(read)
     }
 
     /// The picture of this name.
@@ -46,29 +45,4 @@ fn read(name: &str) -> Result<RgbImage, String> {
     let file = fs::read(workspace().join(&path));
     let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
     Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rgb)
-}
-
-/// The picture, if it is the one with which this program was compiled; else a sentence.
-fn verify(name: &str, picture: RgbImage) -> Result<RgbImage, String> {
-    let named_hash = (name, hash_picture(&picture));
-    if locked_hashes().any(|one| one == named_hash) {
-        return Ok(picture);
-    }
-    Err(format!(
-        "the picture of {name} in this folder of the course is of another version than this \
-         program; after a change of the course, `cargo xtask` brings them together"
-    ))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn changed_picture_is_of_another_version() {
-        let mut picture = read("step01_rays").expect("a locked picture");
-        assert!(verify("step01_rays", picture.clone()).is_ok());
-        picture[(9, 9)] = image::Rgb([0; 3]);
-        assert!(verify("step01_rays", picture).is_err());
-    }
 }

@@ -88,19 +88,14 @@ fn viewer_notes(info: &Info) -> Vec<&'static str> {
     let is_grey = matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha);
     // Many programs write the gamma that screens have anyway.
     let has_gamma = info.gama_chunk.is_some_and(|gamma| gamma.into_scaled() != 45_455);
-    let has_profile = info.icc_profile.is_some() || has_gamma;
     let notes = [
         (is_grey, "The file is grey: one number per pixel, and ours has three."),
-        (
-            info.color_type == ColorType::Indexed,
-            "The file has a palette of 256 colours at most, and ours may have more.",
-        ),
         (
             info.bit_depth == BitDepth::Sixteen,
             "The file has 16 bits per channel; the upper 8 were compared.",
         ),
         (
-            has_profile,
+            info.icc_profile.is_some() || has_gamma,
             "It has a colour profile or a gamma, ignored here, so a viewer may show other colours.",
         ),
         (

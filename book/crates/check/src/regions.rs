@@ -1,26 +1,49 @@
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
-use crate::scene_facts::{shows_another_object, shows_sky};
+use crate::drawing::{Drawing, bytes};
 use course::Step;
 use std::cmp::Reverse;
+use step01_rays::direction_colour;
 
 /// The most regions of which the wrong pixels are told.
 const MOST_REGIONS: usize = 3;
 
-/// A sentence about the objects none of whose pixels shows them: each has the colour of the
-/// sky or of another object there.
-pub(crate) fn missing_objects(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
-    let mut missing = vec![false; drawing.scene.objects.len()];
-    comparison.wrong_pixels().iter().filter_map(Pixel::object).for_each(|k| missing[k] = true);
+/// Counts of hidden pixels below one in so many of all wrong pixels aren't told.
+const LEAST_PART: usize = 10;
+
+/// Sentences about wrong pixels that show the sky or another object behind the one that ours
+/// shows, and about the objects all of whose pixels do.
+pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<String> {
+    let mut missing: Vec<_> = vec![None; drawing.scene().objects.len()];
+    let (mut sky_count, mut object_count) = (0, 0);
     for pixel in &comparison.pixels {
-        if let Some(k) = pixel.object().filter(|k| missing[*k]) {
-            let shows_what_lies_behind = shows_sky(pixel) || shows_another_object(drawing, pixel);
-            missing[k] = pixel.is_wrong() && shows_what_lies_behind;
+        let Some(k) = pixel.object() else { continue };
+        let shows_sky = pixel.is_wrong() && bytes(direction_colour(&pixel.ray)) == pixel.yours;
+        let shows_object = pixel.is_wrong() && shows_another_object(drawing, pixel);
+        sky_count += usize::from(shows_sky);
+        object_count += usize::from(shows_object);
+        missing[k] = Some(missing[k].unwrap_or(true) && (shows_sky || shows_object));
+    }
+    let names = (0..missing.len()).filter(|k| missing[*k] == Some(true));
+    let names = names.map(|k| drawing.object_name(k)).collect::<Vec<_>>().join(", ");
+    let mut sentences = vec![];
+    if !names.is_empty() {
+        sentences.push(format!("Missing: {names}. What lies behind shows instead."));
+    }
+    let all = comparison.wrong_pixels().len();
+    let what = ["the sky, and ours shows an object", "an object behind the nearest"];
+    for (count, what) in [sky_count, object_count].into_iter().zip(what) {
+        if all <= LEAST_PART * count {
+            sentences.push(format!("{count} of {all} wrong pixels have the colour of {what}."));
         }
     }
-    let names = (0..missing.len()).filter(|k| missing[*k]).map(|k| drawing.object_name(k));
-    let names = names.collect::<Vec<_>>().join(", ");
-    (!names.is_empty()).then(|| format!("Missing: {names}. What lies behind shows instead."))
+    sentences
+}
+
+/// Whether yours has the colour of another object than the nearest.
+fn shows_another_object(drawing: &Drawing, pixel: &Pixel) -> bool {
+    let mut others =
+        drawing.object_hits(&pixel.ray).filter(|hit| pixel.object() != Some(hit.object));
+    others.any(|hit| bytes(drawing.colour_at_hit(&pixel.ray, hit)) == pixel.yours)
 }
 
 /// A sentence where the sky alone is wrong, nearly everywhere.
@@ -38,30 +61,31 @@ pub(crate) fn wrong_sky(comparison: &Comparison, drawing: &Drawing) -> Option<St
 /// A line about the sky and the objects of ours: which are right in every pixel, and how many
 /// pixels of the others are wrong.
 pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> String {
-    let mut counts = vec![(0, 0); drawing.scene.objects.len() + 1];
+    let mut counts = vec![(0, 0); drawing.scene().objects.len() + 1];
     for pixel in &comparison.pixels {
         let (wrong, all) = &mut counts[pixel.object().map_or(0, |k| k + 1)];
         *wrong += usize::from(pixel.is_wrong());
         *all += 1;
     }
-    let (mut right, mut wrong) = (vec![], vec![]);
-    for (k, count) in counts.into_iter().enumerate() {
-        let name = if k == 0 { "the sky".to_owned() } else { drawing.object_name(k - 1) };
-        match count {
-            (_, 0) => {}
-            (0, _) => right.push(name),
-            (count, all) => wrong.push((count, format!("{count} of {all} pixels of {name}"))),
-        }
-    }
-    wrong.sort_by_key(|(count, _)| Reverse(*count));
-    let wrong: Vec<_> = wrong.into_iter().map(|(_, words)| words).collect();
-    let worst = wrong[..wrong.len().min(MOST_REGIONS)].join("; ");
+    let name = |k: usize| match k {
+        0 => "the sky".to_owned(),
+        _ => drawing.object_name(k - 1),
+    };
+    let regions = || (0..counts.len()).filter(|k| counts[*k].1 != 0);
+    let right: Vec<_> = regions().filter(|k| counts[*k].0 == 0).map(name).collect();
+    let mut wrong: Vec<_> = regions().filter(|k| counts[*k].0 != 0).collect();
+    wrong.sort_by_key(|k| Reverse(counts[*k].0));
+    let told = wrong.iter().take(MOST_REGIONS).map(|k| {
+        let (count, all) = counts[*k];
+        format!("{count} of {all} pixels of {}", name(*k))
+    });
+    let told = told.collect::<Vec<_>>().join("; ");
     match (wrong.len().saturating_sub(MOST_REGIONS), right.len()) {
-        (0, 0) => format!("Wrong: {worst}.\n"),
-        (0, _) => format!("Wrong: {worst}. Everything else is right in every pixel.\n"),
-        (more, 0) => format!("Wrong: {worst}; {more} more.\n"),
+        (0, 0) => format!("Wrong: {told}.\n"),
+        (0, _) => format!("Wrong: {told}. Everything else is right in every pixel.\n"),
+        (more, 0) => format!("Wrong: {told}; {more} more.\n"),
         (more, _) => {
-            format!("Right in every pixel: {}. Wrong: {worst}; {more} more.\n", right.join(", "))
+            format!("Right in every pixel: {}. Wrong: {told}; {more} more.\n", right.join(", "))
         }
     }
 }

@@ -1,9 +1,8 @@
-use crate::comparison::{Pixel, scattered_places};
 use crate::drawing::Drawing;
 use crate::escape_for_terminal;
-use course::{Step, camera, camera_with_size};
+use course::{Step, camera};
 use image::RgbImage;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use step01_rays::render;
 
 /// A picture to compare with: a locked one, or the scene of a name.
@@ -15,7 +14,6 @@ pub(crate) struct Target {
     /// None of an exercise.
     pub drawing: Option<Drawing>,
     pub picture: Arc<RgbImage>,
-    pixels: OnceLock<Vec<Pixel>>,
 }
 
 impl Target {
@@ -26,7 +24,6 @@ impl Target {
             name: Some(name.to_owned()),
             drawing: Step::from_name(name).map(Drawing::of_step),
             picture: Arc::new(picture),
-            pixels: OnceLock::new(),
         }
     }
 
@@ -38,23 +35,7 @@ impl Target {
             name: None,
             picture: Arc::new(render(&camera(), 1, |ray| drawing.colour(ray))),
             drawing: Some(drawing),
-            pixels: OnceLock::new(),
         }
-    }
-
-    /// All pixels, scattered over the picture, each with what is seen there; yours are as ours.
-    pub fn pixels(&self) -> &[Pixel] {
-        self.pixels.get_or_init(|| {
-            let (columns, rows) = self.picture.dimensions();
-            let camera = camera_with_size(columns, rows);
-            let pixel = |place: (u32, u32)| {
-                let ours = self.picture.get_pixel(place.0, place.1).0;
-                let ray = camera.ray(place.0.into(), place.1.into());
-                let hit = self.drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
-                Pixel { place, ray, hit, yours: ours, ours }
-            };
-            scattered_places(columns, rows).map(pixel).collect()
-        })
     }
 }
 

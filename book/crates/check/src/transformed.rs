@@ -1,7 +1,9 @@
+use crate::comparison::{RayBudget, scattered_places};
 use image::RgbImage;
 
-/// How many places are compared pixel by pixel for a part that seems to be there.
-const MOST_PLACES: usize = 32;
+/// How many pixels may be compared to find a part, and the least that a part has.
+const PIXELS: u32 = 1 << 26;
+const LEAST_PIXELS: usize = 100;
 
 /// The place in ours of a pixel of yours, by its place and the last column and row of ours.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
@@ -89,26 +91,18 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// The corner of the place in `whole` where all pixels of `part` are.
-///
-/// The row of `part` that changes most is searched for, as a row of one colour may be at many
-/// places.
+/// The corner of a place in `whole` where all pixels of `part` are.
 fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
-    let row = |picture: &RgbImage, i: u32, j: u32| {
-        let start = 3 * (j as usize * picture.width() as usize + i as usize);
-        start..start + 3 * w as usize
-    };
-    let is_there = |(i, j): (u32, u32), l: u32| {
-        whole.as_raw()[row(whole, i, j + l)] == part.as_raw()[row(part, 0, l)]
-    };
-    let changes = |l: &u32| {
-        let row = &part.as_raw()[row(part, 0, *l)];
-        row.chunks_exact(3).zip(row[3..].chunks_exact(3)).filter(|(a, b)| a != b).count()
-    };
-    let busiest_row = (0..h).max_by_key(changes).filter(|l| 2 <= changes(l))?;
-    let corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
-    let mut corners = corners.filter(|corner| is_there(*corner, busiest_row)).take(MOST_PLACES);
-    corners.find(|corner| (0..h).all(|l| is_there(*corner, l)))
+    if part.pixels().len() < LEAST_PIXELS {
+        return None;
+    }
+    let budget = RayBudget::new(PIXELS);
+    let mut places: Vec<_> = scattered_places(w, h).collect();
+    let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
+    corners.find(|(i, j)| {
+        let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
+        budget.all(&mut places, 1, is_there)
+    })
 }

@@ -47,13 +47,13 @@ fn computed_values_clause(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> 
         return text;
     }
     let p = ray.at(hit.t);
-    let n = normal(&drawing.scene.objects[hit.object].sphere, p);
+    let n = normal(&drawing.scene().objects[hit.object].sphere, p);
     text += &format!(", n = {}", format_vector(n));
-    for (light, name) in drawing.scene.lights.iter().zip(drawing.light_names) {
+    for (light, name) in drawing.scene().lights.iter().zip(drawing.light_names) {
         let (l, d) = light.point_light.direction_from(p);
         text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
     }
-    let terms = drawing.terms_at_hit(ray, hit, None);
+    let terms = drawing.terms_at_hit(ray, hit, &drawing.scene().lights);
     text += &format!(
         ";\n  I_a = {}, I_d = {}",
         format_vector(terms.ambient),

@@ -58,11 +58,10 @@ fn check(picture: RgbImage, name: &str) -> Answer {
 }
 
 /// An answer as a snapshot has it.
-fn format_answer(Answer { verdict, text, cause, .. }: Answer) -> String {
+fn format_answer(Answer { verdict, text, causes, .. }: Answer) -> String {
     assert!(text.lines().count() <= 12, "{text}");
-    let cause = [cause.step.map(Step::name), cause.file.as_deref(), cause.mistake.as_deref()];
-    let cause: String = cause.into_iter().flatten().map(|part| format!("\n[{part}]")).collect();
-    format!("[{}]\n{text}{cause}", verdict.words())
+    let causes: String = causes.iter().map(|one| format!("\n[{}]", one.words_and_file())).collect();
+    format!("[{}]\n{text}{causes}", verdict.words())
 }
 
 /// Compares answers below their titles with the snapshot of this name.

@@ -88,10 +88,10 @@ fn choose_file<'a>(files: &[&'a FoundFile], name: &str) -> Option<&'a FoundFile>
 pub(crate) fn tell_common_causes(report: &mut Report) {
     for k in 1..report.pictures.len() {
         let (earlier, later) = report.pictures.split_at_mut(k);
-        let causes = &later[0].answer.cause.all;
+        let causes = &later[0].answer.causes;
         later[0].follows = earlier.iter().find_map(|one| {
-            let cause = one.answer.cause.all.iter().find(|cause| causes.contains(cause))?;
-            Some((one.name, cause.clone()))
+            let cause = one.answer.causes.iter().find(|cause| causes.contains(cause))?;
+            Some((one.name, cause.words_and_file()))
         });
     }
 }
