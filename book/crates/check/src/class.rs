@@ -10,16 +10,19 @@ mod trial;
 
 pub use trial::report_on_workspaces;
 
-use crate::class::check_student::{check_students, tell_common_causes};
+use crate::class::check_student::{check_student, tell_common_causes};
 use crate::class::found_file::FoundFile;
-use crate::class::report_text::{format_class, format_csv, format_json, format_table};
+use crate::class::report_text::{format_class, format_csv, format_json, format_own};
 use crate::class::search::find_files;
 use crate::class::student::{Student, add_names, group_by_student};
-use crate::{Answer, Verdict};
+use crate::{Answer, LockedPictures, Verdict};
+use course::NAMED_SCENE_EXAMPLE;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::Path;
 
-/// The most folders, one in the other, around a file of a class.
+/// The most folders, one in the other, around a file of a class, and around one's own.
 const MOST_FOLDERS: usize = 8;
+const MOST_OWN_FOLDERS: usize = 1;
 
 /// The form of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,12 +38,10 @@ pub enum Format {
 /// A student's pictures.
 struct Report {
     student: String,
-    /// Pictures that were asked for or are there, or all of the course, in its order.
+    /// Pictures that were asked for or are there, in the course's order.
     pictures: Vec<Entry>,
-    /// Files that may have been meant as pictures, and weren't looked at.
+    /// Files that weren't looked at, and why those can't be read that can't.
     unchecked: Vec<String>,
-    /// Files that are something else.
-    other_files: Vec<String>,
 }
 
 /// A picture of the course, and what a student has of it.
@@ -54,13 +55,31 @@ struct Entry {
     follows: Option<(&'static str, String)>,
 }
 
+impl Entry {
+    fn is_right(&self) -> bool {
+        self.answer.verdict == Verdict::Right
+    }
+
+    fn is_missing(&self) -> bool {
+        self.answer.verdict == Verdict::Missing
+    }
+}
+
 impl Report {
-    /// How many pictures are right, and how many there are, of those that are required or of the
-    /// others.
-    fn count_right(&self, are_required: bool) -> (usize, usize) {
-        let entries = self.pictures.iter().filter(|entry| entry.is_required == are_required);
-        let right = entries.clone().filter(|entry| entry.answer.verdict == Verdict::Right);
-        (right.count(), entries.count())
+    /// How many pictures were asked for.
+    fn required_count(&self) -> usize {
+        self.pictures.iter().filter(|entry| entry.is_required).count()
+    }
+
+    /// The pictures that count: those that were asked for, or all if none were.
+    fn counted(&self) -> impl Iterator<Item = &Entry> {
+        let counts_all = self.required_count() == 0;
+        self.pictures.iter().filter(move |entry| entry.is_required || counts_all)
+    }
+
+    /// How many of these are right.
+    fn right_count(&self) -> usize {
+        self.counted().filter(|entry| entry.is_right()).count()
     }
 }
 
@@ -76,7 +95,8 @@ pub fn report_on_folder(
     format: Format,
 ) -> Answer {
     let is_workspace = folder.join("Cargo.toml").exists();
-    let files = match find_files(folder, if is_workspace { 1 } else { MOST_FOLDERS }) {
+    let most_folders = if is_workspace { MOST_OWN_FOLDERS } else { MOST_FOLDERS };
+    let mut files = match find_files(folder, most_folders) {
         Ok(files) => files,
         Err(why) => return Answer::error(why),
     };
@@ -84,19 +104,25 @@ pub fn report_on_folder(
     let is_own = is_workspace
         || files.iter().any(|file| file.picture.is_some() && !is_of_class(file))
         || !files.iter().any(is_of_class);
-    let (mut students, mut stray) = if is_own {
+    let (mut students, stray) = if is_own {
+        files.retain(|file| file.path.len() <= MOST_OWN_FOLDERS + 1 && file.may_be_picture());
+        // Whose scene it is isn't known, but where that is asked for.
+        let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !required.contains(scene));
+        let scenes = files.iter_mut().filter(|file| scene.is_some() && file.picture == scene);
+        scenes.for_each(|file| file.picture = None);
         let path = folder.canonicalize().unwrap_or_default();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let (files, deeper) = files.into_iter().partition(|file| file.path.len() == 1);
-        (vec![Student { unique_name: name.clone(), name, files }], deeper)
+        (vec![Student { unique_name: name.clone(), name, files }], vec![])
     } else {
         group_by_student(files)
     };
     add_names(&mut students, names);
-    let reports = check_students(&students, required, is_own);
-    let is_near = |file: &FoundFile| file.picture.is_some() && file.path.len() == 2;
-    stray.retain(|file| if is_own { is_near(file) } else { !file.is_no_picture() });
-    report(reports, stray.iter().map(FoundFile::describe).collect(), format, is_own)
+    let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
+    let locked = LockedPictures::in_workspace();
+    let check = |student| check_student(student, required, &names, &locked);
+    let reports = students.par_iter().map(check).collect();
+    let stray = stray.iter().filter(|file| file.may_be_picture()).map(FoundFile::describe);
+    report(reports, stray.collect(), format, is_own)
 }
 
 /// The answer made of reports on students, and of files that are nobody's.
@@ -105,22 +131,14 @@ fn report(mut reports: Vec<Report>, stray: Vec<String>, format: Format, is_own: 
     let text = match format {
         Format::Json => format_json(&reports, &stray),
         Format::Csv => format_csv(&reports),
-        Format::Table if is_own => format_table(&reports[0], &stray),
+        Format::Table if is_own => format_own(&reports[0]),
         Format::Table => format_class(&reports, &stray),
     };
-    Answer::new(whole_verdict(&reports), text)
-}
-
-/// The verdict on all pictures that count.
-fn whole_verdict(reports: &[Report]) -> Verdict {
-    let entries = || reports.iter().flat_map(|report| &report.pictures);
-    let has_required = entries().any(|entry| entry.is_required);
-    let is_there = |entry: &&Entry| entry.answer.verdict != Verdict::Missing;
-    let mut counted =
-        entries().filter(|entry| entry.is_required || !has_required && is_there(entry));
-    match counted.all(|entry| entry.answer.verdict == Verdict::Right) {
-        _ if !entries().any(|entry| is_there(&entry)) => Verdict::Missing,
+    let pictures = || reports.iter().flat_map(|report| &report.pictures);
+    let verdict = match reports.iter().flat_map(Report::counted).all(Entry::is_right) {
+        _ if pictures().all(Entry::is_missing) => Verdict::Missing,
         true => Verdict::Right,
         false => Verdict::NotRight,
-    }
+    };
+    Answer::new(verdict, text)
 }

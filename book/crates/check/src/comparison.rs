@@ -63,9 +63,11 @@ impl<'a> Comparison<'a> {
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
             Pixel { place: (i, j), ray, hit, yours, ours }
         };
-        let (mut pixels, right): (Vec<_>, Vec<_>) =
-            scattered_places(columns, rows).map(pixel).partition(Pixel::is_wrong);
-        pixels.extend(right);
+        let is_right = |place: &(u32, u32)| yours[*place] == ours[*place];
+        let places = scattered_places(columns, rows);
+        let mut pixels = Vec::with_capacity(ours.pixels().len());
+        pixels.extend(places.clone().filter(|place| !is_right(place)).map(pixel));
+        pixels.extend(places.filter(is_right).map(pixel));
         Some(Self { drawing, ours, pixels })
     }
 
@@ -77,7 +79,10 @@ impl<'a> Comparison<'a> {
 }
 
 /// Column and row of every pixel, in an order that soon comes to each part of the picture.
-pub(crate) fn scattered_places(columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
+pub(crate) fn scattered_places(
+    columns: u32,
+    rows: u32,
+) -> impl Iterator<Item = (u32, u32)> + Clone {
     let (columns, count) = (u64::from(columns), u64::from(columns) * u64::from(rows));
     // 7919 is a prime, so it visits every place unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };

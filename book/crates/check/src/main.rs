@@ -15,7 +15,7 @@ use std::{env, process::ExitCode};
 
 /// Tells whether a picture is right and, if it is not, what happened.
 ///
-/// Without a file, it looks for every picture of the course, and says which are
+/// Without a file, it looks for the pictures of the course, and says which are
 /// right.
 ///
 /// The exit code is 0 if all is right, 1 if not, 2 if there is nothing to look at.
@@ -26,7 +26,7 @@ struct Arguments {
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
     name: Option<String>,
-    /// The folder to look in for every picture of the course; or what a class has handed in, as
+    /// The folder to look in for pictures of the course; or what a class has handed in, as
     /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets a row
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
@@ -34,7 +34,6 @@ struct Arguments {
     /// what the program draws. With --in, draws it with the five crates of each workspace in the
     /// folder and compares it: what is in these crates runs as you, so do that in a container
     #[arg(long, value_name = "NAME", group = "written", conflicts_with = "name")]
-    #[arg(value_parser = parse_scene_name)]
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
@@ -54,14 +53,6 @@ struct Arguments {
     /// Prints JSON
     #[arg(long)]
     json: bool,
-}
-
-/// The name, if it is more than blanks.
-fn parse_scene_name(text: &str) -> Result<String, &'static str> {
-    match text.trim() {
-        "" => Err("a name can't be blank"),
-        _ => Ok(text.to_owned()),
-    }
 }
 
 /// The picture of this name.

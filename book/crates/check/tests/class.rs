@@ -149,23 +149,3 @@ fn crates_of_workspaces_draw_a_scene() {
     let answer = run_check(&folder, &["--in", ".", "--scene", "a secret"]);
     assert_locked("workspaces", [answer]);
 }
-
-#[cfg(unix)]
-#[test]
-fn linked_and_locked_folders_go_by_their_names() {
-    use std::fs::{Permissions, create_dir_all, read_dir, set_permissions};
-    use std::os::unix::fs::{PermissionsExt, symlink};
-    let folder = create_empty_folder("linked");
-    write_files(&folder, [("elsewhere/step01_rays.png", ours("step01_rays"))]);
-    let locked = folder.join("class/locked");
-    create_dir_all(&locked).expect("a folder");
-    symlink(folder.join("elsewhere"), folder.join("class/ada")).expect("a link");
-    symlink(folder.join("class"), folder.join("class/loop")).expect("a link");
-    set_permissions(&locked, Permissions::from_mode(0o0)).expect("permissions");
-    let is_root = read_dir(&locked).is_ok();
-    let answer = run_check(&folder, &["--in", "class"]);
-    set_permissions(&locked, Permissions::from_mode(0o755)).expect("permissions");
-    if !is_root {
-        assert_locked("linked_and_locked_folders", [answer]);
-    }
-}

@@ -1,5 +1,6 @@
 use crate::class::student::split_canvas_name;
-use crate::read_bounded_file;
+use crate::{find_name_in_file_name, read_bounded_file};
+use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use std::path::PathBuf;
 
 /// The extensions of files that may have been meant as a picture.
@@ -22,10 +23,10 @@ pub(crate) struct FoundFile {
 pub(crate) enum Content {
     OnDisk(PathBuf),
     Unpacked(Vec<u8>),
+    /// By its name no picture of the course.
+    Unneeded,
     /// Why it can't be read.
     Unreadable(String),
-    /// By its name no picture of the course.
-    Unread,
 }
 
 impl FoundFile {
@@ -45,17 +46,21 @@ impl FoundFile {
 
     /// The file's path and, if it can't be read, why not.
     pub fn describe(&self) -> String {
-        let names: Vec<_> = self.path.iter().filter(|name| !name.is_empty()).collect();
-        let path = names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join("/");
+        let names = self.path.iter().map(String::as_str).filter(|name| !name.is_empty());
+        let path = names.collect::<Vec<_>>().join("/");
         match &self.content {
             Content::Unreadable(why) => format!("{path} {why}").trim_start().to_owned(),
             _ => path,
         }
     }
 
-    /// Whether it can't have been meant as a picture, by its ending.
-    pub fn is_no_picture(&self) -> bool {
-        matches!(self.content, Content::Unread) && !has_picture_extension(self.name())
+    pub fn is_unreadable(&self) -> bool {
+        matches!(self.content, Content::Unreadable(_))
+    }
+
+    /// Whether it may have been meant as a picture, by its ending, or can't be read.
+    pub fn may_be_picture(&self) -> bool {
+        self.is_unreadable() || has_extension(self.name(), &PICTURE_EXTENSIONS)
     }
 
     /// Whether it has the name of a student in its own, as Canvas has it.
@@ -71,12 +76,18 @@ impl FoundFile {
     }
 }
 
+/// The pictures of the course, and the scene of a student's name.
+pub(crate) fn picture_names() -> impl Iterator<Item = &'static str> + Clone {
+    locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE])
+}
+
+/// The picture that the name of a file tells.
+pub(crate) fn picture_in_name(name: &str) -> Option<&'static str> {
+    let is_picture = has_extension(name, &PICTURE_EXTENSIONS);
+    find_name_in_file_name(name, picture_names()).filter(|_| is_picture)
+}
+
 pub(crate) fn has_extension(name: &str, extensions: &[&str]) -> bool {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_lowercase());
     extension.is_some_and(|extension| extensions.contains(&&*extension))
-}
-
-/// Whether a file may have been meant as a picture, by its ending.
-pub(crate) fn has_picture_extension(name: &str) -> bool {
-    has_extension(name, &PICTURE_EXTENSIONS)
 }

@@ -1,6 +1,7 @@
+use crate::class::found_file::picture_names;
 use crate::class::{Entry, Report};
 use crate::{Verdict, escape_for_terminal};
-use course::{NAMED_SCENE_EXAMPLE, Step, json, locked_names};
+use course::json;
 
 /// The most names of files that a line tells.
 const MOST_NAMES: usize = 8;
@@ -23,40 +24,32 @@ impl Entry {
 }
 
 impl Report {
-    /// A line on what there is in place of pictures; None where nothing is.
+    /// How many pictures are right: of those required, if any are, or else all.
+    fn count_text(&self) -> String {
+        match (self.right_count(), self.required_count()) {
+            (right, 0) => right.to_string(),
+            (right, required) => format!("{right} of {required}"),
+        }
+    }
+
+    /// What there is in place of pictures; None where nothing is.
     fn in_place(&self) -> Option<String> {
-        let mut names = format_names(&self.unchecked);
-        match self.other_files.len() {
-            count if MOST_NAMES < count => {
-                names.push(format!("{count} files that are no pictures"))
-            }
-            _ => names.extend(format_names(&self.other_files)),
-        }
-        let is_empty = self.pictures.iter().all(|entry| entry.answer.verdict == Verdict::Missing);
-        match names.is_empty() {
-            false => Some(format!("not looked at: {}", names.join(", "))),
-            true => is_empty.then(|| "nothing was handed in".into()),
-        }
+        let is_empty = self.pictures.iter().all(Entry::is_missing);
+        unchecked_clause(&self.unchecked)
+            .or_else(|| is_empty.then(|| "nothing was handed in".to_owned()))
     }
 }
 
-/// The first of some names, and how many more there are.
-fn format_names(names: &[String]) -> Vec<String> {
+/// A clause with the first of some names, and how many more there are; None where none are.
+fn unchecked_clause(names: &[String]) -> Option<String> {
     let first = names.iter().take(MOST_NAMES).map(|name| escape_for_terminal(name));
     let more = names.len().saturating_sub(MOST_NAMES);
-    first.chain((0 < more).then(|| format!("{more} more"))).collect()
-}
-
-/// How many pictures are right: of those required, if any are, or else all.
-fn format_count(report: &Report) -> String {
-    match (report.count_right(true), report.count_right(false)) {
-        ((_, 0), (right, _)) => right.to_string(),
-        ((right, all), _) => format!("{right} of {all}"),
-    }
+    let told: Vec<_> = first.chain((0 < more).then(|| format!("{more} more"))).collect();
+    (!told.is_empty()).then(|| format!("not looked at: {}", told.join(", ")))
 }
 
 /// One line for each picture, and how many are right.
-pub(crate) fn format_table(report: &Report, stray: &[String]) -> String {
+pub(crate) fn format_own(report: &Report) -> String {
     let width = report.pictures.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
     let mut text = String::new();
     for entry in &report.pictures {
@@ -67,40 +60,27 @@ pub(crate) fn format_table(report: &Report, stray: &[String]) -> String {
         };
         text += &format!("{:width$}  {words}\n", entry.name);
     }
-    let right = report.count_right(true).0 + report.count_right(false).0;
-    text += &format!("{right} of {} are right.", report.pictures.len());
-    text += &format_stray("Here", &report.unchecked);
-    text + &format_stray("Deeper", stray)
+    text += &format!("Right: {}.", report.count_text());
+    text + &unchecked_clause(&report.unchecked)
+        .map_or(String::new(), |clause| format!("\n{clause}"))
 }
 
-/// One line for each student: how many pictures are right, the verdict on each that was
-/// required, else on each step and the scene where anybody has it, and how many of the others
-/// are right. Below are the sentences on each student.
+/// One line for each student: how many pictures are right, and the verdict on each that was
+/// required, or else on each that anybody has. Below are the sentences on each student.
 pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
-    let entries = || reports.iter().flat_map(|report| &report.pictures);
-    let has_required = entries().any(|entry| entry.is_required);
-    let has_column = |entry: &Entry| match has_required {
-        true => entry.is_required,
-        false => Step::from_name(entry.name).is_some() || entry.name == NAMED_SCENE_EXAMPLE,
+    let has_column = |name: &&str| {
+        let mut counted = reports.iter().flat_map(Report::counted);
+        counted.any(|entry| entry.name == *name)
     };
-    let mut names = locked_names();
-    names.push(NAMED_SCENE_EXAMPLE);
-    names.retain(|name| entries().any(|entry| entry.name == *name && has_column(entry)));
-    let has_others = entries().any(|entry| !has_column(entry));
-    let others = Some("others").filter(|_| has_others);
-    let head = ["", "right"].into_iter().chain(names.iter().copied()).chain(others);
+    let names: Vec<_> = picture_names().filter(has_column).collect();
+    let head = ["", "right"].into_iter().chain(names.iter().copied());
     let mut rows = vec![head.map(str::to_owned).collect()];
     for report in reports {
-        let mut row = vec![escape_for_terminal(&report.student), format_count(report)];
+        let mut row = vec![escape_for_terminal(&report.student), report.count_text()];
         row.extend(names.iter().map(|name| {
             let entry = report.pictures.iter().find(|entry| entry.name == *name);
             entry.map_or(Verdict::Missing, |entry| entry.answer.verdict).words().to_owned()
         }));
-        if has_others {
-            let others = report.pictures.iter().filter(|entry| !has_column(entry));
-            let right = others.clone().filter(|entry| entry.answer.verdict == Verdict::Right);
-            row.push(format!("{} of {}", right.count(), others.count()));
-        }
         rows.push(row);
     }
     let mut text = align(&rows);
@@ -112,15 +92,8 @@ pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
         }
         text.extend(report.in_place().map(|found| format!("{student}, {found}\n")));
     }
-    text.trim_end().to_owned() + &format_stray("Nobody's", stray)
-}
-
-/// A line with the names of files that aren't a student's.
-fn format_stray(title: &str, stray: &[String]) -> String {
-    match format_names(stray).join(", ") {
-        names if names.is_empty() => names,
-        names => format!("\n{title}, not looked at: {names}"),
-    }
+    text.extend(unchecked_clause(stray).map(|clause| format!("Nobody's, {clause}\n")));
+    text
 }
 
 /// Rows of words in columns, each as wide as its longest word.
@@ -138,7 +111,7 @@ fn align(rows: &[Vec<String>]) -> String {
 pub(crate) fn format_csv(reports: &[Report]) -> String {
     let mut text = String::from("\u{feff}student,right,picture,verdict,file,feedback\r\n");
     for report in reports {
-        let (student, count) = (&*report.student, format_count(report));
+        let (student, count) = (&*report.student, report.count_text());
         let mut add = |cells: [&str; 4]| {
             let cells = [student, &count].into_iter().chain(cells).map(csv_cell);
             text += &(cells.collect::<Vec<_>>().join(",") + "\r\n");
@@ -168,23 +141,17 @@ pub(crate) fn format_json(reports: &[Report], stray: &[String]) -> String {
         fields.extend(entry.answer.json_fields());
         format!("\n   {}", json::object(fields))
     };
+    let names = |names: &[String]| json::list(names.iter().map(|one| json::quote(one)));
     let report = |report: &Report| {
-        let [(required_right, required), (other_right, _)] =
-            [true, false].map(|are| report.count_right(are));
-        let right = if required == 0 { other_right } else { required_right };
         let fields = [
             ("student", json::quote(&report.student)),
-            ("right", right.to_string()),
-            ("required", required.to_string()),
-            ("not_looked_at", json::list(report.unchecked.iter().map(|one| json::quote(one)))),
-            ("other_files", json::list(report.other_files.iter().map(|one| json::quote(one)))),
+            ("right", report.right_count().to_string()),
+            ("required", report.required_count().to_string()),
+            ("not_looked_at", names(&report.unchecked)),
             ("pictures", json::list(report.pictures.iter().map(entry))),
         ];
         format!("\n  {}", json::object(fields))
     };
-    let fields = [
-        ("students", json::list(reports.iter().map(report))),
-        ("nobodys", json::list(stray.iter().map(|one| json::quote(one)))),
-    ];
-    json::object(fields) + "\n"
+    let students = json::list(reports.iter().map(report));
+    json::object([("students", students), ("nobodys", names(stray))]) + "\n"
 }

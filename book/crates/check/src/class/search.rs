@@ -1,12 +1,10 @@
-use crate::class::found_file::{Content, FoundFile, has_extension, has_picture_extension};
+use crate::class::found_file::{Content, FoundFile, has_extension, picture_in_name};
 use crate::png_file::{FILE_BYTES, too_large_clause};
-use crate::read_file::read_file_of_at_most;
-use crate::{escape_for_terminal, find_name_in_file_name};
-use course::{NAMED_SCENE_EXAMPLE, locked_names};
+use crate::read_file::{escape_for_terminal, read_file_of_at_most};
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive};
 use std::fs;
-use std::io::{ErrorKind, Read};
+use std::io::Read;
 use std::path::Path;
 
 /// The most files and folders, and the most bytes that are unpacked.
@@ -17,30 +15,21 @@ const MOST_BYTES: u64 = 1 << 28;
 /// names; or why it can't be read. Left out are hidden files, what Cargo builds, the locked
 /// pictures, and what a Mac adds.
 pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<FoundFile>, String> {
-    let mut search = Search {
-        most_folders,
-        names: locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).collect(),
-        files: vec![],
-        entries_left: MOST_ENTRIES,
-        bytes_left: MOST_BYTES,
-    };
-    if has_extension(&folder.to_string_lossy(), &["zip"]) && folder.is_file() {
+    let (entries_left, bytes_left) = (MOST_ENTRIES, MOST_BYTES);
+    let mut search = Search { most_folders, files: vec![], entries_left, bytes_left };
+    if is_archive(&folder.to_string_lossy()) && folder.is_file() {
         search.add_archive(&read_file_of_at_most(folder, MOST_BYTES)?, &[]);
-        return Ok(search.files);
+    } else if fs::read_dir(folder).is_ok() {
+        search.add_folder(folder, &[]);
+    } else {
+        let path = escape_for_terminal(&folder.display().to_string());
+        return Err(format!("{path} is no folder or ZIP archive that can be read"));
     }
-    let path = escape_for_terminal(&folder.display().to_string());
-    fs::read_dir(folder).map_err(|error| match error.kind() {
-        ErrorKind::PermissionDenied => format!("{path} can't be read: no permission"),
-        _ => format!("{path} is neither a folder nor a ZIP archive"),
-    })?;
-    search.add_folder(folder, &[]);
     Ok(search.files)
 }
 
 struct Search {
     most_folders: usize,
-    /// The pictures of the course.
-    names: Vec<&'static str>,
     files: Vec<FoundFile>,
     entries_left: u32,
     bytes_left: u64,
@@ -48,34 +37,31 @@ struct Search {
 
 impl Search {
     fn add(&mut self, folders: &[String], name: &str, content: Content) {
-        let picture = self.picture_of(name);
-        self.files.push(FoundFile { path: join(folders, name), picture, content });
-    }
-
-    /// The picture of the course that the name of a file tells.
-    fn picture_of(&self, name: &str) -> Option<&'static str> {
-        let names = self.names.iter().copied();
-        find_name_in_file_name(name, names).filter(|_| has_picture_extension(name))
+        let (path, picture) = (join(folders, name), picture_in_name(name));
+        self.files.push(FoundFile { path, picture, content });
     }
 
     fn add_unreadable(&mut self, folders: &[String], why: &str) {
         self.add(folders, "", Content::Unreadable(why.to_owned()));
     }
 
-    /// Whether one more file or folder may be looked at.
-    fn take_entry(&mut self) -> bool {
-        let entries_left = self.entries_left.checked_sub(1);
-        self.entries_left = entries_left.unwrap_or(0);
-        entries_left.is_some()
+    /// Whether one more file or folder in these may be looked at; if not, that is noted.
+    fn take_entry(&mut self, folders: &[String]) -> bool {
+        if self.entries_left == 0 {
+            self.add_unreadable(folders, "has more files than are looked at");
+            return false;
+        }
+        self.entries_left -= 1;
+        if self.most_folders < folders.len() {
+            self.add_unreadable(folders, "is too deep, so the rest there isn't looked at");
+            return false;
+        }
+        true
     }
 
     fn add_folder(&mut self, folder: &Path, folders: &[String]) {
-        let entries = match fs::read_dir(folder) {
-            Err(_) => return self.add_unreadable(folders, "can't be read: no permission"),
-            Ok(_) if self.most_folders < folders.len() => {
-                return self.add_unreadable(folders, "is too deep");
-            }
-            Ok(entries) => entries,
+        let Ok(entries) = fs::read_dir(folder) else {
+            return self.add_unreadable(folders, "can't be read");
         };
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.sort();
@@ -85,37 +71,29 @@ impl Search {
             if is_left_out(&name) {
                 continue;
             }
-            if !self.take_entry() {
-                return self.add_unreadable(folders, "has more files than are looked at");
+            if !self.take_entry(folders) {
+                return;
             }
-            match path.is_dir() {
-                true => self.add_folder(&path, &join(folders, &name)),
-                false => self.add_file(folders, &name, |_| Content::OnDisk(path.clone())),
+            if path.is_dir() {
+                self.add_folder(&path, &join(folders, &name));
+            } else if is_archive(&name) {
+                let bytes = read_file_of_at_most(&path, MOST_BYTES);
+                self.add_archive_or_error(bytes, folders, &name);
+            } else {
+                self.add(folders, &name, Content::OnDisk(path.clone()));
             }
         }
         if self.files.len() == count {
-            self.add(folders, "", Content::Unread);
+            self.add(folders, "", Content::Unneeded);
         }
     }
 
-    /// Adds a file, or what is in it if it is an archive; its content is asked for where it is
-    /// needed, with the number of bytes that may still be unpacked.
-    fn add_file(
+    fn add_archive_or_error(
         &mut self,
+        bytes: Result<Vec<u8>, String>,
         folders: &[String],
         name: &str,
-        content: impl FnOnce(&mut u64) -> Content,
     ) {
-        let is_archive = has_extension(name, &["zip"]);
-        if !is_archive && self.picture_of(name).is_none() {
-            return self.add(folders, name, Content::Unread);
-        }
-        let bytes = match content(&mut self.bytes_left) {
-            content if !is_archive => return self.add(folders, name, content),
-            Content::OnDisk(path) => read_file_of_at_most(&path, MOST_BYTES),
-            Content::Unpacked(bytes) => Ok(bytes),
-            _ => Err("can't be unpacked".to_owned()),
-        };
         match bytes {
             Ok(bytes) => self.add_archive(&bytes, &join(folders, name)),
             Err(why) => self.add(folders, name, Content::Unreadable(why)),
@@ -139,17 +117,19 @@ impl Search {
             let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
             let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
             let around = [folders, &path].concat();
-            if !self.take_entry() {
-                return self.add_unreadable(folders, "has more files than are looked at");
+            if !self.take_entry(&around) {
+                return;
             }
-            if self.most_folders < around.len() {
-                self.add(&around, &name, Content::Unreadable("is too deep".to_owned()));
-                continue;
+            if is_archive(&name) {
+                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
+                self.add_archive_or_error(bytes, &around, &name);
+            } else if picture_in_name(&name).is_some() {
+                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
+                let content = bytes.map_or_else(Content::Unreadable, Content::Unpacked);
+                self.add(&around, &name, content);
+            } else {
+                self.add(&around, &name, Content::Unneeded);
             }
-            self.add_file(&around, &name, |bytes_left| {
-                let bytes = unpack(&archive, &entry, bytes_left);
-                bytes.map_or_else(Content::Unreadable, Content::Unpacked)
-            });
         }
     }
 }
@@ -182,6 +162,10 @@ fn unpack(
 /// The names of folders, and one more.
 fn join(folders: &[String], name: &str) -> Vec<String> {
     [folders, &[name.to_owned()]].concat()
+}
+
+fn is_archive(name: &str) -> bool {
+    has_extension(name, &["zip"])
 }
 
 fn is_left_out(name: &str) -> bool {

@@ -45,7 +45,7 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answe
         let answer = Answer { compared: None, ..answer };
         let name = NAMED_SCENE_EXAMPLE;
         let entry = Entry { name, is_required: true, file: None, answer, follows: None };
-        Report { student, pictures: vec![entry], unchecked: vec![], other_files: vec![] }
+        Report { student, pictures: vec![entry], unchecked: vec![] }
     });
     report(reports.collect(), vec![], format, false)
 }
