@@ -48,31 +48,24 @@ pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
     let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
     let (count, (width, height)) = (black.count(), comparison.ours.dimensions());
     let is_whole = columns.len() == width as usize || rows.len() == height as usize;
-    let is_told = is_whole || RECTANGLE_PIXELS < count && !has_gap(&columns) && !has_gap(&rows);
-    if count == 0 || count != columns.len() * rows.len() || !is_told {
+    if count != columns.len() * rows.len() || !is_whole && count < RECTANGLE_PIXELS {
         return None;
     }
     let file = match comparison.drawing {
         Some(_) => " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.",
         None => "",
     };
-    let (columns, rows) = (format_numbers("column", &columns), format_numbers("row", &rows));
+    let (columns, rows) = (format_numbers("column", &columns)?, format_numbers("row", &rows)?);
     Some(format!("{count} pixels are black, as if never drawn: {columns} of {rows}.{file}"))
 }
 
-fn has_gap(numbers: &BTreeSet<u32>) -> bool {
-    numbers.iter().zip(numbers.iter().skip(1)).any(|(a, b)| a + 1 < *b)
-}
-
-/// Such as `row 3`, `rows 3 to 9`, or `4 rows from 3 to 9` where there are gaps.
-fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> String {
-    let first = numbers.first().copied().unwrap_or(0);
-    let last = numbers.last().copied().unwrap_or(0);
-    match numbers.len() {
+/// Such as `row 3`, or `4 rows from 3 to 9`.
+fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> Option<String> {
+    let (first, last) = (numbers.first()?, numbers.last()?);
+    Some(match numbers.len() {
         1 => format!("{word} {first}"),
-        _ if has_gap(numbers) => format!("{} {word}s from {first} to {last}", numbers.len()),
-        _ => format!("{word}s {first} to {last}"),
-    }
+        count => format!("{count} {word}s from {first} to {last}"),
+    })
 }
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it.

@@ -11,7 +11,7 @@ use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
 use crate::{Answer, LockedPictures, Verdict};
-use course::{Step, step_of_example};
+use course::Step;
 use image::RgbImage;
 
 /// The most causes that are told.
@@ -88,20 +88,17 @@ fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts
     if has_facts {
         text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
     }
-    match &target.drawing {
-        Some(drawing) => {
-            if has_facts {
-                text += &describe_regions(comparison, drawing);
-            }
-            let wrong = comparison.wrong_pixels();
-            let is_above_1 = |one: &Pixel| 1.0 < drawing.colour(&one.ray).max_element();
-            // The sky and bytes are step 1's.
-            let is_of_rays = wrong.iter().any(Pixel::is_sky) || wrong.iter().all(is_above_1);
-            let first = if is_of_rays { Step::Rays } else { Step::Sphere };
-            let first = common_part(causes, |cause| cause.step).unwrap_or(first);
-            text += &tests_line(first, drawing.step);
+    if let Some(drawing) = &target.drawing {
+        if has_facts {
+            text += &describe_regions(comparison, drawing);
         }
-        None => text += &check_step_first_line(target),
+        let wrong = comparison.wrong_pixels();
+        let is_above_1 = |one: &Pixel| 1.0 < drawing.colour(&one.ray).max_element();
+        // The sky and bytes are step 1's.
+        let is_of_rays = wrong.iter().any(Pixel::is_sky) || wrong.iter().all(is_above_1);
+        let first = if is_of_rays { Step::Rays } else { Step::Sphere };
+        let first = common_part(causes, |cause| cause.step).unwrap_or(first);
+        text += &tests_line(first, drawing.step);
     }
     text + &describe_wrong_pixel(comparison)
 }
@@ -124,13 +121,4 @@ fn tests_line(first: Step, last: Step) -> String {
         (a, b) => (" --no-fail-fast".into(), format!("steps {a} to {b}")),
     };
     format!("The tests by hand of {steps} may find it: cargo test{package} --test by_hand\n")
-}
-
-/// Which step's picture to check first, where that of an exercise is wrong.
-fn check_step_first_line(target: &Target) -> String {
-    let step = target.name.as_deref().and_then(step_of_example);
-    step.map_or(String::new(), |step| {
-        let (number, name) = (step.number(), step.name());
-        format!("First check step {number}'s picture: cargo run --bin check -- {name}.png\n")
-    })
 }

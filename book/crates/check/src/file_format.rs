@@ -1,14 +1,15 @@
 const LINE_ENDS: &str = "a PNG file whose line ends were changed, as by a copy in text mode: copy \
                          it as binary";
 const READ_AS_TEXT: &str = "a PNG file that was read as text and written again; copy it as binary";
+const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
 /// the beginnings of PNG files that a copy has damaged.
-const FORMATS: [(usize, &[u8], &str); 17] = [
+const FORMATS: [(usize, &[u8], &str); 20] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
     (0, b"GIF8", "a GIF, which has 256 colours at most; draw it again as PNG"),
-    (0, b"BM", "a BMP picture; save it as PNG"),
+    (10, b"\x36\0\0\0\x28\0\0\0", "a BMP picture; save it as PNG"),
     (0, b"P6\n", "a PPM picture; save it as PNG"),
     (0, b"II*\0", "a TIFF picture; save it as PNG"),
     (0, b"MM\0*", "a TIFF picture; save it as PNG"),
@@ -17,6 +18,9 @@ const FORMATS: [(usize, &[u8], &str); 17] = [
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
     (0, b"\x1f\x8b", "a gzip archive; unpack it first"),
     (0, b"version https://git-lfs", "a pointer of Git LFS: `git lfs pull` fetches the picture"),
+    (0, b"<!doctype html", WEB_PAGE),
+    (0, b"<html", WEB_PAGE),
+    (0, b"<svg", "an SVG drawing; save it as PNG"),
     (0, b"\x89PNG\n\x1a\n", LINE_ENDS),
     (0, b"\x89PNG\r\n\x1a\r\n", LINE_ENDS),
     (0, b"\x89PNG\r\r\n", LINE_ENDS),
@@ -25,39 +29,16 @@ const FORMATS: [(usize, &[u8], &str); 17] = [
 ];
 
 /// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
-/// first bytes; None for a PNG file.
+/// first bytes, behind blanks and in any case; None for a PNG file.
 pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(b"\x89PNG\r\n\x1a\n") {
         return None;
     }
-    let text = first_text(file);
-    let has = |start: usize, bytes: &[u8]| file.get(start..).is_some_and(|f| f.starts_with(bytes));
-    // A text may begin with the two letters of a BMP.
-    let is_told = |bytes: &[u8]| bytes != b"BM" || !is_text(&text);
-    let format = FORMATS.iter().find(|(start, bytes, _)| has(*start, bytes) && is_told(bytes));
-    if let Some((_, _, clause)) = format {
-        return Some(clause);
-    }
-    Some(match text.trim_matches(['\u{feff}', '\u{fffd}', ' ', '\n', '\r', '\t']) {
-        _ if file.is_empty() => "not a PNG file: it is empty",
-        text if text.starts_with("<!doctype html") || text.starts_with("<html") => {
-            "a web page, not the picture on it; save the picture itself"
-        }
-        text if text.contains("<svg") => "an SVG drawing; save it as PNG",
-        text if is_text(text) => "not a PNG file, but text",
-        _ => "not a PNG file",
-    })
-}
-
-/// The first letters of a file, in lower case, of 8 or 16 bits each.
-fn first_text(file: &[u8]) -> String {
-    let start = &file[..file.len().min(512)];
-    let is_utf16 = start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff");
-    let letters = start.iter().copied().filter(|byte| !is_utf16 || *byte != 0);
-    String::from_utf8_lossy(&letters.collect::<Vec<_>>()).to_lowercase()
-}
-
-/// Whether a text has no other letters than one that is written for people.
-fn is_text(text: &str) -> bool {
-    text.chars().all(|c| c != '\u{fffd}' && (!c.is_control() || c.is_whitespace()))
+    let start = file.trim_ascii_start();
+    let is_format = |(first, bytes, _): &&(usize, &[u8], &str)| {
+        let found = start.get(*first..first + bytes.len());
+        found.is_some_and(|found| found.eq_ignore_ascii_case(bytes))
+    };
+    let clause = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
+    Some(clause.unwrap_or(if file.is_empty() { "empty" } else { "not a PNG file" }))
 }

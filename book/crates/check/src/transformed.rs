@@ -1,22 +1,21 @@
 use crate::comparison::{RayBudget, scattered_places};
-use image::RgbImage;
+use image::{RgbImage, imageops};
 
 /// How many pixels may be compared to find a part, and the least that a part has.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// The place in ours of a pixel of yours, by its place and the last column and row of ours.
-type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
+/// A function that turns a picture back.
+type TurnBack = fn(&RgbImage) -> RgbImage;
 
-/// Turns, and whether yours is as wide as ours then.
-const TURNS: [(&str, bool, Turn); 7] = [
-    ("", true, |place, _| place),
-    ("upside down", true, |(i, j), (_, last_j)| (i, last_j - j)),
-    ("mirrored left to right", true, |(i, j), (last_i, _)| (last_i - i, j)),
-    ("turned by 180°", true, |(i, j), (last_i, last_j)| (last_i - i, last_j - j)),
-    ("turned by 90° to the right", false, |(i, j), (_, last_j)| (j, last_j - i)),
-    ("turned by 90° to the left", false, |(i, j), (last_i, _)| (last_i - j, i)),
-    ("with rows and columns exchanged", false, |(i, j), _| (j, i)),
+/// How a picture may be turned.
+const TURNS: [(&str, TurnBack); 6] = [
+    ("", RgbImage::clone),
+    ("upside down", imageops::flip_vertical),
+    ("mirrored left to right", imageops::flip_horizontal),
+    ("turned by 180°", imageops::rotate180),
+    ("turned by 90° to the right", imageops::rotate270),
+    ("turned by 90° to the left", imageops::rotate90),
 ];
 
 /// The orders of red, green and blue.
@@ -52,18 +51,15 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
 /// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
 /// with its channels in another order.
 fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String> {
-    let (w, h) = ours.dimensions();
     let mut clauses = vec![];
-    for (turned, is_as_wide, turn) in TURNS {
-        if picture.dimensions() != (if is_as_wide { (w, h) } else { (h, w) }) {
-            continue;
-        }
+    let turns = TURNS.into_iter().filter(|_| picture.pixels().len() == ours.pixels().len());
+    for (turned, turn_back) in turns {
+        let picture = turn_back(picture);
         for (swapped, order) in ORDERS {
-            let mut pixels = picture.enumerate_pixels();
-            if pixels.all(|(i, j, yours)| {
-                let (i, j) = turn((i, j), (w - 1, h - 1));
-                yours.0 == order.map(|k| ours.get_pixel(i, j).0[k])
-            }) {
+            let mut pairs = picture.pixels().zip(ours.pixels());
+            let is_equal = picture.width() == ours.width()
+                && pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k]));
+            if is_equal {
                 let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
                 clauses.push(words.collect::<Vec<_>>().join(", "));
             }

@@ -19,19 +19,14 @@ pub(crate) fn count_sentence(comparison: &Comparison, title: &str) -> String {
 
 /// One wrong pixel, among those that differ most: its colours, and what ours computes there.
 pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
-    let wrong = comparison.wrong_pixels();
-    let largest = largest_difference(comparison);
-    let is_far = |pixel: &&Pixel| largest.div_ceil(2) <= pixel.largest_difference();
-    let mut far: Vec<_> = wrong.iter().filter(is_far).collect();
-    if far.is_empty() {
-        return String::new();
-    }
-    let middle = far.len() / 2;
-    let (_, pixel, _) =
-        far.select_nth_unstable_by_key(middle, |pixel| (pixel.place.1, pixel.place.0));
-    let computed = comparison
-        .drawing
-        .map_or(String::new(), |drawing| format!(": {}", computed_values_clause(drawing, pixel)));
+    let least = largest_difference(comparison).div_ceil(2);
+    let far = comparison.wrong_pixels().iter().filter(|one| least <= one.largest_difference());
+    let mut far: Vec<_> = far.collect();
+    far.sort_unstable_by_key(|pixel| (pixel.place.1, pixel.place.0));
+    let Some(pixel) = far.get(far.len() / 2) else { return String::new() };
+    let computed =
+        comparison.drawing.map(|one| format!(": {}", computed_values_clause(one, pixel)));
+    let computed = computed.unwrap_or_default();
     let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     let (i, j) = pixel.place;
     format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")

@@ -2,7 +2,7 @@
 
 use crate::{LOCKED, assert_locked, draw_step, encode, format_answer};
 use check::check_png;
-use course::Step;
+use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 
 /// A PNG file with a chunk of this name and these bytes before its pixels.
@@ -23,17 +23,6 @@ fn png_header(columns: u32, rows: u32) -> Vec<u8> {
     [b"\x89PNG\r\n\x1a\n\0\0\0\x0d", &header[..], &sum, b"\0\0\x10\0IDAT\x78\x9c"].concat()
 }
 
-/// A PNG file with a palette.
-fn png_with_palette() -> Vec<u8> {
-    let mut file = vec![];
-    let mut encoder = png::Encoder::new(&mut file, 2, 1);
-    encoder.set_color(png::ColorType::Indexed);
-    encoder.set_palette(vec![1, 2, 3, 4, 5, 6]);
-    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&[0, 1]));
-    written.expect("a picture");
-    file
-}
-
 /// The answer about a file that should be the picture of step 2.
 fn answer(title: &str, file: &[u8]) -> (String, String) {
     let answer = check_png(file, "my.png", Some("step02_sphere"), &LOCKED);
@@ -47,32 +36,25 @@ fn other_formats_and_damaged_files_are_as_locked() {
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     let mut wrong_sum = png.clone();
     wrong_sum[100] ^= 1;
-    let files: [(&str, &[u8]); 27] = [
+    let files: [(&str, &[u8]); 20] = [
         ("JPEG", b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01"),
         ("WebP", b"RIFF\x24\0\0\0WEBPVP8 "),
         ("GIF", b"GIF89a"),
-        ("BMP", b"BM\x36\0\0\0"),
+        ("BMP", b"BM\x36\x10\x0e\0\0\0\0\0\x36\0\0\0\x28\0\0\0"),
         ("PPM", b"P6\n2 2\n255\n"),
-        ("TIFF", b"II*\0\x08\0\0\0"),
         ("HEIC", b"\0\0\0\x18ftypheic"),
         ("PDF", b"%PDF-1.7"),
         ("ZIP", b"PK\x03\x04"),
-        ("gzip", b"\x1f\x8b\x08"),
         ("web page", b"\n <!DOCTYPE HTML>"),
         ("pointer", b"version https://git-lfs.github.com/spec/v1"),
-        ("SVG", b"<?xml version='1.0'?><svg/>"),
-        ("text", b"not a picture"),
-        ("text that begins as a BMP", b"BM is short for bitmap"),
-        ("UTF-16", b"\xff\xfen\0o\0t\0 \0a\0 \0p\0i\0c\0"),
+        ("SVG", b"<svg/>"),
+        ("text", b"BM is short for bitmap"),
         ("nothing", b""),
-        ("other bytes", b"\x01\x02\x03\x04"),
         ("line ends changed", &text_mode),
         ("read as text", &as_text),
         ("half", &png[..png.len() / 2]),
-        ("only its start", &png[..8]),
         ("another byte", &wrong_sum),
         ("200000 columns", &png_header(200_000, 200_000)),
-        ("8192 columns, without pixels", &png_header(8192, 4608)),
         ("no columns", &png_header(0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];
@@ -83,36 +65,20 @@ fn other_formats_and_damaged_files_are_as_locked() {
 #[test]
 fn other_kinds_of_png_are_as_locked() {
     let ours = DynamicImage::from(draw_step(Step::Sphere));
-    let with_alpha = |alpha: &dyn Fn(u32, u32) -> u8| {
-        let mut picture = ours.to_rgba8();
-        picture.enumerate_pixels_mut().for_each(|(i, j, pixel)| pixel[3] = alpha(i, j));
-        encode(picture)
-    };
+    let mut invisible_pixel = ours.to_rgba8();
+    invisible_pixel[(9, 9)][3] = 0;
     let png = encode(ours.clone());
     let exif_turned = b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     let profile = b"profile\0\0\x78\x01\x01\x01\0\xfe\xffx\0\x79\0\x79";
-    let wide = (Step::Rays.picture())(&course::camera_with_size(8192, 128), 1);
-    let mut answers = [
-        ("plain", png.clone()),
+    let answers = [
         ("grey", encode(ours.to_luma8())),
         ("16 bits", encode(ours.to_rgb16())),
-        ("opaque", with_alpha(&|_, _| 255)),
-        ("invisible", with_alpha(&|_, _| 0)),
-        ("one pixel is invisible", with_alpha(&|i, j| if (i, j) == (9, 9) { 0 } else { 255 })),
-        ("palette", png_with_palette()),
+        ("one pixel is invisible", encode(invisible_pixel)),
         ("colour profile", insert_chunk(&png, b"iCCP", profile)),
         ("turned by EXIF", insert_chunk(&png, b"eXIf", exif_turned)),
         ("animation", insert_chunk(&png, b"acTL", &[0, 0, 0, 1, 0, 0, 0, 0])),
-        ("8192 columns with alpha", encode(DynamicImage::new_rgba8(8192, 2))),
-    ]
-    .map(|(title, file)| answer(title, &file))
-    .to_vec();
-    let tiny = encode(RgbImage::new(1, 1));
-    for (file, name) in
-        [(encode(wide), "step01_rays"), (tiny.clone(), "glass"), (tiny, "step06_\u{1b}[2J")]
-    {
-        let answer = check_png(&file, "a.png", Some(name), &LOCKED);
-        answers.push((name.escape_debug().to_string(), format_answer(answer)));
-    }
-    assert_locked("other_kinds_of_png", answers);
+        ("8192 columns", encode((Step::Sphere.picture())(&camera_with_size(8192, 128), 1))),
+        ("1 column", encode(RgbImage::new(1, 1))),
+    ];
+    assert_locked("other_kinds_of_png", answers.map(|(title, file)| answer(title, &file)));
 }
