@@ -100,12 +100,12 @@ pub fn report_on_folder(
         Ok(files) => files,
         Err(why) => return Answer::error(why),
     };
-    let is_of_class = |file: &FoundFile| 1 < file.path.len() || file.is_of_canvas();
+    let is_of_class = |file: &FoundFile| 0 < file.depth() || file.is_of_canvas();
     let is_own = is_workspace
         || files.iter().any(|file| file.picture.is_some() && !is_of_class(file))
         || !files.iter().any(is_of_class);
     let (mut students, stray) = if is_own {
-        files.retain(|file| file.path.len() <= MOST_OWN_FOLDERS + 1 && file.may_be_picture());
+        files.retain(|file| file.depth() <= MOST_OWN_FOLDERS && file.may_be_picture());
         // Whose scene it is isn't known, but where that is asked for.
         let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !required.contains(scene));
         let scenes = files.iter_mut().filter(|file| scene.is_some() && file.picture == scene);

@@ -7,9 +7,9 @@ use step01_rays::{Camera, mean, rgb8, sub_pixels};
 /// The field of view of the locked pictures, in tenths of a degree.
 const FIELD_OF_VIEW: u32 = 600;
 
-/// How many rays are drawn to find out whether a picture has some options, and to try all.
+/// How many rays are drawn to find out whether a picture has some options; to try all, twice as
+/// many.
 const RAYS: u32 = 3 << 20;
-const ALL_RAYS: u32 = 2 * RAYS;
 
 /// Sentences about a picture that a drawing gives with other options: another size, field of
 /// view or number of samples.
@@ -23,7 +23,7 @@ pub(crate) fn describe_other_options(
         return None;
     }
     let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
-    let budget = RayBudget::new(ALL_RAYS);
+    let budget = RayBudget::new(2 * RAYS);
     let places = scattered_places(columns, rows);
     let mut places: Vec<_> = places.take(RAYS as usize).collect();
     for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
@@ -59,12 +59,10 @@ fn sentences(title: &str, yours: &RgbImage, options: &str, compared: usize) -> S
         all if compared == all => "in every pixel".to_owned(),
         all => format!("in the {compared} pixels of {all} that were compared"),
     };
-    let hint = match find_mistakes_with_hash(hash_picture(yours)).first() {
-        Some((mistake, _)) => {
-            format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
-        }
-        None => String::new(),
-    };
+    let mistakes = find_mistakes_with_hash(hash_picture(yours));
+    let hint = mistakes.first().map_or(String::new(), |(mistake, _)| {
+        format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
+    });
     format!(
         "Right, but with other options: this is {title}, {extent}, at {options}.\n\
          Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples \

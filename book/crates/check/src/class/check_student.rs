@@ -27,7 +27,7 @@ pub(crate) fn check_student(
             }
             Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
         };
-        let file = file.map(|file| file.path.join("/"));
+        let file = file.map(|file| file.path.clone());
         let answer = Answer { compared: None, ..answer };
         pictures.push(Entry { name, is_required, file, answer, follows: None });
     }
@@ -43,7 +43,7 @@ pub(crate) fn check_student(
 fn choose_file<'a>(files: &[&'a FoundFile], name: &str) -> Option<&'a FoundFile> {
     let files = files.iter().filter(|file| file.picture == Some(name));
     let is_other = |file: &FoundFile| !has_extension(file.name(), &["png"]);
-    let key = |file: &&&FoundFile| (is_other(file), file.path.len(), Reverse(file.version()));
+    let key = |file: &&&FoundFile| (is_other(file), file.depth(), Reverse(file.version()));
     files.min_by_key(key).copied()
 }
 

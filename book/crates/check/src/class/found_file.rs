@@ -12,8 +12,8 @@ const PICTURE_EXTENSIONS: [&str; 14] = [
 /// A file in a folder or in an archive.
 pub(crate) struct FoundFile {
     /// The names of the folders and archives around it, then its own, which is empty for what
-    /// has no files.
-    pub path: Vec<String>,
+    /// has no files, with a `/` between them.
+    pub path: String,
     /// The picture of the course that its name tells.
     pub picture: Option<&'static str>,
     pub content: Content,
@@ -32,7 +32,12 @@ pub(crate) enum Content {
 impl FoundFile {
     /// The file's name, as far as it has one.
     pub fn name(&self) -> &str {
-        self.path.last().map_or("", String::as_str)
+        self.path.rsplit('/').next().unwrap_or_default()
+    }
+
+    /// How many folders and archives are around it.
+    pub fn depth(&self) -> usize {
+        self.path.matches('/').count()
     }
 
     /// The file's bytes, or why they can't be read.
@@ -46,11 +51,10 @@ impl FoundFile {
 
     /// The file's path and, if it can't be read, why not.
     pub fn describe(&self) -> String {
-        let names = self.path.iter().map(String::as_str).filter(|name| !name.is_empty());
-        let path = names.collect::<Vec<_>>().join("/");
+        let path = self.path.trim_end_matches('/');
         match &self.content {
             Content::Unreadable(why) => format!("{path} {why}").trim_start().to_owned(),
-            _ => path,
+            _ => path.to_owned(),
         }
     }
 
@@ -82,9 +86,9 @@ pub(crate) fn picture_names() -> impl Iterator<Item = &'static str> + Clone {
 }
 
 /// The picture that the name of a file tells.
-pub(crate) fn picture_in_name(name: &str) -> Option<&'static str> {
-    let is_picture = has_extension(name, &PICTURE_EXTENSIONS);
-    find_name_in_file_name(name, picture_names()).filter(|_| is_picture)
+pub(crate) fn picture_in_name(path: &str) -> Option<&'static str> {
+    let is_picture = has_extension(path, &PICTURE_EXTENSIONS);
+    find_name_in_file_name(path, picture_names()).filter(|_| is_picture)
 }
 
 pub(crate) fn has_extension(name: &str, extensions: &[&str]) -> bool {

@@ -18,9 +18,9 @@ pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<Found
     let (entries_left, bytes_left) = (MOST_ENTRIES, MOST_BYTES);
     let mut search = Search { most_folders, files: vec![], entries_left, bytes_left };
     if is_archive(&folder.to_string_lossy()) && folder.is_file() {
-        search.add_archive(&read_file_of_at_most(folder, MOST_BYTES)?, &[]);
+        search.add_archive(&read_file_of_at_most(folder, MOST_BYTES)?, "");
     } else if fs::read_dir(folder).is_ok() {
-        search.add_folder(folder, &[]);
+        search.add_folder(folder, "");
     } else {
         let path = escape_for_terminal(&folder.display().to_string());
         return Err(format!("{path} is no folder or ZIP archive that can be read"));
@@ -36,99 +36,95 @@ struct Search {
 }
 
 impl Search {
-    fn add(&mut self, folders: &[String], name: &str, content: Content) {
-        let (path, picture) = (join(folders, name), picture_in_name(name));
+    fn add(&mut self, path: String, content: Content) {
+        let picture = picture_in_name(&path);
         self.files.push(FoundFile { path, picture, content });
     }
 
-    fn add_unreadable(&mut self, folders: &[String], why: &str) {
-        self.add(folders, "", Content::Unreadable(why.to_owned()));
+    fn add_unreadable(&mut self, path: &str, why: impl Into<String>) {
+        self.add(path.to_owned(), Content::Unreadable(why.into()));
     }
 
-    /// Whether one more file or folder in these may be looked at; if not, that is noted.
-    fn take_entry(&mut self, folders: &[String]) -> bool {
+    /// Whether one more file or folder may be looked at; if not, that is noted of the folder.
+    fn take_entry(&mut self, path: &str, folder: &str) -> bool {
         if self.entries_left == 0 {
-            self.add_unreadable(folders, "has more files than are looked at");
+            self.add_unreadable(folder, "has more files than are looked at");
             return false;
         }
         self.entries_left -= 1;
-        if self.most_folders < folders.len() {
-            self.add_unreadable(folders, "is too deep, so the rest there isn't looked at");
+        if self.most_folders < path.matches('/').count() {
+            self.add_unreadable(path, "is too deep, so the rest there isn't looked at");
             return false;
         }
         true
     }
 
-    fn add_folder(&mut self, folder: &Path, folders: &[String]) {
-        let Ok(entries) = fs::read_dir(folder) else {
-            return self.add_unreadable(folders, "can't be read");
+    /// Adds what is in a folder, whose own path ends with a `/` or is empty.
+    fn add_folder(&mut self, on_disk: &Path, folder: &str) {
+        let Ok(entries) = fs::read_dir(on_disk) else {
+            return self.add_unreadable(folder, "can't be read");
         };
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.sort();
         let count = self.files.len();
-        for path in paths {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
+        for on_disk in paths {
+            let name = on_disk.file_name().unwrap_or_default().to_string_lossy();
             if is_left_out(&name) {
                 continue;
             }
-            if !self.take_entry(folders) {
+            let path = format!("{folder}{name}");
+            if !self.take_entry(&path, folder) {
                 return;
             }
-            if path.is_dir() {
-                self.add_folder(&path, &join(folders, &name));
-            } else if is_archive(&name) {
-                let bytes = read_file_of_at_most(&path, MOST_BYTES);
-                self.add_archive_or_error(bytes, folders, &name);
+            if on_disk.is_dir() {
+                self.add_folder(&on_disk, &(path + "/"));
+            } else if is_archive(&path) {
+                let bytes = read_file_of_at_most(&on_disk, MOST_BYTES);
+                self.add_archive_or_error(bytes, &path);
             } else {
-                self.add(folders, &name, Content::OnDisk(path.clone()));
+                self.add(path, Content::OnDisk(on_disk));
             }
         }
         if self.files.len() == count {
-            self.add(folders, "", Content::Unneeded);
+            self.add(folder.to_owned(), Content::Unneeded);
         }
     }
 
-    fn add_archive_or_error(
-        &mut self,
-        bytes: Result<Vec<u8>, String>,
-        folders: &[String],
-        name: &str,
-    ) {
+    fn add_archive_or_error(&mut self, bytes: Result<Vec<u8>, String>, path: &str) {
         match bytes {
-            Ok(bytes) => self.add_archive(&bytes, &join(folders, name)),
-            Err(why) => self.add(folders, name, Content::Unreadable(why)),
+            Ok(bytes) => self.add_archive(&bytes, &format!("{path}/")),
+            Err(why) => self.add_unreadable(path, why),
         }
     }
 
-    fn add_archive(&mut self, bytes: &[u8], folders: &[String]) {
+    fn add_archive(&mut self, bytes: &[u8], folder: &str) {
         let Ok(archive) = ZipArchive::from_slice(bytes) else {
-            return self.add_unreadable(folders, "is a damaged ZIP archive");
+            return self.add_unreadable(folder, "is a damaged ZIP archive");
         };
         let mut entries = archive.entries();
         loop {
             let entry = match entries.next_entry() {
                 Ok(Some(entry)) => entry,
                 Ok(None) => return,
-                Err(_) => return self.add_unreadable(folders, "is a damaged ZIP archive"),
+                Err(_) => return self.add_unreadable(folder, "is a damaged ZIP archive"),
             };
             let path = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
-            let mut path: Vec<_> = path.split(['/', '\\']).map(str::to_owned).collect();
-            path.retain(|name| !name.is_empty());
-            let is_skipped = entry.is_dir() || path.iter().any(|name| is_left_out(name));
-            let Some(name) = path.pop().filter(|_| !is_skipped) else { continue };
-            let around = [folders, &path].concat();
-            if !self.take_entry(&around) {
+            let names: Vec<_> = path.split(['/', '\\']).filter(|name| !name.is_empty()).collect();
+            if entry.is_dir() || names.iter().any(|name| is_left_out(name)) {
+                continue;
+            }
+            let path = format!("{folder}{}", names.join("/"));
+            if !self.take_entry(&path, folder) {
                 return;
             }
-            if is_archive(&name) {
+            if is_archive(&path) {
                 let bytes = unpack(&archive, &entry, &mut self.bytes_left);
-                self.add_archive_or_error(bytes, &around, &name);
-            } else if picture_in_name(&name).is_some() {
+                self.add_archive_or_error(bytes, &path);
+            } else if picture_in_name(&path).is_some() {
                 let bytes = unpack(&archive, &entry, &mut self.bytes_left);
-                let content = bytes.map_or_else(Content::Unreadable, Content::Unpacked);
-                self.add(&around, &name, content);
+                self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked));
             } else {
-                self.add(&around, &name, Content::Unneeded);
+                self.add(path, Content::Unneeded);
             }
         }
     }
@@ -157,11 +153,6 @@ fn unpack(
         return Err(too_large_clause(most_bytes));
     }
     Ok(bytes)
-}
-
-/// The names of folders, and one more.
-fn join(folders: &[String], name: &str) -> Vec<String> {
-    [folders, &[name.to_owned()]].concat()
 }
 
 fn is_archive(name: &str) -> bool {

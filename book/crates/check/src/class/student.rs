@@ -17,15 +17,19 @@ pub(crate) struct Student {
 /// student in their names, as Canvas has it.
 pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<FoundFile>) {
     while is_one_folder_too_deep(&files) {
-        files.iter_mut().for_each(|file| drop(file.path.remove(0)));
+        for file in &mut files {
+            file.path = file.path.split_once('/').map_or("", |(_, rest)| rest).to_owned();
+        }
     }
     let mut groups: BTreeMap<String, Vec<FoundFile>> = BTreeMap::new();
     let mut stray = vec![];
     for mut file in files {
-        match take_key(&mut file.path) {
-            Some(key) => groups.entry(key).or_default().push(file),
-            None => stray.push(file),
-        }
+        let Some((key, path)) = split_key(&file.path) else {
+            stray.push(file);
+            continue;
+        };
+        file.path = path;
+        groups.entry(key).or_default().push(file);
     }
     let keys: Vec<_> = groups.keys().cloned().collect();
     let prefix = common_prefix(&keys);
@@ -59,25 +63,23 @@ pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
 
 /// Whether all files are in one folder, and there are those of several students.
 fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
-    let is_first = |file: &FoundFile| file.path.first() == files[0].path.first();
-    let key = |file: &FoundFile| take_key(&mut file.path[1..].to_vec());
-    let keys = files.iter().map(key).collect::<Option<BTreeSet<_>>>();
-    files.iter().all(is_first) && keys.is_some_and(|keys| 1 < keys.len())
+    let split = files.iter().map(|file| file.path.split_once('/'));
+    let Some(split) = split.collect::<Option<Vec<_>>>() else { return false };
+    let keys = split.iter().map(|(_, rest)| Some(split_key(rest)?.0));
+    let keys = keys.collect::<Option<BTreeSet<_>>>();
+    split.iter().all(|(folder, _)| *folder == split[0].0) && keys.is_some_and(|one| 1 < one.len())
 }
 
-/// Takes from a path what tells the student; None where nothing does.
-fn take_key(path: &mut Vec<String>) -> Option<String> {
-    if let Some((student, file)) = split_canvas_name(path.first()?) {
-        path[0] = file;
-        return Some(student);
+/// Splits a path into what tells the student and the rest; None where nothing does.
+fn split_key(path: &str) -> Option<(String, String)> {
+    if let Some(split) = split_canvas_name(path) {
+        return Some(split);
     }
-    if path.len() == 1 {
-        return None;
-    }
-    let folder = path.remove(0);
+    let (folder, rest) = path.split_once('/')?;
     // Moodle makes a folder each for files and for what was typed.
     let student = folder.split_once("_assignsubmission_").map(|(student, _)| student);
-    Some(student.or(folder.strip_suffix(".zip")).unwrap_or(&folder).to_owned())
+    let student = student.or(folder.strip_suffix(".zip")).unwrap_or(folder);
+    Some((student.to_owned(), rest.to_owned()))
 }
 
 /// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
@@ -86,7 +88,8 @@ pub(crate) fn split_canvas_name(name: &str) -> Option<(String, String)> {
     let numbers_and_name = numbers_and_name.strip_prefix("LATE_").unwrap_or(numbers_and_name);
     let [user, file, name] = numbers_and_name.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
     let is_number = |text: &str| 1 < text.len() && text.bytes().all(|byte| byte.is_ascii_digit());
-    (is_number(user) && is_number(file)).then(|| (student.to_owned(), name.to_owned()))
+    let is_split = !student.contains('/') && is_number(user) && is_number(file);
+    is_split.then(|| (student.to_owned(), name.to_owned()))
 }
 
 /// How many bytes the keys have in common up to a `-`, as the repositories of one assignment do.
