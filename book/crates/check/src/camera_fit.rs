@@ -4,10 +4,9 @@
 use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::drawing::Drawing;
 use course::{Step, camera};
-use std::iter::once;
+use std::mem::replace;
 
-/// The cameras with another x, another y or both, of one vector each, that give the reader's
-/// picture in every pixel, in words.
+/// The cameras with one other number that give the reader's picture in every pixel, in words.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
     drawing: &Drawing,
@@ -17,24 +16,17 @@ pub(crate) fn find_cameras(
     if !comparison.wrong_pixels().iter().any(Pixel::is_sky) {
         return vec![];
     }
-    let ours = camera();
     let mut pixels: Vec<_> = comparison.pixels.iter().collect();
-    let fits = |row: usize| {
-        let fits = (0..3).filter_map(move |k| Some((k, fit_number(comparison, row, k)?)));
-        once(None).chain(fits.map(Some))
-    };
     let mut words = vec![];
-    for (x, y) in fits(0).flat_map(|x| fits(1).map(move |y| (x, y))) {
-        let (mut yours, mut clauses) = (ours, vec![]);
-        for (axis, (row, fit)) in ["x", "y"].into_iter().zip([x, y].into_iter().enumerate()) {
-            let Some((k, number)) = fit else { continue };
-            let old = std::mem::replace(&mut yours.matrix.col_mut(k)[row], number);
-            let vector = ["D_u", "D_v", "V_0"][k];
-            clauses.push(format!("{axis} of {vector} = {number:.6} instead of {old:.6}"));
-        }
+    for (row, k) in (0..2).flat_map(|row| (0..3).map(move |k| (row, k))) {
+        let Some(number) = fit_number(comparison, row, k) else { continue };
+        let mut yours = camera();
+        let old = replace(&mut yours.matrix.col_mut(k)[row], number);
         let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
         if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
-            words.push(clauses.join(" and ").replace('-', "−"));
+            let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
+            let clause = format!("{axis} of {vector} = {number:.6} instead of {old:.6}");
+            words.push(clause.replace('-', "−"));
         }
     }
     if drawing.step == Step::Rays && !words.is_empty() {

@@ -20,7 +20,7 @@ pub fn check_png(
     answer_for_file(png, file_name, |picture| {
         let names = locked_names().into_iter();
         let name = expected_name.or_else(|| find_name_in_file_name(file_name, names));
-        check_picture(picture, name, locked)
+        check_picture(&picture.rgb, name, locked)
     })
 }
 
@@ -35,7 +35,7 @@ pub fn check_scene_png(
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let target = Target::of_scene(name);
-        if *target.picture == picture.rgb {
+        if target.picture == picture.rgb {
             return right(&target.title);
         }
         match other_names.iter().find(|other| is_scene_of(&picture.rgb, other)) {
@@ -71,15 +71,11 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     answer
 }
 
-/// Compares a picture with the locked picture `expected_name`, or with the nearest where that
-/// is left out.
-pub fn check_picture(
-    picture: &Picture,
-    expected_name: Option<&str>,
-    locked: &LockedPictures,
-) -> Answer {
+/// Compares a picture with the locked picture of a name, or with the nearest where that is left
+/// out.
+fn check_picture(yours: &RgbImage, name: Option<&str>, locked: &LockedPictures) -> Answer {
     let names = locked_names();
-    if let Some(unknown) = expected_name.filter(|name| !names.contains(name)) {
+    if let Some(unknown) = name.filter(|name| !names.contains(name)) {
         return Answer::error(format!(
             "there is no locked picture '{}'; allowed are {}",
             escape_for_terminal(unknown),
@@ -87,15 +83,15 @@ pub fn check_picture(
         ));
     }
     let listed_name = || {
-        let mistakes = find_mistakes_with_hash(hash_picture(&picture.rgb));
+        let mistakes = find_mistakes_with_hash(hash_picture(yours));
         mistakes.first().map(|(_, name)| *name)
     };
-    let name = expected_name.or_else(|| equal_name(&picture.rgb, locked)).or_else(listed_name);
-    let name = name.map_or_else(|| find_most_similar(&picture.rgb, &names, locked), Ok);
-    match name.and_then(|name| locked.target(name)) {
+    let name = name.or_else(|| equal_name(yours, locked)).or_else(listed_name);
+    let name = name.map_or_else(|| find_most_similar(yours, &names, locked), Ok);
+    match name.and_then(|name| locked.get(name)) {
         Err(why) => Answer::error(why),
-        Ok(target) if *target.picture == picture.rgb => right(&target.title),
-        Ok(target) => explain(&picture.rgb, &target, locked),
+        Ok(target) if target.picture == *yours => right(&target.title),
+        Ok(target) => explain(yours, &target, locked),
     }
 }
 
@@ -103,7 +99,7 @@ pub fn check_picture(
 pub(crate) fn equal_name(picture: &RgbImage, locked: &LockedPictures) -> Option<&'static str> {
     let hash = hash_picture(picture);
     let same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
-    let mut equal = same.filter(|name| locked.get(name).is_ok_and(|one| *one == *picture));
+    let mut equal = same.filter(|name| locked.get(name).is_ok_and(|one| one.picture == *picture));
     equal.next()
 }
 

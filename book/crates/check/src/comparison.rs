@@ -51,7 +51,7 @@ impl Pixel {
 impl<'a> Comparison<'a> {
     /// Compares a picture with a target; None where their sizes differ.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
-        let (drawing, ours) = (target.drawing.as_ref(), &*target.picture);
+        let (drawing, ours) = (target.drawing.as_ref(), &target.picture);
         let (columns, rows) = ours.dimensions();
         if yours.dimensions() != (columns, rows) {
             return None;

@@ -43,7 +43,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         None => String::new(),
     };
     let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
-    let compared = comparison.map(|_| [yours.clone(), RgbImage::clone(&target.picture)]);
+    let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
     Answer { verdict: Verdict::NotRight, text, causes, compared }
 }
 

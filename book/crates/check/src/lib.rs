@@ -48,10 +48,10 @@ mod which_picture;
 mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
-pub use check::{check_picture, check_png, check_scene_png};
+pub use check::{check_png, check_scene_png};
 pub use class::{Format, report_on_folder, report_on_workspaces};
 pub use locked::LockedPictures;
-pub use png_file::{Picture, read_png};
+use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 pub use scene_files::{read_names, write_scene, write_scenes};
 pub use which_picture::find_name_in_file_name;

@@ -20,16 +20,16 @@ impl LockedPictures {
 
     /// Pictures in the folder of the course.
     pub fn in_workspace() -> Self {
-        Self::new(read)
-    }
-
-    /// The picture of this name.
-    pub fn get(&self, name: &str) -> Result<Arc<RgbImage>, String> {
-        Ok(self.target(name)?.picture.clone())
+        Self::new(|name| {
+            let path = format!("tests/snapshots/{name}.snap.png");
+            let file = fs::read(workspace().join(&path));
+            let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
+            Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rgb)
+        })
     }
 
     /// The picture of this name, with what it is drawn of.
-    pub(crate) fn target(&self, name: &str) -> Result<Arc<Target>, String> {
+    pub(crate) fn get(&self, name: &str) -> Result<Arc<Target>, String> {
         let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(target) = kept().get(name) {
             return Ok(target.clone());
@@ -37,12 +37,4 @@ impl LockedPictures {
         let target = Arc::new(Target::of_locked(name, (self.read)(name)?));
         Ok(kept().entry(name.to_owned()).or_insert(target).clone())
     }
-}
-
-/// Reads the locked picture of a name in the folder of the course.
-fn read(name: &str) -> Result<RgbImage, String> {
-    let path = format!("tests/snapshots/{name}.snap.png");
-    let file = fs::read(workspace().join(&path));
-    let file = file.map_err(|error| format!("can't read {path}: {error}"))?;
-    Ok(read_png(&file).map_err(|what| format!("{path} {what}"))?.rgb)
 }

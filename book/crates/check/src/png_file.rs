@@ -22,12 +22,6 @@ pub struct Picture {
     pub notes: Vec<&'static str>,
 }
 
-impl From<RgbImage> for Picture {
-    fn from(rgb: RgbImage) -> Self {
-        Self { rgb, transparent_count: 0, notes: vec![] }
-    }
-}
-
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
 ///
 /// The size is looked at before anything is unpacked.

@@ -41,7 +41,7 @@ pub(crate) fn find_most_similar<'a>(
     let yours = small(yours);
     let mut distances = vec![];
     for name in names {
-        let pairs = yours.iter().zip(small(&*locked.get(name)?));
+        let pairs = yours.iter().zip(small(&locked.get(name)?.picture));
         distances.push((pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>(), *name));
     }
     let nearest = distances.into_iter().min_by_key(|(distance, _)| *distance);

@@ -5,17 +5,6 @@ use check::{Verdict, check_png, find_name_in_file_name};
 use course::{Step, camera_with_size, locked_names};
 use fastrand::Rng;
 
-/// Changes a few bytes, and leaves the end out of a part of the files.
-fn damage_bytes(file: &mut Vec<u8>, random: &mut Rng) {
-    for _ in 0..=random.usize(..3) {
-        let offset = random.usize(..file.len());
-        match random.u8(..6) {
-            0 => file.truncate(offset.max(1)),
-            _ => file[offset] = random.u8(..),
-        }
-    }
-}
-
 /// Writes the checksum of each chunk again, so that a change is not noticed at once.
 fn correct_checksums(file: &mut [u8]) {
     let mut offset = 8;
@@ -35,8 +24,11 @@ fn damaged_files_give_answers_without_panic() {
     let (mut random, mut counts) = (Rng::with_seed(0x5EED), [0; 2]);
     for k in 0..1000 {
         let mut file = undamaged.clone();
-        damage_bytes(&mut file, &mut random);
-        if k % 2 == 0 {
+        let offset = random.usize(..file.len());
+        file[offset] = random.u8(..);
+        if k % 10 == 0 {
+            file.truncate(offset + 1);
+        } else if k % 2 == 0 {
             correct_checksums(&mut file);
         }
         let answer = check_png(&file, "my.png", Some("step01_rays"), &LOCKED);

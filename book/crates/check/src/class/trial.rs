@@ -27,27 +27,32 @@ const SOURCE_BYTES: u64 = 1 << 20;
 /// workspace is copied, no setting of Cargo and no build script. The programs run as the one
 /// who asks, unprotected.
 pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answer {
-    let entries = match fs::read_dir(folder) {
-        Ok(entries) => entries.flatten().map(|entry| entry.path()),
+    let paths = match folders_in(folder) {
+        Ok(paths) => paths,
         Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
     };
-    let is_hidden = |path: &PathBuf| {
-        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'))
-    };
-    let mut paths: Vec<_> = entries.filter(|path| path.is_dir() && !is_hidden(path)).collect();
-    paths.sort();
     let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
     let reports = paths.iter().enumerate().map(|(k, path)| {
         let student = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let png = draw_with_crates(path, scene, &trial, k);
-        let answer = png.map(|png| check_scene_png(&png, "its picture", scene, &[], &locked));
-        let answer = answer.unwrap_or_else(Answer::error);
+        let answer = match draw_with_crates(path, scene, &trial, k) {
+            Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
+            Err(why) => Answer::error(why),
+        };
         let answer = Answer { compared: None, ..answer };
         let name = NAMED_SCENE_EXAMPLE;
         let entry = Entry { name, is_required: true, file: None, answer, follows: None };
         Report { student, pictures: vec![entry], unchecked: vec![] }
     });
     report(reports.collect(), vec![], format, false)
+}
+
+/// The folders in a folder that aren't hidden, by their names.
+fn folders_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.flatten();
+    let shown = entries.filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));
+    let mut paths: Vec<_> = shown.map(|entry| entry.path()).filter(|path| path.is_dir()).collect();
+    paths.sort();
+    Ok(paths)
 }
 
 /// The bytes of the picture that the crates in a workspace draw of a scene, or why there is none.
@@ -69,8 +74,7 @@ fn draw_with_crates(path: &Path, scene: &str, trial: &Path, k: usize) -> Result<
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
     cargo.args(["--example", NAMED_SCENE_EXAMPLE]).env("CARGO_TARGET_DIR", &target);
     if !run_within(cargo.current_dir(&folder), &log, COMPILE_TIME)? {
-        let text = fs::read(&log).unwrap_or_default();
-        let text = String::from_utf8_lossy(&text).into_owned();
+        let text = String::from_utf8_lossy(&fs::read(&log).unwrap_or_default()).into_owned();
         let error = text.lines().find(|line| line.starts_with("error")).unwrap_or_default();
         return Err(format!("the crates don't compile: {}", escape_for_terminal(error)));
     }
@@ -86,10 +90,8 @@ fn find_steps(folder: &Path, depth: usize) -> Option<PathBuf> {
     if Step::NAMES.iter().all(|name| folder.join(name).join("src").is_dir()) {
         return Some(folder.to_owned());
     }
-    let entries = fs::read_dir(folder).ok().filter(|_| depth < MOST_FOLDERS)?;
-    let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.sort();
-    paths.iter().filter(|path| path.is_dir()).find_map(|path| find_steps(path, depth + 1))
+    let folders = folders_in(folder).ok().filter(|_| depth < MOST_FOLDERS)?;
+    folders.iter().find_map(|folder| find_steps(folder, depth + 1))
 }
 
 /// Makes a workspace with the manifests of the course, the sources of a student, and a scene.
