@@ -81,12 +81,14 @@ pub struct Answer {
     pub causes: Vec<Cause>,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,
+    /// The report of a class, as JSON.
+    pub report: Option<String>,
 }
 
 impl Answer {
     /// An answer of words alone.
     pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self { verdict, text: text.into(), causes: vec![], compared: None }
+        Self { verdict, text: text.into(), causes: vec![], compared: None, report: None }
     }
 
     /// Says why nothing was compared.
@@ -100,8 +102,13 @@ impl Answer {
         self.compared.as_ref().map(|[yours, ours]| draw_panels(yours, ours))
     }
 
+    /// The answer as JSON.
+    pub fn to_json(&self) -> String {
+        self.report.clone().unwrap_or_else(|| json::object(self.json_fields()))
+    }
+
     /// The answer as fields of a JSON object; those of the cause only where they are known.
-    pub fn json_fields(&self) -> Vec<(&'static str, String)> {
+    pub(crate) fn json_fields(&self) -> Vec<(&'static str, String)> {
         let step = common_part(&self.causes, |cause| cause.step);
         let fields = [
             ("verdict", Some(self.verdict.words())),

@@ -1,6 +1,6 @@
 use crate::comparison::{Comparison, RayBudget};
 use crate::drawing::Drawing;
-use course::{OwnScene, Owner, QUANTITIES, Step, Typed};
+use course::{OwnScene, Owner, QUANTITIES, Typed};
 
 /// All single numbers of the scene, typed otherwise, that give the reader's picture in every
 /// pixel, in words; of each quantity those next to ours come first.
@@ -47,15 +47,12 @@ fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
 fn all_with_one_number_changed(
     old: [f64; 3],
     count: usize,
-    Typed { since, range: [start, end], steps_per_unit, .. }: Typed,
+    Typed { range: [start, end], steps_per_unit, .. }: Typed,
 ) -> impl Iterator<Item = [f64; 3]> {
-    // A radius of 0 is a sphere that is missing.
-    let is_radius = since == Step::Sphere && count == 1;
     (0..count).flat_map(move |k| {
-        let values = (start * steps_per_unit..=end * steps_per_unit)
-            .map(|value| f64::from(value) / f64::from(steps_per_unit))
-            .filter(|value| *value != old[k] && !(is_radius && *value == 0.0));
-        let mut values: Vec<_> = values.collect();
+        let values = start * steps_per_unit..=end * steps_per_unit;
+        let values = values.map(|value| f64::from(value) / f64::from(steps_per_unit));
+        let mut values: Vec<_> = values.filter(|value| *value != old[k]).collect();
         values.sort_by(|a, b| (a - old[k]).abs().total_cmp(&(b - old[k]).abs()));
         values.into_iter().map(move |value| {
             let mut new = if count == 1 { [value; 3] } else { old };

@@ -24,17 +24,6 @@ use std::path::Path;
 const MOST_FOLDERS: usize = 8;
 const MOST_OWN_FOLDERS: usize = 1;
 
-/// The form of a report.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// For people.
-    Table,
-    /// For a spreadsheet: a row for each student and picture.
-    Csv,
-    /// For machines.
-    Json,
-}
-
 /// A student's pictures.
 struct Report {
     student: String,
@@ -85,14 +74,14 @@ impl Report {
 
 /// Says of each picture in a folder or an archive whether it is right. It is one's own if it has
 /// pictures of the course or a workspace of Cargo, else that of a class, some names of which may
-/// be known.
+/// be known. The text is a table, or, for a spreadsheet, a row for each student and picture.
 ///
 /// The verdict is right if all pictures are that were required, or else all that are there.
 pub fn report_on_folder(
     folder: &Path,
     names: &[String],
     required: &[&'static str],
-    format: Format,
+    is_csv: bool,
 ) -> Answer {
     let is_workspace = folder.join("Cargo.toml").exists();
     let most_folders = if is_workspace { MOST_OWN_FOLDERS } else { MOST_FOLDERS };
@@ -122,17 +111,16 @@ pub fn report_on_folder(
     let check = |student| check_student(student, required, &names, &locked);
     let reports = students.par_iter().map(check).collect();
     let stray = stray.iter().filter(|file| file.may_be_picture()).map(FoundFile::describe);
-    report(reports, stray.collect(), format, is_own)
+    report(reports, stray.collect(), is_csv, is_own)
 }
 
 /// The answer made of reports on students, and of files that are nobody's.
-fn report(mut reports: Vec<Report>, stray: Vec<String>, format: Format, is_own: bool) -> Answer {
+fn report(mut reports: Vec<Report>, stray: Vec<String>, is_csv: bool, is_own: bool) -> Answer {
     reports.iter_mut().for_each(tell_common_causes);
-    let text = match format {
-        Format::Json => format_json(&reports, &stray),
-        Format::Csv => format_csv(&reports),
-        Format::Table if is_own => format_own(&reports[0]),
-        Format::Table => format_class(&reports, &stray),
+    let text = match (is_csv, is_own) {
+        (true, _) => format_csv(&reports),
+        (_, true) => format_own(&reports[0]),
+        _ => format_class(&reports, &stray),
     };
     let pictures = || reports.iter().flat_map(|report| &report.pictures);
     let verdict = match reports.iter().flat_map(Report::counted).all(Entry::is_right) {
@@ -140,5 +128,6 @@ fn report(mut reports: Vec<Report>, stray: Vec<String>, format: Format, is_own: 
         true => Verdict::Right,
         false => Verdict::NotRight,
     };
-    Answer::new(verdict, text)
+    let json = format_json(&reports, &stray);
+    Answer { report: Some(json), ..Answer::new(verdict, text) }
 }

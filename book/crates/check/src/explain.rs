@@ -3,7 +3,7 @@ use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::check::equal_name;
 use crate::comparison::{Comparison, Pixel, RayBudget};
-use crate::facts::tell_facts;
+use crate::facts::{are_above_1, tell_facts};
 use crate::listed_mistake::find_listed_mistakes;
 use crate::other_options::describe_other_options;
 use crate::regions::describe_regions;
@@ -39,12 +39,15 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
     explanation += &tell_causes(&causes);
     let details = match &comparison {
         Some(comparison) => details(comparison, target, &causes, explanation.is_empty()),
-        None if explanation.is_empty() => size_lines(yours, target),
+        None if explanation.is_empty() => {
+            let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
+            format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
+        }
         None => String::new(),
     };
     let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
-    Answer { verdict: Verdict::NotRight, text, causes, compared }
+    Answer { causes, compared, ..Answer::new(Verdict::NotRight, text) }
 }
 
 /// All numbers and cameras that we know and that give the whole picture; none where not all
@@ -63,22 +66,14 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
 
 /// Lines about causes: all of them as far as there is room, and the first in full.
 fn tell_causes(causes: &[Cause]) -> String {
-    match causes {
-        [] => String::new(),
-        [Cause { words, details, .. }] => {
-            format!("This gives the picture, in every pixel: {words}.\n{details}")
-        }
-        [first, ..] => {
-            let told = causes.iter().take(MOST_CAUSES).map(Cause::words_and_file);
-            let told = told.collect::<Vec<_>>().join("; ");
-            let more = match causes.len().saturating_sub(MOST_CAUSES) {
-                0 => String::new(),
-                more => format!("; {more} more"),
-            };
-            let details = &first.details;
-            format!("Each of these gives the picture, in every pixel: {told}{more}.\n{details}")
-        }
+    let Some(first) = causes.first() else { return String::new() };
+    let start = if causes.len() == 1 { "This" } else { "Each of these" };
+    let mut told: Vec<_> = causes.iter().take(MOST_CAUSES).map(Cause::words_and_file).collect();
+    if told.len() < causes.len() {
+        told.push(format!("{} more", causes.len() - told.len()));
     }
+    let (told, details) = (told.join("; "), &first.details);
+    format!("{start} gives the picture, in every pixel: {told}.\n{details}")
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts and the regions, if
@@ -93,24 +88,13 @@ fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts
             text += &describe_regions(comparison, drawing);
         }
         let wrong = comparison.wrong_pixels();
-        let is_above_1 = |one: &Pixel| 1.0 < drawing.colour(&one.ray).max_element();
         // The sky and bytes are step 1's.
-        let is_of_rays = wrong.iter().any(Pixel::is_sky) || wrong.iter().all(is_above_1);
+        let is_of_rays = wrong.iter().any(Pixel::is_sky) || are_above_1(wrong, drawing);
         let first = if is_of_rays { Step::Rays } else { Step::Sphere };
         let first = common_part(causes, |cause| cause.step).unwrap_or(first);
         text += &tests_line(first, drawing.step);
     }
     text + &describe_wrong_pixel(comparison)
-}
-
-/// Lines on a picture of another size that nothing explains.
-fn size_lines(yours: &RgbImage, target: &Target) -> String {
-    let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
-    format!(
-        "Your picture is {w}×{h} pixels, and {} {columns}×{rows}.\n\
-         Draw it with the default options for a more detailed diagnosis.\n",
-        target.title
-    )
 }
 
 /// The tests by hand of some steps.

@@ -17,7 +17,9 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
         let wrong = comparison.wrong_pixels();
         sentences.extend(hidden_objects(comparison, drawing));
         sentences.extend(wrong_sky(comparison, drawing));
-        sentences.extend(above_1(wrong, drawing));
+        if are_above_1(wrong, drawing) {
+            sentences.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
+        }
         sentences.extend(missing_light(wrong, drawing));
     }
     sentences.extend(byte_facts(comparison));
@@ -25,11 +27,9 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// A sentence where each wrong pixel is brighter in ours than a byte can tell.
-fn above_1(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
-    let is_above_1 = |one: &Pixel| 1.0 < drawing.colour(&one.ray).max_element();
-    let is_so = Step::Diffuse <= drawing.step && wrong.iter().all(is_above_1);
-    is_so.then(|| "Each wrong pixel has an intensity above 1 in ours.".to_owned())
+/// Whether each pixel is brighter in ours than a byte can tell.
+pub(crate) fn are_above_1(pixels: &[Pixel], drawing: &Drawing) -> bool {
+    pixels.iter().all(|one| 1.0 < drawing.colour(&one.ray).max_element())
 }
 
 /// A sentence about the least light of ours without which it is yours in each wrong pixel.

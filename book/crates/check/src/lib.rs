@@ -49,7 +49,7 @@ mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_png, check_scene_png};
-pub use class::{Format, report_on_folder, report_on_workspaces};
+pub use class::{report_on_folder, report_on_workspaces};
 pub use locked::LockedPictures;
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};

@@ -3,7 +3,7 @@ use crate::comparison::Comparison;
 use crate::drawing::bytes;
 use crate::scene_mistake::colour_with_mistake;
 use crate::target::Target;
-use course::{Mistake, Step, find_mistakes_with_hash, hash_picture, mistakes};
+use course::{BookEntry, Mistake, find_mistakes_with_hash, hash_picture, mistakes};
 use image::RgbImage;
 
 /// The most lines of a diff that is told.
@@ -38,23 +38,18 @@ pub(crate) fn find_listed_mistakes(
     all.map(|mistake| cause(&mistake, mistake.title.to_owned())).collect()
 }
 
-/// A listed mistake as a cause: its diff, cut where it is long, why it is wrong, and where the
-/// book has it.
+/// A listed mistake as a cause: its diff, cut where it is long, and, if the book shows it, why it
+/// is wrong, and where.
 fn cause(mistake: &Mistake, words: String) -> Cause {
     let diff = mistake.old_and_new_lines();
-    let lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
-    let diff = match lines.len() {
-        0..=LINES => lines.concat(),
-        _ => lines[..LINES - 1].concat() + "  …\n",
-    };
-    let (step, file) = (mistake.step(), mistake.file.clone());
-    let place = match &mistake.book_entry {
-        Some(entry) => {
-            let (reason, section) = (entry.reason, entry.section);
-            let number = step.map_or(0, Step::number);
-            format!("{reason}\nSee step {number}, \"{section}\", and {file}.\n")
-        }
-        None => format!("See {file}.\n"),
-    };
-    Cause { words, step, file: Some(file), details: diff + &place }
+    let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
+    if LINES < lines.len() {
+        lines.truncate(LINES - 1);
+        lines.push("  …\n".to_owned());
+    }
+    let step = mistake.step();
+    if let Some((BookEntry { reason, section, .. }, step)) = mistake.book_entry.as_ref().zip(step) {
+        lines.push(format!("{reason}\nSee step {}, \"{section}\".\n", step.number()));
+    }
+    Cause { words, step, file: Some(mistake.file.clone()), details: lines.concat() }
 }

@@ -1,12 +1,12 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, Format, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
+    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
     read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_scene,
     write_scenes,
 };
 use clap::Parser;
-use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, json, locked_names};
+use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, locked_names};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -71,70 +71,57 @@ fn main() -> ExitCode {
         }
         arguments => arguments.unwrap_or_else(|error| error.exit()),
     };
-    let locked = LockedPictures::in_workspace();
+    let as_json = arguments.json;
+    print(&answer(arguments).unwrap_or_else(Answer::error), as_json)
+}
+
+/// Does what the arguments ask for.
+fn answer(arguments: Arguments) -> Result<Answer, String> {
     match arguments {
-        Arguments { file: Some(file), name, scene, json, .. } => {
-            print(&check_file(&file, name.as_deref(), scene.as_deref(), &locked), json)
+        Arguments { file: Some(file), name, scene, .. } => {
+            check_file(&file, name.as_deref(), scene.as_deref())
         }
-        Arguments { names: Some(list), out: Some(folder), json, .. } => {
-            let names = read_names(&list);
-            let answer = names.and_then(|names| write_scenes(&names, &folder));
-            print(&answer.unwrap_or_else(Answer::error), json)
+        Arguments { names: Some(list), out: Some(folder), .. } => {
+            write_scenes(&read_names(&list)?, &folder)
         }
-        Arguments { scene: Some(scene), folder: None, out: Some(file), json, .. } => {
-            print(&write_scene(&scene, &file).unwrap_or_else(Answer::error), json)
+        Arguments { scene: Some(scene), out: Some(file), .. } => write_scene(&scene, &file),
+        Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
+            Ok(report_on_workspaces(&folder, &scene, csv))
         }
-        Arguments { scene: Some(scene), folder: None, json, .. } => {
-            print(&Answer::new(Verdict::Right, draw_named_scene(&scene).0), json)
+        Arguments { scene: Some(scene), .. } => {
+            Ok(Answer::new(Verdict::Right, draw_named_scene(&scene).0))
         }
-        Arguments { folder, scene, names, require, csv, json, .. } => {
-            let format = if csv { Format::Csv } else { Format::Table };
-            let format = if json { Format::Json } else { format };
+        Arguments { folder, names, require, csv, .. } => {
             let folder = folder.unwrap_or_else(|| ".".into());
-            let names = names.map_or(Ok(vec![]), |list| read_names(&list));
-            let answer = match (scene, names) {
-                (_, Err(why)) => Answer::error(why),
-                (Some(scene), _) => report_on_workspaces(&folder, &scene, format),
-                (None, Ok(names)) => report_on_folder(&folder, &names, &require, format),
-            };
-            // A report is JSON already, an error isn't.
-            print(&answer, json && answer.verdict == Verdict::Unreadable)
+            let names = names.map_or(Ok(vec![]), |list| read_names(&list))?;
+            Ok(report_on_folder(&folder, &names, &require, csv))
         }
     }
 }
 
 /// Prints an answer, as JSON where that is asked for; gives its exit code.
 fn print(answer: &Answer, as_json: bool) -> ExitCode {
-    let code = answer.verdict.exit_code();
     // Write errors are ignored: the output may be a closed pipe.
     let _ = match answer.verdict {
-        _ if as_json => writeln!(io::stdout(), "{}", json::object(answer.json_fields())),
+        _ if as_json => writeln!(io::stdout(), "{}", answer.to_json()),
         Verdict::Unreadable => writeln!(io::stderr(), "{}", answer.text),
         _ => writeln!(io::stdout(), "{}", answer.text.trim_end()),
     };
-    ExitCode::from(code)
+    ExitCode::from(answer.verdict.exit_code())
 }
 
 /// Looks at one picture, and saves the difference.
-fn check_file(
-    file: &Path,
-    name: Option<&str>,
-    scene: Option<&str>,
-    locked: &LockedPictures,
-) -> Answer {
-    let png = match read_bounded_file(file) {
-        Err(why) => return Answer::error(why),
-        Ok(png) => png,
-    };
+fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<Answer, String> {
+    let (png, locked) = (read_bounded_file(file)?, LockedPictures::in_workspace());
     let file_name = file.display().to_string();
     let mut answer = match scene {
-        Some(scene) => check_scene_png(&png, &file_name, scene, &[], locked),
-        None => check_png(&png, &file_name, name, locked),
+        Some(scene) => check_scene_png(&png, &file_name, scene, &[], &locked),
+        None => check_png(&png, &file_name, name, &locked),
     };
     if let Some(difference) = answer.draw_difference() {
         answer.text += &format!("\n{}", save_difference(&difference, file));
     }
-    answer
+    Ok(answer)
 }
 
 /// Writes the picture of a difference into the target folder, under the name of the reader's,

@@ -1,8 +1,7 @@
 use crate::file_format::other_format_clause;
-use image::RgbImage;
+use image::codecs::png::PngDecoder;
 use image::metadata::Orientation;
-use png::{BitDepth, ColorType, Info, Transformations};
-use std::error::Error;
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageError, Limits, RgbImage};
 use std::io::Cursor;
 
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
@@ -12,49 +11,41 @@ pub(crate) const FILE_BYTES: u64 = 1 << 26;
 const LARGEST: (u32, u32) = (8192, 4608);
 
 /// A picture that was read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
     /// How many pixels are not opaque.
     pub transparent_count: usize,
-    /// Sentences about the file.
+    /// Sentences about what a viewer may show otherwise, and what was left out.
     pub notes: Vec<&'static str>,
 }
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
 ///
 /// The size is looked at before anything is unpacked.
-pub fn read_png(file: &[u8]) -> Result<Picture, String> {
+pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     if FILE_BYTES < file.len() as u64 {
         return Err(too_large_clause(FILE_BYTES));
     }
     if let Some(format_clause) = other_format_clause(file) {
         return Err(format!("is {format_clause}"));
     }
-    let limits = png::Limits { bytes: FILE_BYTES as usize };
-    let mut decoder = png::Decoder::new_with_limits(Cursor::new(file), limits);
-    decoder.set_transformations(Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(damage_clause)?;
-    let most_bytes = 3 * LARGEST.0 as usize * LARGEST.1 as usize;
-    let size = reader.output_buffer_size().filter(|size| *size <= most_bytes).ok_or_else(|| {
-        format!("is too large: a picture of {}×{} pixels is the largest", LARGEST.0, LARGEST.1)
-    })?;
-    let mut bytes = vec![0; size];
-    reader.next_frame(&mut bytes).map_err(damage_clause)?;
-    let channels = reader.output_color_type().0.samples();
-    let has_alpha = channels.is_multiple_of(2);
-    let alphas = bytes.chunks_exact(channels).filter_map(|pixel| pixel.last());
-    let transparent_count = alphas.filter(|alpha| has_alpha && **alpha < 255).count();
-    if channels != 3 {
-        // A grey pixel has one channel before its alpha.
-        let order = if channels < 3 { [0; 3] } else { [0, 1, 2] };
-        bytes = bytes.chunks_exact(channels).flat_map(|pixel| order.map(|k| pixel[k])).collect();
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(FILE_BYTES);
+    let decoder = PngDecoder::with_limits(Cursor::new(file), limits);
+    let mut decoder = decoder.map_err(damage_clause)?;
+    let (columns, rows) = LARGEST;
+    if 3 * u64::from(columns) * u64::from(rows) < decoder.total_bytes() {
+        return Err(format!("is too large: a picture of {columns}×{rows} pixels is the largest"));
     }
-    let info = reader.info();
-    let rgb = RgbImage::from_raw(info.width, info.height, bytes);
-    let rgb = rgb.ok_or("is a damaged PNG file: rows are missing")?;
-    Ok(Picture { rgb, transparent_count, notes: viewer_notes(info) })
+    let notes = notes(&mut decoder).map_err(damage_clause)?;
+    let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
+    if !picture.color().has_alpha() {
+        return Ok(Picture { rgb: picture.into_rgb8(), transparent_count: 0, notes });
+    }
+    let rgba = picture.into_rgba8();
+    let transparent_count = rgba.pixels().filter(|pixel| pixel[3] < 255).count();
+    Ok(Picture { rgb: DynamicImage::from(rgba).into_rgb8(), transparent_count, notes })
 }
 
 /// Says that a file is larger than it may be.
@@ -63,7 +54,7 @@ pub(crate) fn too_large_clause(most_bytes: u64) -> String {
 }
 
 /// Says what a decoder's error means for the file.
-fn damage_clause(error: impl Error) -> String {
+fn damage_clause(error: ImageError) -> String {
     let text = error.to_string();
     let cause = if text.contains("unexpected end") {
         "it is truncated; perhaps the copy was incomplete"
@@ -75,31 +66,24 @@ fn damage_clause(error: impl Error) -> String {
     format!("is a damaged PNG file: {cause}")
 }
 
-/// Sentences about what a viewer may show otherwise, and what was left out.
-fn viewer_notes(info: &Info) -> Vec<&'static str> {
-    let exif = info.exif_metadata.as_deref();
-    let orientation = exif.and_then(Orientation::from_exif_chunk);
-    let is_grey = matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha);
-    // Many programs write the gamma that screens have anyway.
-    let has_gamma = info.gama_chunk.is_some_and(|gamma| gamma.into_scaled() != 45_455);
+fn notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, ImageError> {
+    use ExtendedColorType::{L1, L2, L4, L8, L16, La8, La16};
+    let colour = decoder.original_color_type();
+    let is_grey = matches!(colour, L1 | L2 | L4 | L8 | L16 | La8 | La16);
+    let has_16_bits =
+        2 == decoder.color_type().bytes_per_pixel() / decoder.color_type().channel_count();
     let notes = [
         (is_grey, "The file is grey: one number per pixel, and ours has three."),
+        (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
         (
-            info.bit_depth == BitDepth::Sixteen,
-            "The file has 16 bits per channel; the upper 8 were compared.",
+            decoder.icc_profile()?.is_some(),
+            "It has a colour profile, ignored here, so a viewer may show other colours.",
         ),
         (
-            info.icc_profile.is_some() || has_gamma,
-            "It has a colour profile or a gamma, ignored here, so a viewer may show other colours.",
-        ),
-        (
-            orientation.is_some_and(|one| one != Orientation::NoTransforms),
+            decoder.orientation()? != Orientation::NoTransforms,
             "Its EXIF data, ignored here, asks a viewer to turn it.",
         ),
-        (
-            info.animation_control.is_some(),
-            "It is an animation; only its first picture was compared.",
-        ),
+        (decoder.is_apng()?, "It is an animation; only its first picture was compared."),
     ];
-    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect()
+    Ok(notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect())
 }

@@ -79,13 +79,14 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
         let (count, all) = counts[*k];
         format!("{count} of {all} pixels of {}", name(*k))
     });
-    let told = told.collect::<Vec<_>>().join("; ");
-    match (wrong.len().saturating_sub(MOST_REGIONS), right.len()) {
-        (0, 0) => format!("Wrong: {told}.\n"),
-        (0, _) => format!("Wrong: {told}. Everything else is right in every pixel.\n"),
-        (more, 0) => format!("Wrong: {told}; {more} more.\n"),
-        (more, _) => {
-            format!("Right in every pixel: {}. Wrong: {told}; {more} more.\n", right.join(", "))
-        }
+    let mut told: Vec<_> = told.collect();
+    let right = match (wrong.len() <= told.len(), right.len()) {
+        (_, 0) => String::new(),
+        (true, _) => " Everything else is right in every pixel.".to_owned(),
+        (false, _) => format!(" Right in every pixel: {}.", right.join(", ")),
+    };
+    if told.len() < wrong.len() {
+        told.push(format!("{} more", wrong.len() - told.len()));
     }
+    format!("Wrong: {}.{right}\n", told.join("; "))
 }

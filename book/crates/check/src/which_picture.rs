@@ -9,25 +9,17 @@ pub fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<&'a str> {
-    let lower = file_name.to_ascii_lowercase();
-    let file_name = lower.rsplit(['/', '\\']).next()?;
-    let has = |word: &str| contains_whole_word(file_name, word);
-    let named = names.clone().filter(|name| has(name) || has(&name.replace('_', "")));
+    let file_name = file_name.rsplit(['/', '\\']).next()?.to_ascii_lowercase();
+    let words = format!("-{file_name}-").replace(|c: char| !c.is_alphanumeric(), "-");
+    let has = |word: &str| words.contains(&format!("-{word}-"));
+    let is_named = |name: &&str| ["-", ""].iter().any(|between| has(&name.replace('_', between)));
+    let named = names.clone().filter(is_named);
     named.max_by_key(|name| name.len()).or_else(|| {
-        let words = ["step", "step0", "step ", "step_", "step-"];
-        let is_numbered =
-            |step: &Step| words.iter().any(|word| has(&format!("{word}{}", step.number())));
+        let is_numbered = |step: &Step| {
+            ["step", "step0", "step-"].iter().any(|word| has(&format!("{word}{}", step.number())))
+        };
         let step = Step::ALL.into_iter().find(is_numbered)?;
         names.clone().find(|name| *name == step.name())
-    })
-}
-
-/// Whether `word` is in `text` with no letter or digit before it or after it.
-fn contains_whole_word(text: &str, word: &str) -> bool {
-    let is_end = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric());
-    text.match_indices(word).any(|(k, _)| {
-        let (text_before, text_after) = (&text[..k], &text[k + word.len()..]);
-        is_end(text_before.chars().next_back()) && is_end(text_after.chars().next())
     })
 }
 

@@ -4,7 +4,6 @@
 mod class;
 mod files;
 mod laws;
-mod list;
 mod pictures;
 mod program;
 mod wrong_programs;

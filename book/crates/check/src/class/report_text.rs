@@ -153,5 +153,5 @@ pub(crate) fn format_json(reports: &[Report], stray: &[String]) -> String {
         format!("\n  {}", json::object(fields))
     };
     let students = json::list(reports.iter().map(report));
-    json::object([("students", students), ("nobodys", names(stray))]) + "\n"
+    json::object([("students", students), ("nobodys", names(stray))])
 }

@@ -1,6 +1,6 @@
 //! A scene of a name that students don't know, drawn by their own crates.
 
-use crate::class::{Entry, Format, Report, report};
+use crate::class::{Entry, Report, report};
 use crate::{Answer, LockedPictures, check_scene_png, escape_for_terminal, read_bounded_file};
 use course::{NAMED_SCENE_EXAMPLE, Step, draw_named_scene, target_folder, workspace};
 use std::fs::{self, File};
@@ -26,7 +26,7 @@ const SOURCE_BYTES: u64 = 1 << 20;
 /// The sources are compiled in a folder of the course, with its manifests; nothing else of a
 /// workspace is copied, no setting of Cargo and no build script. The programs run as the one
 /// who asks, unprotected.
-pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answer {
+pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer {
     let paths = match folders_in(folder) {
         Ok(paths) => paths,
         Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
@@ -43,7 +43,7 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, format: Format) -> Answe
         let entry = Entry { name, is_required: true, file: None, answer, follows: None };
         Report { student, pictures: vec![entry], unchecked: vec![] }
     });
-    report(reports.collect(), vec![], format, false)
+    report(reports.collect(), vec![], is_csv, false)
 }
 
 /// The folders in a folder that aren't hidden, by their names.
