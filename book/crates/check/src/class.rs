@@ -100,8 +100,8 @@ pub fn report_on_folder(
         let scenes = files.iter_mut().filter(|file| scene.is_some() && file.picture == scene);
         scenes.for_each(|file| file.picture = None);
         let path = folder.canonicalize().unwrap_or_default();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        (vec![Student { unique_name: name.clone(), name, files }], vec![])
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        (vec![Student::new(&name, files)], vec![])
     } else {
         group_by_student(files)
     };

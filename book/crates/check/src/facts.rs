@@ -1,7 +1,7 @@
 use crate::byte_facts::{black_block, byte_curve, byte_facts};
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::{Drawing, bytes};
-use crate::regions::{hidden_objects, wrong_sky};
+use crate::regions::hidden_objects;
 use course::Step;
 
 /// The most facts that are told.
@@ -16,7 +16,6 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     if let Some(drawing) = comparison.drawing {
         let wrong = comparison.wrong_pixels();
         sentences.extend(hidden_objects(comparison, drawing));
-        sentences.extend(wrong_sky(comparison, drawing));
         if are_above_1(wrong, drawing) {
             sentences.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
         }

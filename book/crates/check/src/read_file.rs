@@ -14,7 +14,6 @@ pub(crate) fn read_file_of_at_most(path: &Path, most_bytes: u64) -> Result<Vec<u
     let printable_path = escape_for_terminal(&path.display().to_string());
     let unread = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => format!("there is no file {printable_path}"),
-        ErrorKind::PermissionDenied => format!("{printable_path} can't be read: no permission"),
         _ => format!("can't read {printable_path}: {error}"),
     };
     let metadata = fs::metadata(path).map_err(unread)?;

@@ -46,18 +46,6 @@ fn shows_another_object(drawing: &Drawing, pixel: &Pixel) -> bool {
     others.any(|hit| bytes(drawing.colour_at_hit(&pixel.ray, hit)) == pixel.yours)
 }
 
-/// A sentence where the sky alone is wrong, nearly everywhere.
-pub(crate) fn wrong_sky(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
-    let wrong = comparison.wrong_pixels();
-    let sky_count = comparison.pixels.iter().filter(|one| one.is_sky()).count();
-    let is_told = Step::Rays < drawing.step
-        && wrong.iter().all(Pixel::is_sky)
-        && 9 * sky_count < 10 * wrong.len();
-    is_told.then(|| {
-        "Every pixel of an object is right, so the rays are; the sky's colours aren't.".to_owned()
-    })
-}
-
 /// A line about the sky and the objects of ours: which are right in every pixel, and how many
 /// pixels of the others are wrong.
 pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> String {
@@ -85,8 +73,15 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
         (true, _) => " Everything else is right in every pixel.".to_owned(),
         (false, _) => format!(" Right in every pixel: {}.", right.join(", ")),
     };
+    // Where something hides the sky, fewer pixels of it are wrong.
+    let rays = match wrong[..] {
+        [0] if Step::Rays < drawing.step && 9 * counts[0].1 < 10 * counts[0].0 => {
+            " So the rays are right, and the sky's colours aren't."
+        }
+        _ => "",
+    };
     if told.len() < wrong.len() {
         told.push(format!("{} more", wrong.len() - told.len()));
     }
-    format!("Wrong: {}.{right}\n", told.join("; "))
+    format!("Wrong: {}.{right}{rays}\n", told.join("; "))
 }

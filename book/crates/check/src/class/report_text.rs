@@ -50,19 +50,12 @@ fn unchecked_clause(names: &[String]) -> Option<String> {
 
 /// One line for each picture, and how many are right.
 pub(crate) fn format_own(report: &Report) -> String {
-    let width = report.pictures.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
-    let mut text = String::new();
-    for entry in &report.pictures {
-        let verdict = entry.answer.verdict.words();
-        let words = match entry.feedback() {
-            feedback if feedback.is_empty() => verdict.to_owned(),
-            feedback => format!("{verdict}: {feedback}"),
-        };
-        text += &format!("{:width$}  {words}\n", entry.name);
-    }
-    text += &format!("Right: {}.", report.count_text());
-    text + &unchecked_clause(&report.unchecked)
-        .map_or(String::new(), |clause| format!("\n{clause}"))
+    let row = |entry: &Entry| {
+        vec![entry.name.to_owned(), entry.answer.verdict.words().to_owned(), entry.feedback()]
+    };
+    let rows: Vec<_> = report.pictures.iter().map(row).collect();
+    let unchecked = unchecked_clause(&report.unchecked).unwrap_or_default();
+    format!("{}Right: {}.\n{unchecked}", align(&rows), report.count_text())
 }
 
 /// One line for each student: how many pictures are right, and the verdict on each that was
@@ -99,7 +92,7 @@ pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
 /// Rows of words in columns, each as wide as its longest word.
 fn align(rows: &[Vec<String>]) -> String {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..rows[0].len()).map(width).collect();
+    let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
     let line = |row: &Vec<String>| {
         let words = row.iter().zip(&widths).map(|(word, width)| format!("{word:width$}"));
         words.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"

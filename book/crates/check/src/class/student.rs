@@ -12,6 +12,13 @@ pub(crate) struct Student {
     pub files: Vec<FoundFile>,
 }
 
+impl Student {
+    /// A student who is the only one of a name.
+    pub fn new(name: &str, files: Vec<FoundFile>) -> Self {
+        Self { name: name.to_owned(), unique_name: name.to_owned(), files }
+    }
+}
+
 /// The students of a class, by their names, and the files that are nobody's. A student's are in
 /// a folder or an archive, as Moodle and GitHub have it, or beside those of others with the
 /// student in their names, as Canvas has it.
@@ -35,9 +42,11 @@ pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<
     let prefix = common_prefix(&keys);
     let names: Vec<String> = keys.iter().map(|key| name_in_key(&key[prefix..])).collect();
     let students = groups.into_values().enumerate().map(|(k, files)| {
-        let is_alone = names.iter().filter(|name| **name == names[k]).count() == 1;
-        let unique_name = if is_alone { &names[k] } else { &keys[k] };
-        Student { name: names[k].clone(), unique_name: unique_name.clone(), files }
+        let mut student = Student::new(&names[k], files);
+        if 1 < names.iter().filter(|name| **name == names[k]).count() {
+            student.unique_name.clone_from(&keys[k]);
+        }
+        student
     });
     (students.collect(), stray)
 }
@@ -56,7 +65,7 @@ pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
         let same = students.iter_mut().filter(|student| letters(&student.name) == sorted);
         let count = same.map(|student| student.name.clone_from(name)).count();
         if count == 0 {
-            students.push(Student { name: name.clone(), unique_name: name.clone(), files: vec![] });
+            students.push(Student::new(name, vec![]));
         }
     }
 }

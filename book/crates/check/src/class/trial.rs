@@ -17,9 +17,6 @@ const DRAW_TIME: Duration = Duration::from_secs(30);
 /// The most folders around the five crates in a workspace.
 const MOST_FOLDERS: usize = 3;
 
-/// The most bytes of a file of source.
-const SOURCE_BYTES: u64 = 1 << 20;
-
 /// Draws the scene of a name with the crates of each workspace in a folder, and says of each
 /// picture whether it is right.
 ///
@@ -124,10 +121,7 @@ fn copy_sources(from: &Path, to: &Path) -> io::Result<()> {
         let (path, metadata) = (entry.path(), entry.metadata()?);
         if metadata.is_dir() {
             copy_sources(&path, &to.join(entry.file_name()))?;
-        } else if metadata.is_file()
-            && metadata.len() <= SOURCE_BYTES
-            && path.extension().is_some_and(|extension| extension == "rs")
-        {
+        } else if metadata.is_file() && path.extension().is_some_and(|one| one == "rs") {
             fs::copy(&path, to.join(entry.file_name()))?;
         }
     }
