@@ -2,8 +2,7 @@
 //!
 //! A picture is compared with the locked one of its name, or with the scene that belongs to a
 //! name: a *target*, and, but for exercises, the *drawing* of it, a scene and the functions of a
-//! step. An answer has a *verdict*, a text of about eight lines and the *causes* that we know. It
-//! says only what holds in every pixel that it speaks of (`check`):
+//! step. An answer says only what holds in every pixel that it speaks of (`check`):
 //!
 //! 1. The picture is **right**, right **with other options** (`other_options`), or the picture
 //!    of another name.
@@ -17,11 +16,8 @@
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
-//! draw a scene that they don't know (`class::trial`).
-//!
-//! Options, numbers and cameras are tried with the rays of a `RayBudget`, so that an answer comes
-//! soon, and is the same on every machine; of a file, no more is read than a picture has
-//! (`read_file`, `png_file`).
+//! draw a scene that they don't know (`class::trial`). What is tried is bounded by a `RayBudget`,
+//! the same on every machine; of a file, no more is read than a picture has.
 
 mod answer;
 mod byte_facts;

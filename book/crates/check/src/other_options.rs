@@ -4,9 +4,6 @@ use course::{find_mistakes_with_hash, hash_picture, largest_channel_difference};
 use image::RgbImage;
 use step01_rays::{Camera, mean, rgb8, sub_pixels};
 
-/// The field of view of the locked pictures, in tenths of a degree.
-const FIELD_OF_VIEW: u32 = 600;
-
 /// How many rays are drawn to find out whether a picture has some options; to try all, twice as
 /// many.
 const RAYS: u32 = 3 << 20;
@@ -26,7 +23,8 @@ pub(crate) fn describe_other_options(
     let budget = RayBudget::new(2 * RAYS);
     let places = scattered_places(columns, rows);
     let mut places: Vec<_> = places.take(RAYS as usize).collect();
-    for tenths in [FIELD_OF_VIEW].into_iter().chain(10..1800) {
+    // First that of the locked pictures.
+    for tenths in [600].into_iter().chain(10..1800) {
         let fov_degrees = f64::from(tenths) / 10.0;
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let largest_difference = |(i, j): (u32, u32), sub_pixels: &[(f64, f64)]| {

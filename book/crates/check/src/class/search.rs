@@ -18,7 +18,7 @@ pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<Found
     let (entries_left, bytes_left) = (MOST_ENTRIES, MOST_BYTES);
     let mut search = Search { most_folders, files: vec![], entries_left, bytes_left };
     if is_archive(&folder.to_string_lossy()) && folder.is_file() {
-        search.add_archive(&read_file_of_at_most(folder, MOST_BYTES)?, "");
+        search.add_archive(Ok(read_file_of_at_most(folder, MOST_BYTES)?), "");
     } else if fs::read_dir(folder).is_ok() {
         search.add_folder(folder, "");
     } else {
@@ -79,8 +79,7 @@ impl Search {
             if on_disk.is_dir() {
                 self.add_folder(&on_disk, &(path + "/"));
             } else if is_archive(&path) {
-                let bytes = read_file_of_at_most(&on_disk, MOST_BYTES);
-                self.add_archive_or_error(bytes, &path);
+                self.add_archive(read_file_of_at_most(&on_disk, MOST_BYTES), &(path + "/"));
             } else {
                 self.add(path, Content::OnDisk(on_disk));
             }
@@ -90,23 +89,22 @@ impl Search {
         }
     }
 
-    fn add_archive_or_error(&mut self, bytes: Result<Vec<u8>, String>, path: &str) {
-        match bytes {
-            Ok(bytes) => self.add_archive(&bytes, &format!("{path}/")),
-            Err(why) => self.add_unreadable(path, why),
-        }
-    }
-
-    fn add_archive(&mut self, bytes: &[u8], folder: &str) {
-        let Ok(archive) = ZipArchive::from_slice(bytes) else {
-            return self.add_unreadable(folder, "is a damaged ZIP archive");
+    /// Adds what is in an archive, whose own path ends with a `/` or is empty.
+    fn add_archive(&mut self, bytes: Result<Vec<u8>, String>, folder: &str) {
+        let damaged = "is a damaged ZIP archive";
+        let bytes = match bytes {
+            Ok(bytes) => bytes,
+            Err(why) => return self.add_unreadable(folder, why),
+        };
+        let Ok(archive) = ZipArchive::from_slice(&*bytes) else {
+            return self.add_unreadable(folder, damaged);
         };
         let mut entries = archive.entries();
         loop {
             let entry = match entries.next_entry() {
                 Ok(Some(entry)) => entry,
                 Ok(None) => return,
-                Err(_) => return self.add_unreadable(folder, "is a damaged ZIP archive"),
+                Err(_) => return self.add_unreadable(folder, damaged),
             };
             let path = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
             let names: Vec<_> = path.split(['/', '\\']).filter(|name| !name.is_empty()).collect();
@@ -117,14 +115,13 @@ impl Search {
             if !self.take_entry(&path, folder) {
                 return;
             }
-            if is_archive(&path) {
-                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
-                self.add_archive_or_error(bytes, &path);
-            } else if picture_in_name(&path).is_some() {
-                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
-                self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked));
-            } else {
+            if !is_archive(&path) && picture_in_name(&path).is_none() {
                 self.add(path, Content::Unneeded);
+                continue;
+            }
+            match unpack(&archive, &entry, &mut self.bytes_left) {
+                bytes if is_archive(&path) => self.add_archive(bytes, &(path + "/")),
+                bytes => self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked)),
             }
         }
     }
