@@ -32,8 +32,8 @@ impl Verdict {
     pub fn exit_code(self) -> u8 {
         match self {
             Self::Right => 0,
-            Self::RightWithOtherOptions | Self::NotRight => 1,
             Self::Unreadable | Self::Missing => 2,
+            _ => 1,
         }
     }
 }

@@ -36,25 +36,8 @@ fn bgr(name: &str) -> Vec<u8> {
 }
 
 #[test]
-fn reports_on_ones_own_folder_are_as_locked() {
-    let folder = create_empty_folder("own");
-    write_files(
-        &folder,
-        [
-            ("glass.png", ours("glass")),
-            ("sun.png", ours("plane")),
-            ("Plane (1).PNG", ours("plane")),
-            ("disc.png", b"text".to_vec()),
-            ("deeper/step01_rays.png", ours("step01_rays")),
-        ],
-    );
-    let runs: [&[&str]; 2] = [&[], &["--require", "plane,glass", "--json"]];
-    assert_locked("own_folder", runs.map(|arguments| run_check(&folder, arguments)));
-}
-
-#[test]
-fn reports_on_classes_are_as_locked() {
-    let folder = create_empty_folder("classes");
+fn reports_on_folders_are_as_locked() {
+    let folder = create_empty_folder("folders");
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(ours);
     let scene = |name: &str| encode(draw_named_scene(name).1);
     let two_pictures = zip(&[("raycaster/step01_rays.png", &rays), ("__MACOSX/._a.png", b"")]);
@@ -86,6 +69,11 @@ fn reports_on_classes_are_as_locked() {
                 ]),
             ),
             ("names.txt", "\u{feff}Ada L\u{f6}velace\r\nZo\u{eb}\n".as_bytes().to_vec()),
+            ("own/glass.png", ours("glass")),
+            ("own/sun.png", ours("plane")),
+            ("own/Plane (1).PNG", ours("plane")),
+            ("own/disc.png", b"text".to_vec()),
+            ("own/deeper/step01_rays.png", ours("step01_rays")),
             ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
             ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
             ("github/raycaster-ada/glass.png", ours("glass")),
@@ -94,7 +82,9 @@ fn reports_on_classes_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 8] = [
+    let runs: [&[&str]; 10] = [
+        &["--in", "own"],
+        &["--in", "own", "--require", "plane,glass", "--json"],
         &["--in", "moodle", "--require", required],
         &["--in", "canvas", "--require", required, "--names", "names.txt"],
         &["--in", "canvas.zip"],
@@ -104,7 +94,7 @@ fn reports_on_classes_are_as_locked() {
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
         &["--in", "github", "--scene", "a secret"],
     ];
-    assert_locked("classes", runs.map(|arguments| run_check(&folder, arguments)));
+    assert_locked("folders", runs.map(|arguments| run_check(&folder, arguments)));
 }
 
 #[test]
