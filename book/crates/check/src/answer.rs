@@ -121,3 +121,11 @@ impl Answer {
         fields.filter_map(|(name, value)| Some((name, json::quote(value?)))).collect()
     }
 }
+
+/// The first of some words, and how many more there are.
+pub(crate) fn join_first(mut words: Vec<String>, most: usize, between: &str) -> String {
+    let more = words.len().saturating_sub(most);
+    words.truncate(most);
+    words.extend((0 < more).then(|| format!("{more} more")));
+    words.join(between)
+}

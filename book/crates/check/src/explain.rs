@@ -1,4 +1,4 @@
-use crate::answer::{Cause, common_part};
+use crate::answer::{Cause, common_part, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::check::equal_name;
@@ -68,11 +68,8 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
 fn tell_causes(causes: &[Cause]) -> String {
     let Some(first) = causes.first() else { return String::new() };
     let start = if causes.len() == 1 { "This" } else { "Each of these" };
-    let mut told: Vec<_> = causes.iter().take(MOST_CAUSES).map(Cause::words_and_file).collect();
-    if told.len() < causes.len() {
-        told.push(format!("{} more", causes.len() - told.len()));
-    }
-    let (told, details) = (told.join("; "), &first.details);
+    let told = join_first(causes.iter().map(Cause::words_and_file).collect(), MOST_CAUSES, "; ");
+    let details = &first.details;
     format!("{start} gives the picture, in every pixel: {told}.\n{details}")
 }
 

@@ -1,3 +1,4 @@
+use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::{Drawing, bytes};
 use course::Step;
@@ -63,15 +64,15 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
     let right: Vec<_> = regions().filter(|k| counts[*k].0 == 0).map(name).collect();
     let mut wrong: Vec<_> = regions().filter(|k| counts[*k].0 != 0).collect();
     wrong.sort_by_key(|k| Reverse(counts[*k].0));
-    let told = wrong.iter().take(MOST_REGIONS).map(|k| {
+    let told = wrong.iter().map(|k| {
         let (count, all) = counts[*k];
         format!("{count} of {all} pixels of {}", name(*k))
     });
-    let mut told: Vec<_> = told.collect();
-    let right = match (wrong.len() <= told.len(), right.len()) {
-        (_, 0) => String::new(),
-        (true, _) => " Everything else is right in every pixel.".to_owned(),
-        (false, _) => format!(" Right in every pixel: {}.", right.join(", ")),
+    let told = join_first(told.collect(), MOST_REGIONS, "; ");
+    let right = match right.len() {
+        0 => String::new(),
+        _ if wrong.len() <= MOST_REGIONS => " Everything else is right in every pixel.".to_owned(),
+        _ => format!(" Right in every pixel: {}.", right.join(", ")),
     };
     // Where something hides the sky, fewer pixels of it are wrong.
     let rays = match wrong[..] {
@@ -80,8 +81,5 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
         }
         _ => "",
     };
-    if told.len() < wrong.len() {
-        told.push(format!("{} more", wrong.len() - told.len()));
-    }
-    format!("Wrong: {}.{right}{rays}\n", told.join("; "))
+    format!("Wrong: {told}.{right}{rays}\n")
 }

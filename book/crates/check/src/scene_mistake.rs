@@ -3,9 +3,7 @@
 
 use crate::drawing::Scene;
 use glam::DVec3;
-use step05_phong::{
-    Hit, Material, Matte, Ray, ambient, direction_colour, nearest, normal, reflect, specular,
-};
+use step05_phong::{Hit, Ray, ambient, direction_colour, nearest, normal, reflect, specular};
 
 /// The intensity that a ray gets of a scene, with the mistake of this title; with one that is
 /// not here, the right intensity.
@@ -20,15 +18,13 @@ pub(crate) fn colour_with_mistake(title: &str, scene: &Scene, ray: &Ray) -> DVec
         ("n is the direction of p, without the centre", _) => p.normalize(),
         (_, n) => n,
     };
-    let v = match title {
-        "v is −V and not a unit vector" => -ray.direction,
-        _ => -ray.direction.normalize(),
-    };
+    let is_made = |mistake: &str| title == mistake;
+    let long_v = -ray.direction;
+    let v = if is_made("v is −V and not a unit vector") { long_v } else { long_v.normalize() };
     let mut material = object.material;
-    if title == "the exponent n is left out" {
+    if is_made("the exponent n is left out") {
         material.shininess = 1;
     }
-    let Material { matte: Matte { diffuse, .. }, .. } = material;
     let (mut diffuse_sum, mut specular_sum) = (DVec3::ZERO, DVec3::ZERO);
     for light in &scene.lights {
         let (l, d) = light.point_light.direction_from(p);
@@ -38,12 +34,9 @@ pub(crate) fn colour_with_mistake(title: &str, scene: &Scene, ray: &Ray) -> DVec
             ("|n·l| is taken for max(n·l, 0)", cosine) => cosine.abs(),
             (_, cosine) => cosine.max(0.0),
         };
-        let faded = match title {
-            "light does not fade with distance" => diffuse,
-            _ => diffuse / divisor,
-        };
-        diffuse_sum += faded * cosine * light.point_light.diffuse;
-        if n.dot(l) <= 0.0 && title != "lights behind the surface give highlights" {
+        let fading = if is_made("light does not fade with distance") { 1.0 } else { divisor };
+        diffuse_sum += material.matte.diffuse / fading * cosine * light.point_light.diffuse;
+        if n.dot(l) <= 0.0 && !is_made("lights behind the surface give highlights") {
             continue;
         }
         let r = match title {
@@ -53,10 +46,8 @@ pub(crate) fn colour_with_mistake(title: &str, scene: &Scene, ray: &Ray) -> DVec
             _ => reflect(n, l),
         };
         let term = specular(r, v, d, &material, light);
-        specular_sum += match title {
-            "the specular term is not divided by a + bd + cd²" => term * divisor,
-            _ => term,
-        };
+        let is_bright = is_made("the specular term is not divided by a + bd + cd²");
+        specular_sum += if is_bright { term * divisor } else { term };
     }
     ambient(&material.matte, scene.ambient_light) + diffuse_sum + specular_sum
 }

@@ -68,7 +68,7 @@ fn reports_on_folders_are_as_locked() {
                     ("submissions/cleo_4713_96_my.zip", &two_pictures),
                 ]),
             ),
-            ("names.txt", "\u{feff}Ada L\u{f6}velace\r\nZo\u{eb}\n".as_bytes().to_vec()),
+            ("names.txt", "\u{feff}Ada L\u{f6}velace\r\n\n../Zo\u{eb}".as_bytes().to_vec()),
             ("own/glass.png", ours("glass")),
             ("own/sun.png", ours("plane")),
             ("own/Plane (1).PNG", ours("plane")),
@@ -82,7 +82,7 @@ fn reports_on_folders_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 10] = [
+    let runs: [&[&str]; 11] = [
         &["--in", "own"],
         &["--in", "own", "--require", "plane,glass", "--json"],
         &["--in", "moodle", "--require", required],
@@ -93,18 +93,11 @@ fn reports_on_folders_are_as_locked() {
         &["--in", "github", "--json"],
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
         &["--in", "github", "--scene", "a secret"],
+        &["--names", "names.txt", "--out", "scenes"],
     ];
     assert_locked("folders", runs.map(|arguments| run_check(&folder, arguments)));
-}
-
-#[test]
-fn scenes_of_a_list_are_written_in_folders() {
-    let folder = create_empty_folder("names");
-    write_files(&folder, [("names.txt", "\u{feff}Zo\u{eb}\r\n\n../Ada".as_bytes().to_vec())]);
-    let arguments = ["--names", "names.txt", "--out", "scenes"];
-    assert_locked("scenes_of_a_list", [run_check(&folder, &arguments)]);
-    let program = fs::read_to_string(folder.join("scenes/Zo\u{eb}/scene_of_me.rs"));
-    assert_eq!(program.expect("a program"), draw_named_scene("Zoe\u{308}").0);
+    let program = fs::read_to_string(folder.join("scenes/___Zo\u{eb}/scene_of_me.rs"));
+    assert_eq!(program.expect("a program"), draw_named_scene("../Zoe\u{308}").0);
 }
 
 #[test]

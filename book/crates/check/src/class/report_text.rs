@@ -1,3 +1,4 @@
+use crate::answer::join_first;
 use crate::class::found_file::picture_names;
 use crate::class::{Entry, Report};
 use crate::{Verdict, escape_for_terminal};
@@ -42,10 +43,8 @@ impl Report {
 
 /// A clause with the first of some names, and how many more there are; None where none are.
 fn unchecked_clause(names: &[String]) -> Option<String> {
-    let first = names.iter().take(MOST_NAMES).map(|name| escape_for_terminal(name));
-    let more = names.len().saturating_sub(MOST_NAMES);
-    let told: Vec<_> = first.chain((0 < more).then(|| format!("{more} more"))).collect();
-    (!told.is_empty()).then(|| format!("not looked at: {}", told.join(", ")))
+    let told = names.iter().map(|name| escape_for_terminal(name)).collect();
+    (!names.is_empty()).then(|| format!("not looked at: {}", join_first(told, MOST_NAMES, ", ")))
 }
 
 /// One line for each picture, and how many are right.
