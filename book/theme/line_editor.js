@@ -13,7 +13,7 @@
     let hand = null;
     // All that was written, as the texts of the edited lines by name, and which of these the page has.
     let [states, current] = [[{}], 0];
-    let [frame, restTimer, isDrawn] = [0, 0, false];
+    let [frame, restTimer] = [0, 0];
 
     const button = (words, act, label = words) => {
         const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
@@ -128,7 +128,6 @@
         Object.assign(line, { role: "textbox", ariaLabel: "Your line", contentEditable: "plaintext-only" });
         line.closest("figure").append(panel);
         line.closest("pre").scrollLeft = 0;
-        isDrawn = false;
         tell("One moment …");
         if (caret !== undefined) {
             line.focus({ preventScroll: true });
@@ -189,13 +188,11 @@
         const line = hand;
         const others = findEdited().filter(other => other !== line);
         const words = one => `${one.dataset.line} ${readText(one)}`;
-        let answer, picture;
+        let answer;
         try {
             const module = await wasmModules.get("expressions");
             if (line !== hand) return;
-            answer = picture = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
-            // Before anything can be drawn with the line, there is the book's picture.
-            if (answer.mistake && !isDrawn) picture = ask(module, `edit ${columns} ${line.dataset.line} ${line.dataset.book}`);
+            answer = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
         } catch {
             // A module that failed once would fail again.
             wasmModules.drop("expressions");
@@ -204,11 +201,10 @@
         }
         reset.disabled = isBook(line);
         panel.classList.toggle("old", Boolean(answer.mistake));
-        if (picture.size) {
-            const [width, height] = picture.size;
+        if (answer.size) {
+            const [width, height] = answer.size;
             if (canvas.width !== width) Object.assign(canvas, { width, height });
-            paint(canvas, picture);
-            isDrawn = true;
+            paint(canvas, answer);
         }
         if (columns !== LARGE) return;
         record();

@@ -18,8 +18,7 @@ const STEPS: &str = "../../../steps";
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={STEPS}");
     println!("cargo::rerun-if-changed=../course/places.txt");
-    println!("cargo::rerun-if-changed=../course/src/crate_as_module.rs");
-    println!("cargo::rerun-if-changed=../course/src/place.rs");
+    println!("cargo::rerun-if-changed=../course/src");
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
         for file in step?.path().join("src").read_dir().into_iter().flatten() {
