@@ -17,8 +17,11 @@ const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far
 /// in its full size it is told whether it is right or a known mistake's.
 pub fn edit(words: &str) -> Reply {
     let (columns, lines) = words.split_once(' ').unwrap_or_default();
-    let lines = lines.split('\u{1f}').filter_map(|line| line.split_once(' '));
-    let lines: Vec<_> = lines.filter_map(|(name, text)| Some((find_place(name)?, text))).collect();
+    let lines = lines.split('\u{1f}').filter_map(|line| {
+        let (name, text) = line.split_once(' ')?;
+        Some((all_listed_places().into_iter().find(|place| place.name == name)?, text))
+    });
+    let lines: Vec<_> = lines.collect();
     let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {
         return Reply::default();
     };
@@ -84,8 +87,4 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let mistakes = find_mistakes_with_hash(hash);
     let (mistake, _) = mistakes.iter().find(|(mistake, name)| *name == step && is_here(mistake))?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
-}
-
-fn find_place(name: &str) -> Option<Place> {
-    all_listed_places().into_iter().find(|place| place.name == name)
 }

@@ -62,8 +62,8 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         cargo.args(["run", "-q", "--offline", "--message-format", "short"]);
         cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
         let output = cargo.current_dir(&folder).output().expect("cargo");
-        let [text, errors] = [output.stdout, output.stderr].map(String::from_utf8);
-        let (text, errors) = (text.expect("a text"), errors.expect("a text"));
+        let read = |bytes| String::from_utf8(bytes).expect("a text");
+        let [text, errors] = [output.stdout, output.stderr].map(read);
         if output.status.success() {
             let mut values = text.lines().map(str::to_owned);
             let answers = (0..lines.len()).map(|index| match refused_lines.contains(&index) {
