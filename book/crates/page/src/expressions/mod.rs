@@ -47,7 +47,6 @@ mod value;
 
 pub use compiler::parse_expression;
 pub use drawing::{TOO_LONG, draw_edited};
-pub use node::Expression;
 pub use refusal::Refusal;
 pub use steps::FAULTS;
 pub use value::Value;

@@ -31,7 +31,6 @@ fn draw(name: &str, text: &str) -> Result<(), Refusal> {
 #[test]
 fn too_long_or_too_deep_text_is_refused() {
     for (text, words) in [
-        ("(".repeat(41), "inside each other"),
         (format!("{}1.0{}", "[".repeat(41), "]".repeat(41)), "inside each other"),
         ("-".repeat(10_000), "longer than a line"),
         ("|".repeat(399), "longer than a line"),
@@ -56,7 +55,6 @@ fn answer_is_about_the_lines_and_no_others() {
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
         ("byte intensity + 0.5", "\"known\":\"\""),
-        ("to_light p - self.position", "l points from the light to the surface"),
         ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
     ] {
         let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
