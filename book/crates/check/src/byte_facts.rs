@@ -51,10 +51,8 @@ pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
     if count != columns.len() * rows.len() || !is_whole && count < RECTANGLE_PIXELS {
         return None;
     }
-    let file = match comparison.drawing {
-        Some(_) => " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.",
-        None => "",
-    };
+    let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";
+    let file = if comparison.drawing.is_some() { file } else { "" };
     let (columns, rows) = (format_numbers("column", &columns)?, format_numbers("row", &rows)?);
     Some(format!("{count} pixels are black, as if never drawn: {columns} of {rows}.{file}"))
 }

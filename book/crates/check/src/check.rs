@@ -98,9 +98,8 @@ fn check_picture(yours: &RgbImage, name: Option<&str>, locked: &LockedPictures) 
 /// The name of the locked picture that a picture is.
 pub(crate) fn equal_name(picture: &RgbImage, locked: &LockedPictures) -> Option<&'static str> {
     let hash = hash_picture(picture);
-    let same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
-    let mut equal = same.filter(|name| locked.get(name).is_ok_and(|one| one.picture == *picture));
-    equal.next()
+    let mut same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
+    same.find(|name| locked.get(name).is_ok_and(|one| one.picture == *picture))
 }
 
 /// Whether a picture is the scene of a name; most others are refuted by the first pixels.

@@ -45,6 +45,12 @@ struct Entry {
 }
 
 impl Entry {
+    /// What a student has of a picture. The pictures that an answer compares aren't kept.
+    fn new(name: &'static str, is_required: bool, file: Option<String>, answer: Answer) -> Self {
+        let answer = Answer { compared: None, ..answer };
+        Self { name, is_required, file, answer, follows: None }
+    }
+
     fn is_right(&self) -> bool {
         self.answer.verdict == Verdict::Right
     }

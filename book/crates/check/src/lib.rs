@@ -49,4 +49,4 @@ use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 pub use scene_files::{read_names, write_scene, write_scenes};
 pub use target::LockedPictures;
-pub use which_picture::find_name_in_file_name;
+use which_picture::find_name_in_file_name;

@@ -21,11 +21,11 @@ pub(crate) fn find_listed_mistakes(
         if all.iter().any(|(_, name)| name == expected) {
             all.retain(|(_, name)| name == expected);
         }
-        let causes = all.iter().map(|(mistake, name)| match *name == expected {
-            true => cause(mistake, mistake.title.to_owned()),
-            false => cause(mistake, format!("{}, drawn for {name}", mistake.title)),
-        });
-        return causes.collect();
+        let drawn_for = |name: &str| match name == expected {
+            true => String::new(),
+            false => format!(", drawn for {name}"),
+        };
+        return all.iter().map(|(mistake, name)| cause(mistake, &drawn_for(name))).collect();
     }
     let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {
         return vec![];
@@ -35,12 +35,12 @@ pub(crate) fn find_listed_mistakes(
         comparison.pixels.iter().all(|pixel| bytes(colour(&pixel.ray)) == pixel.yours)
     };
     let all = mistakes().into_iter().filter(gives_all);
-    all.map(|mistake| cause(&mistake, mistake.title.to_owned())).collect()
+    all.map(|mistake| cause(&mistake, "")).collect()
 }
 
 /// A listed mistake as a cause: its diff, cut where it is long, and, if the book shows it, why it
 /// is wrong, and where.
-fn cause(mistake: &Mistake, words: String) -> Cause {
+fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     if LINES < lines.len() {
@@ -51,5 +51,6 @@ fn cause(mistake: &Mistake, words: String) -> Cause {
     if let Some((BookEntry { reason, section, .. }, step)) = mistake.book_entry.as_ref().zip(step) {
         lines.push(format!("{reason}\nSee step {}, \"{section}\".\n", step.number()));
     }
+    let words = format!("{}{drawn_for}", mistake.title);
     Cause { words, step, file: Some(mistake.file.clone()), details: lines.concat() }
 }

@@ -128,8 +128,7 @@ fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<An
 /// and tells where it is.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
-    let path = folder.join(file.file_name().unwrap_or_default());
-    let path = path.with_extension("difference.png");
+    let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());
     let result = fs::create_dir_all(folder).map_err(Into::into);
     let result = result.and_then(|()| difference.save(&path));
     let path = escape_for_terminal(&path.display().to_string());

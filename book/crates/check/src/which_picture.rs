@@ -5,7 +5,7 @@ use image::imageops::thumbnail;
 
 /// The one of `names` that a file's own name tells: `step03_nearest.png`,
 /// `my_lens-2.png`, `step3.png`.
-pub fn find_name_in_file_name<'a>(
+pub(crate) fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<&'a str> {

@@ -28,8 +28,7 @@ pub(crate) fn check_student(
             Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
         };
         let file = file.map(|file| file.path.clone());
-        let answer = Answer { compared: None, ..answer };
-        pictures.push(Entry { name, is_required, file, answer, follows: None });
+        pictures.push(Entry::new(name, is_required, file, answer));
     }
     files.retain(|file| file.is_unreadable() || !file.name().is_empty());
     // What can't be read comes first, as a line tells only some names.

@@ -35,10 +35,8 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
-        let answer = Answer { compared: None, ..answer };
-        let name = NAMED_SCENE_EXAMPLE;
-        let entry = Entry { name, is_required: true, file: None, answer, follows: None };
-        Report { student, pictures: vec![entry], unchecked: vec![] }
+        let pictures = vec![Entry::new(NAMED_SCENE_EXAMPLE, true, None, answer)];
+        Report { student, pictures, unchecked: vec![] }
     });
     report(reports.collect(), vec![], is_csv, false)
 }
