@@ -83,10 +83,9 @@ pub(crate) fn byte_curve(comparison: &Comparison) -> Option<String> {
     let points = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
     // In steps 1 and 2 other colours of the directions look the same.
-    let file = match CURVE_VALUES <= values.len() && Step::Sphere < drawing.step {
-        true => " Compare rgb8.rs and the mean in render.rs of step 1.",
-        false => "",
-    };
+    let is_file_known = CURVE_VALUES <= values.len() && Step::Sphere < drawing.step;
+    let file = " Compare rgb8.rs and the mean in render.rs of step 1.";
+    let file = if is_file_known { file } else { "" };
     Some(format!("Each byte follows from our intensity alone: {}.{file}", points.join(", ")))
 }
 

@@ -14,7 +14,7 @@ use crate::class::check_student::{check_student, tell_common_causes};
 use crate::class::found_file::FoundFile;
 use crate::class::report_text::{format_class, format_csv, format_json, format_own};
 use crate::class::search::find_files;
-use crate::class::student::{Student, add_names, group_by_student};
+use crate::class::student::{Student, add_names, group_by_student, split_canvas_name};
 use crate::{Answer, LockedPictures, Verdict};
 use course::NAMED_SCENE_EXAMPLE;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -95,7 +95,8 @@ pub fn report_on_folder(
         Ok(files) => files,
         Err(why) => return Answer::error(why),
     };
-    let is_of_class = |file: &FoundFile| 0 < file.depth() || file.is_of_canvas();
+    let is_of_class =
+        |file: &FoundFile| 0 < file.depth() || split_canvas_name(&file.path).is_some();
     let is_own = is_workspace
         || files.iter().any(|file| file.picture.is_some() && !is_of_class(file))
         || !files.iter().any(is_of_class);

@@ -1,11 +1,10 @@
-const LINE_ENDS: &str = "a PNG file whose line ends were changed, as by a copy in text mode: copy \
-                         it as binary";
-const READ_AS_TEXT: &str = "a PNG file that was read as text and written again; copy it as binary";
+const COPIED_AS_TEXT: &str =
+    "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
 /// the beginnings of PNG files that a copy has damaged.
-const FORMATS: [(usize, &[u8], &str); 20] = [
+const FORMATS: [(usize, &[u8], &str); 18] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
     (0, b"GIF8", "a GIF, which has 256 colours at most; draw it again as PNG"),
@@ -21,11 +20,9 @@ const FORMATS: [(usize, &[u8], &str); 20] = [
     (0, b"<!doctype html", WEB_PAGE),
     (0, b"<html", WEB_PAGE),
     (0, b"<svg", "an SVG drawing; save it as PNG"),
-    (0, b"\x89PNG\n\x1a\n", LINE_ENDS),
-    (0, b"\x89PNG\r\n\x1a\r\n", LINE_ENDS),
-    (0, b"\x89PNG\r\r\n", LINE_ENDS),
-    (0, b"\xEF\xBF\xBDPNG", READ_AS_TEXT),
-    (0, b"\xC2\x89PNG", READ_AS_TEXT),
+    (0, b"\x89PNG", COPIED_AS_TEXT),
+    (0, b"\xEF\xBF\xBDPNG", COPIED_AS_TEXT),
+    (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
 /// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its

@@ -16,7 +16,11 @@ pub(crate) fn check_student(
     let mut pictures = vec![];
     for name in picture_names() {
         let is_required = required.contains(&name);
-        let file = choose_file(&files, name);
+        // One that ends as PNG files do, the one that lies highest, the last that was handed in.
+        let of_name = files.iter().copied().filter(|file| file.picture == Some(name));
+        let file = of_name.min_by_key(|file| {
+            (!has_extension(file.name(), &["png"]), file.depth(), Reverse(file.version()))
+        });
         files.retain(|other| file.is_none_or(|file| !std::ptr::eq(*other, file)));
         let answer = match file.map(|file| (file.name(), file.read())) {
             None if is_required => Answer::new(Verdict::Missing, ""),
@@ -35,15 +39,6 @@ pub(crate) fn check_student(
     files.sort_by_key(|file| !file.is_unreadable());
     let unchecked = files.into_iter().map(FoundFile::describe).collect();
     Report { student: student.unique_name.clone(), pictures, unchecked }
-}
-
-/// Of the files that may be a picture, one that ends as PNG files do, the one that lies highest,
-/// and the last that was handed in.
-fn choose_file<'a>(files: &[&'a FoundFile], name: &str) -> Option<&'a FoundFile> {
-    let files = files.iter().filter(|file| file.picture == Some(name));
-    let is_other = |file: &FoundFile| !has_extension(file.name(), &["png"]);
-    let key = |file: &&&FoundFile| (is_other(file), file.depth(), Reverse(file.version()));
-    files.min_by_key(key).copied()
 }
 
 /// Tells of each wrong picture which earlier one is wrong by the same cause.

@@ -1,4 +1,3 @@
-use crate::class::student::split_canvas_name;
 use crate::{find_name_in_file_name, read_bounded_file};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use std::path::PathBuf;
@@ -65,11 +64,6 @@ impl FoundFile {
     /// Whether it may have been meant as a picture, by its ending, or can't be read.
     pub fn may_be_picture(&self) -> bool {
         self.is_unreadable() || has_extension(self.name(), &PICTURE_EXTENSIONS)
-    }
-
-    /// Whether it has the name of a student in its own, as Canvas has it.
-    pub fn is_of_canvas(&self) -> bool {
-        split_canvas_name(self.name()).is_some()
     }
 
     /// The number at the end of the name of a file that was handed in again: `-2`, `(1)`.
