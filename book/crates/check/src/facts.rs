@@ -33,14 +33,9 @@ pub(crate) fn are_above_1(pixels: &[Pixel], drawing: &Drawing) -> bool {
 
 /// A sentence about the least light of ours without which it is yours in each wrong pixel.
 fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
-    let [warm, cool] = drawing.light_names;
-    let names = [
-        "the ambient term".to_owned(),
-        format!("the diffuse term of {warm}"),
-        format!("the diffuse term of {cool}"),
-        format!("the specular term of {warm}"),
-        format!("the specular term of {cool}"),
-    ];
+    let names_of = |term| drawing.light_names.map(|one| format!("the {term} term of {one}"));
+    let ambient = ["the ambient term".to_owned()];
+    let names = [&ambient[..], &names_of("diffuse"), &names_of("specular")].concat();
     let count = match drawing.step {
         Step::Diffuse => 3,
         Step::Phong => 5,

@@ -9,23 +9,20 @@ pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
 }
 
 /// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
-/// device or a pipe, is not opened, and of a larger file nothing is read.
+/// device or a pipe, is not opened, and no more than these bytes is read.
 pub(crate) fn read_file_of_at_most(path: &Path, most_bytes: u64) -> Result<Vec<u8>, String> {
     let printable_path = escape_for_terminal(&path.display().to_string());
     let unread = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => format!("there is no file {printable_path}"),
         _ => format!("can't read {printable_path}: {error}"),
     };
-    let metadata = fs::metadata(path).map_err(unread)?;
-    if !metadata.is_file() {
+    if !fs::metadata(path).map_err(unread)?.is_file() {
         return Err(format!("{printable_path} is not a file"));
     }
     let mut bytes = vec![];
     let file = File::open(path).map_err(unread)?;
-    if metadata.len() <= most_bytes {
-        file.take(most_bytes + 1).read_to_end(&mut bytes).map_err(unread)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > most_bytes {
+    file.take(most_bytes + 1).read_to_end(&mut bytes).map_err(unread)?;
+    if most_bytes < bytes.len() as u64 {
         return Err(format!("{printable_path} {}", too_large_clause(most_bytes)));
     }
     Ok(bytes)

@@ -32,9 +32,11 @@ pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -
     if let Some([r, g, b]) = uniform_colour(picture) {
         return format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n");
     }
-    let clauses = turned_or_swapped_clauses(picture, ours).join(", or ");
-    let clause = Some(clauses).filter(|clauses| !clauses.is_empty());
-    match clause.or_else(|| cut_or_enlarged_clause(picture, ours)) {
+    let mut clauses = turned_or_swapped_clauses(picture, ours);
+    if clauses.is_empty() {
+        clauses.extend(cut_or_enlarged_clause(picture, ours));
+    }
+    match Some(clauses.join(", or ")).filter(|clause| !clause.is_empty()) {
         Some(clause) => format!("This is {title}, {clause}.\n"),
         None => String::new(),
     }

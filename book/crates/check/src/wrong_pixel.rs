@@ -24,20 +24,18 @@ pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
     let mut far: Vec<_> = far.collect();
     far.sort_unstable_by_key(|pixel| (pixel.place.1, pixel.place.0));
     let Some(pixel) = far.get(far.len() / 2) else { return String::new() };
-    let computed =
-        comparison.drawing.map(|one| format!(": {}", computed_values_clause(one, pixel)));
-    let computed = computed.unwrap_or_default();
+    let computed = comparison.drawing.map_or(String::new(), |one| computed_values(one, pixel));
     let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     let (i, j) = pixel.place;
     format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
 }
 
-/// Half a sentence: the values that our program computes for one pixel, in the book's letters.
-fn computed_values_clause(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String {
+/// The values that our program computes for one pixel, in the book's letters, after a colon.
+fn computed_values(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String {
     let Some(hit) = *hit else {
-        return format!("the sky, V = {}", format_vector(ray.direction));
+        return format!(": the sky, V = {}", format_vector(ray.direction));
     };
-    let mut text = format!("{} at t = {:.4}", drawing.object_name(hit.object), hit.t);
+    let mut text = format!(": {} at t = {:.4}", drawing.object_name(hit.object), hit.t);
     if drawing.step < Step::Diffuse {
         return text;
     }
