@@ -1,7 +1,7 @@
 //! Reports on one's own folder, and on classes as learning platforms give them.
 
 use crate::program::{run_check, write_files};
-use crate::{assert_locked, create_empty_folder, encode, locked_picture, map_locked};
+use crate::{assert_locked, create_empty_folder, encode, locked_file, map_locked};
 use course::{Step, draw_named_scene, workspace};
 use std::fs;
 use std::io::Write;
@@ -25,20 +25,11 @@ fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
     bytes
 }
 
-/// The bytes of a locked picture.
-fn ours(name: &str) -> Vec<u8> {
-    encode(locked_picture(name))
-}
-
-/// The bytes of a locked picture with red and blue exchanged.
-fn bgr(name: &str) -> Vec<u8> {
-    encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]))
-}
-
 #[test]
 fn reports_on_folders_are_as_locked() {
     let folder = create_empty_folder("folders");
-    let [rays, sphere] = ["step01_rays", "step02_sphere"].map(ours);
+    let [rays, sphere] = ["step01_rays", "step02_sphere"].map(locked_file);
+    let bgr = |name| encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]));
     let scene = |name: &str| encode(draw_named_scene(name).1);
     let two_pictures = zip(&[("raycaster/step01_rays.png", &rays), ("__MACOSX/._a.png", b"")]);
     let nested = zip(&[("my/pictures.zip", &two_pictures), ("my/notes.txt", b"text")]);
@@ -69,17 +60,17 @@ fn reports_on_folders_are_as_locked() {
                 ]),
             ),
             ("names.txt", "\u{feff}Ada L\u{f6}velace\r\n\n../Zo\u{eb}".as_bytes().to_vec()),
-            ("own/glass.png", ours("glass")),
-            ("own/sun.png", ours("plane")),
-            ("own/Plane (1).PNG", ours("plane")),
+            ("own/glass.png", locked_file("glass")),
+            ("own/sun.png", locked_file("plane")),
+            ("own/Plane (1).PNG", locked_file("plane")),
             ("own/disc.png", b"text".to_vec()),
-            ("own/hourglass.png", ours("glass")),
+            ("own/hourglass.png", locked_file("glass")),
             ("own/step12.png", rays.clone()),
-            ("own/Step 3 final.png", ours("step03_nearest")),
-            ("own/deeper/step01_rays.png", ours("step01_rays")),
+            ("own/Step 3 final.png", locked_file("step03_nearest")),
+            ("own/deeper/step01_rays.png", locked_file("step01_rays")),
             ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
             ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
-            ("github/raycaster-ada/glass.png", ours("glass")),
+            ("github/raycaster-ada/glass.png", locked_file("glass")),
             ("github/raycaster-=bob/step01_rays.png", rays),
             ("github/raycaster-=bob/locked/tests/snapshots/step02_sphere.snap.png", sphere),
         ],

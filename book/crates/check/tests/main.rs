@@ -24,10 +24,15 @@ type Row = (&'static str, &'static str, RgbImage);
 /// The pictures to compare with.
 static LOCKED: LazyLock<LockedPictures> = LazyLock::new(LockedPictures::in_workspace);
 
+/// The file of the locked picture `name`.
+fn locked_file(name: &str) -> Vec<u8> {
+    let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
+    fs::read(path).expect("a locked picture")
+}
+
 /// The locked picture `name`.
 fn locked_picture(name: &str) -> RgbImage {
-    let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
-    image::open(path).expect("a locked picture").into_rgb8()
+    image::load_from_memory(&locked_file(name)).expect("a locked picture").into_rgb8()
 }
 
 /// The locked picture `name` with each pixel made from its place and colour.

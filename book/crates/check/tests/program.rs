@@ -1,6 +1,6 @@
 //! The program `check`: its arguments, its exit codes, where it looks, and its JSON.
 
-use crate::{assert_locked, create_empty_folder, encode, locked_picture, map_locked};
+use crate::{assert_locked, create_empty_folder, encode, locked_file, map_locked};
 use course::draw_named_scene;
 use std::fs;
 use std::path::Path;
@@ -37,7 +37,7 @@ fn answers_about_one_file_are_as_locked() {
     write_files(
         &folder,
         [
-            ("step2.png", encode(locked_picture("step02_sphere"))),
+            ("step2.png", locked_file("step02_sphere")),
             ("my.png", encode(map_locked("step02_sphere", hole))),
             ("red.png", encode(map_locked("step05_phong", |_, _, [r, g, b]| [b, g, r]))),
             ("ada.png", encode(draw_named_scene("ada").1)),
