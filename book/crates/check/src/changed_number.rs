@@ -10,7 +10,7 @@ pub(crate) fn find_changed_numbers(
     budget: &RayBudget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels.iter().collect();
-    let own = OwnScene::new(drawing.scene().clone());
+    let own = OwnScene::new(drawing.own.scene.clone());
     let mut changed = Drawing { own, ..*drawing };
     let mut words = vec![];
     for quantity in QUANTITIES {
@@ -35,9 +35,7 @@ pub(crate) fn find_changed_numbers(
 /// The names of all that have a quantity.
 fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
     match owner {
-        Owner::Object => {
-            (0..drawing.scene().objects.len()).map(|k| drawing.object_name(k)).collect()
-        }
+        Owner::Object => drawing.object_names(),
         Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
         Owner::Scene | Owner::Camera => vec!["the scene".to_owned()],
     }

@@ -109,7 +109,7 @@ fn is_scene_of(picture: &RgbImage, name: &str) -> bool {
         return false;
     }
     let drawing = Drawing::of_name(name);
-    scattered_places(camera.h_res, camera.v_res)
+    scattered_places(picture.dimensions())
         .all(|(i, j)| picture.get_pixel(i, j).0 == drawing.bytes(&camera.ray(i.into(), j.into())))
 }
 

@@ -45,14 +45,13 @@ impl Drawing {
         Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
     }
 
-    pub fn scene(&self) -> &Scene {
-        &self.own.scene
-    }
-
-    /// The name of an object, with its article where it needs one.
-    pub fn object_name(&self, object: usize) -> String {
-        let name = self.scene().objects[object].name;
-        if name.ends_with(|c: char| c.is_numeric()) { name.into() } else { format!("the {name}") }
+    /// The names of the objects, with their articles where they need one.
+    pub fn object_names(&self) -> Vec<String> {
+        let names = self.own.scene.objects.iter().map(|object| object.name);
+        let has_number = |name: &str| name.ends_with(|c: char| c.is_numeric());
+        names
+            .map(|name| if has_number(name) { name.into() } else { format!("the {name}") })
+            .collect()
     }
 
     /// The intensity that a ray gets.
@@ -68,7 +67,7 @@ impl Drawing {
 
     /// The first place on each object that a ray meets, whatever hides it there.
     pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
-        self.scene().objects.iter().enumerate().filter_map(|(object, one)| {
+        self.own.scene.objects.iter().enumerate().filter_map(|(object, one)| {
             let t = one.sphere.intersect(ray).first_hit()?;
             Some(ObjectHit { t, object })
         })
@@ -82,17 +81,17 @@ impl Drawing {
     /// The intensity that an object has at a hit, whatever hides it there.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
-            true => self.scene().objects[hit.object].material.matte.diffuse,
-            false => self.terms_at_hit(ray, hit, &self.scene().lights).sum(),
+            true => self.own.scene.objects[hit.object].material.matte.diffuse,
+            false => self.terms_at_hit(ray, hit, &self.own.scene.lights).sum(),
         }
     }
 
     /// The terms of some lights at a hit, whatever hides it there.
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit, lights: &[Light]) -> Phong {
-        let object = &self.scene().objects[hit.object];
+        let object = &self.own.scene.objects[hit.object];
         let p = ray.at(hit.t);
         let point = SurfacePoint { p, n: normal(&object.sphere, p), material: &object.material };
-        let terms = phong(&point, ray, self.scene().ambient_light, lights);
+        let terms = phong(&point, ray, self.own.scene.ambient_light, lights);
         match self.step {
             Step::Phong => terms,
             _ => Phong { specular: DVec3::ZERO, ..terms },

@@ -46,7 +46,7 @@ fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
     let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
     choices.sort_by_key(|choice| choice.count_ones());
     for Pixel { ray, hit, yours, .. } in wrong {
-        let lights = &drawing.scene().lights;
+        let lights = &drawing.own.scene.lights;
         let hit = (*hit)?;
         let [warm, cool] = [0, 1].map(|k| drawing.terms_at_hit(ray, hit, &lights[k..=k]));
         let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];

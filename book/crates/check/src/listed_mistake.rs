@@ -31,7 +31,7 @@ pub(crate) fn find_listed_mistakes(
         return vec![];
     };
     let gives_all = |mistake: &Mistake| {
-        let colour = |ray| colour_with_mistake(mistake.title, drawing.scene(), ray);
+        let colour = |ray| colour_with_mistake(mistake.title, &drawing.own.scene, ray);
         comparison.pixels.iter().all(|pixel| bytes(colour(&pixel.ray)) == pixel.yours)
     };
     let all = mistakes().into_iter().filter(gives_all);

@@ -124,8 +124,7 @@ fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<An
     Ok(answer)
 }
 
-/// Writes the picture of a difference into the target folder, under the name of the reader's,
-/// and tells where it is.
+/// Writes the picture of a difference into the target folder, and tells where it is.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

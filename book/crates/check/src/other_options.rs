@@ -21,8 +21,7 @@ pub(crate) fn describe_other_options(
     }
     let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
     let budget = RayBudget::new(2 * RAYS);
-    let places = scattered_places(columns, rows);
-    let mut places: Vec<_> = places.take(RAYS as usize).collect();
+    let mut places: Vec<_> = scattered_places((columns, rows)).take(RAYS as usize).collect();
     // First that of the locked pictures.
     for tenths in [600].into_iter().chain(10..1800) {
         let fov_degrees = f64::from(tenths) / 10.0;

@@ -8,13 +8,10 @@ use step01_rays::direction_colour;
 /// The most regions of which the wrong pixels are told.
 const MOST_REGIONS: usize = 3;
 
-/// Counts of hidden pixels below one in so many of all wrong pixels aren't told.
-const LEAST_PART: usize = 10;
-
 /// Sentences about wrong pixels that show the sky or another object behind the one that ours
 /// shows, and about the objects all of whose pixels do.
 pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<String> {
-    let mut missing: Vec<_> = vec![None; drawing.scene().objects.len()];
+    let mut missing: Vec<_> = vec![None; drawing.own.scene.objects.len()];
     let (mut sky_count, mut object_count) = (0, 0);
     for pixel in &comparison.pixels {
         let Some(k) = pixel.object() else { continue };
@@ -24,8 +21,9 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
         object_count += usize::from(shows_object);
         missing[k] = Some(missing[k].unwrap_or(true) && (shows_sky || shows_object));
     }
-    let names = (0..missing.len()).filter(|k| missing[*k] == Some(true));
-    let names = names.map(|k| drawing.object_name(k)).collect::<Vec<_>>().join(", ");
+    let names = drawing.object_names().into_iter().zip(&missing);
+    let names = names.filter(|(_, missing)| **missing == Some(true)).map(|(name, _)| name);
+    let names = names.collect::<Vec<_>>().join(", ");
     let mut sentences = vec![];
     if !names.is_empty() {
         sentences.push(format!("Missing: {names}. What lies behind shows instead."));
@@ -33,7 +31,8 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
     let all = comparison.wrong_pixels().len();
     let what = ["the sky, and ours shows an object", "an object behind the nearest"];
     for (count, what) in [sky_count, object_count].into_iter().zip(what) {
-        if all <= LEAST_PART * count {
+        // Few may be so by chance.
+        if all <= 10 * count {
             sentences.push(format!("{count} of {all} wrong pixels have the colour of {what}."));
         }
     }
@@ -50,23 +49,20 @@ fn shows_another_object(drawing: &Drawing, pixel: &Pixel) -> bool {
 /// A line about the sky and the objects of ours: which are right in every pixel, and how many
 /// pixels of the others are wrong.
 pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> String {
-    let mut counts = vec![(0, 0); drawing.scene().objects.len() + 1];
+    let mut counts = vec![(0, 0); drawing.own.scene.objects.len() + 1];
     for pixel in &comparison.pixels {
         let (wrong, all) = &mut counts[pixel.object().map_or(0, |k| k + 1)];
         *wrong += usize::from(pixel.is_wrong());
         *all += 1;
     }
-    let name = |k: usize| match k {
-        0 => "the sky".to_owned(),
-        _ => drawing.object_name(k - 1),
-    };
+    let names = [vec!["the sky".to_owned()], drawing.object_names()].concat();
     let regions = || (0..counts.len()).filter(|k| counts[*k].1 != 0);
-    let right: Vec<_> = regions().filter(|k| counts[*k].0 == 0).map(name).collect();
+    let right: Vec<_> = regions().filter(|k| counts[*k].0 == 0).map(|k| &*names[k]).collect();
     let mut wrong: Vec<_> = regions().filter(|k| counts[*k].0 != 0).collect();
     wrong.sort_by_key(|k| Reverse(counts[*k].0));
     let told = wrong.iter().map(|k| {
         let (count, all) = counts[*k];
-        format!("{count} of {all} pixels of {}", name(*k))
+        format!("{count} of {all} pixels of {}", names[*k])
     });
     let told = join_first(told.collect(), MOST_REGIONS, "; ");
     let right = match right.len() {

@@ -95,7 +95,7 @@ fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> 
         return None;
     }
     let budget = RayBudget::new(PIXELS);
-    let mut places: Vec<_> = scattered_places(w, h).collect();
+    let mut places: Vec<_> = scattered_places((w, h)).collect();
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
     corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];

@@ -36,6 +36,5 @@ pub(crate) fn find_most_similar<'a>(
         let pairs = yours.iter().zip(small(&locked.get(name)?.picture));
         distances.push((pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>(), *name));
     }
-    let nearest = distances.into_iter().min_by_key(|(distance, _)| *distance);
-    Ok(nearest.map_or("", |(_, name)| name))
+    Ok(distances.into_iter().min_by_key(|(distance, _)| *distance).map_or("", |(_, name)| name))
 }

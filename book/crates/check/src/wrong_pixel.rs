@@ -35,18 +35,18 @@ fn computed_values(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String 
     let Some(hit) = *hit else {
         return format!(": the sky, V = {}", format_vector(ray.direction));
     };
-    let mut text = format!(": {} at t = {:.4}", drawing.object_name(hit.object), hit.t);
+    let mut text = format!(": {} at t = {:.4}", drawing.object_names()[hit.object], hit.t);
     if drawing.step < Step::Diffuse {
         return text;
     }
     let p = ray.at(hit.t);
-    let n = normal(&drawing.scene().objects[hit.object].sphere, p);
+    let n = normal(&drawing.own.scene.objects[hit.object].sphere, p);
     text += &format!(", n = {}", format_vector(n));
-    for (light, name) in drawing.scene().lights.iter().zip(drawing.light_names) {
+    for (light, name) in drawing.own.scene.lights.iter().zip(drawing.light_names) {
         let (l, d) = light.point_light.direction_from(p);
         text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
     }
-    let terms = drawing.terms_at_hit(ray, hit, &drawing.scene().lights);
+    let terms = drawing.terms_at_hit(ray, hit, &drawing.own.scene.lights);
     text += &format!(
         ";\n  I_a = {}, I_d = {}",
         format_vector(terms.ambient),
