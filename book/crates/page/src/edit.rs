@@ -6,7 +6,7 @@ use figures::Reply;
 use image::RgbImage;
 
 /// The most steps of a picture: with them it takes less than 200 ms.
-const STEPS: i64 = 2_500_000;
+const STEPS: i64 = 2_200_000;
 
 /// Places of step 2 that say at which t a ray meets the ball, which its picture doesn't show.
 const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far"];
