@@ -1,7 +1,7 @@
 use crate::file_format::other_format_clause;
 use image::codecs::png::PngDecoder;
 use image::metadata::Orientation;
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageError, Limits, RgbImage};
+use image::{DynamicImage, ImageDecoder, ImageError, Limits, Pixel, RgbImage};
 use std::io::Cursor;
 
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
@@ -45,7 +45,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     }
     let rgba = picture.into_rgba8();
     let transparent_count = rgba.pixels().filter(|pixel| pixel[3] < 255).count();
-    Ok(Picture { rgb: DynamicImage::from(rgba).into_rgb8(), transparent_count, notes })
+    let rgb = RgbImage::from_fn(rgba.width(), rgba.height(), |i, j| rgba[(i, j)].to_rgb());
+    Ok(Picture { rgb, transparent_count, notes })
 }
 
 /// Says that a file is larger than it may be.
@@ -67,13 +68,10 @@ fn damage_clause(error: ImageError) -> String {
 }
 
 fn notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, ImageError> {
-    use ExtendedColorType::{L1, L2, L4, L8, L16, La8, La16};
-    let colour = decoder.original_color_type();
-    let is_grey = matches!(colour, L1 | L2 | L4 | L8 | L16 | La8 | La16);
-    let has_16_bits =
-        2 == decoder.color_type().bytes_per_pixel() / decoder.color_type().channel_count();
+    let colour = decoder.color_type();
+    let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
     let notes = [
-        (is_grey, "The file is grey: one number per pixel, and ours has three."),
+        (!colour.has_color(), "The file is grey: one number per pixel, and ours has three."),
         (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
         (
             decoder.icc_profile()?.is_some(),
