@@ -76,13 +76,12 @@ fn reports_on_folders_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 11] = [
+    let runs: [&[&str]; 10] = [
         &["--in", "own"],
         &["--in", "own", "--require", "plane,glass", "--json"],
         &["--in", "moodle", "--require", required],
         &["--in", "canvas", "--require", required, "--names", "names.txt"],
         &["--in", "canvas.zip"],
-        &["--in", "github"],
         &["--in", "github", "--csv"],
         &["--in", "github", "--json"],
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
