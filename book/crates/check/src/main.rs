@@ -6,6 +6,7 @@ use check::{
     write_scenes,
 };
 use clap::Parser;
+use clap::builder::NonEmptyStringValueParser;
 use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, locked_names};
 use image::RgbImage;
 use std::fs;
@@ -34,6 +35,7 @@ struct Arguments {
     /// what the program draws. With --in, draws it with the five crates of each workspace in the
     /// folder and compares it: what is in these crates runs as you, so do that in a container
     #[arg(long, value_name = "NAME", group = "written", conflicts_with = "name")]
+    #[arg(value_parser = NonEmptyStringValueParser::new())]
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
