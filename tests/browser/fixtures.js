@@ -3,12 +3,9 @@
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
-import { policy } from './policy.js';
 import { serve } from './server.js';
 
 export { expect };
-
-const local = `${pathToFileURL(folder).href}/`;
 
 // Firefox says so of a formula that is drawn before all of it has come.
 const HARMLESS = /Incorrect number of children for <m/;
@@ -17,15 +14,12 @@ export const test = base.extend({
   // 'server' or 'folder'.
   source: ['server', { option: true, scope: 'worker' }],
 
-  served: [async ({}, use) => {
-    const { server, address } = await serve(policy);
+  home: [async ({ source }, use) => {
+    if (source === 'folder') return use(`${pathToFileURL(folder).href}/`);
+    const { server, address } = await serve();
     await use(address);
     server.close();
-    server.closeAllConnections();
-  }, { scope: 'worker' }],
-
-  home: [async ({ source, served }, use) => {
-    await use(source === 'server' ? served : local);
+    return server.closeAllConnections();
   }, { scope: 'worker' }],
 
   page: async ({ page, home }, use) => {
@@ -49,3 +43,13 @@ export async function open(page, address) {
   await page.goto(address);
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
+
+// The pixels of an image or a canvas, as the address of a PNG file.
+export const readPixels = picture => picture.evaluate(async one => {
+  one.loading = 'eager';
+  await one.decode?.();
+  const [width, height] = [one.naturalWidth ?? one.width, one.naturalHeight ?? one.height];
+  const copy = Object.assign(document.createElement('canvas'), { width, height });
+  copy.getContext('2d').drawImage(one, 0, 0);
+  return copy.toDataURL();
+});

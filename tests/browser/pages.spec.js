@@ -1,14 +1,21 @@
-// Every page shows all of itself, and the browser has nothing to complain of.
+// Every page shows all of itself, and everybody can use it, as far as axe can tell.
+import AxeBuilder from '@axe-core/playwright';
 import { chapters, pages } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
+// Opens a page, what is folded on it, and lays out what is far below.
+async function openAll(page, address) {
+  await open(page, address);
+  await page.evaluate(() => {
+    document.querySelectorAll('details').forEach(box => { box.open = true; });
+    document.querySelectorAll('main > *').forEach(part => { part.style.contentVisibility = 'visible'; });
+  });
+}
+
 for (const name of pages) {
   test(`${name} shows its pictures and does not scroll sideways`, async ({ page, home }) => {
-    await open(page, home + name);
-    // What is folded away or far below is looked at, too, and no picture is left for later.
+    await openAll(page, home + name);
     const [sideways, missing] = await page.evaluate(async () => {
-      document.querySelectorAll('details').forEach(box => { box.open = true; });
-      document.querySelectorAll('main > *').forEach(part => { part.style.contentVisibility = 'visible'; });
       const [root, pictures] = [document.documentElement, [...document.images]];
       pictures.forEach(one => { one.loading = 'eager'; });
       await Promise.all(pictures.map(one => one.decode().catch(() => {})));
@@ -20,16 +27,27 @@ for (const name of pages) {
   });
 }
 
-test('the server sends the policy with each page', async ({ request, served }) => {
-  for (const name of chapters) {
-    const response = await request.head(served + name);
-    expect(response.headers()['content-security-policy'], name).toContain(`default-src 'none'`);
-  }
-});
+// The longest take ten seconds each, and are made of what is on the others, too.
+const LONG = /^(step0[1235]_(rays|program|sphere|nearest|phong)|way_back|mistakes)\.html$/;
 
-test('the browser shows the view that its project names', async ({ page, home }, { project }) => {
-  await open(page, home + pages[0]);
-  const isDark = await page.evaluate(() => matchMedia('(prefers-color-scheme: dark)').matches);
-  expect(isDark).toBe(project.name.endsWith('-dark'));
-  expect(await page.evaluate(() => innerWidth)).toBe(project.name.includes('-narrow') ? 390 : 1280);
-});
+for (const name of chapters) {
+  test(`${name} is accessible`, { tag: LONG.test(name) ? '@thorough' : [] }, async ({ page, home, browserName }) => {
+    test.skip(browserName !== 'chromium', 'what axe looks at is the same in all browsers');
+    await openAll(page, home + name);
+    const expectNoViolations = async (view, rules) => {
+      // axe knows no MathML: it reads each letter of a formula, and sees no text in it.
+      const axe = new AxeBuilder({ page }).options({ preload: false, rules: { 'empty-table-header': { enabled: false } } }).exclude('math');
+      if (rules) axe.withRules(rules);
+      const { violations } = await axe.analyze();
+      const faults = violations.map(({ id, help, nodes }) => `${id}: ${help}, at ${nodes[0].target}`);
+      expect.soft(faults, view).toEqual([]);
+    };
+    await expectNoViolations('wide and light');
+    // Nothing but colours depends on dark, and little on the width.
+    if (!process.env.THOROUGH) return;
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await expectNoViolations('dark', ['color-contrast']);
+    await page.setViewportSize({ width: 390, height: 900 });
+    await expectNoViolations('narrow', ['scrollable-region-focusable', 'target-size']);
+  });
+}

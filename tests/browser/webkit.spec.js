@@ -1,43 +1,9 @@
 // WebKit, by its own driver, as Playwright's build of it is no browser that anybody has: every
 // figure becomes ready.
-import { spawn, spawnSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { createServer } from 'node:net';
-import { pagesWithFigures } from './book.js';
-import { expect, test as base } from './fixtures.js';
-
-async function freePort() {
-  const server = createServer().listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  const { port } = server.address();
-  await once(server.close(), 'close');
-  return port;
-}
-
-// A fixture `webkit`: a function that posts a command to the session of a browser.
-const test = base.extend({
-  webkit: [async ({}, use) => {
-    const find = spawnSync('find', ['/usr/lib', '/usr/libexec', '-name', 'MiniBrowser'], { encoding: 'utf8' });
-    const [binary] = find.stdout.split('\n');
-    if (!binary) throw new Error('webkit2gtk-driver is missing: .ci/install installs it');
-    const screen = spawn('Xvfb', ['-displayfd', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
-    const display = `:${String(await once(screen.stdout, 'data')).trim()}`;
-    const port = await freePort();
-    const env = { ...process.env, DISPLAY: display };
-    const driver = spawn('WebKitWebDriver', [`--port=${port}`], { stdio: 'ignore', env });
-    const post = async (path, body) => {
-      const url = `http://127.0.0.1:${port}/session${path}`;
-      const { value } = await (await fetch(url, { method: 'POST', body: JSON.stringify(body) })).json();
-      if (value?.error) throw new Error(value.message);
-      return value;
-    };
-    const capabilities = { alwaysMatch: { 'webkitgtk:browserOptions': { binary, args: ['--automation'] } } };
-    let session;
-    await expect(async () => { session = await post('', { capabilities }); }).toPass({ timeout: 20_000 });
-    await use((command, body) => post(`/${session.sessionId}/${command}`, body));
-    [driver, screen].forEach(one => one.kill());
-  }, { scope: 'worker' }],
-});
+import { figures } from './book.js';
+import { expect, test } from './fixtures.js';
 
 // Brings figure after figure of a page into view; returns those that do not become ready.
 const wake = async () => {
@@ -49,10 +15,22 @@ const wake = async () => {
   return asleep().map(one => one.dataset.live);
 };
 
-for (const name of pagesWithFigures) {
-  test(`${name}: every figure becomes ready`, async ({ webkit, served }) => {
-    await webkit('url', { url: served + name });
-    const asleep = await webkit('execute/async', { script: `(${wake})().then(arguments[0])`, args: [] });
-    expect(asleep).toEqual([]);
-  });
-}
+test('every figure becomes ready', async ({ home }) => {
+  test.setTimeout(300_000);
+  const screen = spawn('Xvfb', ['-displayfd', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
+  const DISPLAY = `:${String(await once(screen.stdout, 'data')).trim()}`;
+  const driver = spawn('WebKitWebDriver', ['--port=4444'], { stdio: 'ignore', env: { ...process.env, DISPLAY } });
+  // Posts a command to the driver; returns its value.
+  const post = async (path, body) => {
+    const response = await fetch(`http://127.0.0.1:4444/session${path}`, { method: 'POST', body: JSON.stringify(body) });
+    return (await response.json()).value;
+  };
+  let session;
+  await expect(async () => { session = await post('', { capabilities: {} }); }).toPass({ timeout: 20_000 });
+  for (const name of new Set(figures.map(([page]) => page))) {
+    await post(`/${session.sessionId}/url`, { url: home + name });
+    const asleep = await post(`/${session.sessionId}/execute/async`, { script: `(${wake})().then(arguments[0])`, args: [] });
+    expect.soft(asleep, name).toEqual([]);
+  }
+  [driver, screen].forEach(one => one.kill());
+});
