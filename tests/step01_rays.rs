@@ -63,19 +63,6 @@ fn angle_between_outermost_rays_is_the_field_of_view() {
 }
 
 #[test]
-fn pixels_are_square_at_four_aspect_ratios() {
-    for (width, height, rows) in
-        [(4.0, 3.0, 480), (16.0, 9.0, 360), (2.35, 1.0, 272), (2.59, 1.0, 247)]
-    {
-        assert_eq!(AspectRatio { width, height }.v_res(640), rows);
-        let camera = Camera::new(640, rows, 1.0);
-        assert_eq!(camera.matrix.x_axis.length(), camera.matrix.y_axis.length());
-        let (top, bottom) = (camera.ray(9.0, 0.0), camera.ray(9.0, f64::from(rows - 1)));
-        assert!(nearly_equal(top.direction.y, -bottom.direction.y));
-    }
-}
-
-#[test]
 fn rows_of_an_aspect_ratio_are_rounded_and_at_least_one() {
     let rows = |text: &str| text.parse::<AspectRatio>().map(|ratio| ratio.v_res(640));
     assert_eq!(rows("2.35:1"), Ok(272));
@@ -96,13 +83,6 @@ fn middle_row_of_the_camera_is_the_row_in_2d() {
             assert!(nearly_equal(v.x, v_in_2d.x) && v.y.abs() < 1e-12 && v.z == -v_in_2d.y);
         }
     }
-}
-
-#[test]
-fn rays_start_at_the_centre_of_the_camera() {
-    let camera = Camera { centre: DVec3::new(1.0, 2.0, 3.0), ..camera() };
-    assert_eq!(camera.ray(3.0, 4.0).start, camera.centre);
-    assert_eq!(Camera::new(4, 3, 1.0).centre, DVec3::ZERO);
 }
 
 #[test]

@@ -1,42 +1,8 @@
 use course::examples::look_at::look_at;
-use course::examples::panorama::direction;
 use course::examples::*;
 use glam::DVec3;
 use proptest::prelude::*;
-use std::f64::consts::FRAC_PI_2;
-use step01_rays::Camera;
 use tests::{camera, random_point};
-
-#[test]
-fn look_at_turns_the_camera_ahead_sideways_and_down() {
-    assert_eq!(look_at(&camera(), DVec3::ZERO, DVec3::NEG_Z, 0.0), camera());
-    let rolled = look_at(&camera(), DVec3::ZERO, DVec3::NEG_Z, FRAC_PI_2);
-    let up = camera().matrix.x_axis.length() * DVec3::Y;
-    assert!(rolled.matrix.x_axis.distance(up) < 1e-12);
-    let down = look_at(&camera(), DVec3::Y, DVec3::ZERO, 0.0);
-    assert!(down.ray(319.5, 179.5).direction.distance(DVec3::NEG_Y) < 1e-12);
-    assert!(0.0 < down.matrix.determinant().abs());
-}
-
-#[test]
-fn panorama_has_four_known_directions() {
-    for (longitude, latitude, v) in [
-        (0.0, 0.0, DVec3::NEG_Z),
-        (FRAC_PI_2, 0.0, DVec3::X),
-        (2.0 * FRAC_PI_2, 0.0, DVec3::Z),
-        (1.0, FRAC_PI_2, DVec3::Y),
-    ] {
-        assert!(direction(longitude, latitude).distance(v) < 1e-12, "{v}");
-    }
-}
-
-#[test]
-fn jitter_with_1_to_4_samples_draws_the_same_picture() {
-    let camera = Camera::new(160, 90, 60_f64.to_radians());
-    let picture = jitter::picture(&camera, 4);
-    assert!(jitter::picture(&camera, 1) == picture);
-    assert!(jitter::picture(&camera, 5) != picture);
-}
 
 #[test]
 fn jittered_rays_stay_in_their_sub_pixels() {

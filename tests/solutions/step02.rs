@@ -1,7 +1,6 @@
-use course::examples::lens::{Interval, inside_all};
+use course::examples::lens::inside_all;
 use course::examples::plane::Plane;
 use course::examples::quadric::Quadric;
-use course::examples::*;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use step02_sphere::{Ray, Roots, Sphere};
@@ -30,26 +29,6 @@ fn quadric_has_at_most_one_root_when_a_is_zero() {
     let ray_along_side = Ray { direction: DVec3::new(1.0, 0.0, -1.0), ..RAY_AHEAD };
     assert_eq!(cone.coefficients(&ray_along_side).0, 0.0);
     assert_eq!(cone.intersect(&ray_along_side), Roots::One(2.0));
-}
-
-#[test]
-fn quadric_has_the_smaller_root_first_when_a_is_negative() {
-    let matrix = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
-    let hyperboloid = Quadric::around(DVec3::new(0.0, 0.0, -4.0), matrix, 1.0);
-    assert_eq!(hyperboloid.intersect(&RAY_AHEAD), Roots::Two(3.0, 5.0));
-}
-
-#[test]
-fn lens_of_a_sphere_with_itself_is_the_sphere() {
-    let sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
-    let diameter = Interval { enter: 4.0, leave: 6.0 };
-    assert_eq!(inside_all(&[sphere; 2], &RAY_AHEAD), Some(diameter));
-    assert_eq!(inside_all(&[], &RAY_AHEAD), Some(lens::RAY));
-    let ray_within = Ray { start: sphere.centre, ..RAY_AHEAD };
-    let radius = Interval { enter: 0.0, leave: 1.0 };
-    assert_eq!(inside_all(&[sphere], &ray_within), Some(radius));
-    let ray_beyond = Ray { start: 9.0 * DVec3::NEG_Z, ..RAY_AHEAD };
-    assert_eq!(inside_all(&[sphere], &ray_beyond), None);
 }
 
 /// Symmetric matrices, of quadrics of all kinds.

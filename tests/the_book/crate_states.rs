@@ -3,7 +3,7 @@
 use super::built_book::built_book;
 use super::support::listing::join_listings;
 use super::support::page_items::{PageItem, page_items};
-use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, step_of_page};
+use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, pages_of_step};
 use super::typed_book::typed_workspace;
 use anyhow::Result;
 use course::crate_as_module;
@@ -38,9 +38,7 @@ fn crate_states() -> Vec<CrateState> {
     for step in STEP_NAMES {
         let mut typed = TypedListings::new();
         let folder = format!("steps/{step}/src/");
-        let pages = book.chapters_in_order().into_iter();
-        let pages = pages.filter(|page| step_of_page(&page.name) == Some(step));
-        for item in pages.flat_map(page_items) {
+        for item in pages_of_step(&book, step).flat_map(page_items) {
             if let PageItem::Listing(listing) = item {
                 if let Some(file) = listing.path.strip_prefix(&folder) {
                     typed.entry(file).or_default().push(listing);

@@ -2,8 +2,8 @@
 //! for a picture that is drawn, but not for one that lies there.
 
 use super::built_book::built_book;
-use super::support::listing::{join_listings, page_listings};
-use super::support::reader_workspace::{STEP_NAMES, TypedListings, step_of_page};
+use super::support::listing::join_listings;
+use super::support::reader_workspace::{STEP_NAMES, pages_of_step, typed_listings};
 use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
 use std::path::Path;
@@ -12,15 +12,6 @@ use std::{env, fs};
 
 /// The text of the workflow.
 const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/pictures.yml");
-
-#[test]
-fn actions_are_pinned() {
-    for line in WORKFLOW.lines().filter(|line| line.contains("uses: ")) {
-        let (_, pin) = line.split_once('@').expect("an action");
-        let (hash, version) = pin.split_once(" # v").expect("a version");
-        assert!(hash.len() == 40 && version.contains('.'), "{line}");
-    }
-}
 
 /// The commands of the workflow that run Cargo, in their order; one may have several lines.
 fn workflow_commands() -> Vec<String> {
@@ -63,12 +54,8 @@ const COMMIT: &str = "git add --all && \
 fn type_first_step(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
-    let (book, mut typed) = (built_book(), TypedListings::new());
-    let pages = book.chapters_in_order().into_iter();
-    let pages = pages.filter(|page| step_of_page(&page.name) == Some(STEP_NAMES[0]));
-    for listing in pages.flat_map(page_listings) {
-        typed.entry(listing.path).or_default().push(listing);
-    }
+    let book = built_book();
+    let typed = typed_listings(pages_of_step(&book, STEP_NAMES[0]));
     for (path, listings) in typed {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
         fs::write(folder.join(path), join_listings(&listings))?;

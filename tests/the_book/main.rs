@@ -21,7 +21,7 @@ mod typed_book;
 mod by_hand_names;
 mod predictions;
 
-mod page_contents;
+mod fonts;
 
 /// Fails if there are faults, and prints all of them.
 #[track_caller]

@@ -6,14 +6,6 @@ use step02_sphere::{Ray, Roots, SPHERE, Sphere};
 use step03_nearest::{OBJECTS, Object, colour, nearest};
 use tests::primary_rays;
 
-/// "In `sphere.rs`, you move the direction as you move the start."
-#[test]
-fn sphere_is_not_hit_when_directions_are_moved_too() {
-    let move_direction = |ray: Ray| Ray { direction: ray.direction - SPHERE.centre, ..ray };
-    let mut rays = primary_rays().map(move_direction);
-    assert!(rays.all(|ray| SPHERE.intersect(&ray).first_hit().is_none()));
-}
-
 /// "Let $s$ be `ray.start` alone …, which puts the centre at your eye."
 #[test]
 fn sphere_around_the_eye_is_hit_by_every_ray() {
@@ -46,32 +38,6 @@ fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     }
 }
 
-/// "A single miss would be enough, and every ray misses green."
-#[test]
-fn smallest_option_in_place_of_the_nearest_hit_is_none() {
-    for ray in primary_rays() {
-        let hits = OBJECTS.map(|object| object.sphere.intersect(&ray).first_hit());
-        let smallest = hits.into_iter().min_by(|a, b| a.partial_cmp(b).expect("no NaN"));
-        assert_eq!((smallest, hits[4]), (Some(None), None));
-    }
-}
-
-/// "For small ones only … Which four are left": the radius below 1.
-#[test]
-fn four_spheres_of_the_picture_have_a_radius_below_1() {
-    let small = OBJECTS.iter().filter(|object| object.sphere.radius < 1.0);
-    let is_ahead = |object: &&Object<_>| object.sphere.centre.z < 0.0;
-    assert_eq!(small.filter(is_ahead).count(), 4);
-}
-
-/// "The ground", "the teal sphere on the right" and others in the table of shininess.
-#[test]
-fn materials_have_the_shininess_of_the_table() {
-    let objects = step05_phong::scene().objects;
-    let shininess = |k: usize| objects[k].material.shininess;
-    assert_eq!([1, 5, 0, 6].map(shininess), [10, 16, 40, 300]);
-}
-
 /// "All six of the balls that mirror show it", the green sphere behind the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
@@ -90,8 +56,6 @@ fn each_ball_that_mirrors_shows_the_green_sphere() {
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), 6, "{names:?}");
-    let mirrors = objects.iter().filter(|object| 0.0 < object.material.k);
-    assert_eq!(mirrors.count(), 7, "and the ground");
 }
 
 /// "The centre of the green sphere is above you and to the right."

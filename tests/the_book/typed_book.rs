@@ -3,12 +3,14 @@
 
 use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
-use super::support::listing::page_listings;
 use super::support::page_items::{PageCommand, PageItem, page_items};
-use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings};
+use super::support::reader_workspace::{
+    ReaderWorkspace, STEP_NAMES, TypedListings, typed_listings,
+};
 use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
 use builder::Page;
+use std::fs;
 
 /// Types the listings of a page, and runs its commands between them. Fails unless they do
 /// what the page says, and the program of a step has drawn its picture in the end.
@@ -54,10 +56,7 @@ fn runs_unlisted_solution(command: &PageCommand, typed: &TypedListings) -> bool 
 /// Types all listings of the book into the reader's workspace.
 pub fn typed_workspace() -> ReaderWorkspace {
     let (book, reader) = (built_book(), ReaderWorkspace::open());
-    let mut typed = TypedListings::new();
-    for listing in book.chapters_in_order().into_iter().flat_map(page_listings) {
-        typed.entry(listing.path).or_default().push(listing);
-    }
+    let typed = typed_listings(book.chapters_in_order());
     reader.write_listings(&typed).expect("the files can be written");
     reader
 }
@@ -65,7 +64,8 @@ pub fn typed_workspace() -> ReaderWorkspace {
 #[test]
 #[ignore = "takes minutes: cargo test -- --include-ignored"]
 fn commands_do_what_their_pages_say() -> Result<()> {
-    let (book, reader) = (built_book(), ReaderWorkspace::open_empty());
+    let (book, reader) = (built_book(), ReaderWorkspace::open());
+    let _ = fs::remove_dir_all(reader.folder.join("steps"));
     let mut typed = TypedListings::new();
     let mut pages = book.chapters_in_order().into_iter();
     pages.try_for_each(|page| type_and_run_page(page, &reader, &mut typed))

@@ -1,5 +1,6 @@
-use super::listing::{Listing, join_listings};
+use super::listing::{Listing, join_listings, page_listings};
 use anyhow::{Result, ensure};
+use builder::{Page, Site};
 use course::{Step, target_folder, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
@@ -16,8 +17,23 @@ pub fn step_of_page(page: &str) -> Option<&'static str> {
     STEP_NAMES.into_iter().find(|step| first_word(step) == first_word(page))
 }
 
+/// The pages of a step, in the order of the book.
+pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
+    let pages = book.chapters_in_order().into_iter();
+    pages.filter(move |page| step_of_page(&page.name) == Some(step))
+}
+
 /// The listings of each file that were typed so far, by path.
 pub type TypedListings<'a> = BTreeMap<&'a str, Vec<Listing<'a>>>;
+
+/// The listings of whole pages.
+pub fn typed_listings<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedListings<'a> {
+    let mut typed = TypedListings::new();
+    for listing in pages.into_iter().flat_map(page_listings) {
+        typed.entry(listing.path).or_default().push(listing);
+    }
+    typed
+}
 
 /// A workspace with the files that the book shows, and nothing else.
 pub struct ReaderWorkspace {
@@ -36,13 +52,6 @@ impl ReaderWorkspace {
         let lock = File::create(folder.join("lock")).expect("a file there");
         lock.lock().expect("other processes end");
         Self { folder, _lock: lock }
-    }
-
-    /// Opens the workspace without any crate.
-    pub fn open_empty() -> Self {
-        let workspace = Self::open();
-        let _ = fs::remove_dir_all(workspace.folder.join("steps"));
-        workspace
     }
 
     /// Writes the files that were typed so far.

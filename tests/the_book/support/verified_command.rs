@@ -50,10 +50,6 @@ pub fn run_and_verify_command(
 fn quick_arguments(command: &PageCommand) -> (Vec<&str>, bool) {
     let arguments = command.arguments[1..].iter();
     let mut arguments: Vec<_> = arguments.map(String::as_str).collect();
-    if arguments[0] == "check" {
-        // `build` finds the dependencies compiled, which `check` would check first.
-        arguments[0] = "build";
-    }
     let index = |option| arguments.iter().position(|word| *word == option);
     let width_index = index("--width");
     let is_large = width_index.or(index("--samples")).is_some();
