@@ -57,9 +57,9 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     const show = theme => {
         root.dataset.theme = theme;
         button.title = `Theme: ${theme}`;
-        button.setAttribute("aria-label", `Theme: ${theme}`);
+        button.setAttribute("aria-label", button.title);
     };
-    show(themes.includes(root.dataset.theme) ? root.dataset.theme : "auto");
+    show(root.dataset.theme ?? "auto");
     button.addEventListener("click", () => {
         show(themes[(themes.indexOf(root.dataset.theme) + 1) % themes.length]);
         try { localStorage.setItem("theme", root.dataset.theme); } catch { /* private */ }
@@ -124,7 +124,7 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
         for (const line of edited) line.textContent = line.dataset.book;
         // The file's own line ends and blank lines, so that its parts can be put below each other.
         const [first, last] = caption.parentElement.dataset.lines.split("-");
-        const ends = last - first + 1 - copy.textContent.split("\n").length + 1;
+        const ends = last - first + 2 - copy.textContent.split("\n").length;
         const text = copy.textContent + "\n".repeat(Math.max(0, ends));
         copyBy(button, text, edited.length ? "Copied, without your lines" : "Copied");
     });
@@ -164,15 +164,6 @@ for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
 
 // What may scroll sideways takes the focus, so that the keyboard can scroll it.
 document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
-
-// The arrow keys turn to the chapters before and after.
-addEventListener("keydown", event => {
-    const busy = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target !== document.body;
-    if (busy) return;
-    const rel = { ArrowLeft: "prev", ArrowRight: "next" }[event.key];
-    const link = rel && document.querySelector(`.turn a[rel=${rel}]`);
-    if (link) location.href = link.href;
-});
 
 // A translator leaves code, formulas and labels as they are.
 document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));

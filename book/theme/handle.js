@@ -79,7 +79,6 @@ function followPixelAddress(figure) {
         figure.setValue(column, Number(i));
         figure.setValue(row, Number(j));
         figure.drawMoving(() => figure.request("show"));
-        figure.root.scrollIntoView({ block: "center" });
         figure.probe.focus({ preventScroll: true });
     };
     addEventListener("hashchange", openPixel);

@@ -54,11 +54,10 @@ function addHistory(figure, addTool) {
 // The address of the page holds the scene, once a gesture has come to rest.
 function followAddress(figure, keepState) {
     let restTimer = 0;
-    const readAddress = () => figure.answer.numbers.address;
     const writeAddress = () => {
-        const address = readAddress();
-        const isOther = location.hash.slice("#scene=".length) !== address && (address || location.hash.startsWith("#scene="));
-        if (isOther) history.replaceState(null, "", address ? `#scene=${address}` : location.pathname + location.search);
+        const { address } = figure.answer.numbers;
+        if (address) history.replaceState(null, "", `#scene=${address}`);
+        else if (location.hash.startsWith("#scene=")) history.replaceState(null, "", location.pathname);
         keepState();
     };
     figure.afterShow = () => {
@@ -67,19 +66,17 @@ function followAddress(figure, keepState) {
     };
     const openScene = () => {
         // Where a heading was pressed, the page has gone there, and the address is the scene's again.
-        if (!location.hash.startsWith("#scene=")) return readAddress() && writeAddress();
+        if (!location.hash.startsWith("#scene=")) return writeAddress();
         // Some mail programs write a colon as %3A.
         const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
         try {
             figure.show(figure.ask("open", address));
+            figure.root.scrollIntoView({ block: "nearest" });
         } catch ({ message }) {
             figure.fault.textContent = `${message} Nothing has changed.`;
         }
     };
-    addEventListener("hashchange", () => {
-        openScene();
-        if (location.hash.startsWith("#scene=")) figure.root.scrollIntoView({ block: "nearest" });
-    });
+    addEventListener("hashchange", openScene);
     openScene();
 }
 
@@ -100,17 +97,21 @@ function addSphereButton(figure, addTool) {
 function addColourField(figure, tools) {
     const field = make("input", { type: "color" });
     const label = tools.appendChild(make("label", {}, "Colour ", field));
-    const channels = () => ["red", "green", "blue"].map(name => figure.parameterControls.findIndex(control =>
-        control?.group === figure.groupSelect.value && control.element.querySelector("label span").textContent.trim() === name));
+    const isChannel = (control, words) => control?.group === figure.groupSelect.value
+        && control.element.querySelector("label span").textContent.trim() === words;
+    const findChannels = () => ["red", "green", "blue"].map(words =>
+        figure.parameterControls.findIndex(control => isChannel(control, words)));
     field.addEventListener("input", () => {
-        channels().forEach((channel, k) => figure.setValue(channel, parseInt(field.value.slice(1 + 2 * k, 3 + 2 * k), 16) / 255));
+        const bytes = field.value.match(/\w\w/g).map(byte => parseInt(byte, 16));
+        findChannels().forEach((channel, k) => figure.setValue(channel, bytes[k] / 255));
         figure.drawNextFrame("colour", () => figure.request("show"));
     });
     figure.afterControls = () => {
-        const values = channels().map(channel => figure.values[channel]);
-        label.hidden = values.includes(undefined);
-        const byte = value => Math.round(255 * Math.min(value, 1)).toString(16).padStart(2, "0");
-        if (!label.hidden) field.value = `#${values.map(byte).join("")}`;
+        const channels = findChannels();
+        label.hidden = channels.includes(-1);
+        if (label.hidden) return;
+        const bytes = channels.map(channel => Math.round(255 * Math.min(figure.values[channel], 1)));
+        field.value = `#${bytes.map(byte => byte.toString(16).padStart(2, "0")).join("")}`;
     };
     figure.afterControls();
 }

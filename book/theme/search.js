@@ -102,9 +102,4 @@
         else return;
         event.preventDefault();
     });
-    const query = new URLSearchParams(location.search).get("search");
-    if (query) {
-        field.value = query;
-        open();
-    }
 }

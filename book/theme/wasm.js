@@ -4,34 +4,29 @@
 // reader's picture, and "expressions" draws with a line that the reader edits. These two know the list of
 // mistakes, which is a script of its own. Each is compiled once its script is loaded.
 const wasmModules = (() => {
-    const resolvers = {}, files = {}, modules = {}, instances = {};
-    const loadFile = name => files[name] ??= new Promise((resolve, reject) => {
+    const resolvers = {}, promises = {};
+    // What is made once of a name; where that fails, the next request tries again.
+    const once = (name, make) => promises[name] ??= make().catch(error => { delete promises[name]; throw error; });
+    const loadFile = name => once(name, async () => {
         if (!window.WebAssembly) throw new Error("This browser has no WebAssembly, or it is switched off.");
-        resolvers[name] = resolve;
-        const script = make("script", { src: `${path_to_root}generated/${name}.js` });
-        script.onerror = () => reject(new Error("A part of this page did not load."));
-        document.head.append(script);
-    }).catch(error => {
-        // The next request tries again.
-        delete files[name];
-        throw error;
-    }).then(base64 => {
-        const letters = atob(base64);
-        const bytes = new Uint8Array(letters.length);
-        for (let k = 0; k < bytes.length; k += 1) bytes[k] = letters.charCodeAt(k);
-        return bytes;
+        const base64 = await new Promise((resolve, reject) => {
+            resolvers[name] = resolve;
+            const script = make("script", { src: `${path_to_root}generated/${name}.js` });
+            script.onerror = () => reject(new Error("A part of this page did not load."));
+            document.head.append(script);
+        });
+        return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
     });
-    const load = async name => {
-        const names = name === "live" ? [`${name}-module`] : [`${name}-module`, "mistakes"];
+    const load = name => once(`${name}, compiled`, async () => {
+        const names = name === "live" ? ["live-module"] : [`${name}-module`, "mistakes"];
         const [bytes, mistakes] = await Promise.all(names.map(loadFile));
-        return { module: await (modules[name] ??= WebAssembly.compile(bytes)), mistakes };
-    };
+        return { module: await WebAssembly.compile(bytes), mistakes };
+    });
     return {
         provide: (name, base64) => resolvers[name](base64),
         load,
-        get: name => instances[name] ??= load(name).then(startModule)
-            .catch(error => { delete instances[name]; throw error; }),
-        drop: name => { delete instances[name]; },
+        get: name => once(name, async () => startModule(await load(name))),
+        drop: name => { delete promises[name]; },
     };
 })();
 
