@@ -23,7 +23,7 @@
         });
     }
 
-    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue, with a white square around a single pixel"];
+    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
 
     // What is shown of an answer: its lines, and the pictures side by side.
     function makeReport({ text, size, pixels }) {

@@ -2,7 +2,6 @@
 //! blank lines, indentation, line ends.
 
 use course::{fnv_1a, step_of_example, workspace};
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -52,20 +51,4 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
         }
     }
     Ok(())
-}
-
-/// Adds the blocks of Cargo.lock about a package and all that it needs.
-pub fn insert_needed_packages<'a>(
-    blocks: &[&'a str],
-    package: &str,
-    needed: &mut BTreeSet<&'a str>,
-) {
-    let start = format!("name = \"{package}\"");
-    for block in blocks.iter().filter(|block| block.starts_with(&start)) {
-        if needed.insert(block) {
-            let names = block.lines().filter_map(|line| line.strip_prefix(" \""));
-            let names = names.filter_map(|name| name.split([' ', '"']).next());
-            names.for_each(|name| insert_needed_packages(blocks, name, needed));
-        }
-    }
 }

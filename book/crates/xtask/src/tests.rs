@@ -1,12 +1,10 @@
 //! What is checked in and made from the code is what the code says today.
 
 use crate::mistakes::{Table, compute_key};
-use crate::modules::{self, ROOTS, path_starts};
-use course::{
-    Mistake, TableRow, find_mistakes_with_hash, locked_hashes, mistakes, table_rows, workspace,
-};
+use crate::modules;
+use course::{Mistake, TableRow, find_mistakes_with_hash, locked_hashes, mistakes, table_rows};
+use std::env;
 use std::io::{Write, stderr};
-use std::{env, fs};
 
 #[test]
 fn modules_are_made_from_the_code_of_today() {
@@ -16,17 +14,6 @@ fn modules_are_made_from_the_code_of_today() {
     if is_stale {
         // What a test prints is hidden where it passes; this is not.
         let _ = writeln!(stderr(), "\nNote: {note}");
-    }
-}
-
-#[test]
-fn no_path_of_a_machine_is_in_a_module() {
-    for name in modules::NAMES {
-        let path = workspace().join(format!("book/crates/page/{name}.wasm"));
-        let module = fs::read(path).expect("a module");
-        let path = path_starts(&module).first().map(|at| &module[*at..*at + 40]);
-        let path = path.map(String::from_utf8_lossy);
-        assert!(path.is_none(), "{path:?} is in {name}.wasm: `cargo xtask` hides {ROOTS:?}");
     }
 }
 
