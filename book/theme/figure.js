@@ -196,7 +196,7 @@ class Figure {
                 this.output = make("canvas", { role: "img", "aria-label": this.printed.alt });
                 this.printed.replaceWith(this.output);
             }
-            if (this.output.width !== width || this.output.height !== height) Object.assign(this.output, { width, height });
+            Object.assign(this.output, { width, height });
             paint(this.output, { pixels, size });
         } else if (drawing !== undefined) {
             this.printed.querySelector("g").innerHTML = drawing;

@@ -41,9 +41,6 @@ function makeHandle(figure, about, k) {
             handle.classList.remove("held");
         });
     }
-    for (const unwanted of ["touchstart", "dragstart"]) {
-        handle.addEventListener(unwanted, event => event.preventDefault());
-    }
     handle.addEventListener("keydown", event => {
         const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
         if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
