@@ -1,4 +1,4 @@
-use course::{target_folder, workspace};
+use course::{Step, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -13,12 +13,10 @@ pub struct StepProgram {
 }
 
 impl StepProgram {
-    /// Builds the program of `step`, and makes an empty folder for the test `test`.
-    ///
-    /// Builds only once: all tests of one process must name the same step.
+    /// Builds the programs of the steps, once, and makes an empty folder for the test `test`.
     pub fn new(step: &'static str, test: &str) -> Self {
         static BUILD: Once = Once::new();
-        BUILD.call_once(|| build_program(step));
+        BUILD.call_once(build_programs);
         let folder = target_folder().join("tests");
         let folder = folder.join(format!("{step}-{test}-{}", process::id()));
         fs::create_dir_all(&folder).expect("a folder in the target folder");
@@ -52,14 +50,13 @@ impl Drop for StepProgram {
     }
 }
 
-/// Builds the program `name`, as `cargo test` builds no programs of other packages.
+/// Builds the programs, as `cargo test` builds none of other packages.
 ///
-/// `--workspace` gives it the features with which everything else is built.
-fn build_program(name: &str) {
+/// `--workspace` gives them the features with which everything else is built.
+fn build_programs() {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--quiet", "--workspace", "--bin", name, "--target-dir"]);
-    cargo.arg(target_folder()).env_remove("CARGO_BUILD_TARGET");
-    let status = cargo.current_dir(workspace()).status();
-    let has_built = status.is_ok_and(|status| status.success());
-    assert!(has_built, "cargo build --workspace --bin {name} fails");
+    cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());
+    cargo.args(Step::NAMES.iter().flat_map(|name| ["--bin", name]));
+    let status = cargo.env_remove("CARGO_BUILD_TARGET").current_dir(workspace()).status();
+    assert!(status.is_ok_and(|status| status.success()), "the programs do not compile");
 }

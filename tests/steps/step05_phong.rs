@@ -2,12 +2,7 @@
 
 use proptest::prelude::*;
 use step05_phong::{Ray, phong, reflect, scene, terms, visible_point};
-use tests::{assert_program_works, camera, random_unit_vector};
-
-#[test]
-fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
-    assert_program_works("step05_phong");
-}
+use tests::{camera, random_unit_vector};
 
 #[test]
 fn terms_do_not_depend_on_the_length_of_the_ray() {

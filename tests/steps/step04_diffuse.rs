@@ -3,12 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use step04_diffuse::{OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, visible_point};
-use tests::{assert_program_works, random_point, random_sphere_and_ray};
-
-#[test]
-fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
-    assert_program_works("step04_diffuse");
-}
+use tests::{random_point, random_sphere_and_ray};
 
 #[test]
 fn ray_without_hit_has_no_visible_point() {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use proptest::{collection::vec, prelude::*};
 use step03_nearest::{Object, Ray, Sphere, nearest};
-use tests::{assert_program_works, random_sphere, random_sphere_and_ray};
+use tests::{random_sphere, random_sphere_and_ray};
 
 /// t of the nearest hit, and the index of the sphere that is hit.
 fn nearest_t_and_index(spheres: &[Sphere], ray: &Ray) -> Option<(f64, usize)> {
@@ -11,11 +11,6 @@ fn nearest_t_and_index(spheres: &[Sphere], ray: &Ray) -> Option<(f64, usize)> {
     let objects: Vec<_> =
         spheres.map(|(material, sphere)| Object { name: "ball", sphere, material }).collect();
     nearest(&objects, ray).map(|hit| (hit.t, hit.object.material))
-}
-
-#[test]
-fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
-    assert_program_works("step03_nearest");
 }
 
 #[test]

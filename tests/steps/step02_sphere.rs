@@ -2,12 +2,7 @@
 
 use proptest::prelude::*;
 use step02_sphere::{Roots, quadratic};
-use tests::{assert_program_works, random_sphere_and_ray};
-
-#[test]
-fn program_draws_the_locked_picture_and_rejects_invalid_arguments() {
-    assert_program_works("step02_sphere");
-}
+use tests::random_sphere_and_ray;
 
 #[test]
 fn first_hit_of_a_tangent_ray_is_the_one_root() {
