@@ -1,9 +1,18 @@
 //! The texts of the list: a program has them in it. A page's module gets them from the page, so
 //! that an edit of the list compiles no module again.
 
-/// The list of each step, then the table.
-#[cfg(not(target_arch = "wasm32"))]
+use std::array;
+use std::sync::OnceLock;
+
+/// What a page has provided.
+static PROVIDED: OnceLock<[&str; 6]> = OnceLock::new();
+
+/// The list of each step, then the table; in a module they are empty until the page has provided
+/// them.
 pub fn mistake_texts() -> [&'static str; 6] {
+    if cfg!(target_arch = "wasm32") {
+        return PROVIDED.get().copied().unwrap_or_default();
+    }
     [
         include_str!("../mistakes/step01_rays.txt"),
         include_str!("../mistakes/step02_sphere.txt"),
@@ -14,24 +23,10 @@ pub fn mistake_texts() -> [&'static str; 6] {
     ]
 }
 
-/// Does nothing: a program has the texts.
-#[cfg(not(target_arch = "wasm32"))]
-pub fn provide_mistake_texts(_joined: &str) {}
-
-#[cfg(target_arch = "wasm32")]
-static TEXTS: std::sync::OnceLock<[&str; 6]> = std::sync::OnceLock::new();
-
-/// The list of each step, then the table; empty until the page has provided them.
-#[cfg(target_arch = "wasm32")]
-pub fn mistake_texts() -> [&'static str; 6] {
-    TEXTS.get().copied().unwrap_or_default()
-}
-
-/// Takes the texts, with a zero byte between them, once.
-#[cfg(target_arch = "wasm32")]
+/// Takes the texts of a module, with a zero byte between them, once.
 pub fn provide_mistake_texts(joined: &str) {
-    TEXTS.get_or_init(|| {
+    PROVIDED.get_or_init(|| {
         let mut texts = String::from(joined).leak().split('\0');
-        std::array::from_fn(|_| texts.next().unwrap_or_default())
+        array::from_fn(|_| texts.next().unwrap_or_default())
     });
 }
