@@ -14,16 +14,11 @@ const make = (tag, attributes, ...children) => {
 // Writes a text, unless it is there already: then nothing is laid out anew for it.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
-// Copies a text; returns false where the browser doesn't let a page do so.
-const copyText = async text => {
-    try { await navigator.clipboard.writeText(text); } catch { return false; }
-    return true;
-};
-
-// Copies a text, and says so on its button for a while.
+// Copies a text, if the browser lets a page do so, and says so on its button for a while.
 async function copyBy(button, text, words = "Copied") {
     const label = button.dataset.label ??= button.textContent;
-    write(button, await copyText(text) ? words : "Not copied");
+    const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
+    button.textContent = isCopied ? words : "Not copied";
     setTimeout(() => { button.textContent = label; }, 1500);
 }
 
