@@ -17,9 +17,6 @@ macro_rules! examples {
     ($($name:ident: $path:literal $(=> $draw:expr)?,)*) => {
         $(#[path = $path] pub mod $name;)*
 
-        /// The path of each example, by its name.
-        const PATHS: &[(&str, &str)] = &[$((stringify!($name), $path)),*];
-
         /// The pictures of the five steps, then those of the examples, step by step, each by its
         /// name.
         pub const PICTURES: &[(&str, Picture)] = &[
@@ -83,10 +80,4 @@ impl Step {
     pub fn picture(self) -> Picture {
         PICTURES[self as usize].1
     }
-}
-
-/// The step that an example extends: it lies in the folder of that step.
-pub fn step_of_example(name: &str) -> Option<Step> {
-    let (_, path) = PATHS.iter().find(|(known, _)| *known == name)?;
-    Step::from_path(path)
 }

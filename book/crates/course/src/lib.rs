@@ -16,7 +16,7 @@ pub use step::{
 };
 
 pub mod examples;
-pub use examples::{PICTURES, Picture, find_picture, step_of_example};
+pub use examples::{PICTURES, Picture, find_picture};
 
 mod mistake;
 mod mistake_files;

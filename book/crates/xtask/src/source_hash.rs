@@ -1,7 +1,7 @@
 //! Hashes of source text. What draws nothing doesn't count: lines of comments and documentation,
 //! blank lines, indentation, line ends.
 
-use course::{fnv_1a, step_of_example, workspace};
+use course::{fnv_1a, workspace};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -25,7 +25,7 @@ pub fn code_lines(code: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The code of all sources and manifests; of the examples only those that are in the library.
+/// The code of all sources and manifests.
 pub fn source_texts() -> io::Result<Vec<String>> {
     let mut files = vec![];
     for folder in FOLDERS {
@@ -39,9 +39,8 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        let (stem, end) = name.split_once('.').unwrap_or((name, ""));
-        let is_program = folder.ends_with("examples") && step_of_example(stem).is_none();
-        if NO_SOURCES.contains(&name) || is_program {
+        let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
+        if NO_SOURCES.contains(&name) {
             continue;
         }
         if path.is_dir() {
