@@ -1,5 +1,6 @@
+use super::assert_no_faults;
 use anyhow::Result;
-use builder::{Files, Page, Site};
+use builder::{Files, Page, Site, inner_text};
 use course::{target_folder, workspace};
 use std::env;
 use std::fs::{self, File};
@@ -63,4 +64,23 @@ fn newest_change(path: &Path) -> Result<SystemTime> {
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))
+}
+
+#[test]
+fn titles_of_pages_are_those_in_the_contents() {
+    let book = built_book();
+    let mut faults = vec![];
+    for link in book.pages["index.html"].select_all("#contents a") {
+        let name = link.attr("href").unwrap_or_default();
+        // The title of the introduction is the book's.
+        let Some(page) = book.pages.get(name).filter(|_| name != "introduction.html") else {
+            continue;
+        };
+        let titles = page.select_all("h1").into_iter().map(inner_text);
+        let title = inner_text(link);
+        if !titles.map(|text| text.trim().to_owned()).any(|text| text == title.trim()) {
+            faults.push(format!("{name} is called {title:?} in the contents."));
+        }
+    }
+    assert_no_faults(&faults);
 }

@@ -41,7 +41,7 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
         let pictures: Option<_> =
             mistake.affected_steps().map(|_| read_picture(&mut output)).collect();
         pictures.ok_or_else(|| {
-            io::Error::other(format!("the program ends at: {}", title_and_file(mistake)))
+            io::Error::other(format!("never ends, or crashes: {}", title_and_file(mistake)))
         })
     };
     let pictures = mistakes.iter().map(draw).collect();
