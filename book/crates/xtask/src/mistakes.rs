@@ -20,22 +20,17 @@ const COUNT: usize = 60;
 /// What is made from the mistakes: the rows by their keys, the small pictures by their names.
 pub struct Table {
     /// The names and hashes of the right pictures.
-    pub right: Vec<(&'static str, u64)>,
+    right: Vec<(&'static str, u64)>,
     rows: HashMap<u32, TableRow>,
-    small_pictures: HashMap<String, RgbImage>,
+    small_pictures: HashMap<&'static str, RgbImage>,
 }
 
 /// Draws the mistakes that the table does not know.
 pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
     let (mut table, all) = (Table::read()?, mistakes());
-    let mut selected = vec![];
-    for mistake in &all {
-        if !table.knows(mistake)? {
-            selected.push(mistake);
-        }
-    }
-    println!("Mistakes to draw: {}", selected.len());
-    for batch in selected.chunks(COUNT) {
+    let unknown = table.unknown(&all)?;
+    println!("Mistakes to draw: {}", unknown.len());
+    for batch in unknown.chunks(COUNT) {
         for (mistake, pictures) in batch.iter().zip(mistake_program::draw(batch)?) {
             table.insert(mistake, &pictures)?;
         }
@@ -43,14 +38,6 @@ pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
         println!("{} drawn", batch.len());
     }
     Ok(table.write(&all)?)
-}
-
-/// A hash of what decides about a mistake's pictures: its code, and what is right.
-pub fn compute_key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
-    let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
-    let right = right.iter().filter(|(name, _)| steps.contains(name));
-    let right = right.map(|(_, hash)| hash.to_string());
-    Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
 }
 
 impl Table {
@@ -69,15 +56,29 @@ impl Table {
         Ok(Self {
             right,
             rows: drawn.map(|row| (row.key, row)).collect(),
-            small_pictures: small_pictures.map(|(name, one)| (name.to_owned(), one)).collect(),
+            small_pictures: small_pictures.collect(),
         })
     }
 
-    /// Whether a mistake was drawn with the code and the right pictures of today.
-    pub fn knows(&self, mistake: &Mistake) -> io::Result<bool> {
-        let is_drawn = self.rows.contains_key(&compute_key(mistake, &self.right)?);
-        let mut names = mistake.shown_pictures().map(|(name, _)| name);
-        Ok(is_drawn && names.all(|name| self.small_pictures.contains_key(name)))
+    /// A hash of what decides about a mistake's pictures: its code, and what is right.
+    fn key(&self, mistake: &Mistake) -> io::Result<u32> {
+        let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
+        let right = self.right.iter().filter(|(name, _)| steps.contains(name));
+        let right = right.map(|(_, hash)| hash.to_string());
+        Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
+    }
+
+    /// The mistakes that were not drawn with the code and the right pictures of today.
+    pub fn unknown<'a>(&self, all: &'a [Mistake]) -> io::Result<Vec<&'a Mistake>> {
+        let mut unknown = vec![];
+        for mistake in all {
+            let mut names = mistake.shown_pictures().map(|(name, _)| name);
+            let is_drawn = self.rows.contains_key(&self.key(mistake)?);
+            if !is_drawn || names.any(|name| !self.small_pictures.contains_key(name)) {
+                unknown.push(mistake);
+            }
+        }
+        Ok(unknown)
     }
 
     fn insert(&mut self, mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
@@ -94,47 +95,48 @@ impl Table {
             let drawn = steps.iter().zip(pictures).find(|(step, _)| **step == shown_step);
             if let Some((_, Some(picture))) = drawn {
                 let [columns, rows] = SMALL_SIZE;
-                self.small_pictures.insert(name.to_owned(), thumbnail(picture, columns, rows));
+                self.small_pictures.insert(name, thumbnail(picture, columns, rows));
             }
         }
-        let key = compute_key(mistake, &self.right)?;
+        let key = self.key(mistake)?;
         self.rows.insert(key, TableRow { key, hashes });
         Ok(())
     }
 
-    /// Writes the small pictures, then the table: the hashes of what is right, the names of the
-    /// small pictures, and a row for each mistake.
-    fn write(&self, all: &[Mistake]) -> io::Result<()> {
+    /// The small pictures of a step with their names, in the order of the list.
+    fn shown(&self, all: &[Mistake], step: Step) -> Vec<(&'static str, &RgbImage)> {
+        let shown = all.iter().flat_map(Mistake::shown_pictures);
+        let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
+        names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
+    }
+
+    /// The table: the hashes of what is right, the names of the small pictures, and a row for
+    /// each mistake.
+    pub fn text(&self, all: &[Mistake]) -> io::Result<String> {
         let mut text = String::new();
         for (name, hash) in &self.right {
             text += &format!("= {name} {hash:016x}\n");
-            let Some(step) = Step::from_name(name) else { continue };
-            let shown = all.iter().flat_map(Mistake::shown_pictures);
-            let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
-            let pictures: Vec<_> =
-                names.filter_map(|name| self.small_pictures.get_key_value(name)).collect();
-            pictures.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
-            if !pictures.is_empty() {
-                write_small_pictures(step, &pictures)?;
-            }
+            let shown = Step::from_name(name).map_or(vec![], |step| self.shown(all, step));
+            shown.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
         }
         for mistake in all {
-            let row = self.rows.get(&compute_key(mistake, &self.right)?);
+            let row = self.rows.get(&self.key(mistake)?);
             text += &row.map_or("0 -\n".to_owned(), TableRow::to_line);
         }
-        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), text)
+        Ok(text)
     }
-}
 
-fn write_small_pictures(step: Step, pictures: &[(&String, &RgbImage)]) -> io::Result<()> {
-    let [columns, rows] = SMALL_SIZE;
-    let mut all = RgbImage::new(columns, rows * pictures.len() as u32);
-    for ((_, picture), k) in pictures.iter().zip(0..) {
-        replace(&mut all, *picture, 0, k * i64::from(rows));
+    /// Writes the small pictures, then the table.
+    fn write(&self, all: &[Mistake]) -> io::Result<()> {
+        for step in Step::ALL {
+            let pictures = self.shown(all, step);
+            let [columns, rows] = SMALL_SIZE;
+            let mut column = RgbImage::new(columns, rows * pictures.len() as u32);
+            for ((_, picture), k) in pictures.into_iter().zip(0..) {
+                replace(&mut column, picture, 0, k * i64::from(rows));
+            }
+            fs::write(small_pictures_path(&workspace(), step), encode_png(&column))?;
+        }
+        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text(all)?)
     }
-    let path = small_pictures_path(&workspace(), step);
-    if image::open(&path).is_ok_and(|old| old.into_rgb8() == all) {
-        return Ok(());
-    }
-    fs::write(path, encode_png(&all))
 }

@@ -1,8 +1,9 @@
 //! What is checked in and made from the code is what the code says today.
 
-use crate::mistakes::{Table, compute_key};
+use crate::mistake_program::title_and_file;
+use crate::mistakes::Table;
 use crate::modules;
-use course::{Mistake, TableRow, find_mistakes_with_hash, locked_hashes, mistakes, table_rows};
+use course::{mistake_texts, mistakes};
 use std::env;
 use std::io::{Write, stderr};
 
@@ -20,20 +21,11 @@ fn modules_are_made_from_the_code_of_today() {
 #[test]
 fn the_table_knows_each_mistake_and_what_is_right() {
     let table = Table::read().expect("the pictures and the table can be read");
-    let right: Vec<_> = locked_hashes().collect();
-    assert!(table.right == right, "pictures have changed: `cargo xtask` makes the table anew");
-    let (all, rows) = (mistakes(), table_rows().collect::<Vec<_>>());
-    let is_known = |(mistake, row): (&Mistake, Option<&TableRow>)| {
-        table.knows(mistake).unwrap_or(false)
-            && row.map(|row| row.key) == compute_key(mistake, &right).ok()
-    };
-    let rows = (0..).map(|k| rows.get(k));
-    let unknown: Vec<_> = all.iter().zip(rows).filter(|pair| !is_known(*pair)).collect();
-    let unknown: Vec<_> =
-        unknown.iter().map(|(one, _)| format!("{}: {}", one.file, one.title)).collect();
+    let all = mistakes();
+    let unknown = table.unknown(&all).expect("each mistake has its place");
+    let unknown: Vec<_> = unknown.into_iter().map(title_and_file).collect();
     assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
-    for (name, hash) in right {
-        let mistakes = find_mistakes_with_hash(hash);
-        assert!(mistakes.iter().all(|(_, drawn)| *drawn != name), "{name} is right");
-    }
+    let [.., text] = mistake_texts();
+    let is_of_today = table.text(&all).is_ok_and(|today| today == text);
+    assert!(is_of_today, "the table is another: `cargo xtask` writes it anew");
 }
