@@ -81,7 +81,7 @@ impl Control<'_> {
             let [first, _] = handle.parameters;
             live.parameters[first].group
         });
-        let has_control = parameter.has_control(&live.default_values());
+        let has_control = (parameter.has_control)(parameter, &live.default_values());
         let is_visible = has_control && parameter.group == first_group;
         let hidden = if is_visible { "" } else { " hidden" };
         let group = match parameter.group {

@@ -18,8 +18,8 @@ pub struct Parameter {
     /// The object that it belongs to, where a page has the controls of one object at a
     /// time; otherwise empty.
     pub group: &'static str,
-    /// Whether, at some values of all parameters, the page has a control for this one.
-    pub condition: fn(&Self, &[f64]) -> bool,
+    /// Whether, at these values of all parameters, the page has a control for this one.
+    pub has_control: fn(&Self, &[f64]) -> bool,
 }
 
 /// The kind of control that sets a parameter.
@@ -52,13 +52,15 @@ impl Parameter {
             steps_per_unit,
             control: ControlKind::Number(unit),
             group: "",
-            condition: |_, _| true,
+            has_control: |_, _| true,
         }
     }
 
-    /// A number that a handle sets, without words.
-    pub fn coordinate(default: f64, range: [f64; 2], steps_per_unit: f64) -> Self {
-        Self::new(["", "", ""], default, range, steps_per_unit)
+    /// The x and y of a point that a handle sets, without words.
+    pub fn point([x, y]: [f64; 2], ranges: [[f64; 2]; 2], steps_per_unit: f64) -> [Self; 2] {
+        let [x_range, y_range] = ranges;
+        [(x, x_range), (y, y_range)]
+            .map(|(default, range)| Self::new([""; 3], default, range, steps_per_unit))
     }
 
     /// One of several names.
@@ -72,11 +74,6 @@ impl Parameter {
     pub fn switch(words: &'static str, is_on: bool) -> Self {
         let number = Self::new(["", words, ""], is_on.into(), [0.0, 1.0], 1.0);
         Self { control: ControlKind::Switch, ..number }
-    }
-
-    /// Whether, at these values of all parameters, the page has a control for it.
-    pub fn has_control(&self, values: &[f64]) -> bool {
-        (self.condition)(self, values)
     }
 
     /// The allowed value that is nearest to `value`.

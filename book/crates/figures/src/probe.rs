@@ -55,5 +55,5 @@ impl Probe {
 pub fn columns_parameter() -> Parameter {
     let range = [2.0, SIZE.x];
     let parameter = Parameter::new(["hRes", "columns", ""], SIZE.x, range, 1.0);
-    Parameter { control: ControlKind::Columns, condition: |_, _| false, ..parameter }
+    Parameter { control: ControlKind::Columns, has_control: |_, _| false, ..parameter }
 }

@@ -113,7 +113,7 @@ fn text_reply(figure: &Figure, values: &[f64]) -> Reply {
 fn text_fields(figure: &Figure, values: &[f64]) -> Vec<(&'static str, String)> {
     let pairs = figure.parameters.iter().zip(values);
     let texts = pairs.clone().map(|(p, value)| json::quote(&p.format(*value)));
-    let visible = pairs.map(|(p, _)| p.has_control(values));
+    let visible = pairs.map(|(p, _)| (p.has_control)(p, values));
     let places = figure.handles.iter().map(|handle| {
         let rounded = |x: f64| (100.0 * x).round() / 100.0;
         let place = (handle.locate)(values);

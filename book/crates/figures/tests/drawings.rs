@@ -1,6 +1,7 @@
 //! What a page gets of each figure and picture, locked as text: one element of a drawing, or
 //! one field of JSON, a line.
 
+use course::{Step, find_picture};
 use figures::{FIGURES, Figure, Output, find, parse_address, reply};
 use glam::dvec2;
 use insta::assert_snapshot;
@@ -40,6 +41,23 @@ fn values_to_lock(figure: &Figure) -> Vec<Vec<f64>> {
     let seeds = if figure.parameters.is_empty() { 0..0 } else { 1..3 };
     let spread = seeds.map(|seed| spread_values(figure, seed));
     [figure.default_values()].into_iter().chain(spread).collect()
+}
+
+#[test]
+fn default_picture_is_that_of_the_program() {
+    let steps = Step::NAMES.map(|name| (name, "", name));
+    let others = [
+        ("mirror", "", "mirror"),
+        ("own_scene", "", "step05_phong"),
+        ("own_scene", "the-way-back-shadows-and-mirrors:1", "mirror"),
+    ];
+    for (name, address, program) in steps.into_iter().chain(others) {
+        let figure = find(name).expect("a picture");
+        let values = parse_address(figure, address).expect("values");
+        let Output::Pixels(image) = (figure.draw)(&values) else { panic!("a drawing") };
+        let picture = find_picture(program).expect("a program");
+        assert!(image == picture(&course::camera(), 1), "{name} differs from {program}");
+    }
 }
 
 #[test]

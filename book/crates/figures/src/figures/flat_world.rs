@@ -67,11 +67,8 @@ impl Interactive for FlatWorld {
                   <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        let parameters = HANDLES.iter().flat_map(|(.., [x, y])| {
-            let ranges = [(*x, [0.4, 9.6]), (*y, [0.4, 5.6])];
-            ranges.map(|(default, range)| Parameter::coordinate(default, range, 20.0))
-        });
-        parameters.collect()
+        let ranges = [[0.4, 9.6], [0.4, 5.6]];
+        HANDLES.map(|(.., point)| Parameter::point(point, ranges, 20.0)).concat()
     }
 
     fn from_values(values: &[f64]) -> Self {
@@ -86,10 +83,10 @@ impl Interactive for FlatWorld {
     }
 
     fn handles() -> Vec<Handle> {
-        let handles = HANDLES
-            .iter()
-            .zip(0..)
-            .map(|(&(words, mark, _), k)| Handle { mark, ..Handle::of_point(words, 2 * k, VIEW) });
+        let handles = (0..).zip(HANDLES).map(|(k, (words, mark, _))| {
+            let handle = Handle::of_point(words, 2 * k, VIEW);
+            Handle { mark, ..handle }
+        });
         handles.collect()
     }
 

@@ -18,9 +18,9 @@ impl Interactive for HitsAlongARay {
                   <span class='move'>Drag another sphere in front.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        let x = |default| Parameter::coordinate(default, [-2.2, 6.2], 20.0);
-        let y = |default| Parameter::coordinate(default, [-1.0, 1.0], 20.0);
-        vec![x(5.3), y(0.35), x(-1.5), y(0.2), x(2.4), y(-0.3)]
+        let centres = [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]];
+        let ranges = [[-2.2, 6.2], [-1.0, 1.0]];
+        centres.map(|centre| Parameter::point(centre, ranges, 20.0)).concat()
     }
 
     fn from_values(values: &[f64]) -> Self {

@@ -56,13 +56,10 @@ impl Interactive for RayFigure {
                   <span class='move'>Make $V$ longer, and this same point gets a smaller $t$.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        vec![
-            Parameter::coordinate(0.0, [-2.0, 7.0], 10.0),
-            Parameter::coordinate(0.0, [-0.5, 2.5], 10.0),
-            Parameter::coordinate(2.4, [-4.0, 7.0], 10.0),
-            Parameter::coordinate(0.7, [-4.0, 4.0], 10.0),
-            Parameter::coordinate(5.0, [-2.0, 8.0], 10.0),
-        ]
+        let start = Parameter::point([0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
+        let v = Parameter::point([2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
+        let distance = Parameter::new([""; 3], 5.0, [-2.0, 8.0], 10.0);
+        start.into_iter().chain(v).chain([distance]).collect()
     }
 
     fn from_values(values: &[f64]) -> Self {

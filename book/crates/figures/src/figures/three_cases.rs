@@ -85,11 +85,8 @@ impl Interactive for ThreeCases {
                   <span class='move'>Drag a ray until it touches.</span>";
 
     fn parameters() -> Vec<Parameter> {
-        let parameters = [1.375, 1.0, 0.4375].into_iter().flat_map(|y| {
-            let x = Parameter::coordinate(-2.125, [-2.25, 1.5], 16.0);
-            [x, Parameter::coordinate(y, [-1.5, 1.5], 16.0)]
-        });
-        parameters.collect()
+        let ranges = [[-2.25, 1.5], [-1.5, 1.5]];
+        [1.375, 1.0, 0.4375].map(|y| Parameter::point([-2.125, y], ranges, 16.0)).concat()
     }
 
     fn from_values(values: &[f64]) -> Self {

@@ -65,7 +65,7 @@ fn numbers(
             let parameter = Parameter::new(names, defaults[place], range, steps_per_unit);
             let mut parameter = Parameter { group, ..parameter };
             if quantity.needs_mirrors {
-                parameter.condition = |_, values| own_scene(values).has_mirrors;
+                parameter.has_control = |_, values| own_scene(values).has_mirrors;
             }
             (Target::Number(quantity, k, place), parameter)
         })

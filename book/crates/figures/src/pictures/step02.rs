@@ -15,11 +15,9 @@ impl Interactive for OneSphere {
     fn parameters() -> Vec<Parameter> {
         let Sphere { centre, radius } = SPHERE;
         let mut parameters = Probe::parameters(300.0, 150.0);
-        parameters.extend([
-            Parameter::coordinate(centre.x, [-2.8, 2.8], 20.0),
-            Parameter::coordinate(centre.y, [-1.6, 1.6], 20.0),
-            Parameter::new(["r", "radius", ""], radius, [0.1, 6.0], 10.0),
-        ]);
+        let ranges = [[-2.8, 2.8], [-1.6, 1.6]];
+        parameters.extend(Parameter::point([centre.x, centre.y], ranges, 20.0));
+        parameters.push(Parameter::new(["r", "radius", ""], radius, [0.1, 6.0], 10.0));
         parameters
     }
 

@@ -70,7 +70,7 @@ pub fn object_parameters(
 ) -> impl Iterator<Item = Parameter> {
     zip(OBJECTS, defaults).map(move |(object, default)| Parameter {
         words: format!("of the {}", object.name),
-        condition: |parameter, values| {
+        has_control: |parameter, values| {
             let hit = nearest(&OBJECTS, &Probe::split_values(values).0.ray());
             hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
         },
