@@ -1,4 +1,4 @@
-use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter};
+use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, Probe};
 use glam::DVec2;
 
 /// A figure or a picture as a page asks for it: by a name, and numbers without names.
@@ -29,13 +29,16 @@ pub struct Figure {
 impl Figure {
     /// The figure or picture `T`.
     pub(crate) fn of<T: Interactive>() -> Self {
+        let mut parameters = T::PROBE.map_or(vec![], Probe::parameters);
+        parameters.extend(T::parameters());
+        let probe = T::PROBE.filter(|_| T::FOLLOWED.is_none()).map(|_| Probe::handle());
         Self {
             name: T::NAME,
             title: T::TITLE,
             caption: T::CAPTION,
             followed: T::FOLLOWED,
-            parameters: T::parameters(),
-            handles: T::handles(),
+            parameters,
+            handles: probe.into_iter().chain(T::handles()).collect(),
             draw: |values| T::from_values(values).draw(),
             numbers: |values| T::from_values(values).numbers(),
             group_at: |values, place| T::from_values(values).group_at(place),

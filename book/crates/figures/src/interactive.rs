@@ -15,6 +15,10 @@ pub trait Interactive: Sized + 'static {
     const CAPTION: &'static str = "";
     const FOLLOWED: Option<&'static str> = None;
 
+    /// The column and the row of the probe at first; its parameters and its handle come before
+    /// the others.
+    const PROBE: Option<[f64; 2]> = None;
+
     fn from_values(values: &[f64]) -> Self;
 
     fn draw(&self) -> Output;

@@ -17,7 +17,7 @@ pub struct Probe {
 
 impl Probe {
     /// The first parameters of a picture with a probe, whose default is the pixel (i, j).
-    pub fn parameters(i: f64, j: f64) -> Vec<Parameter> {
+    pub fn parameters([i, j]: [f64; 2]) -> Vec<Parameter> {
         vec![
             Parameter::new(["i", "column", ""], i, [0.0, SIZE.x - 1.0], 1.0),
             Parameter::new(["j", "row", ""], j, [0.0, SIZE.y - 1.0], 1.0),

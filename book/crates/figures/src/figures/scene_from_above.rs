@@ -1,4 +1,5 @@
-use crate::{Drawing, Interactive, Output, Parameter, Probe, View, format_rounded, short_name};
+use crate::pictures::step03::FlatSpheres;
+use crate::{Drawing, Interactive, Output, Probe, View, format_rounded, short_name};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
@@ -38,10 +39,7 @@ impl Interactive for SceneFromAbove {
     const CAPTION: &str = "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
                   every root on its line. $V_z$ is $-1$, so $t$ is the depth.";
     const FOLLOWED: Option<&str> = Some("step03_nearest");
-
-    fn parameters() -> Vec<Parameter> {
-        Probe::parameters(195.0, 237.0)
-    }
+    const PROBE: Option<[f64; 2]> = FlatSpheres::PROBE;
 
     fn from_values(values: &[f64]) -> Self {
         Self(Probe::split_values(values).0)

@@ -1,6 +1,6 @@
 use super::step05::object_parameters;
 use crate::{
-    Handle, Interactive, Numbers, Output, Parameter, Probe, array, collect_numbers, format_number,
+    Interactive, Numbers, Output, Parameter, Probe, array, collect_numbers, format_number,
     format_vector, short_name,
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
@@ -51,17 +51,15 @@ impl Mirrors {
 
 impl Interactive for Mirrors {
     const NAME: &str = "mirror";
+    const PROBE: Option<[f64; 2]> = Some([168.0, 295.0]);
 
     fn parameters() -> Vec<Parameter> {
-        let mut parameters = Probe::parameters(168.0, 295.0);
         let depth = f64::from(MAX_DEPTH);
-        parameters.extend([
-            Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0),
-            Parameter::choice("offset", 8.0, OFFSETS),
-        ]);
+        let depth = Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0);
+        let offset = Parameter::choice("offset", 8.0, OFFSETS);
         let ks = mirrors().objects.into_iter().map(|object| object.material.k);
-        parameters.extend(object_parameters("k", ks, [0.0, 1.0], 20.0));
-        parameters
+        let ks = object_parameters("k", ks, [0.0, 1.0], 20.0);
+        [depth, offset].into_iter().chain(ks).collect()
     }
 
     fn from_values(values: &[f64]) -> Self {
@@ -74,10 +72,6 @@ impl Interactive for Mirrors {
             object.material.k = *k;
         }
         Self { probe, depth: depth as u32, offset, scene }
-    }
-
-    fn handles() -> Vec<Handle> {
-        vec![Probe::handle()]
     }
 
     fn draw(&self) -> Output {

@@ -9,12 +9,10 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect, visible_point,
 };
 
-/// The trace of the probe's pixel; `trace_shading` adds what lies between the point
-/// and the colour.
+/// The trace of the probe's pixel, but for what lies between the point and the colour.
 pub fn trace_pixel<M>(
     probe: &Probe,
     objects: &[Object<M>],
-    trace_shading: impl FnOnce(&Ray) -> Numbers,
     colour: impl Fn(&Ray) -> DVec3,
 ) -> Numbers {
     let ray = probe.ray();
@@ -49,7 +47,6 @@ pub fn trace_pixel<M>(
         None => ["".into(), "".into(), "".into(), format_vector(direction_colour(&ray))],
     };
     numbers.extend(collect_numbers([("object", object), ("t", t), ("p", p), ("sky", sky)]));
-    numbers.extend(trace_shading(&ray));
     numbers
 }
 

@@ -11,14 +11,12 @@ pub struct OneSphere {
 
 impl Interactive for OneSphere {
     const NAME: &str = "step02_sphere";
+    const PROBE: Option<[f64; 2]> = Some([300.0, 150.0]);
 
     fn parameters() -> Vec<Parameter> {
         let Sphere { centre, radius } = SPHERE;
-        let mut parameters = Probe::parameters(300.0, 150.0);
-        let ranges = [[-2.8, 2.8], [-1.6, 1.6]];
-        parameters.extend(Parameter::point([centre.x, centre.y], ranges, 20.0));
-        parameters.push(Parameter::new(["r", "radius", ""], radius, [0.1, 6.0], 10.0));
-        parameters
+        let [x, y] = Parameter::point([centre.x, centre.y], [[-2.8, 2.8], [-1.6, 1.6]], 20.0);
+        vec![x, y, Parameter::new(["r", "radius", ""], radius, [0.1, 6.0], 10.0)]
     }
 
     fn from_values(values: &[f64]) -> Self {
@@ -30,7 +28,7 @@ impl Interactive for OneSphere {
 
     fn handles() -> Vec<Handle> {
         let centre = |picture: &Self| Some((course::camera(), picture.sphere.centre));
-        vec![Probe::handle(), Self::handle_in_picture("the centre of the sphere", 3, 0.0, centre)]
+        vec![Self::handle_in_picture("the centre of the sphere", 3, 0.0, centre)]
     }
 
     fn draw(&self) -> Output {
@@ -39,7 +37,6 @@ impl Interactive for OneSphere {
 
     fn numbers(&self) -> Numbers {
         let object = Object { name: "sphere", sphere: self.sphere, material: () };
-        let colour = |ray: &_| colour(&self.sphere, ray);
-        trace_pixel(&self.probe, &[object], |_| Numbers::new(), colour)
+        trace_pixel(&self.probe, &[object], |ray| colour(&self.sphere, ray))
     }
 }

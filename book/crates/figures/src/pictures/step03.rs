@@ -1,5 +1,5 @@
 use super::pixel_trace::trace_pixel;
-use crate::{Handle, Interactive, Numbers, Output, Parameter, Probe};
+use crate::{Interactive, Numbers, Output, Probe};
 use step03_nearest::{OBJECTS, colour, render};
 
 /// The picture of step 3, with a probe.
@@ -7,17 +7,10 @@ pub struct FlatSpheres(Probe);
 
 impl Interactive for FlatSpheres {
     const NAME: &str = "step03_nearest";
-
-    fn parameters() -> Vec<Parameter> {
-        Probe::parameters(195.0, 237.0)
-    }
+    const PROBE: Option<[f64; 2]> = Some([195.0, 237.0]);
 
     fn from_values(values: &[f64]) -> Self {
         Self(Probe::split_values(values).0)
-    }
-
-    fn handles() -> Vec<Handle> {
-        vec![Probe::handle()]
     }
 
     fn draw(&self) -> Output {
@@ -25,6 +18,6 @@ impl Interactive for FlatSpheres {
     }
 
     fn numbers(&self) -> Numbers {
-        trace_pixel(&self.0, &OBJECTS, |_| Numbers::new(), |ray| colour(&OBJECTS, ray))
+        trace_pixel(&self.0, &OBJECTS, |ray| colour(&OBJECTS, ray))
     }
 }

@@ -2,7 +2,7 @@ use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, Probe};
 use glam::DVec3;
 use std::iter::zip;
-use step04_diffuse::{COOL, Matte, PointLight, Ray, Scene, WARM, colour, render};
+use step04_diffuse::{COOL, Matte, PointLight, Scene, WARM, colour, render};
 use step05_phong::{Light, Material};
 
 /// The picture of step 4: its lights to move, and a probe.
@@ -13,9 +13,10 @@ pub struct MovedLights {
 
 impl Interactive for MovedLights {
     const NAME: &str = "step04_diffuse";
+    const PROBE: Option<[f64; 2]> = Some([470.0, 120.0]);
 
     fn parameters() -> Vec<Parameter> {
-        let mut parameters = Probe::parameters(470.0, 120.0);
+        let mut parameters = vec![];
         for (words, position, ranges) in [
             ("of the warm light", WARM.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
             // Everywhere in these ranges, it is in the picture.
@@ -45,7 +46,7 @@ impl Interactive for MovedLights {
             let handle = Self::handle_in_picture(words, 3 + 3 * k, 24.0, position);
             Handle { mark: Mark::Light, ..handle }
         };
-        vec![Probe::handle(), handle("the warm light", 0), handle("the cool light", 1)]
+        vec![handle("the warm light", 0), handle("the cool light", 1)]
     }
 
     fn draw(&self) -> Output {
@@ -53,9 +54,10 @@ impl Interactive for MovedLights {
     }
 
     fn numbers(&self) -> Numbers {
-        let trace_shading = |ray: &Ray| trace_shading(&phong_scene(&self.scene), ray);
-        let colour = |ray: &Ray| colour(&self.scene, ray);
-        trace_pixel(&self.probe, &self.scene.objects, trace_shading, colour)
+        let Self { probe, scene } = self;
+        let mut numbers = trace_pixel(probe, &scene.objects, |ray| colour(scene, ray));
+        numbers.extend(trace_shading(&phong_scene(scene), &probe.ray()));
+        numbers
     }
 }
 

@@ -1,8 +1,8 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use crate::{Handle, Interactive, Numbers, Output, Parameter, Probe, array};
+use crate::{Interactive, Numbers, Output, Parameter, Probe, array};
 use glam::DVec3;
 use std::iter::zip;
-use step05_phong::{Light, Material, OBJECTS, Ray, Scene, colour, nearest, render};
+use step05_phong::{Light, Material, OBJECTS, Scene, colour, nearest, render};
 
 /// The picture of step 5: each term to switch off, a probe, and the material of the object
 /// there to set.
@@ -13,18 +13,18 @@ pub struct SwitchedTerms {
 
 impl Interactive for SwitchedTerms {
     const NAME: &str = "step05_phong";
+    const PROBE: Option<[f64; 2]> = Some([470.0, 120.0]);
 
     fn parameters() -> Vec<Parameter> {
-        let mut parameters = Probe::parameters(470.0, 120.0);
         let terms = ["ambient", "diffuse", "specular"];
-        parameters.extend(terms.map(|term| Parameter::switch(term, true)));
+        let switches = terms.map(|term| Parameter::switch(term, true));
         let objects = step05_phong::scene().objects;
         let materials = || objects.iter().map(|object| object.material);
         let shininesses = materials().map(|material| f64::from(material.shininess));
         let reflectances = materials().map(|material| material.specular.x);
-        parameters.extend(object_parameters("n", shininesses, [1.0, 300.0], 1.0));
-        parameters.extend(object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0));
-        parameters
+        let shininesses = object_parameters("n", shininesses, [1.0, 300.0], 1.0);
+        let reflectances = object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0);
+        switches.into_iter().chain(shininesses).chain(reflectances).collect()
     }
 
     fn from_values(values: &[f64]) -> Self {
@@ -45,18 +45,15 @@ impl Interactive for SwitchedTerms {
         Self { probe, scene }
     }
 
-    fn handles() -> Vec<Handle> {
-        vec![Probe::handle()]
-    }
-
     fn draw(&self) -> Output {
         Output::Pixels(render(&self.probe.camera(), 1, |ray| colour(&self.scene, ray)))
     }
 
     fn numbers(&self) -> Numbers {
-        let trace_shading = |ray: &Ray| trace_shading(&self.scene, ray);
-        let colour = |ray: &Ray| colour(&self.scene, ray);
-        trace_pixel(&self.probe, &self.scene.objects, trace_shading, colour)
+        let Self { probe, scene } = self;
+        let mut numbers = trace_pixel(probe, &scene.objects, |ray| colour(scene, ray));
+        numbers.extend(trace_shading(scene, &probe.ray()));
+        numbers
     }
 }
 
