@@ -5,7 +5,7 @@
 use crate::source_hash::{code_lines, hash_texts, source_texts};
 use course::{target_folder, workspace};
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs, io};
 
@@ -16,15 +16,6 @@ const NAMES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The roots of paths on machines: no module has one in it.
 const ROOTS: [&str; 7] = ["/rustc/", "/rust/", "/usr/", "/home/", "/root/", "/Users/", "/tmp/"];
-
-/// Fails where this machine can't compile for the browser.
-pub fn fail_without_wasm_target() -> Result<(), Box<dyn Error>> {
-    let folder = ask_compiler(&["--print", "target-libdir", "--target", TARGET])?;
-    if Path::new(&folder).exists() {
-        return Ok(());
-    }
-    Err(format!("Rust's target for the browser is missing: `rustup target add {TARGET}`").into())
-}
 
 /// Whether the modules were made from other sources than those of today.
 pub fn are_stale() -> io::Result<bool> {
@@ -47,7 +38,9 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
         println!("{name}.wasm: {} bytes", module.len());
         fs::write(page_folder().join(format!("{name}.wasm")), module)?;
     }
-    let text = format!("{hash} {}\n", ask_compiler(&["--version"])?);
+    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+    let version = Command::new(rustc).arg("--version").output()?.stdout;
+    let text = format!("{hash} {}", String::from_utf8_lossy(&version));
     Ok(fs::write(page_folder().join("modules.txt"), text)?)
 }
 
@@ -102,13 +95,6 @@ fn path_starts(module: &[u8]) -> Vec<usize> {
 
 fn page_folder() -> PathBuf {
     workspace().join("book/crates/page")
-}
-
-/// What the compiler prints.
-fn ask_compiler(arguments: &[&str]) -> io::Result<String> {
-    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let output = Command::new(rustc).args(arguments).output()?;
-    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 /// The folders of the packages' sources, one for each registry.
