@@ -11,9 +11,7 @@
 //! - The folders of the *workspace*, and JSON.
 
 mod step;
-pub use step::{
-    FIELD_OF_VIEW, Step, camera, camera_with_fov, camera_with_size, slide_matrix, ungated_colour,
-};
+pub use step::{Step, camera, camera_with_fov, camera_with_size, slide_matrix, ungated_colour};
 
 pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture};

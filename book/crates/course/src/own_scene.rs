@@ -44,12 +44,6 @@ impl OwnScene {
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// Whether the camera is elsewhere than in the five steps, or turned.
-    pub fn has_moved_camera(&self) -> bool {
-        let Self { position, target, roll_degrees, .. } = *self;
-        (position, target, roll_degrees) != (DVec3::ZERO, DVec3::NEG_Z, 0.0)
-    }
-
     /// The picture with so many columns: by step 5, or by the example `mirror`, in which a
     /// ray may meet ten mirrors.
     pub fn picture(&self, columns: f64) -> RgbImage {

@@ -61,11 +61,11 @@ fn camera_body(own: &OwnScene) -> String {
         let fov = format!("f64::to_radians({:?})", own.fov_degrees);
         body = format!("    let camera = &Camera::new(camera.h_res, camera.v_res, {fov});\n");
     }
-    if !own.has_moved_camera() {
+    let OwnScene { position, target, roll_degrees: roll, .. } = *own;
+    if (position, target, roll) == (DVec3::ZERO, DVec3::NEG_Z, 0.0) {
         return body + "    *camera";
     }
-    let [position, target] = [own.position, own.target].map(vector_call);
-    let roll = own.roll_degrees;
+    let [position, target] = [position, target].map(vector_call);
     let look_at = &LOOK_AT[body_range(LOOK_AT, "look_at")];
     format!(
         "    use glam::DMat3;

@@ -2,18 +2,15 @@ use glam::DVec3;
 use step01_rays::{AspectRatio, Camera, Ray, direction_colour};
 use step05_phong::{Light, Material, Scene, SurfacePoint, phong, visible_point};
 
-/// The field of view of the course's camera: 60 degrees, turned into radians as by the programs,
-/// as π/3 is another number in its last digit.
-pub const FIELD_OF_VIEW: f64 = 60_f64.to_radians();
-
 /// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
 pub fn camera() -> Camera {
     camera_with_size(640, 360)
 }
 
-/// The camera of the course with so many columns and rows.
+/// The camera of the course with so many columns and rows. Its angle is turned into radians as by
+/// the programs: π/3 is another number in its last digit.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
-    Camera::new(columns, rows, FIELD_OF_VIEW)
+    Camera::new(columns, rows, 60_f64.to_radians())
 }
 
 /// The camera with this field of view, in degrees, and so many columns, 16:9.
