@@ -31,7 +31,7 @@ pub use drawing::Drawing;
 use output::collect_numbers;
 pub use output::{Numbers, Output};
 pub use text_markup::{escape, italic_letter};
-use view::{View, degrees_left_of_up};
+use view::{View, direction_left_of_up};
 
 mod discriminant;
 pub use discriminant::discriminant;

@@ -7,12 +7,9 @@ use step01_rays::{Camera, Ray};
 
 /// The pixel of the probe, and the columns of the picture that is drawn.
 pub struct Probe {
-    /// The column.
     pub i: f64,
-    /// The row.
     pub j: f64,
-    /// The columns of the picture.
-    pub columns: f64,
+    columns: f64,
 }
 
 impl Probe {

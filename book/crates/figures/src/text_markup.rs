@@ -1,5 +1,3 @@
-use std::fmt::Write;
-
 /// A symbol in the letters of the formulas: `_` puts the next one below the line,
 /// `^` above it.
 pub fn symbol_spans(text: &str) -> String {
@@ -10,13 +8,12 @@ pub fn symbol_spans(text: &str) -> String {
             '_' => 4.0,
             '^' => -7.0,
             _ => {
-                spans.push_str(&escape(&italic_letter(c).to_string()));
+                spans += &escape(&italic_letter(c).to_string());
                 continue;
             }
         };
         let shifted = letters.next().map_or(' ', italic_letter);
-        let _ = write!(
-            spans,
+        spans += &format!(
             r#"<tspan class="small" dy="{shift}">{shifted}</tspan><tspan dy="{}">&#8203;</tspan>"#,
             -shift
         );

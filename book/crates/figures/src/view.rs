@@ -24,11 +24,17 @@ impl View {
     pub fn to_world(self, place: DVec2) -> DVec2 {
         (place - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
+
+    /// The angle from straight up, to the left, of the line from the origin to a place, in
+    /// degrees.
+    pub fn degrees_left_of_up(self, place: DVec2) -> f64 {
+        let DVec2 { x, y } = self.origin - place;
+        x.atan2(y).to_degrees()
+    }
 }
 
-/// The angle from straight up, to the left, of the line from `centre` to `place`, in
-/// degrees.
-pub fn degrees_left_of_up(centre: DVec2, place: DVec2) -> f64 {
-    let DVec2 { x, y } = centre - place;
-    x.atan2(y).to_degrees()
+/// The unit vector of the world so many degrees to the left of straight up.
+pub fn direction_left_of_up(degrees: f64) -> DVec2 {
+    let angle = degrees.to_radians();
+    dvec2(-angle.sin(), angle.cos())
 }

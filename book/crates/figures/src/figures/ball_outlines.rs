@@ -1,6 +1,6 @@
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
-    degrees_left_of_up, discriminant, format_fixed, format_number,
+    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers, discriminant,
+    format_fixed, format_number,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -91,7 +91,7 @@ impl Interactive for BallOutlines {
 
     fn handles() -> Vec<Handle> {
         let locate = |figure: &Self| place_from_above(&ball(figure.degrees));
-        let angle_at = |_: &Self, place| -degrees_left_of_up(ABOVE.origin, place);
+        let angle_at = |_: &Self, place| -ABOVE.degrees_left_of_up(place);
         vec![Self::handle_of_one("the ball on the right", 0, locate, angle_at)]
     }
 

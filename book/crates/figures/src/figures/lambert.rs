@@ -1,6 +1,6 @@
 use crate::{
     Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
-    degrees_left_of_up, format_number, format_rounded,
+    direction_left_of_up, format_number, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -39,9 +39,9 @@ impl Interactive for Lambert {
     }
 
     fn handles() -> Vec<Handle> {
-        let locate = |figure: &Self| VIEW.to_drawing(LENGTH * direction_to_light(figure.degrees));
+        let locate = |figure: &Self| VIEW.to_drawing(LENGTH * direction_left_of_up(figure.degrees));
         // To the right of n, the angle is 0 above the ground, and the largest below.
-        let angle_at = |_: &Self, place| match degrees_left_of_up(VIEW.origin, place) {
+        let angle_at = |_: &Self, place| match VIEW.degrees_left_of_up(place) {
             ..-90.0 => LARGEST_ANGLE,
             angle => angle.max(0.0),
         };
@@ -52,7 +52,7 @@ impl Interactive for Lambert {
         let mut drawing = Drawing::new(480.0, 292.0);
         for (ground, degrees) in [(dvec2(106.0, 210.0), 0.0), (VIEW.origin, self.degrees)] {
             let angle = f64::to_radians(degrees);
-            let l = direction_to_light(degrees);
+            let l = direction_left_of_up(degrees);
             let to_light = dvec2(l.x, -l.y);
             let share = brightness(l);
             let cosine = l.y;
@@ -108,15 +108,9 @@ impl Interactive for Lambert {
     fn numbers(&self) -> Numbers {
         collect_numbers([
             ("angle", format_number(self.degrees)),
-            ("share", format_rounded(brightness(direction_to_light(self.degrees)), 3)),
+            ("share", format_rounded(brightness(direction_left_of_up(self.degrees)), 3)),
         ])
     }
-}
-
-/// The direction to a light so many degrees to the left of n, which is up.
-fn direction_to_light(degrees: f64) -> DVec2 {
-    let angle = degrees.to_radians();
-    dvec2(-angle.sin(), angle.cos())
 }
 
 /// The step's diffuse term of a white light in the direction `l`; n is up.

@@ -1,4 +1,4 @@
-use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array, degrees_left_of_up};
+use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
@@ -36,7 +36,7 @@ impl Interactive for Lobes {
 
     fn handles() -> Vec<Handle> {
         let locate = |Self { r, .. }: &Self| VIEW.to_drawing(0.85 * dvec2(-r.x, r.y));
-        let angle_at = |_: &Self, place| degrees_left_of_up(VIEW.origin, place);
+        let angle_at = |_: &Self, place| VIEW.degrees_left_of_up(place);
         vec![Self::handle_of_one("the light l", 1, locate, angle_at)]
     }
 

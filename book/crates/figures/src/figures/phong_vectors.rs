@@ -1,18 +1,13 @@
 use crate::{
     Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
-    degrees_left_of_up, format_number,
+    direction_left_of_up, format_number,
 };
-use glam::{DVec2, DVec3, dvec2};
+use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
 use step05_phong::reflect;
 
 /// The place of the hit in the drawing, and the length of 1.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
-
-/// The direction so many degrees to the left of n, which is up.
-fn direction(degrees: f64) -> DVec3 {
-    DVec2::from_angle(FRAC_PI_2 + degrees.to_radians()).extend(0.0)
-}
 
 /// The unit vectors n, l, r and v in one plane, with a light to turn.
 pub struct PhongVectors {
@@ -35,8 +30,8 @@ impl Interactive for PhongVectors {
     }
 
     fn handles() -> Vec<Handle> {
-        let locate = |figure: &Self| VIEW.to_drawing(direction(figure.degrees).truncate());
-        let angle_at = |_: &Self, place| degrees_left_of_up(VIEW.origin, place);
+        let locate = |figure: &Self| VIEW.to_drawing(direction_left_of_up(figure.degrees));
+        let angle_at = |_: &Self, place| VIEW.degrees_left_of_up(place);
         vec![Self::handle_of_one("the light l", 0, locate, angle_at)]
     }
 
@@ -44,7 +39,8 @@ impl Interactive for PhongVectors {
         let mut drawing = Drawing::new(480.0, 320.0);
         let p = VIEW.origin;
         drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
-        let (n, l, v) = (DVec3::Y, direction(self.degrees), direction(-17.0));
+        let [n, l, v] =
+            [0.0, self.degrees, -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
         let r = reflect(n, l);
         let angle = self.degrees.to_radians();
         drawing.arc("angle", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);

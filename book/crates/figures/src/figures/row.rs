@@ -1,6 +1,6 @@
 use crate::{
     Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
-    degrees_left_of_up, format_number,
+    format_number,
 };
 use course::examples::row::Row;
 use glam::{DVec2, dvec2};
@@ -50,7 +50,7 @@ impl Interactive for RowFigure {
     fn handles() -> Vec<Handle> {
         let words = "the tip of V0, which opens the field of view";
         let tip = |figure: &Self| figure.view().to_drawing(figure.row.direction(0.0));
-        let fov_at = |_: &Self, place| 2.0 * degrees_left_of_up(ORIGIN, place);
+        let fov_at = |figure: &Self, place| 2.0 * figure.view().degrees_left_of_up(place);
         vec![Self::handle_of_one(words, 1, tip, fov_at)]
     }
 
