@@ -43,13 +43,14 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
     let (verb, figure) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
         let values = parse_address(figure, words.next().unwrap_or_default());
-        return Some(values.map(|values| full_reply(figure, &values)));
+        return Some(values.map(|values| reply_at(figure, &values, true)));
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
     Some(Ok(match (verb, &numbers?[..]) {
         ("about", _) => handles_and_defaults_reply(figure),
-        ("show", values) => full_reply(figure, &figure.snap_if_allowed(values)?),
-        ("tell", values) => text_reply(figure, &figure.snap_if_allowed(values)?),
+        ("show" | "tell", values) => {
+            reply_at(figure, &figure.snap_if_allowed(values)?, verb == "show")
+        }
         ("press", [x, y, values @ ..]) => {
             let group = (figure.group_at)(&figure.snap_if_allowed(values)?, dvec2(*x, *y));
             Reply::from_json_fields([("group", json::quote(group.unwrap_or_default()))])
@@ -62,8 +63,7 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
                 "step" => figure.step_handle(&values, handle, vector),
                 _ => return None,
             };
-            let respond = if handle.mark == Mark::Probe { text_reply } else { full_reply };
-            respond(figure, &new.unwrap_or(values))
+            reply_at(figure, &new.unwrap_or(values), handle.mark != Mark::Probe)
         }
         _ => return None,
     }))
@@ -92,25 +92,8 @@ fn handles_and_defaults_reply(figure: &Figure) -> Reply {
     ])
 }
 
-/// All that the page shows at these values.
-fn full_reply(figure: &Figure, values: &[f64]) -> Reply {
-    let mut fields = text_fields(figure, values);
-    let (field, pixels) = match (figure.draw)(values) {
-        Output::Drawing(drawing) => (("drawing", json::quote(drawing.svg_elements())), vec![]),
-        Output::Pixels(image) => {
-            (("size", json::list([image.width(), image.height()])), rgba_bytes(&image))
-        }
-    };
-    fields.push(field);
-    Reply { pixels, ..Reply::from_json_fields(fields) }
-}
-
-/// The same without the drawing or the pixels.
-fn text_reply(figure: &Figure, values: &[f64]) -> Reply {
-    Reply::from_json_fields(text_fields(figure, values))
-}
-
-fn text_fields(figure: &Figure, values: &[f64]) -> Vec<(&'static str, String)> {
+/// All that the page shows at these values, with or without the drawing or the pixels.
+fn reply_at(figure: &Figure, values: &[f64], is_shown: bool) -> Reply {
     let pairs = figure.parameters.iter().zip(values);
     let texts = pairs.clone().map(|(p, value)| json::quote(&p.format(*value)));
     let visible = pairs.map(|(p, _)| (p.has_control)(p, values));
@@ -121,13 +104,23 @@ fn text_fields(figure: &Figure, values: &[f64]) -> Vec<(&'static str, String)> {
     });
     let numbers = (figure.numbers)(values);
     let numbers = numbers.iter().map(|(name, text)| (&name[..], json::quote(text)));
-    vec![
+    let mut fields = vec![
         ("values", json::list(values)),
         ("texts", json::list(texts)),
         ("visible", json::list(visible)),
         ("places", json::list(places)),
         ("numbers", json::object(numbers)),
-    ]
+    ];
+    let mut pixels = vec![];
+    match is_shown.then(|| (figure.draw)(values)) {
+        Some(Output::Drawing(one)) => fields.push(("drawing", json::quote(one.svg_elements()))),
+        Some(Output::Pixels(image)) => {
+            fields.push(("size", json::list([image.width(), image.height()])));
+            pixels = rgba_bytes(&image);
+        }
+        None => {}
+    }
+    Reply { pixels, ..Reply::from_json_fields(fields) }
 }
 
 /// Red, green, blue and 255 for each pixel, row by row, as a canvas takes them.
