@@ -42,9 +42,8 @@ impl Shown {
 
     fn section_markdown(&self, sources: &Sources) -> Result<String, String> {
         let Self { mistake, book_entry, name, step } = self;
-        let step_of_file = mistake.step().ok_or("a mistake that is shown is in a step")?;
         let is_of_program = mistake.file.ends_with("/program.rs");
-        let chapter = if is_of_program { "step01_program" } else { step_of_file.name() };
+        let chapter = if is_of_program { "step01_program" } else { mistake.step.name() };
         let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
         let id = book_entry.section.to_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(is_kept).collect();
@@ -55,7 +54,7 @@ impl Shown {
             self.panels_html(&ours, sources)?,
             changed_lines_html(mistake),
             inline_html(&symbols_as_formulas(book_entry.reason))?,
-            step_of_file.number(),
+            mistake.step.number(),
             book_entry.section,
         ))
     }

@@ -47,10 +47,10 @@ fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
         lines.truncate(LINES - 1);
         lines.push("  …\n".to_owned());
     }
-    let step = mistake.step();
-    if let Some((BookEntry { reason, section, .. }, step)) = mistake.book_entry.as_ref().zip(step) {
+    let step = mistake.step;
+    if let Some(BookEntry { reason, section, .. }) = &mistake.book_entry {
         lines.push(format!("{reason}\nSee step {}, \"{section}\".\n", step.number()));
     }
     let words = format!("{}{drawn_for}", mistake.title);
-    Cause { words, step, file: Some(mistake.file.clone()), details: lines.concat() }
+    Cause { words, step: Some(step), file: Some(mistake.file.clone()), details: lines.concat() }
 }

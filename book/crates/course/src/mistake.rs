@@ -12,7 +12,9 @@ use crate::mistake_files::mistake_texts;
 pub struct Mistake {
     /// Short description.
     pub title: &'static str,
-    /// The file of a step, seen from the root of the workspace.
+    /// The first step whose program it is in.
+    pub step: Step,
+    /// The file of that step, seen from the root of the workspace.
     pub file: String,
     /// Right text; blanks at the beginning of a line do not count.
     pub old: String,
@@ -39,12 +41,12 @@ pub struct BookEntry {
 /// All mistakes, in the order of the lists.
 pub fn mistakes() -> Vec<Mistake> {
     let mut mistakes = vec![];
-    for (step, list) in Step::NAMES.into_iter().zip(mistake_texts()) {
+    for (step, list) in Step::ALL.into_iter().zip(mistake_texts()) {
         let mut file = String::new();
         for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
             match block.strip_prefix("@ ") {
-                Some(path) => file = format!("steps/{step}/src/{path}"),
-                None => mistakes.extend(parse_mistake(&file, block)),
+                Some(path) => file = format!("steps/{}/src/{path}", step.name()),
+                None => mistakes.extend(parse_mistake(step, &file, block)),
             }
         }
     }
@@ -52,7 +54,7 @@ pub fn mistakes() -> Vec<Mistake> {
 }
 
 /// The mistake that a block of a list tells.
-fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
+fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake> {
     let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
         let lines = marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
@@ -60,10 +62,9 @@ fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
-    let step_of_file = Step::from_path(file);
-    let pictures = marked('!').filter_map(|picture| match picture.split_once(' ') {
-        Some((name, step)) => Some((name, Step::from_path(step)?)),
-        None => Some((picture, step_of_file?)),
+    let pictures = marked('!').map(|picture| {
+        let (name, drawn) = picture.split_once(' ').unwrap_or((picture, ""));
+        (name, Step::from_name(drawn).unwrap_or(step))
     });
     let pictures: Vec<_> = pictures.collect();
     let book_entry = (!pictures.is_empty()).then(|| BookEntry {
@@ -73,19 +74,13 @@ fn parse_mistake(file: &str, block: &'static str) -> Option<Mistake> {
         effect: first_marked('"'),
     });
     let file = file.to_owned();
-    Some(Mistake { title, file, old: text('-'), new: text('+'), book_entry })
+    Some(Mistake { title, step, file, old: text('-'), new: text('+'), book_entry })
 }
 
 impl Mistake {
-    /// The first step whose program it is in.
-    pub fn step(&self) -> Option<Step> {
-        Step::from_path(&self.file)
-    }
-
     /// The steps whose pictures it may spoil, in their order: its own and those after it.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
-        let own = self.step();
-        Step::ALL.into_iter().filter(move |step| own <= Some(*step))
+        Step::ALL.into_iter().skip(self.step as usize)
     }
 
     /// The names of its pictures in the book, each with the step that is drawn.
