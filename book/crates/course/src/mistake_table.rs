@@ -3,7 +3,6 @@ use crate::mistake_files::mistake_texts;
 use crate::{Mistake, Step, mistakes};
 use image::RgbImage;
 
-/// The lines of the table.
 fn table_lines() -> std::str::Lines<'static> {
     let [.., table] = mistake_texts();
     table.lines()

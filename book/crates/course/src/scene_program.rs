@@ -35,7 +35,6 @@ fn body_range(program: &str, function: &str) -> Range<usize> {
     start..start + program[start..].find("\n}").expect("an end")
 }
 
-/// Puts these lines in as the body of a function.
 fn replace_body(program: &mut String, function: &str, body: &str) {
     program.replace_range(body_range(program, function), body);
 }
@@ -108,7 +107,6 @@ fn lines(items: impl Iterator<Item = String>) -> String {
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
 
-/// A call of `ball`.
 fn ball_call(Object { name, sphere, material }: &Object<Material>) -> String {
     let (centre, colour) = (array_literal(sphere.centre), array_literal(material.matte.diffuse));
     let (radius, r_s, n) = (sphere.radius, material.specular.x, material.shininess);
@@ -127,7 +125,6 @@ fn array_literal(vector: DVec3) -> String {
     format!("{:?}", vector.to_array())
 }
 
-/// A call of `DVec3::new`.
 fn vector_call(DVec3 { x, y, z }: DVec3) -> String {
     format!("DVec3::new({x:?}, {y:?}, {z:?})")
 }

@@ -92,8 +92,8 @@ impl Table {
             println!("shows in no picture: {}", title_and_file(mistake));
         }
         for (name, shown_step) in mistake.shown_pictures() {
-            let drawn = steps.iter().zip(pictures).find(|(step, _)| **step == shown_step);
-            if let Some((_, Some(picture))) = drawn {
+            let drawn = pictures.get(shown_step as usize - mistake.step as usize);
+            if let Some(Some(picture)) = drawn {
                 let [columns, rows] = SMALL_SIZE;
                 self.small_pictures.insert(name, thumbnail(picture, columns, rows));
             }

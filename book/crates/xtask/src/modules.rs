@@ -11,7 +11,6 @@ use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The modules.
 const NAMES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The roots of paths on machines: no module has one in it.

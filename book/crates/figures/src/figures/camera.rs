@@ -14,7 +14,6 @@ pub struct CameraFigure {
 }
 
 impl CameraFigure {
-    /// The ray of the pixel.
     fn ray(&self) -> Ray {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }

@@ -30,7 +30,6 @@ impl RayFigure {
         (self.place(0.0) - self.place(1.0)).perp().normalize()
     }
 
-    /// The place of the tip of V.
     fn tip(&self) -> DVec2 {
         self.place(1.0) + GAP * self.left()
     }
