@@ -135,7 +135,10 @@ impl Table {
             for ((_, picture), k) in pictures.into_iter().zip(0..) {
                 replace(&mut column, picture, 0, k * i64::from(rows));
             }
-            fs::write(small_pictures_path(&workspace(), step), encode_png(&column))?;
+            let path = small_pictures_path(&workspace(), step);
+            if !image::open(&path).is_ok_and(|old| old.into_rgb8() == column) {
+                fs::write(path, encode_png(&column))?;
+            }
         }
         fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text(all)?)
     }
