@@ -18,13 +18,12 @@ pub use examples::{PICTURES, Picture, find_picture};
 
 mod mistake;
 mod mistake_files;
-mod mistake_pictures;
 mod mistake_table;
 pub use mistake::{BookEntry, Mistake, mistakes};
 pub use mistake_files::{mistake_texts, provide_mistake_texts};
-pub use mistake_pictures::{SMALL_SIZE, read_small_pictures, small_pictures_path};
 pub use mistake_table::{
-    TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names, table_rows,
+    SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,
+    read_small_pictures, small_pictures_path, table_rows,
 };
 
 mod place;

@@ -1,7 +1,12 @@
+//! The table of the mistakes' pictures, and the small ones that the book shows: those of a step are
+//! one file, below each other in the order of the table, as a change of a scene changes them all.
+
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
 use crate::{Mistake, Step, mistakes};
-use image::RgbImage;
+use image::imageops::crop_imm;
+use image::{ImageResult, RgbImage};
+use std::path::{Path, PathBuf};
 
 fn table_lines() -> std::str::Lines<'static> {
     let [.., table] = mistake_texts();
@@ -44,13 +49,6 @@ pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
     })
 }
 
-/// The names of the small pictures of a step, from top to bottom of their file.
-pub(crate) fn small_picture_names(step: Step) -> impl Iterator<Item = &'static str> {
-    let right = format!("= {} ", step.name());
-    let lines = table_lines().skip_while(move |line| !line.starts_with(&right)).skip(1);
-    lines.map_while(|line| line.strip_prefix("! "))
-}
-
 /// The rows of the table that is checked in, a mistake each, in the order of the list.
 pub fn table_rows() -> impl Iterator<Item = TableRow> {
     table_lines().filter_map(|line| {
@@ -83,4 +81,28 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
 /// those of the examples, in the steps' order.
 pub fn locked_names() -> Vec<&'static str> {
     locked_hashes().map(|(name, _)| name).collect()
+}
+
+/// The columns and rows of a small picture.
+pub const SMALL_SIZE: [u32; 2] = [320, 180];
+
+/// The file with the small pictures of a step.
+pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {
+    workspace.join(format!("book/crates/course/mistakes/{}.png", step.name()))
+}
+
+/// The small pictures of a step that are checked in, each with its name in the table; fewer where
+/// the file is not the one of the table.
+pub fn read_small_pictures(
+    workspace: &Path,
+    step: Step,
+) -> ImageResult<Vec<(&'static str, RgbImage)>> {
+    let right = format!("= {} ", step.name());
+    let lines = table_lines().skip_while(|line| !line.starts_with(&right)).skip(1);
+    let names = lines.map_while(|line| line.strip_prefix("! "));
+    let all = image::open(small_pictures_path(workspace, step))?.into_rgb8();
+    let [columns, rows] = SMALL_SIZE;
+    let tops = (0..all.height()).step_by(rows as usize);
+    let pictures = tops.map(|top| crop_imm(&all, 0, top, columns, rows).to_image());
+    Ok(names.zip(pictures).collect())
 }

@@ -30,7 +30,6 @@ pub fn italic_letter(c: char) -> char {
         'a'..='z' => shifted('a', 0x1D44E),
         'A'..='Z' => shifted('A', 0x1D434),
         'α'..='ω' => shifted('α', 0x1D6FC),
-        '-' => Some('−'),
         _ => None,
     };
     letter.unwrap_or(c)
