@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
-    let folder = starts.iter().flatten().find_map(|start| find_workspace_upwards(start));
+    let parts = ["Cargo.toml", "steps", "tests/snapshots"];
+    let is_workspace = |folder: &&Path| parts.iter().all(|part| folder.join(part).exists());
+    let folder = starts.iter().flatten().find_map(|start| start.ancestors().find(is_workspace));
     let compiled = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../.."));
     folder.unwrap_or(compiled).to_owned()
 }
@@ -20,11 +22,4 @@ pub fn target_folder() -> PathBuf {
     let mut around = program.ancestors();
     let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
-}
-
-fn find_workspace_upwards(start: &Path) -> Option<&Path> {
-    let has = |folder: &Path| {
-        ["Cargo.toml", "steps", "tests/snapshots"].iter().all(|name| folder.join(name).exists())
-    };
-    start.ancestors().find(|folder| has(folder))
 }

@@ -43,9 +43,7 @@ pub trait Interactive: Sized + 'static {
         None
     }
 
-    /// A handle that sets two parameters; the second grows upwards. `locate` gives its place,
-    /// in the coordinates of the drawing or in pixels, or None if there is nothing to drag;
-    /// `coordinates_at` the values of the two that bring it to a place, or near it.
+    /// A handle that sets two parameters; the second grows upwards. See the fields of [`Handle`].
     fn handle(
         words: &str,
         parameters: [usize; 2],
