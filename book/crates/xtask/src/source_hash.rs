@@ -13,9 +13,8 @@ const FOLDERS: [&str; 5] =
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
 /// The hash of texts, one after the other.
-pub fn hash_texts(texts: impl IntoIterator<Item = impl AsRef<str>>) -> u64 {
-    let texts: Vec<_> = texts.into_iter().collect();
-    fnv_1a(texts.iter().flat_map(|text| text.as_ref().bytes().chain([0])))
+pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
+    fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
 /// The lines of code, but for blank ones and comments.
