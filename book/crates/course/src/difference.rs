@@ -50,10 +50,7 @@ impl Display for Difference {
                 write!(f, "the picture is {new_w}×{new_h} pixels, the locked one {w}×{h}")
             }
             Self::Pixels { count, largest, first: (i, j), colours: (a, b) } => {
-                let differ = match count {
-                    1 => "pixel differs",
-                    _ => "pixels differ",
-                };
+                let differ = if *count == 1 { "pixel differs" } else { "pixels differ" };
                 write!(
                     f,
                     "{count} {differ} from the locked picture, by up to {largest} of 255; \
