@@ -20,13 +20,19 @@ pub(crate) fn find_cameras(
     let mut words = vec![];
     for (row, k) in (0..2).flat_map(|row| (0..3).map(move |k| (row, k))) {
         let Some(number) = fit_number(comparison, row, k) else { continue };
-        let mut yours = camera();
-        let old = replace(&mut yours.matrix.col_mut(k)[row], number);
-        let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
-        if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
-            let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
-            let clause = format!("{axis} of {vector} = {number:.6} instead of {old:.6}");
-            words.push(clause.replace('-', "−"));
+        // Not the number is tried, but what is told of it.
+        for digits in [6, 9, 12] {
+            let text = format!("{number:.digits$}");
+            let mut yours = camera();
+            let told_number = text.parse().unwrap_or(number);
+            let old = replace(&mut yours.matrix.col_mut(k)[row], told_number);
+            let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
+            if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
+                let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
+                let clause = format!("{axis} of {vector} = {text} instead of {old:.6}");
+                words.push(clause.replace('-', "−"));
+                break;
+            }
         }
     }
     if drawing.step == Step::Rays && !words.is_empty() {

@@ -1,5 +1,8 @@
 const COPIED_AS_TEXT: &str =
     "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
+/// How PNG files begin.
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
@@ -12,7 +15,7 @@ const FORMATS: [(usize, &[u8], &str); 18] = [
     (0, b"P6\n", "a PPM picture; save it as PNG"),
     (0, b"II*\0", "a TIFF picture; save it as PNG"),
     (0, b"MM\0*", "a TIFF picture; save it as PNG"),
-    (4, b"ftyp", "a phone's picture or film, such as HEIC; save it as PNG"),
+    (4, b"ftyp", "a film, or a picture such as HEIC or AVIF; save it as PNG"),
     (0, b"%PDF", "a PDF; save the picture as PNG"),
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
     (0, b"\x1f\x8b", "a gzip archive; unpack it first"),
@@ -28,7 +31,7 @@ const FORMATS: [(usize, &[u8], &str); 18] = [
 /// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
 /// first bytes, behind blanks and in any case; None for a PNG file.
 pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
-    if file.starts_with(b"\x89PNG\r\n\x1a\n") {
+    if file.starts_with(PNG) {
         return None;
     }
     let start = file.trim_ascii_start();
@@ -37,5 +40,9 @@ pub(crate) fn other_format_clause(file: &[u8]) -> Option<&'static str> {
         found.is_some_and(|found| found.eq_ignore_ascii_case(bytes))
     };
     let clause = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
-    Some(clause.unwrap_or(if file.is_empty() { "empty" } else { "not a PNG file" }))
+    match file {
+        [] => Some("empty"),
+        _ if PNG.starts_with(file) => Some("the beginning of a PNG file, and no more"),
+        _ => Some(clause.unwrap_or("not a PNG file")),
+    }
 }

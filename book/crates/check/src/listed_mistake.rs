@@ -21,6 +21,8 @@ pub(crate) fn find_listed_mistakes(
         if all.iter().any(|(_, name)| name == expected) {
             all.retain(|(_, name)| name == expected);
         }
+        // Of those that give it for several other names, the first is enough.
+        all.dedup_by(|(one, _), (other, _)| one.title == other.title);
         let drawn_for = |name: &str| match name == expected {
             true => String::new(),
             false => format!(", drawn for {name}"),

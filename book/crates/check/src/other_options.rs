@@ -52,16 +52,20 @@ pub(crate) fn describe_other_options(
 
 /// Sentences about a picture that is right with these options, in the pixels compared.
 fn sentences(title: &str, yours: &RgbImage, options: &str, compared: usize) -> String {
-    let extent = match yours.pixels().len() {
-        all if compared == all => "in every pixel".to_owned(),
-        all => format!("in the {compared} pixels of {all} that were compared"),
+    let all = yours.pixels().len();
+    let beginning = match compared == all {
+        true => format!("Right, but with other options: this is {title}, in every pixel,"),
+        false => format!(
+            "With other options, as far as was compared: {compared} of {all} pixels are those of \
+             {title}"
+        ),
     };
     let mistakes = find_mistakes_with_hash(hash_picture(yours));
     let hint = mistakes.first().map_or(String::new(), |(mistake, _)| {
         format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
     });
     format!(
-        "Right, but with other options: this is {title}, {extent}, at {options}.\n\
+        "{beginning} at {options}.\n\
          Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples \
          1.{hint}"
     )

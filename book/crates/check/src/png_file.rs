@@ -36,7 +36,9 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     let mut decoder = decoder.map_err(damage_clause)?;
     let (columns, rows) = LARGEST;
     if 3 * u64::from(columns) * u64::from(rows) < decoder.total_bytes() {
-        return Err(format!("is too large: a picture of {columns}×{rows} pixels is the largest"));
+        return Err(format!(
+            "is too large: unpacked, it has more bytes than {columns}×{rows} pixels"
+        ));
     }
     let notes = notes(&mut decoder).map_err(damage_clause)?;
     let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
@@ -71,7 +73,7 @@ fn notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, I
     let colour = decoder.color_type();
     let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
     let notes = [
-        (!colour.has_color(), "The file is grey: one number per pixel, and ours has three."),
+        (!colour.has_color(), "The file is grey, and ours has colours."),
         (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
         (
             decoder.icc_profile()?.is_some(),

@@ -1,7 +1,6 @@
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::{Drawing, bytes};
-use course::Step;
 use std::cmp::Reverse;
 use step01_rays::direction_colour;
 
@@ -26,7 +25,7 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
     let names = names.collect::<Vec<_>>().join(", ");
     let mut sentences = vec![];
     if !names.is_empty() {
-        sentences.push(format!("Missing: {names}. What lies behind shows instead."));
+        sentences.push(format!("Where ours shows {names}, what lies behind shows instead."));
     }
     let all = comparison.wrong_pixels().len();
     let what = ["the sky, and ours shows an object", "an object behind the nearest"];
@@ -70,12 +69,5 @@ pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> St
         _ if wrong.len() <= MOST_REGIONS => " Everything else is right in every pixel.".to_owned(),
         _ => format!(" Right in every pixel: {}.", right.join(", ")),
     };
-    // Where something hides the sky, fewer pixels of it are wrong.
-    let rays = match wrong[..] {
-        [0] if Step::Rays < drawing.step && 9 * counts[0].1 < 10 * counts[0].0 => {
-            " So the rays are right, and the sky's colours aren't."
-        }
-        _ => "",
-    };
-    format!("Wrong: {told}.{right}{rays}\n")
+    format!("Wrong: {told}.{right}\n")
 }

@@ -59,15 +59,15 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
     })
 }
 
-/// The mistakes that give a picture, to the last pixel, each with the name of what was
-/// drawn; the likeliest first, which are those that the book shows and small ones.
+/// The mistakes that give a picture, to the last pixel, each with the name of what was drawn,
+/// once for each name; the likeliest first, which are those that the book shows and small ones.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
     let all = mistakes().into_iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
-        .filter_map(|(mistake, row)| {
-            let index = row.hashes.iter().position(|one| *one == Some(hash))?;
-            let name = mistake.affected_steps().nth(index)?.name();
-            Some((mistake, name))
+        .flat_map(|(mistake, row)| {
+            let steps = mistake.affected_steps().zip(row.hashes);
+            let steps = steps.filter(|(_, one)| *one == Some(hash));
+            steps.map(|(step, _)| (mistake.clone(), step.name())).collect::<Vec<_>>()
         })
         .collect();
     mistakes_and_names.sort_by_key(|(mistake, _)| {

@@ -16,10 +16,13 @@ pub(crate) fn check_student(
     let mut pictures = vec![];
     for name in picture_names() {
         let is_required = required.contains(&name);
-        // One that ends as PNG files do, the one that lies highest, the last that was handed in.
+        // One that ends as PNG files do, the one that lies highest, that has just this name, the
+        // last that was handed in.
         let of_name = files.iter().copied().filter(|file| file.picture == Some(name));
         let file = of_name.min_by_key(|file| {
-            (!has_extension(file.name(), &["png"]), file.depth(), Reverse(file.version()))
+            let is_exact = file.name() == format!("{name}.png");
+            let is_png = has_extension(file.name(), &["png"]);
+            (!is_png, file.depth(), !is_exact, Reverse(file.version()))
         });
         files.retain(|other| file.is_none_or(|file| !std::ptr::eq(*other, file)));
         let answer = match file.map(|file| (file.name(), file.read())) {
@@ -41,14 +44,16 @@ pub(crate) fn check_student(
     Report { student: student.unique_name.clone(), pictures, unchecked }
 }
 
-/// Tells of each wrong picture which earlier one is wrong by the same cause.
+/// Tells of each wrong picture which earlier one is wrong by the same cause, the only one that
+/// we know for one of the two.
 pub(crate) fn tell_common_causes(report: &mut Report) {
     for k in 1..report.pictures.len() {
         let (earlier, later) = report.pictures.split_at_mut(k);
         let causes = &later[0].answer.causes;
         later[0].follows = earlier.iter().find_map(|one| {
             let cause = one.answer.causes.iter().find(|cause| causes.contains(cause))?;
-            Some((one.name, cause.words_and_file()))
+            let is_sure = one.answer.causes.len() == 1 || causes.len() == 1;
+            is_sure.then(|| (one.name, cause.words_and_file()))
         });
     }
 }

@@ -134,7 +134,7 @@ fn unpack(
     record: &ZipFileHeaderRecord,
     bytes_left: &mut u64,
 ) -> Result<Vec<u8>, String> {
-    let damaged = "is damaged in its archive";
+    let damaged = "is damaged, or locked, in its archive";
     let entry = archive.get_entry(record.wayfinder()).map_err(|_| damaged)?;
     let reader: Box<dyn Read> = match record.compression_method() {
         CompressionMethod::STORE => Box::new(entry.data()),
