@@ -1,9 +1,8 @@
 use crate::edits::{Edits, Fault};
 use crate::markdown::{self, parse_directive};
-use crate::picture::{self, Picture};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
-    pixel_panel, problem,
+    picture, pixel_panel, problem,
 };
 use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TextMergeWithOffset};
@@ -86,8 +85,8 @@ impl<'a> Chapter<'a> {
                 let html = self.expand_paragraph(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
             }
-            Event::Start(Tag::Image { dest_url, title, .. }) => {
-                Picture::from_markdown(source, dest_url, title).html(self.sources)
+            Event::Start(Tag::Image { dest_url, .. }) => {
+                picture::markdown_html(source, dest_url, self.sources)
             }
             Event::InlineMath(latex) => formula::formula_html(latex, false),
             Event::DisplayMath(latex) => formula::formula_html(latex, true),
@@ -198,7 +197,8 @@ impl<'a> Chapter<'a> {
                 && inner.start < range.end
             {
                 let markdown = &self.edits.text[inner.clone()];
-                pictures.push(Picture::from_markdown(markdown, dest_url, title));
+                let image = picture::markdown_html(markdown, dest_url, self.sources);
+                pictures.push((image, title.to_string()));
                 remaining = remaining.replacen(markdown, "", 1);
             }
         }
@@ -206,8 +206,7 @@ impl<'a> Chapter<'a> {
         let is_whole = live.is_some() || remaining.trim().is_empty();
         let live = live.map(|(_, name)| name);
         let panel = |live: &Figure| self.pixel_panel_html(live);
-        (is_whole && !pictures.is_empty())
-            .then(|| picture::figures_html(&pictures, live, self.sources, &panel))
+        (is_whole && !pictures.is_empty()).then(|| picture::figures_html(&pictures, live, &panel))
     }
 
     /// What is said of a pixel of a picture, below it.

@@ -118,12 +118,10 @@ fn figure_markdown(
     let new = new.filter(|id| !ids.contains(id));
     ids.extend(new.clone());
     let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
-    let ticks = code.split(|c| c != '`').map(str::len).max().unwrap_or(0);
-    let fence = "`".repeat(3.max(ticks + 1));
     format!(
         "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}{changed}\">\
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
-         {fence}{language}\n{code}\n{fence}\n\n</figure>\n",
+         ```{language}\n{code}\n```\n\n</figure>\n",
         escape(path),
         code.lines().count(),
     )

@@ -1,7 +1,7 @@
 use crate::Sources;
 use crate::markdown::inline_html;
 use crate::mistake_list::shown_mistakes;
-use crate::picture::{LAZY, Picture};
+use crate::picture::{self, LAZY};
 use crate::sources::small_picture_name;
 use course::{BookEntry, Mistake, Step};
 use figures::escape;
@@ -35,8 +35,8 @@ struct Shown {
 impl Shown {
     /// The item on the contact sheet, a link to its section.
     fn contact_item_markdown(&self, sources: &Sources) -> Result<String, String> {
-        let picture = self.picture(&self.book_entry.effect.replace('`', ""));
-        let picture = picture.html(sources)?;
+        let effect = self.book_entry.effect.replace('`', "");
+        let picture = picture::html(&effect, &self.source(), sources)?;
         Ok(format!("- [{picture} {}](#{})\n", self.capitalised_title_html()?, self.name))
     }
 
@@ -64,21 +64,21 @@ impl Shown {
     fn panels_html(&self, ours: &str, sources: &Sources) -> Result<String, String> {
         let number = self.step.number();
         let alt = format!("The picture of step {number} with this mistake.");
-        let wrong = self.picture(&alt).html(sources)?;
-        let right = Picture::without_caption("The right picture.", ours).html(sources)?;
+        let yours = self.source();
+        let wrong = picture::html(&alt, &yours, sources)?;
+        let right = picture::html("The right picture.", ours, sources)?;
         Ok(format!(
             "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
              <span data-label=\"Ours\">{right}</span>\
              <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
              aria-label=\"The difference.\">\
-             <img src=\"generated/mistake-{}.png\" alt=\"Yours.\"{LAZY}>\
-             <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>",
-            self.name
+             <img src=\"{yours}\" alt=\"Yours.\"{LAZY}>\
+             <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>"
         ))
     }
 
-    fn picture(&self, alt: &str) -> Picture {
-        Picture::without_caption(alt, &format!("generated/mistake-{}.png", self.name))
+    fn source(&self) -> String {
+        format!("generated/mistake-{}.png", self.name)
     }
 
     /// HTML of the title, with a capital letter, unless it begins with a symbol.

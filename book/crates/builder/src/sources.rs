@@ -62,7 +62,8 @@ impl Sources {
     /// Width and height, in pixels, of a picture that a chapter shows: a locked one, or one that
     /// is made from code. None for any other.
     pub fn picture_size(&self, source: &str) -> Option<(u32, u32)> {
-        parse_size(self.generated.0.get(source.strip_prefix(GENERATED)?)?).ok()
+        let file = self.generated.0.get(source.strip_prefix(GENERATED)?)?;
+        ImageReader::new(Cursor::new(file)).with_guessed_format().ok()?.into_dimensions().ok()
     }
 }
 
@@ -77,11 +78,6 @@ fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");
     files.insert(format!("{name}.js"), script.into_bytes());
-}
-
-/// Width and height that a PNG file names.
-fn parse_size(file: &[u8]) -> Result<(u32, u32)> {
-    Ok(ImageReader::new(Cursor::new(file)).with_guessed_format()?.into_dimensions()?)
 }
 
 /// A PNG file of the picture: the `old` file if it has this picture, as encoding takes seconds.

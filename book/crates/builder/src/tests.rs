@@ -87,7 +87,7 @@ fn every_figure_and_every_value_is_used() {
     let chapters: String = texts.chain([pixel_panel::TEXT]).collect();
     let figures = figures::FIGURES.iter().filter(|live| !live.title.is_empty());
     let figures = figures.map(|live| format!("{{{{#figure {}", live.name));
-    let values = values::count_names().map(|name| format!("{{{{#value {name}"));
+    let values = values::COUNTS.iter().map(|(name, _)| format!("{{{{#value {name}"));
     let unused = figures.chain(values).filter(|directive| {
         ["}}", " "].iter().all(|end| !chapters.contains(&format!("{directive}{end}")))
     });

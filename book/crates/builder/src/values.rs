@@ -12,10 +12,8 @@ use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
-type Count = (&'static str, fn() -> usize);
-
 /// The counts, by name.
-const COUNTS: [Count; 7] = [
+pub const COUNTS: [(&str, fn() -> usize); 7] = [
     ("step02-touches", || count_rays(|ray| discriminant(&SPHERE, ray) == 0.0)),
     ("step02-normalised", || {
         let unit_ray = |ray: &Ray| Ray { direction: ray.direction.normalize(), ..*ray };
@@ -89,10 +87,4 @@ fn difference_without_gate() -> (usize, usize) {
         Some(Difference::Pixels { count, largest, .. }) => (count, largest.into()),
         _ => (0, 0),
     }
-}
-
-/// The names of the counts.
-#[cfg(test)]
-pub fn count_names() -> impl Iterator<Item = &'static str> {
-    COUNTS.iter().map(|(name, _)| *name)
 }
