@@ -2,7 +2,7 @@ use course::examples::many::Tree;
 use course::examples::*;
 use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
-use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
+use step03_nearest::{OBJECTS, Object, Ray, nearest};
 use tests::{primary_rays, random_point, random_sphere, random_sphere_and_ray, random_unit_vector};
 
 #[test]
@@ -24,20 +24,6 @@ fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
     // into the farther half first, or into boxes behind the nearest hit, fails.
     let count = intersections.get();
     assert!(2 * count < 3 * ray_count, "{count} spheres for {ray_count} rays");
-}
-
-/// Fails unless a tree of `spheres` finds the t of the loop's nearest hit, and a sphere
-/// with that t.
-#[track_caller]
-fn assert_tree_finds_nearest(spheres: impl IntoIterator<Item = Sphere>, ray: &Ray) {
-    let objects = spheres.into_iter().map(|sphere| Object { name: "ball", sphere, material: () });
-    let mut objects: Vec<_> = objects.collect();
-    let t = nearest(&objects, ray).map(|hit| hit.t);
-    let tree = Tree::new(&mut objects);
-    let hit = tree.nearest(ray, f64::INFINITY, &|leaf| nearest(leaf, ray));
-    assert_eq!(hit.as_ref().map(|hit| hit.t), t, "{ray:?}");
-    let sphere_t = hit.and_then(|hit| hit.object.sphere.intersect(ray).first_hit());
-    assert_eq!(sphere_t, t, "{ray:?}");
 }
 
 proptest! {
@@ -65,6 +51,14 @@ proptest! {
         if has_duplicates {
             spheres.extend_from_within(..);
         }
-        assert_tree_finds_nearest(spheres, &ray);
+        let objects = spheres.into_iter();
+        let objects = objects.map(|sphere| Object { name: "ball", sphere, material: () });
+        let mut objects: Vec<_> = objects.collect();
+        let t = nearest(&objects, &ray).map(|hit| hit.t);
+        let tree = Tree::new(&mut objects);
+        let hit = tree.nearest(&ray, f64::INFINITY, &|leaf| nearest(leaf, &ray));
+        prop_assert_eq!(hit.as_ref().map(|hit| hit.t), t);
+        let sphere_t = hit.and_then(|hit| hit.object.sphere.intersect(&ray).first_hit());
+        prop_assert_eq!(sphere_t, t);
     }
 }

@@ -38,9 +38,14 @@ pub fn run_and_verify_command(
     ensure!(should_draw || paths.is_empty(), "it draws");
     ensure!(!should_draw || !paths.is_empty(), "it draws nothing");
     let names = paths.iter().filter_map(|path| path.file_stem()?.to_str());
-    let names: Vec<_> = names.filter(|name| has_snapshot(name) && !is_small).collect();
+    let is_locked =
+        |name: &&str| workspace().join(format!("tests/snapshots/{name}.snap")).is_file();
+    let names: Vec<_> = names.filter(|name| is_locked(name) && !is_small).collect();
     for name in &names {
-        ensure_is_locked_picture(reader, name)?;
+        let picture = image::open(reader.folder.join(format!("{name}.png")))?;
+        if let Some(difference) = Difference::between(&read_snapshot(name), &picture.to_rgb8()) {
+            bail!("{name} is another picture: {difference}");
+        }
     }
     Ok(names.into_iter().map(str::to_owned).collect())
 }
@@ -82,18 +87,4 @@ fn make_edit(reader: &ReaderWorkspace, command: &PageCommand) -> Result<()> {
     let text = fs::read_to_string(reader.folder.join(path))?;
     ensure!(text.contains(old), "{path} has no {old} to change");
     reader.write_if_changed(path, &text.replace(old, new))
-}
-
-/// Fails unless the picture `name` in the reader's folder is the locked one.
-fn ensure_is_locked_picture(reader: &ReaderWorkspace, name: &str) -> Result<()> {
-    let picture = image::open(reader.folder.join(format!("{name}.png")))?;
-    match Difference::between(&read_snapshot(name), &picture.to_rgb8()) {
-        Some(difference) => bail!("{name} is another picture: {difference}"),
-        None => Ok(()),
-    }
-}
-
-/// Whether a picture of this name is locked.
-fn has_snapshot(name: &str) -> bool {
-    workspace().join(format!("tests/snapshots/{name}.snap.png")).is_file()
 }
