@@ -18,12 +18,10 @@ pub(crate) struct FoundFile {
     pub content: Content,
 }
 
-/// Content of a file.
 pub(crate) enum Content {
     OnDisk(PathBuf),
+    /// Empty if by its name it is no picture of the course.
     Unpacked(Vec<u8>),
-    /// By its name no picture of the course.
-    Unneeded,
     /// Why it can't be read.
     Unreadable(String),
 }
@@ -44,7 +42,7 @@ impl FoundFile {
         match &self.content {
             Content::OnDisk(path) => read_bounded_file(path),
             Content::Unpacked(bytes) => Ok(bytes.clone()),
-            _ => Err(self.describe()),
+            Content::Unreadable(_) => Err(self.describe()),
         }
     }
 

@@ -85,7 +85,7 @@ impl Search {
             }
         }
         if self.files.len() == count {
-            self.add(folder.to_owned(), Content::Unneeded);
+            self.add(folder.to_owned(), Content::Unpacked(vec![]));
         }
     }
 
@@ -115,13 +115,14 @@ impl Search {
             if !self.take_entry(&path, folder) {
                 return;
             }
-            if !is_archive(&path) && picture_in_name(&path).is_none() {
-                self.add(path, Content::Unneeded);
-                continue;
-            }
-            match unpack(&archive, &entry, &mut self.bytes_left) {
-                bytes if is_archive(&path) => self.add_archive(bytes, &(path + "/")),
-                bytes => self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked)),
+            let is_needed = is_archive(&path) || picture_in_name(&path).is_some();
+            let bytes = match is_needed {
+                true => unpack(&archive, &entry, &mut self.bytes_left),
+                false => Ok(vec![]),
+            };
+            match is_archive(&path) {
+                true => self.add_archive(bytes, &(path + "/")),
+                false => self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked)),
             }
         }
     }
