@@ -30,7 +30,6 @@ test_pictures! {
     one_ray sixteen_rays open_gate shut_gate speckled shadowed close_up cover goodbye
 }
 
-/// Draws the picture `name`, and compares it with its snapshot.
 fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);

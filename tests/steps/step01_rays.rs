@@ -8,7 +8,6 @@ use tests::{StepProgram, camera};
 /// Fields of view in degrees, from narrow to wide.
 const FIELDS_OF_VIEW: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];
 
-/// Whether two numbers are equal but for rounding.
 fn nearly_equal(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * (1.0 + a.abs())
 }

@@ -70,12 +70,10 @@ fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Optio
     Some(format!("{difference}.\n{caption} {}", path.display()))
 }
 
-/// The path of a file of the snapshot `name`.
 fn snapshot_path(name: &str, extension: &str) -> PathBuf {
     workspace().join(format!("tests/snapshots/{name}.{extension}"))
 }
 
-/// The path of the panels of a picture that differs from its snapshot.
 fn panels_path(name: &str) -> PathBuf {
     target_folder().join(format!("differences/{name}.png"))
 }

@@ -60,7 +60,6 @@ fn newest_change(path: &Path) -> Result<SystemTime> {
     Ok(newest)
 }
 
-/// Reads the files in a folder of the workspace.
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))

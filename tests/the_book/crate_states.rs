@@ -11,7 +11,6 @@ use std::collections::BTreeMap;
 
 /// The crate of a step, as far as its chapters have shown it at some heading or command.
 struct CrateState {
-    /// A name of its own.
     name: String,
     /// The text of each file in `src`, by name, but for `main.rs`.
     files: BTreeMap<String, String>,

@@ -10,7 +10,6 @@ use std::path::Path;
 use std::process::{self, Command, Output};
 use std::{env, fs};
 
-/// The text of the workflow.
 const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/pictures.yml");
 
 /// The commands of the workflow that run Cargo, in their order; one may have several lines.
@@ -46,7 +45,6 @@ fn run(folder: &Path, command: &str) -> Result<String> {
     Ok(text)
 }
 
-/// Commits everything in a folder.
 const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 

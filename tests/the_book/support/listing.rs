@@ -4,15 +4,12 @@ use scraper::ElementRef;
 /// A listing: contiguous lines of a file.
 #[derive(Clone, Debug)]
 pub struct Listing<'a> {
-    /// The path of the file in the workspace.
     pub path: &'a str,
     /// The numbers of its first and of its last line, from 1.
     pub lines: (usize, usize),
-    /// The text of these lines.
     pub code: String,
 }
 
-/// The listings of a page, from top to bottom.
 pub fn page_listings(page: &Page) -> impl Iterator<Item = Listing<'_>> {
     let figures = page.select_all(".listing").into_iter();
     figures.map(|figure| Listing::from_figure(page, figure))

@@ -10,9 +10,7 @@ pub const FAILED_TEST_EXIT_CODE: i32 = 101;
 /// Something on a page that matters to a reader who types along.
 #[derive(Debug)]
 pub enum PageItem<'a> {
-    /// A heading.
     Heading,
-    /// A listing, to type.
     Listing(Listing<'a>),
     /// A command, to run in the reader's folder.
     Command(PageCommand),

@@ -37,7 +37,6 @@ pub fn typed_listings<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedLis
 
 /// A workspace with the files that the book shows, and nothing else.
 pub struct ReaderWorkspace {
-    /// The folder of the workspace.
     pub folder: PathBuf,
     /// Makes other processes wait until this one no longer uses the folder.
     _lock: File,
@@ -54,7 +53,6 @@ impl ReaderWorkspace {
         Self { folder, _lock: lock }
     }
 
-    /// Writes the files that were typed so far.
     pub fn write_listings(&self, typed: &TypedListings) -> Result<()> {
         for (path, listings) in typed {
             self.write_if_changed(path, &join_listings(listings))?;
@@ -63,7 +61,6 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Writes a file, unless it has this text already.
     pub fn write_if_changed(&self, path: &str, text: &str) -> Result<()> {
         let path = self.folder.join(path);
         if fs::read_to_string(&path).ok().as_deref() != Some(text) {

@@ -35,9 +35,8 @@ struct Chapter<'a> {
     problem_sheet: &'a str,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// The place where the open box begins.
+    /// Places where the open box and the open problem begin.
     open_box: Option<usize>,
-    /// The place where the open problem begins.
     open_problem: Option<usize>,
 }
 

@@ -136,7 +136,6 @@ impl Control<'_> {
     }
 }
 
-/// A symbol in italics, and words.
 fn label_html(symbol: &str, words: &str) -> String {
     let symbol: String = symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {

@@ -64,7 +64,6 @@ fn addresses_in(element: ElementRef<'_>) -> Vec<(&str, &str)> {
     addresses
 }
 
-/// Whether an address names another place than the book.
 fn is_outside_book(address: &str) -> bool {
     let scheme = address.split(['/', '#', '?']).next().unwrap_or_default();
     address.starts_with('/') || scheme.contains(':')

@@ -49,7 +49,6 @@ fn preprocess_stdin() -> Result<()> {
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
-/// Builds the book, says what was built and where, and opens it if that is asked for.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
     print_line("Building the book …");

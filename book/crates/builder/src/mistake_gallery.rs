@@ -24,7 +24,6 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     Ok(format!("<div class=\"contacts\" style=\"{style}\">\n\n{}\n</div>\n{}", items?, sections?))
 }
 
-/// A mistake in the picture of a step.
 struct Shown {
     mistake: &'static Mistake,
     book_entry: &'static BookEntry,

@@ -37,7 +37,6 @@ fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
     Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
 }
 
-/// Replaces each part between `begin` and `end`.
 fn replace_between(
     text: &str,
     begin: &str,

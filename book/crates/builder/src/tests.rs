@@ -8,7 +8,6 @@ use std::sync::LazyLock;
 static SOURCES: LazyLock<Sources> =
     LazyLock::new(|| Sources::read(&workspace(), &workspace()).expect("the sources"));
 
-/// The Markdown for a chapter, and its faults, each after its line.
 fn expand_and_list_faults(chapter: &str) -> (String, String) {
     let (markdown, faults) = expand_directives(chapter, &SOURCES, "The sheet.\n");
     let faults = faults.iter().map(|(line, what)| format!("{line}: {what}\n"));

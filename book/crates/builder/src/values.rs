@@ -62,7 +62,6 @@ fn live_number_text(live: &str, number: &str) -> Option<String> {
     is_allowed.then(|| (live.numbers)(&values).remove(name))?
 }
 
-/// All rays of the course's pictures.
 fn rays() -> impl Iterator<Item = Ray> {
     let camera = camera();
     let pixels = (0..camera.v_res).flat_map(move |j| (0..camera.h_res).map(move |i| (i, j)));

@@ -24,7 +24,6 @@ use std::path::Path;
 const MOST_FOLDERS: usize = 8;
 const MOST_OWN_FOLDERS: usize = 1;
 
-/// A student's pictures.
 struct Report {
     student: String,
     /// Pictures that were asked for or are there, in the course's order.
@@ -61,7 +60,6 @@ impl Entry {
 }
 
 impl Report {
-    /// How many pictures were asked for.
     fn required_count(&self) -> usize {
         self.pictures.iter().filter(|entry| entry.is_required).count()
     }
@@ -72,7 +70,6 @@ impl Report {
         self.pictures.iter().filter(move |entry| entry.is_required || counts_all)
     }
 
-    /// How many of these are right.
     fn right_count(&self) -> usize {
         self.counted().filter(|entry| entry.is_right()).count()
     }

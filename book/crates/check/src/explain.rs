@@ -14,7 +14,6 @@ use crate::{Answer, LockedPictures, Verdict};
 use course::Step;
 use image::RgbImage;
 
-/// The most causes that are told.
 const MOST_CAUSES: usize = 3;
 
 /// How many rays may be computed to try changes.
@@ -94,7 +93,6 @@ fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts
     text + &describe_wrong_pixel(comparison)
 }
 
-/// The tests by hand of some steps.
 fn tests_line(first: Step, last: Step) -> String {
     let (package, steps) = match (first.number(), last.number()) {
         (a, b) if a == b => (format!(" -p {}", first.name()), format!("step {a}")),

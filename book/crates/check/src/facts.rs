@@ -4,7 +4,6 @@ use crate::drawing::{Drawing, bytes};
 use crate::regions::hidden_objects;
 use course::Step;
 
-/// The most facts that are told.
 const MOST_FACTS: usize = 3;
 
 /// Sentences that are true of the wrong pixels, the strongest first.

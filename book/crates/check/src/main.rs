@@ -57,7 +57,6 @@ struct Arguments {
     json: bool,
 }
 
-/// The picture of this name.
 fn parse_picture_name(text: &str) -> Result<&'static str, String> {
     let name = if text == "scene" { NAMED_SCENE_EXAMPLE } else { text };
     let picture = locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE]).find(|one| *one == name);
@@ -77,7 +76,6 @@ fn main() -> ExitCode {
     print(&answer(arguments).unwrap_or_else(Answer::error), as_json)
 }
 
-/// Does what the arguments ask for.
 fn answer(arguments: Arguments) -> Result<Answer, String> {
     match arguments {
         Arguments { file: Some(file), name, scene, .. } => {

@@ -10,7 +10,6 @@ pub(crate) const FILE_BYTES: u64 = 1 << 26;
 /// The columns and rows of the largest picture, as the programs draw it with `--width 8192`.
 const LARGEST: (u32, u32) = (8192, 4608);
 
-/// A picture that was read.
 pub(crate) struct Picture {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
@@ -51,7 +50,6 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     Ok(Picture { rgb, transparent_count, notes })
 }
 
-/// Says that a file is larger than it may be.
 pub(crate) fn too_large_clause(most_bytes: u64) -> String {
     format!("is too large: the limit is {} MB", most_bytes >> 20)
 }

@@ -4,7 +4,6 @@ use crate::drawing::{Drawing, bytes};
 use std::cmp::Reverse;
 use step01_rays::direction_colour;
 
-/// The most regions of which the wrong pixels are told.
 const MOST_REGIONS: usize = 3;
 
 /// Sentences about wrong pixels that show the sky or another object behind the one that ours

@@ -5,10 +5,8 @@ use image::{RgbImage, imageops};
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// A function that turns a picture back.
 type TurnBack = fn(&RgbImage) -> RgbImage;
 
-/// How a picture may be turned.
 const TURNS: [(&str, TurnBack); 6] = [
     ("", RgbImage::clone),
     ("upside down", imageops::flip_vertical),
@@ -18,7 +16,6 @@ const TURNS: [(&str, TurnBack); 6] = [
     ("turned by 90° to the left", imageops::rotate90),
 ];
 
-/// Orders of red, green and blue.
 const ORDERS: [(&str, [usize; 3]); 4] = [
     ("", [0, 1, 2]),
     ("with red and blue exchanged", [2, 1, 0]),

@@ -6,7 +6,6 @@ use course::{Step, draw_named_scene, workspace};
 use std::fs;
 use std::io::Write;
 
-/// A ZIP archive of these files.
 fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
     let mut bytes = vec![];
     let mut archive = rawzip::ZipArchiveWriter::new(&mut bytes);

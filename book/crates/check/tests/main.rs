@@ -21,16 +21,13 @@ use step01_rays::{Ray, render};
 /// A title, the name of the picture that is expected, and the one that is there.
 type Row = (&'static str, &'static str, RgbImage);
 
-/// The pictures to compare with.
 static LOCKED: LazyLock<LockedPictures> = LazyLock::new(LockedPictures::in_workspace);
 
-/// The file of the locked picture `name`.
 fn locked_file(name: &str) -> Vec<u8> {
     let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
     fs::read(path).expect("a locked picture")
 }
 
-/// The locked picture `name`.
 fn locked_picture(name: &str) -> RgbImage {
     image::load_from_memory(&locked_file(name)).expect("a locked picture").into_rgb8()
 }
@@ -46,7 +43,6 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-/// The picture of a step, by the camera of the course.
 fn draw_step(step: Step) -> RgbImage {
     (step.picture())(&camera(), 1)
 }
@@ -88,7 +84,6 @@ fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
     assert_locked(name, rows.map(answer));
 }
 
-/// An empty folder of this test.
 fn create_empty_folder(test: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     let _ = fs::remove_dir_all(&folder);

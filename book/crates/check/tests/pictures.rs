@@ -49,7 +49,6 @@ fn answers_about_whole_pictures_are_as_locked() {
     );
 }
 
-/// The picture of a scene with a change.
 fn changed(mut scene: Scene, change: impl Fn(&mut Scene)) -> RgbImage {
     change(&mut scene);
     draw(|ray| step05_phong::colour(&scene, ray))
