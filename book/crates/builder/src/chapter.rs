@@ -203,9 +203,30 @@ impl<'a> Chapter<'a> {
         }
         let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
-        let live = live.map(|(_, name)| name);
-        let panel = |live: &Figure| self.pixel_panel_html(live);
-        (is_whole && !pictures.is_empty()).then(|| picture::figures_html(&pictures, live, &panel))
+        (is_whole && !pictures.is_empty())
+            .then(|| self.figures_html(pictures, live.map(|(_, name)| name)))
+    }
+
+    /// Figures of pictures, each with its caption, side by side if there are several; below them
+    /// is what the one says of a pixel that answers in them.
+    fn figures_html(
+        &self,
+        pictures: Vec<(Result<String, String>, String)>,
+        live: Option<&str>,
+    ) -> Result<String, String> {
+        let find = |name| figures::find(name).ok_or(format!("nothing called {name:?} answers"));
+        let live = live.map(find).transpose()?;
+        let count = pictures.len();
+        let figures = pictures.into_iter();
+        let figures = figures.map(|(image, caption)| picture::figure_html(&image?, &caption, live));
+        let figures: String = figures.collect::<Result<_, _>>()?;
+        let panel = live.filter(|live| live.has_probe()).map(|live| self.pixel_panel_html(live));
+        let panel = panel.transpose()?.unwrap_or_default();
+        Ok(match count {
+            1 => figures + &panel,
+            // A reader view of a browser takes a `div` of pictures for decoration.
+            _ => format!("<section class=\"pictures\">\n{figures}</section>\n{panel}"),
+        })
     }
 
     /// What is said of a pixel of a picture, below it.

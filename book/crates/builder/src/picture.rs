@@ -34,37 +34,13 @@ pub fn html(alt: &str, source: &str, sources: &Sources) -> Result<String, String
     ))
 }
 
-/// A figure of the pictures of a paragraph, each with its caption in Markdown, side by side if
-/// there are several. Where a picture is `live`, what is so called answers in it, and what
-/// `panel_html` says of a pixel stands below.
-pub fn figures_html(
-    pictures: &[(Result<String, String>, String)],
-    live: Option<&str>,
-    panel_html: &dyn Fn(&Figure) -> Result<String, String>,
-) -> Result<String, String> {
-    let mut figures = String::new();
-    for (image, caption) in pictures {
-        let image = image.clone()?;
-        let (mut data, mut controls_html, mut below) = Default::default();
-        if let Some(name) = live {
-            let answers = figures::find(name).ok_or(format!("nothing called {name:?} answers"))?;
-            data = format!(" data-live=\"{}\"", answers.name);
-            controls_html = controls::html(answers);
-            if answers.has_probe() {
-                below = panel_html(answers)?;
-            }
-        }
-        let caption = match caption.as_str() {
-            "" => String::new(),
-            markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
-        };
-        figures += &format!(
-            "<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n{below}"
-        );
-    }
-    Ok(match pictures {
-        [_] => figures,
-        // A reader view of a browser takes a `div` of pictures for decoration.
-        _ => format!("<section class=\"pictures\">\n{figures}</section>\n"),
-    })
+/// A figure of an image with its caption in Markdown, in which what is `live` answers.
+pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> Result<String, String> {
+    let data = live.map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
+    let controls_html = live.map_or(String::new(), controls::html);
+    let caption = match caption {
+        "" => String::new(),
+        markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
+    };
+    Ok(format!("<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n"))
 }
