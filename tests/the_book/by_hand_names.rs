@@ -4,13 +4,14 @@
 use super::assert_no_faults;
 use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
-use super::support::reader_workspace::{STEP_NAMES, pages_of_step};
+use super::support::reader_workspace::pages_of_step;
+use course::Step;
 use std::collections::BTreeSet;
 
 #[test]
 fn chapters_name_every_test_by_hand() {
     let (book, mut faults) = (built_book(), vec![]);
-    for step in STEP_NAMES {
+    for step in Step::NAMES {
         let elements = pages_of_step(&book, step).flat_map(|page| page.select_all(".by-hand"));
         let ids = elements.filter_map(|element| element.attr("id"));
         let page_tests: BTreeSet<_> = ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();

@@ -3,10 +3,10 @@
 use super::built_book::built_book;
 use super::support::listing::join_listings;
 use super::support::page_items::{PageItem, page_items};
-use super::support::reader_workspace::{ReaderWorkspace, STEP_NAMES, TypedListings, pages_of_step};
+use super::support::reader_workspace::{ReaderWorkspace, TypedListings, pages_of_step};
 use super::typed_book::typed_workspace;
 use anyhow::Result;
-use course::crate_as_module;
+use course::{Step, crate_as_module};
 use std::collections::BTreeMap;
 
 /// The crate of a step, as far as its chapters have shown it at some heading or command.
@@ -34,7 +34,7 @@ const STATES_MANIFEST: &str = "
 /// from the one before.
 fn crate_states() -> Vec<CrateState> {
     let (book, mut states) = (built_book(), Vec::<CrateState>::new());
-    for step in STEP_NAMES {
+    for step in Step::NAMES {
         let mut typed = TypedListings::new();
         let folder = format!("steps/{step}/src/");
         for item in pages_of_step(&book, step).flat_map(page_items) {

@@ -3,7 +3,7 @@
 
 use super::built_book::built_book;
 use super::support::listing::join_listings;
-use super::support::reader_workspace::{STEP_NAMES, pages_of_step, typed_listings};
+use super::support::reader_workspace::{pages_of_step, typed_listings};
 use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
 use std::path::Path;
@@ -53,7 +53,7 @@ fn type_first_step(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
     let book = built_book();
-    let typed = typed_listings(pages_of_step(&book, STEP_NAMES[0]));
+    let typed = typed_listings(pages_of_step(&book, "step01_rays"));
     for (path, listings) in typed {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
         fs::write(folder.join(path), join_listings(&listings))?;

@@ -4,12 +4,11 @@
 use super::built_book::built_book;
 use super::source_listings::SOURCE_FILES;
 use super::support::page_items::{PageCommand, PageItem, page_items};
-use super::support::reader_workspace::{
-    ReaderWorkspace, STEP_NAMES, TypedListings, typed_listings,
-};
+use super::support::reader_workspace::{ReaderWorkspace, TypedListings, typed_listings};
 use super::support::verified_command::run_and_verify_command;
 use anyhow::{Context, Result, ensure};
 use builder::Page;
+use course::Step;
 use std::fs;
 
 /// Types the listings of a page, and runs its commands between them. Fails unless they do
@@ -39,8 +38,11 @@ fn type_and_run_page<'a>(
     }
     let step = page.name.trim_end_matches(".html");
     let has_drawn = picture_names.iter().any(|name| name == step);
-    let is_step = STEP_NAMES.contains(&step);
-    ensure!(has_drawn || !is_step, "{}: no program {step} has drawn", page.name);
+    ensure!(
+        has_drawn || !Step::NAMES.contains(&step),
+        "{}: no program {step} has drawn",
+        page.name
+    );
     Ok(())
 }
 

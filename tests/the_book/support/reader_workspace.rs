@@ -1,26 +1,17 @@
 use super::listing::{Listing, join_listings, page_listings};
 use anyhow::{Result, ensure};
 use builder::{Page, Site};
-use course::{Step, target_folder, workspace};
+use course::{target_folder, workspace};
 use image::RgbImage;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::PathBuf;
 use std::process::Command;
 
-/// The names of the five crates, in the order in which a reader writes them.
-pub const STEP_NAMES: [&str; 5] = Step::NAMES;
-
-/// The step of a page, such as `step01_program.html`: the first word of its name says which.
-pub fn step_of_page(page: &str) -> Option<&'static str> {
-    let first_word = |name: &str| name.split('_').next().map(str::to_owned);
-    STEP_NAMES.into_iter().find(|step| first_word(step) == first_word(page))
-}
-
-/// The pages of a step, in the order of the book.
+/// The pages of a step, in the order of the book: the first word of their names is the step's.
 pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
     let pages = book.chapters_in_order().into_iter();
-    pages.filter(move |page| step_of_page(&page.name) == Some(step))
+    pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
 }
 
 /// The listings of each file that were typed so far, by path.
