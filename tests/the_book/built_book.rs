@@ -70,14 +70,10 @@ fn titles_of_pages_are_those_in_the_contents() {
     let book = built_book();
     let mut faults = vec![];
     for link in book.pages["index.html"].select_all("#contents a") {
-        let name = link.attr("href").unwrap_or_default();
+        let (name, title) = (link.attr("href").unwrap_or_default(), inner_text(link));
+        let mut titles = book.pages[name].select_all("h1").into_iter().map(inner_text);
         // The title of the introduction is the book's.
-        let Some(page) = book.pages.get(name).filter(|_| name != "introduction.html") else {
-            continue;
-        };
-        let titles = page.select_all("h1").into_iter().map(inner_text);
-        let title = inner_text(link);
-        if !titles.map(|text| text.trim().to_owned()).any(|text| text == title.trim()) {
+        if name != "introduction.html" && !titles.any(|text| text.trim() == title.trim()) {
             faults.push(format!("{name} is called {title:?} in the contents."));
         }
     }

@@ -3,18 +3,15 @@
 use super::built_book::built_book;
 use super::support::listing::join_listings;
 use super::support::page_items::{PageItem, page_items};
-use super::support::reader_workspace::{ReaderWorkspace, TypedListings, pages_of_step};
+use super::support::reader_workspace::{TypedListings, pages_of_step};
 use super::typed_book::typed_workspace;
 use anyhow::Result;
 use course::{Step, crate_as_module};
 use std::collections::BTreeMap;
 
-/// The crate of a step, as far as its chapters have shown it at some heading or command.
-struct CrateState {
-    name: String,
-    /// The text of each file in `src`, by name, but for `main.rs`.
-    files: BTreeMap<String, String>,
-}
+/// The crate of a step, as far as its chapters have shown it at some heading or command: a name
+/// of its own, and the text of each file in `src`, by name, but for `main.rs`.
+type CrateState = (String, BTreeMap<String, String>);
 
 /// The manifest of a crate in which each state is a module.
 const STATES_MANIFEST: &str = "
@@ -47,36 +44,29 @@ fn crate_states() -> Vec<CrateState> {
             let files = typed.iter().filter(|(file, _)| **file != "main.rs");
             let files: BTreeMap<_, _> =
                 files.map(|(file, listings)| (file.to_string(), join_listings(listings))).collect();
-            let is_new = states.last().is_none_or(|state| state.files != files);
+            let is_new = states.last().is_none_or(|(_, last)| *last != files);
             if is_new && files.contains_key("lib.rs") {
-                let name = format!("state_{step}_{}", states.len());
-                states.push(CrateState { name, files });
+                states.push((format!("state_{step}_{}", states.len()), files));
             }
         }
     }
     states
 }
 
-/// Compiles all states at once, as modules of one crate.
-fn compile_states(reader: &ReaderWorkspace, states: &[CrateState]) -> Result<()> {
-    let mut lib = String::new();
-    for CrateState { name, files } in states {
+#[test]
+fn crates_compile_at_each_heading_and_command() -> Result<()> {
+    let (states, reader, mut lib) = (crate_states(), typed_workspace(), String::new());
+    assert!(20 <= states.len());
+    // All at once, as modules of one crate.
+    for (name, files) in &states {
         for (file, text) in files {
             let file = if file == "lib.rs" { "mod.rs" } else { file };
             let text = crate_as_module(text, name, []);
-            let path = format!("steps/states/src/{name}/{file}");
-            reader.write_if_changed(&path, &text)?;
+            reader.write_if_changed(&format!("steps/states/src/{name}/{file}"), &text)?;
         }
         lib += &format!("mod {name};\n");
     }
     reader.write_if_changed("steps/states/Cargo.toml", STATES_MANIFEST)?;
     reader.write_if_changed("steps/states/src/lib.rs", &lib)?;
     reader.build(&["-p", "states"])
-}
-
-#[test]
-fn crates_compile_at_each_heading_and_command() -> Result<()> {
-    let states = crate_states();
-    assert!(20 <= states.len());
-    compile_states(&typed_workspace(), &states)
 }
