@@ -12,8 +12,11 @@ use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
+/// The name of a count, and the function that counts.
+pub type Count = (&'static str, fn() -> usize);
+
 /// The counts, by name.
-pub const COUNTS: [(&str, fn() -> usize); 7] = [
+pub const COUNTS: [Count; 7] = [
     ("step02-touches", || count_rays(|ray| discriminant(&SPHERE, ray) == 0.0)),
     ("step02-normalised", || {
         let unit_ray = |ray: &Ray| Ray { direction: ray.direction.normalize(), ..*ray };

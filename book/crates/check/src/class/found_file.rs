@@ -77,7 +77,6 @@ pub(crate) fn picture_names() -> impl Iterator<Item = &'static str> + Clone {
     locked_names().into_iter().chain([NAMED_SCENE_EXAMPLE])
 }
 
-/// The picture that the name of a file tells.
 pub(crate) fn picture_in_name(path: &str) -> Option<&'static str> {
     let is_picture = has_extension(path, &PICTURE_EXTENSIONS);
     find_name_in_file_name(path, picture_names()).filter(|_| is_picture)
