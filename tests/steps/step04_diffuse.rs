@@ -2,14 +2,8 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
-use step04_diffuse::{OBJECTS, Object, PointLight, Ray, Sphere, WARM, normal, visible_point};
+use step04_diffuse::{Object, PointLight, Sphere, WARM, normal, visible_point};
 use tests::{random_point, random_sphere_and_ray};
-
-#[test]
-fn ray_without_hit_has_no_visible_point() {
-    let ray_up = Ray { start: DVec3::ZERO, direction: DVec3::Y };
-    assert_eq!(visible_point(&OBJECTS, &ray_up), None);
-}
 
 proptest! {
     #[test]

@@ -2,17 +2,9 @@
 //! the question says, shows what the answer says. And what else a chapter says of a run.
 
 use glam::DVec3;
-use step02_sphere::{Ray, Roots, SPHERE, Sphere};
-use step03_nearest::{OBJECTS, Object, colour, nearest};
+use step02_sphere::{Ray, Roots};
+use step03_nearest::{OBJECTS, Object, nearest};
 use tests::primary_rays;
-
-/// "Let $s$ be `ray.start` alone …, which puts the centre at your eye."
-#[test]
-fn sphere_around_the_eye_is_hit_by_every_ray() {
-    let sphere = Sphere { centre: DVec3::ZERO, ..SPHERE };
-    let mut rays = primary_rays();
-    assert!(rays.all(|ray| sphere.intersect(&ray).first_hit().is_some()));
-}
 
 /// "Red is the first in the list and loses every overlap, but wherever two others overlap,
 /// the nearer one happens to come later."
@@ -66,18 +58,4 @@ fn sphere_behind_the_eye_is_on_the_lines_of_the_lower_left_rays() {
     let direction_sum: DVec3 = rays.map(|ray| ray.direction).sum();
     assert!(0.0 < green.centre.x && 0.0 < green.centre.y);
     assert!(direction_sum.x < 0.0 && direction_sum.y < 0.0);
-}
-
-/// "Add a ball with its centre at the eye and a radius of 100."
-#[test]
-fn ball_around_the_scene_colours_its_sky() {
-    let (objects, sky) = (course::examples::my_scene::objects(), DVec3::splat(0.2));
-    let sphere = Sphere { centre: DVec3::ZERO, radius: 100.0 };
-    let ball = Object { name: "ball", sphere, material: sky };
-    let objects_and_ball = [&objects[..], &[ball]].concat();
-    for ray in primary_rays() {
-        let hit = nearest(&objects, &ray);
-        let expected = hit.map_or(sky, |hit| hit.object.material);
-        assert_eq!(colour(&objects_and_ball, &ray), expected);
-    }
 }
