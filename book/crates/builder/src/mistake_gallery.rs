@@ -11,85 +11,64 @@ use figures::escape;
 /// differ, the diff, and what is to be said of it.
 pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
-    let shown = shown_mistakes().filter_map(|(mistake, book_entry)| {
-        let (picture, pictured_step) = book_entry.pictures.first()?;
-        (*pictured_step == step).then_some(Shown { mistake, book_entry, name: picture, step })
-    });
-    let shown: Vec<_> = shown.collect();
-    let items: Result<String, String> =
-        shown.iter().map(|one| one.contact_item_markdown(sources)).collect();
-    let sections: Result<String, String> =
-        shown.iter().map(|one| one.section_markdown(sources)).collect();
-    let style = format!("--items: {}", shown.len());
-    Ok(format!("<div class=\"contacts\" style=\"{style}\">\n\n{}\n</div>\n{}", items?, sections?))
-}
-
-struct Shown {
-    mistake: &'static Mistake,
-    book_entry: &'static BookEntry,
-    name: &'static str,
-    step: Step,
-}
-
-impl Shown {
-    /// The item on the contact sheet, a link to its section.
-    fn contact_item_markdown(&self, sources: &Sources) -> Result<String, String> {
-        let effect = self.book_entry.effect.replace('`', "");
-        let picture = picture::html(&effect, &self.source(), sources)?;
-        Ok(format!("- [{picture} {}](#{})\n", self.capitalised_title_html()?, self.name))
-    }
-
-    fn section_markdown(&self, sources: &Sources) -> Result<String, String> {
-        let Self { mistake, book_entry, name, step } = self;
-        let is_of_program = mistake.file.ends_with("/program.rs");
-        let chapter = if is_of_program { "step01_program" } else { mistake.step.name() };
-        let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
-        let id = book_entry.section.to_lowercase().replace(' ', "-");
-        let id: String = id.chars().filter(is_kept).collect();
-        let ours = format!("generated/{}", small_picture_name(*step));
-        Ok(format!(
-            "\n### {} {{#{name}}}\n\n{}\n\n{}\n\n{} [Step {}, “{}”]({chapter}.md#{id})\n",
-            self.capitalised_title_html()?,
-            self.panels_html(&ours, sources)?,
+    let (mut count, mut items, mut sections) = (0, String::new(), String::new());
+    for (mistake, entry) in shown_mistakes() {
+        let Some((name, _)) = entry.pictures.first().filter(|(_, one)| *one == step) else {
+            continue;
+        };
+        let (title, source) = (title_html(mistake)?, format!("generated/mistake-{name}.png"));
+        let picture = picture::html(&entry.effect.replace('`', ""), &source, sources)?;
+        items += &format!("- [{picture} {title}](#{name})\n");
+        sections += &format!(
+            "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
+            panels_html(&source, step, sources)?,
             changed_lines_html(mistake),
-            inline_html(&symbols_as_formulas(book_entry.reason))?,
-            mistake.step.number(),
-            book_entry.section,
-        ))
+            reason_markdown(mistake, entry)?,
+        );
+        count += 1;
     }
+    let style = format!("--items: {count}");
+    Ok(format!("<div class=\"contacts\" style=\"{style}\">\n\n{items}\n</div>\n{sections}"))
+}
 
-    /// The picture with the mistake, `ours`, and where they differ: the browser blends two
-    /// pictures, one upon the other.
-    fn panels_html(&self, ours: &str, sources: &Sources) -> Result<String, String> {
-        let number = self.step.number();
-        let alt = format!("The picture of step {number} with this mistake.");
-        let yours = self.source();
-        let wrong = picture::html(&alt, &yours, sources)?;
-        let right = picture::html("The right picture.", ours, sources)?;
-        Ok(format!(
-            "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
-             <span data-label=\"Ours\">{right}</span>\
-             <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
-             aria-label=\"The difference.\">\
-             <img src=\"{yours}\" alt=\"Yours.\"{LAZY}>\
-             <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>"
-        ))
-    }
+/// Why a mistake is wrong, and a link to the section that tells.
+fn reason_markdown(mistake: &Mistake, entry: &BookEntry) -> Result<String, String> {
+    let step = mistake.step;
+    let is_of_program = mistake.file.ends_with("/program.rs");
+    let chapter = if is_of_program { "step01_program" } else { step.name() };
+    let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
+    let id = entry.section.to_lowercase().replace(' ', "-");
+    let id: String = id.chars().filter(is_kept).collect();
+    let reason = inline_html(&symbols_as_formulas(entry.reason))?;
+    let (number, section) = (step.number(), entry.section);
+    Ok(format!("{reason} [Step {number}, “{section}”]({chapter}.md#{id})"))
+}
 
-    fn source(&self) -> String {
-        format!("generated/mistake-{}.png", self.name)
-    }
+/// The picture with a mistake, ours of that step, and where they differ: the browser blends two
+/// pictures, one upon the other.
+fn panels_html(yours: &str, step: Step, sources: &Sources) -> Result<String, String> {
+    let ours = format!("generated/{}", small_picture_name(step));
+    let alt = format!("The picture of step {} with this mistake.", step.number());
+    let wrong = picture::html(&alt, yours, sources)?;
+    let right = picture::html("The right picture.", &ours, sources)?;
+    Ok(format!(
+        "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
+         <span data-label=\"Ours\">{right}</span>\
+         <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
+         aria-label=\"The difference.\">\
+         <img src=\"{yours}\" alt=\"Yours.\"{LAZY}>\
+         <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>"
+    ))
+}
 
-    /// HTML of the title, with a capital letter, unless it begins with a symbol.
-    fn capitalised_title_html(&self) -> Result<String, String> {
-        let title = self.mistake.title;
-        let word = title.split(' ').next().unwrap_or_default();
-        let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-        inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {
-            Some((first, rest)) if is_word => first.to_uppercase() + rest,
-            _ => title.to_owned(),
-        }))
-    }
+/// The title of a mistake, with a capital letter, unless it begins with a symbol.
+fn title_html(Mistake { title, .. }: &Mistake) -> Result<String, String> {
+    let word = title.split(' ').next().unwrap_or_default();
+    let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
+    inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {
+        Some((first, rest)) if is_word => first.to_uppercase() + rest,
+        _ => (*title).to_owned(),
+    }))
 }
 
 /// The lines of the file, and those that are written instead.
