@@ -104,10 +104,7 @@ fn copy_crates(steps: &Path, scene: &str, folder: &Path) -> io::Result<()> {
     fs::create_dir_all(&examples)?;
     let program = examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs");
     fs::write(program, draw_named_scene(scene).0)?;
-    let manifest = fs::read_to_string(course.join("Cargo.toml"))?;
-    let members = manifest.lines().filter(|line| !line.trim_start().starts_with("\"book/"));
-    let members = members.filter(|line| line.trim() != "\"tests\",");
-    fs::write(folder.join("Cargo.toml"), members.collect::<Vec<_>>().join("\n"))?;
+    fs::copy(course.join("book/reader/Cargo.toml"), folder.join("Cargo.toml"))?;
     fs::copy(course.join("Cargo.lock"), folder.join("Cargo.lock"))?;
     Ok(())
 }
