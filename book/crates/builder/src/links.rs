@@ -47,10 +47,6 @@ fn addresses_in(element: ElementRef<'_>) -> Vec<(&str, &str)> {
             // Says where the book is, and fetches nothing.
             "href" if element.value().name() == "base" => {}
             "href" | "src" => addresses.push((name, value)),
-            "srcset" | "imagesrcset" => {
-                let sets = value.split(',').filter_map(|set| set.split_whitespace().next());
-                addresses.extend(sets.map(|address| (name, address)));
-            }
             // Words for readers.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),

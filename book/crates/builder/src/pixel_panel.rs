@@ -2,7 +2,7 @@ use figures::Figure;
 use step03_nearest::OBJECTS;
 
 /// The text about a pixel, with a number for each `{{#number name}}`. A line that
-/// begins with `2-4` is for the pictures of these steps.
+/// begins with `45` is for the pictures of these steps.
 pub const TEXT: &str = include_str!("pixel_trace_template.md");
 
 /// The same for the picture with mirrors.
@@ -51,13 +51,10 @@ pub fn panel_html(live: &Figure, text: &str) -> String {
 
 /// A line as it is for the picture of a step; None where it is for other steps.
 fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
-    let steps = line.split_once(' ').and_then(|(steps, rest)| {
-        let (first, last) = steps.split_once('-')?;
-        Some((first.parse::<u32>().ok()?..=last.parse().ok()?, rest))
-    });
-    let Some((steps, rest)) = steps else { return Some(line) };
-    let step = name.strip_prefix("step")?.get(..2)?.parse().ok()?;
-    steps.contains(&step).then_some(rest)
+    match line.split_once(' ').filter(|(steps, _)| steps.parse::<u32>().is_ok()) {
+        Some((steps, rest)) => steps.contains(name.get(5..6)?).then_some(rest),
+        None => Some(line),
+    }
 }
 
 /// A row of these numbers, number `k` of the table.
