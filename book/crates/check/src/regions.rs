@@ -1,5 +1,5 @@
 use crate::answer::join_first;
-use crate::comparison::{Comparison, Pixel};
+use crate::comparison::Comparison;
 use crate::drawing::{Drawing, bytes};
 use std::cmp::Reverse;
 use step01_rays::direction_colour;
@@ -14,7 +14,9 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
     for pixel in &comparison.pixels {
         let Some(k) = pixel.object() else { continue };
         let shows_sky = pixel.is_wrong() && bytes(direction_colour(&pixel.ray)) == pixel.yours;
-        let shows_object = pixel.is_wrong() && shows_another_object(drawing, pixel);
+        let mut others = drawing.object_hits(&pixel.ray).filter(|hit| hit.object != k);
+        let shows_object = pixel.is_wrong()
+            && others.any(|hit| bytes(drawing.colour_at_hit(&pixel.ray, hit)) == pixel.yours);
         sky_count += usize::from(shows_sky);
         object_count += usize::from(shows_object);
         missing[k] = Some(missing[k].unwrap_or(true) && (shows_sky || shows_object));
@@ -35,13 +37,6 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
         }
     }
     sentences
-}
-
-/// Whether yours has the colour of another object than the nearest.
-fn shows_another_object(drawing: &Drawing, pixel: &Pixel) -> bool {
-    let mut others =
-        drawing.object_hits(&pixel.ray).filter(|hit| pixel.object() != Some(hit.object));
-    others.any(|hit| bytes(drawing.colour_at_hit(&pixel.ray, hit)) == pixel.yours)
 }
 
 /// A line about the sky and the objects of ours: which are right in every pixel, and how many
