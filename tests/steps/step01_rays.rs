@@ -13,16 +13,6 @@ fn nearly_equal(a: f64, b: f64) -> bool {
 }
 
 #[test]
-fn program_prints_file_size_and_time() {
-    let program = StepProgram::new("step01_rays", "prints");
-    let output = program.run("--width 64 --aspect 4:3 --samples 2 --output small.png");
-    let text = String::from_utf8_lossy(&output.stdout);
-    assert!(text.starts_with("small.png: 64×48 pixels in "), "{text}");
-    assert!(output.stderr.is_empty(), "{output:?}");
-    assert!(text.ends_with("s\n") && text.lines().count() == 1, "{text}");
-}
-
-#[test]
 fn program_accepts_the_limits_of_its_options() {
     let program = StepProgram::new("step01_rays", "limits");
     for arguments in [

@@ -26,7 +26,9 @@ pub fn assert_program_works(step: &'static str) {
     let (program, file) = (StepProgram::new(step, "draws"), format!("{step}.png"));
     fs::write(program.folder.join(&file), "old").expect("a file");
     let output = program.run("");
-    assert!(output.status.success(), "{output:?}");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let is_line = text.starts_with(&format!("{file}: 640×360 pixels in ")) && text.ends_with("s\n");
+    assert!(output.status.success() && output.stderr.is_empty() && is_line, "{output:?}");
     assert_eq!(program.file_names(), [&file[..]]);
     let picture = image::open(program.folder.join(&file)).expect("a PNG").to_rgb8();
     let difference = Difference::between(&read_snapshot(step), &picture);

@@ -5,8 +5,8 @@ use scraper::ElementRef;
 #[derive(Clone, Debug)]
 pub struct Listing<'a> {
     pub path: &'a str,
-    /// The numbers of its first and of its last line, from 1.
-    pub lines: (usize, usize),
+    /// The number of its first line, from 1.
+    pub first_line: usize,
     pub code: String,
 }
 
@@ -21,10 +21,7 @@ impl<'a> Listing<'a> {
         let location = page.address_for_fault(figure);
         let elements = select_all(figure, "code");
         let [element] = elements[..] else { panic!("{location} needs one code element") };
-        let lines = figure.attr("data-lines").and_then(|lines| {
-            let (first, last) = lines.split_once('-')?;
-            Some((first.parse().ok()?, last.parse().ok()?))
-        });
+        let lines = figure.attr("data-lines").and_then(|lines| lines.split('-').next());
         let is_rust = element.attr("class").is_some_and(|class| class.contains("rust"));
         let mut code = inner_text(element);
         // mdBook ends the last line of all code but Rust.
@@ -33,7 +30,7 @@ impl<'a> Listing<'a> {
         }
         Self {
             path: figure.attr("data-path").unwrap_or_default(),
-            lines: lines.unwrap_or_else(|| panic!("{location} has no data-lines")),
+            first_line: lines.and_then(|first| first.parse().ok()).expect(&location),
             code,
         }
     }
@@ -42,6 +39,6 @@ impl<'a> Listing<'a> {
 /// Joins the listings of one file, in the order of its lines.
 pub fn join_listings(listings: &[Listing]) -> String {
     let mut listings: Vec<_> = listings.iter().collect();
-    listings.sort_by_key(|listing| listing.lines);
+    listings.sort_by_key(|listing| listing.first_line);
     listings.iter().map(|listing| format!("{}\n", listing.code)).collect()
 }
