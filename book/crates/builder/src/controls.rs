@@ -77,10 +77,8 @@ impl Control<'_> {
         let Self { live, k, parameter, .. } = self;
         let (symbol, words) = self.symbol_and_words();
         let (class, content) = self.class_and_content(symbol, &words);
-        let first_group = live.handles.first().map_or("", |handle| {
-            let [first, _] = handle.parameters;
-            live.parameters[first].group
-        });
+        let first = live.handles.first().map(|handle| handle.parameters[0]);
+        let first_group = first.map_or("", |k| live.parameters[k].group);
         let has_control = (parameter.has_control)(parameter, &live.default_values());
         let is_visible = has_control && parameter.group == first_group;
         let hidden = if is_visible { "" } else { " hidden" };

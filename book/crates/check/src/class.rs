@@ -100,9 +100,8 @@ pub fn report_on_folder(
     let (mut students, stray) = if is_own {
         files.retain(|file| file.depth() <= MOST_OWN_FOLDERS && file.may_be_picture());
         // Whose scene it is isn't known, but where that is asked for.
-        let scene = Some(NAMED_SCENE_EXAMPLE).filter(|scene| !required.contains(scene));
-        let scenes = files.iter_mut().filter(|file| scene.is_some() && file.picture == scene);
-        scenes.for_each(|file| file.picture = None);
+        let is_known = |name: &&str| *name != NAMED_SCENE_EXAMPLE || required.contains(name);
+        files.iter_mut().for_each(|file| file.picture = file.picture.filter(is_known));
         let path = folder.canonicalize().unwrap_or_default();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         (vec![Student::new(&name, files)], vec![])
