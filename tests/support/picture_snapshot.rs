@@ -61,11 +61,10 @@ fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Optio
     };
     let difference = Difference::between(&locked, picture)?;
     let path = panels_path(name);
-    let is_written = fs::create_dir_all(path.with_file_name("")).is_ok()
-        && draw_panels(picture, &locked).save(&path).is_ok();
-    let caption = match is_written {
-        true => "New, locked and difference (orange where the new one is brighter):",
-        false => "The difference can't be written to",
+    let _ = fs::create_dir_all(path.with_file_name(""));
+    let caption = match draw_panels(picture, &locked).save(&path) {
+        Ok(()) => "New, locked and difference (orange where the new one is brighter):",
+        Err(_) => "The difference can't be written to",
     };
     Some(format!("{difference}.\n{caption} {}", path.display()))
 }

@@ -17,11 +17,9 @@ mod github_workflow;
 mod own_scene;
 mod typed_book;
 
-// Results by hand and answers to predictions are right.
-mod by_hand_names;
-mod predictions;
-
+// Answers to predictions are right, and the fonts have all letters.
 mod fonts;
+mod predictions;
 
 /// Fails if there are faults, and prints all of them.
 #[track_caller]
