@@ -1,9 +1,10 @@
 //! Step 1: rays, the camera, and the program around the picture.
 
+use crate::step_program::StepProgram;
 use course::examples::row::Row;
 use glam::DVec3;
 use step01_rays::{AspectRatio, Camera, render};
-use tests::{StepProgram, camera};
+use tests::camera;
 
 /// Fields of view in degrees, from narrow to wide.
 const FIELDS_OF_VIEW: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];

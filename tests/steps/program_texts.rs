@@ -1,6 +1,7 @@
-use crate::{StepProgram, read_snapshot};
-use course::Difference;
+use crate::step_program::StepProgram;
+use course::{Difference, Step};
 use std::fs;
+use tests::read_snapshot;
 
 /// Arguments with which a program draws nothing: what it prints is locked.
 const ARGUMENTS: [&str; 14] = [
@@ -20,9 +21,14 @@ const ARGUMENTS: [&str; 14] = [
     "--output folder.png",
 ];
 
+#[test]
+fn programs_draw_the_locked_pictures_and_reject_invalid_arguments() {
+    Step::NAMES.into_iter().for_each(assert_program_works);
+}
+
 /// Fails unless the program of `step` writes the locked picture over an old file and nothing
 /// else, and prints what all five print for `ARGUMENTS`, leaving every file as it was.
-pub fn assert_program_works(step: &'static str) {
+fn assert_program_works(step: &'static str) {
     let (program, file) = (StepProgram::new(step, "draws"), format!("{step}.png"));
     fs::write(program.folder.join(&file), "old").expect("a file");
     let output = program.run("");
