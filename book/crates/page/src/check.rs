@@ -1,15 +1,12 @@
 use ::check::LockedPictures;
 use course::json;
 use figures::Reply;
-use image::RgbImage;
-
-/// Columns and rows of the locked pictures.
-const SIZE: [u32; 2] = [640, 360];
 
 thread_local! {
     /// The locked pictures, each drawn when it is first needed.
     static LOCKED: LockedPictures = LockedPictures::new(|name| {
-        draw_picture(name, SIZE[0]).ok_or_else(|| format!("nothing draws {name}"))
+        let picture = course::find_picture(name).ok_or_else(|| format!("nothing draws {name}"))?;
+        Ok(picture(&course::camera(), 1))
     });
 }
 
@@ -38,24 +35,4 @@ fn page_answer(answer: ::check::Answer) -> Reply {
         pixels = figures::rgba_bytes(&difference);
     }
     Reply { pixels, ..Reply::from_json_fields(fields) }
-}
-
-/// A picture of the course: red, green and blue of each pixel. The words are its name and,
-/// if it is to be small, its columns.
-pub fn draw(words: &str) -> Reply {
-    let (name, columns) = words.split_once(' ').unwrap_or((words, ""));
-    let columns = columns.parse().unwrap_or(SIZE[0]);
-    let Some(picture) = draw_picture(name, columns) else {
-        return Reply::default();
-    };
-    let size = json::list([picture.width(), picture.height()]);
-    Reply { pixels: picture.into_raw(), ..Reply::from_json_fields([("size", size)]) }
-}
-
-/// The picture of this name with so many columns; None if there is none.
-fn draw_picture(name: &str, columns: u32) -> Option<RgbImage> {
-    let picture = course::find_picture(name)?;
-    let rows = columns * SIZE[1] / SIZE[0];
-    let camera = course::camera_with_size(columns, rows);
-    Some(picture(&camera, 1))
 }

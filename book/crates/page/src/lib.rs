@@ -4,15 +4,10 @@
 
 #[cfg(feature = "check")]
 mod check;
-#[cfg(feature = "check")]
-pub use check::{check, draw};
-
 #[cfg(feature = "expressions")]
 mod edit;
 #[cfg(feature = "expressions")]
 pub mod expressions;
-#[cfg(feature = "expressions")]
-pub use edit::edit;
 
 // `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
 #[allow(unsafe_code)]
@@ -21,7 +16,7 @@ mod page;
 use figures::Reply;
 
 /// Answers a request. `mistakes` brings the texts of the list of mistakes, to a module: they aren't
-/// in it. What begins with `check`, `draw` or `edit` goes to the function of that name, all else to
+/// in it. What begins with `check` or `edit` goes to the function of that name, all else to
 /// [`figures::reply`].
 pub fn answer(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
@@ -30,11 +25,9 @@ pub fn answer(request: &str, file: &[u8]) -> Reply {
             Reply::from_json_fields([])
         }
         #[cfg(feature = "check")]
-        Some(("check", words)) => check(words, file),
-        #[cfg(feature = "check")]
-        Some(("draw", name)) => draw(name),
+        Some(("check", words)) => check::check(words, file),
         #[cfg(feature = "expressions")]
-        Some(("edit", words)) => edit(words),
+        Some(("edit", words)) => edit::edit(words),
         #[cfg(feature = "live")]
         _ => figures::reply(request),
         #[cfg(not(feature = "live"))]
