@@ -93,7 +93,7 @@ impl Compiler<'_> {
         if !part.node.is_constant() {
             return Ok(part);
         }
-        let sample = part.node.evaluate(&mut []).or_else(|(range, why)| refuse(range, why))?;
+        let sample = part.node.evaluate(&mut [])?;
         Ok(Part { node: Node::Constant(sample), sample, ..part })
     }
 

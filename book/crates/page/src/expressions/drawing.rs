@@ -44,7 +44,7 @@ pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec
         match line.evaluate(variables) {
             Ok(_) if is_over() => stop(line, 0..line.length, TOO_LONG),
             Ok(result) => value = result,
-            Err((range, sentence)) => stop(line, range, sentence),
+            Err(Refusal { range, sentence }) => stop(line, range, &sentence),
         }
     }
     T::try_from(value).unwrap_or_default()

@@ -1,3 +1,4 @@
+use crate::expressions::refusal::{Checked, refuse};
 use crate::expressions::value::Value;
 use course::Place;
 use std::ops::Range;
@@ -17,12 +18,9 @@ pub enum Node {
     Let(usize, Box<[Node; 2]>),
 }
 
-/// Range of a text at which the reader's program would stop, and the reason.
-pub type Stop = (Range<usize>, &'static str);
-
 impl Node {
-    /// Computes its value for these values of the slots.
-    pub fn evaluate(&self, slots: &mut [Value]) -> Result<Value, Stop> {
+    /// Computes its value for these values of the slots, unless the reader's program would stop.
+    pub fn evaluate(&self, slots: &mut [Value]) -> Checked<Value> {
         match self {
             Self::Constant(value) => Ok(*value),
             Self::Slot(index) => Ok(slots[*index]),
@@ -32,7 +30,7 @@ impl Node {
                     *value = node.evaluate(slots)?;
                 }
                 match apply(&values[..nodes.len()]) {
-                    Value::Stop(sentence) => Err((range.clone(), sentence)),
+                    Value::Stop(sentence) => refuse(range.clone(), sentence),
                     value => Ok(value),
                 }
             }
@@ -75,7 +73,7 @@ pub struct Expression {
 
 impl Expression {
     /// Computes its value for these values of the variables.
-    pub fn evaluate(&self, mut variables: Vec<Value>) -> Result<Value, Stop> {
+    pub fn evaluate(&self, mut variables: Vec<Value>) -> Checked<Value> {
         spend(self.steps);
         variables.resize(self.slots, Value::Unfit);
         self.node.evaluate(&mut variables)

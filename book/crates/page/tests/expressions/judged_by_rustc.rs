@@ -98,9 +98,8 @@ fn rustc_judges_made_lines() {
     let (mut wrong, mut only_here, mut equal) = (String::new(), String::new(), 0);
     for ((kind, text), judged) in lines.iter().zip(ask_rustc(&lines)) {
         place.kind = kind;
-        let line = parse_expression(&place, text).map_err(|refusal| refusal.sentence);
-        let value =
-            line.and_then(|line| line.evaluate(values.clone()).map_err(|stop| stop.1.to_owned()));
+        let line = parse_expression(&place, text);
+        let value = line.and_then(|line| line.evaluate(values.clone()));
         // Without the name of the type.
         let value =
             value.map(|value| format!("{value:?}").split_once('(').expect("one").1.to_owned());
@@ -108,7 +107,7 @@ fn rustc_judges_made_lines() {
         match (judged.as_deref(), value) {
             (None | Some("stop"), Err(_)) => {}
             (Some(right), Ok(value)) if value == right => equal += 1,
-            (Some(_), Err(sentence)) => only_here += &format!("{text}: {sentence}\n"),
+            (Some(_), Err(refusal)) => only_here += &format!("{text}: {}\n", refusal.sentence),
             (right, value) => wrong += &format!("{text}: {value:?}, rustc {right:?}\n"),
         }
     }
