@@ -90,11 +90,12 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     }
 }
 
-// Loads a script, once.
+// Loads a script, once, in turn with others unless it is large; one that failed is loaded again.
 const scripts = {};
-const load = file => scripts[file] ??= new Promise(done => {
+const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
     const script = document.createElement("script");
-    document.head.append(Object.assign(script, { src: path_to_root + file, async: false, onload: done, onerror: done }));
+    const onerror = () => done(delete scripts[file]);
+    document.head.append(Object.assign(script, { src: path_to_root + file, async: isLarge, onload: done, onerror }));
 });
 
 // Code: colours, when it comes near the view or is printed, and a button that copies a listing.

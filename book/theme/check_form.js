@@ -16,7 +16,7 @@
     async function askWorker(worker, request, file) {
         // A larger one is too large, whatever follows.
         const bytes = new Uint8Array(await file.slice(0, 2 ** 26 + 1).arrayBuffer());
-        const module = await wasmModules.load("check");
+        const module = await wasmModules.compile("check");
         return new Promise((resolve, reject) => {
             Object.assign(worker, { onmessage: ({ data }) => resolve(data), onerror: reject });
             worker.postMessage([module, request, bytes]);

@@ -45,7 +45,7 @@ class Figure {
         printed.draggable = false;
         this.printed = this.output = printed;
         this.stage.append(printed);
-        Object.assign(this, { divisor: 1, wholeTime: 0, restTimer: 0, requests: new Map() });
+        Object.assign(this, { wholeTime: 0, restTimer: 0, frame: 0 });
     }
 
     // What stands elsewhere on the page and depends on the values.
@@ -63,38 +63,20 @@ class Figure {
         this.values = this.values.map((old, k) => k === index ? value : old);
     }
 
-    // A picture is drawn with all its columns, or, while something moves, with a half or a quarter.
-    request(verb, ...words) {
-        const { columns, values } = this.about;
-        const sent = this.values.map((value, k) => k === columns ? values[k] / this.divisor : value);
-        return this.ask(verb, ...words, ...sent);
-    }
-
-    drawWhole() {
-        this.divisor = 1;
-        this.tryShow(() => this.request("show"));
-    }
-
-    drawMoving(makeAnswer) {
-        this.divisor = [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4;
+    drawMoving(...words) {
+        const divisor = [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4;
         const start = performance.now();
-        const hasPicture = this.tryShow(makeAnswer)?.size;
+        const hasPicture = this.draw(words, divisor)?.size;
         clearTimeout(this.restTimer);
         if (!hasPicture) return;
-        this.wholeTime = (performance.now() - start) * this.divisor ** 2;
-        if (1 < this.divisor) this.restTimer = setTimeout(() => this.drawWhole(), REST);
+        this.wholeTime = (performance.now() - start) * divisor ** 2;
+        if (1 < divisor) this.restTimer = setTimeout(() => this.draw(), REST);
     }
 
-    // The requests of the next frame: of each thing that moves, only the last gesture counts.
-    drawNextFrame(source, makeAnswer) {
-        const isPlanned = 0 < this.requests.size;
-        this.requests.set(source, makeAnswer);
-        if (isPlanned) return;
-        requestAnimationFrame(() => {
-            const planned = [...this.requests.values()];
-            this.requests.clear();
-            planned.forEach(one => this.drawMoving(one));
-        });
+    // Only the last gesture before a frame counts.
+    drawNextFrame(...words) {
+        cancelAnimationFrame(this.frame);
+        this.frame = requestAnimationFrame(() => this.drawMoving(...words));
     }
 
     // The controls are printed: for a parameter a range or a switch, and a field for a number.
@@ -109,7 +91,7 @@ class Figure {
         this.groupSelect = this.controls.querySelector(".choice select");
         this.groupSelect?.addEventListener("change", () => this.selectGroup(this.groupSelect.value));
         this.reset = this.controls.querySelector(".reset");
-        this.reset.addEventListener("click", () => { this.values = this.about.values; this.drawWhole(); });
+        this.reset.addEventListener("click", () => { this.values = this.about.values; this.draw(); });
     }
 
     followInput(input, k) {
@@ -117,7 +99,7 @@ class Figure {
             const value = input.type === "checkbox" ? Number(input.checked) : readNumber(input.value);
             if (Number.isNaN(value)) return;
             this.setValue(k, value);
-            this.drawNextFrame("control", () => this.request("show"));
+            this.drawNextFrame("show");
         });
         // A field of text takes 58,72 and 1/2, too. What was typed gives way to the allowed number that is
         // nearest, and arrow keys step as in a field of numbers.
@@ -130,7 +112,7 @@ class Figure {
             if (!steps) return;
             event.preventDefault();
             this.setValue(k, this.values[k] + steps * Number(input.step));
-            this.drawMoving(() => this.request("show"));
+            this.drawMoving("show");
             input.value = this.values[k];
         });
     }
@@ -160,11 +142,14 @@ class Figure {
         this.afterControls?.();
     }
 
-    // Puts the answer to a request in place, and returns it. Where there is nothing to show, the last one
-    // stays, and the page says so.
-    tryShow(makeAnswer) {
+    // Puts the answer to a request in place, and returns it: a picture has all its columns, or, while
+    // something moves, a half or a quarter. Where there is nothing to show, the last one stays, and the
+    // page says so.
+    draw(words = ["show"], divisor = 1) {
+        const { columns, values } = this.about;
+        const sent = this.values.map((value, k) => k === columns ? values[k] / divisor : value);
         try {
-            const answer = makeAnswer();
+            const answer = this.ask(...words, ...sent);
             this.show(answer);
             return answer;
         } catch {
@@ -245,7 +230,7 @@ class Figure {
 
     askPixel(event) {
         const place = this.placeOfPointer(event);
-        this.drawNextFrame("probe", () => this.request("drag", this.handles.indexOf(this.probe), ...place));
+        this.drawNextFrame("drag", this.handles.indexOf(this.probe), ...place);
         this.probe.focus({ preventScroll: true });
     }
 
@@ -271,6 +256,7 @@ async function activateFigure(root) {
         Object.assign(controls, { hidden: false, inert: false });
         root.dataset.ready = "";
     } catch (error) {
+        wasmModules.drop("live");
         fault.textContent = `This doesn't answer here. ${error.message}`;
         if (!root.querySelector(".stage")) setTimeout(whenNear, 5000, [root], activateFigure);
     }

@@ -24,7 +24,7 @@ function makeHandle(figure, about, k) {
     handle.changeDepth = length => {
         const z = about.parameters[1] + 1;
         figure.setValue(z, figure.values[z] + length / 30);
-        figure.drawNextFrame(k, () => figure.request("show"));
+        figure.drawNextFrame("show");
     };
     handle.addEventListener("pointermove", event => {
         if (!offset) return;
@@ -32,7 +32,7 @@ function makeHandle(figure, about, k) {
         const [x, y] = figure.placeOfPointer(event);
         const [dx, dy] = offset;
         if (event.shiftKey && about.group) return void handle.changeDepth(event.movementY);
-        figure.drawNextFrame(k, () => figure.request("drag", k, x + dx, y + dy));
+        figure.drawNextFrame("drag", k, x + dx, y + dy);
     });
     for (const end of ["pointerup", "pointercancel"]) {
         handle.addEventListener(end, event => {
@@ -47,7 +47,7 @@ function makeHandle(figure, about, k) {
         event.preventDefault();
         const count = event.shiftKey ? 10 : 1;
         // Keys follow each other faster than frames: none is lost.
-        figure.drawMoving(() => figure.request("step", k, count * step[0], count * step[1]));
+        figure.drawMoving("step", k, count * step[0], count * step[1]);
     });
 
     // Rounded to its step, a handle at the border may be a little outside.
@@ -75,7 +75,7 @@ function followPixelAddress(figure) {
         const [column, row] = figure.probe.about.parameters;
         figure.setValue(column, Number(i));
         figure.setValue(row, Number(j));
-        figure.drawMoving(() => figure.request("show"));
+        figure.drawMoving("show");
         figure.probe.focus({ preventScroll: true });
     };
     addEventListener("hashchange", openPixel);

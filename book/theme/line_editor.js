@@ -194,7 +194,6 @@
             if (line !== hand) return;
             answer = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
         } catch {
-            // A module that failed once would fail again.
             wasmModules.drop("expressions");
             tell("This page can't draw that, or a part of it did not load. Press Enter to try again.");
             return;

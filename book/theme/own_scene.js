@@ -28,7 +28,7 @@ function addHistory(figure, addTool) {
         if (!states[now + step]) return;
         now += step;
         figure.values = states[now];
-        figure.drawWhole();
+        figure.draw();
     };
     const buttons = [["Undo", -1], ["Redo", 1]].map(([words, step]) => [addTool(words, () => showState(step)), step]);
     const showButtons = () => { for (const [button, step] of buttons) button.disabled = !states[now + step]; };
@@ -87,7 +87,7 @@ function addSphereButton(figure, addTool) {
         const handle = figure.handles.find(isMissing);
         if (!handle) return void (figure.fault.textContent = "There can be twelve spheres at most.");
         figure.setValue(handle.about.parameters[0] - 1, 1);
-        figure.drawWhole();
+        figure.draw();
         figure.selectGroup(handle.about.group);
         handle.focus({ preventScroll: true });
     });
@@ -104,7 +104,7 @@ function addColourField(figure, tools) {
     field.addEventListener("input", () => {
         const bytes = field.value.match(/\w\w/g).map(byte => parseInt(byte, 16));
         findChannels().forEach((channel, k) => figure.setValue(channel, bytes[k] / 255));
-        figure.drawNextFrame("colour", () => figure.request("show"));
+        figure.drawNextFrame("show");
     });
     figure.afterControls = () => {
         const channels = findChannels();

@@ -2,31 +2,26 @@
 
 // The modules, which are the code of the five crates: "live" draws the figures, "check" looks at the
 // reader's picture, and "expressions" draws with a line that the reader edits. These two know the list of
-// mistakes, which is a script of its own. Each is compiled once its script is loaded.
+// mistakes, which is a script of its own.
 const wasmModules = (() => {
-    const resolvers = {}, promises = {};
-    // What is made once of a name; where that fails, the next request tries again.
-    const once = (name, make) => promises[name] ??= make().catch(error => { delete promises[name]; throw error; });
-    const loadFile = name => once(name, async () => {
+    const files = {}, modules = {};
+    const loadFile = async name => {
+        await load(`generated/${name}.js`, true);
+        if (!files[name]) throw new Error("A part of this page did not load.");
+        return Uint8Array.from(atob(files[name]), letter => letter.charCodeAt(0));
+    };
+    const compile = async name => {
         if (!window.WebAssembly) throw new Error("This browser has no WebAssembly, or it is switched off.");
-        const base64 = await new Promise((resolve, reject) => {
-            resolvers[name] = resolve;
-            const script = make("script", { src: `${path_to_root}generated/${name}.js` });
-            script.onerror = () => reject(new Error("A part of this page did not load."));
-            document.head.append(script);
-        });
-        return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
-    });
-    const load = name => once(`${name}, compiled`, async () => {
         const names = name === "live" ? ["live-module"] : [`${name}-module`, "mistakes"];
         const [bytes, mistakes] = await Promise.all(names.map(loadFile));
         return { module: await WebAssembly.compile(bytes), mistakes };
-    });
+    };
     return {
-        provide: (name, base64) => resolvers[name](base64),
-        load,
-        get: name => once(name, async () => startModule(await load(name))),
-        drop: name => { delete promises[name]; },
+        provide: (name, base64) => { files[name] = base64; },
+        compile,
+        get: name => modules[name] ??= compile(name).then(startModule),
+        // One that failed would fail again: the next request starts it anew.
+        drop: name => { delete modules[name]; },
     };
 })();
 
