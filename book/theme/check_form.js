@@ -5,23 +5,12 @@
     // The module works in a worker: the page can be read and moved meanwhile, and a new file or Reset ends
     // what is no longer wanted.
     const source = `${ask} ${startModule}
-        onmessage = async ({ data: [module, request, file] }) => {
-            const answer = ask(await startModule(module), request, file);
+        onmessage = async ({ data: [module, file, request] }) => {
+            const answer = ask(await startModule(module), request, new Uint8Array(file));
             postMessage({ ...answer, pixels: answer.pixels?.slice() });
         };
         onunhandledrejection = ({ reason }) => { throw reason; };`;
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-
-    // Asks about a file; the one who asked is told nothing where the worker is ended.
-    async function askWorker(worker, request, file) {
-        // A larger one is too large, whatever follows.
-        const bytes = new Uint8Array(await file.slice(0, 2 ** 26 + 1).arrayBuffer());
-        const module = await wasmModules.compile("check");
-        return new Promise((resolve, reject) => {
-            Object.assign(worker, { onmessage: ({ data }) => resolve(data), onerror: reject });
-            worker.postMessage([module, request, bytes]);
-        });
-    }
 
     const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
 
@@ -48,17 +37,17 @@
             output.replaceChildren(...children);
             reset.disabled = children.length === 0;
         };
-        const checkFile = async file => {
+        const checkFile = file => {
             if (!file) return show(2, "That isn't a file. Save the picture first, then drop the file.");
             show("", "Looking …");
-            worker = new Worker(address);
+            const asked = worker = new Worker(address);
+            asked.onmessage = ({ data }) => show(data.code, ...makeReport(data));
+            asked.onerror = () => show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
             const scene = form.elements.scene?.value.trim();
-            try {
-                const answer = await askWorker(worker, `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`, file);
-                show(answer.code, ...makeReport(answer));
-            } catch {
-                show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
-            }
+            const request = `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`;
+            // A larger file is too large, whatever follows.
+            Promise.all([wasmModules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
+                .then(parts => asked.postMessage([...parts, request]), asked.onerror);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
         // The same file, written again, is looked at again.

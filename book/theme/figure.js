@@ -249,7 +249,8 @@ async function activateFigure(root) {
     try {
         const figure = new Figure(root, await wasmModules.get("live"), controls, fault);
         fault.textContent = "";
-        if (figure.probe) followPixelAddress(figure);
+        root.figure = figure;
+        if (figure.probe) openPixel();
         if (figure.answer.numbers.address !== undefined) followScene(figure);
         // On paper, everything else is as printed.
         else addEventListener("beforeprint", () => { if (!figure.reset.disabled) figure.reset.click(); });
@@ -263,10 +264,19 @@ async function activateFigure(root) {
 }
 whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
 
-// A link that names a pixel brings the picture near whose pixels can be asked.
-const scrollToProbe = () => {
-    const panel = location.hash.startsWith("#pixel=") && document.querySelector("[data-panel]");
-    if (panel) document.querySelector(`figure[data-live="${panel.dataset.panel}"]`)?.scrollIntoView({ block: "center" });
-};
-addEventListener("hashchange", scrollToProbe);
-scrollToProbe();
+// A link that names a pixel, such as #pixel=470,120, brings the picture near whose pixels can be asked;
+// once it answers, the pixel is.
+function openPixel() {
+    const [, ...place] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
+    const panel = place.length && document.querySelector("[data-panel]");
+    const root = panel && document.querySelector(`figure[data-live="${panel.dataset.panel}"]`);
+    if (!root) return;
+    root.scrollIntoView({ block: "center" });
+    if (!root.figure) return;
+    const { figure } = root;
+    figure.probe.about.parameters.forEach((parameter, k) => figure.setValue(parameter, Number(place[k])));
+    figure.drawMoving("show");
+    figure.probe.focus({ preventScroll: true });
+}
+addEventListener("hashchange", openPixel);
+openPixel();

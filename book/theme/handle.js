@@ -66,18 +66,3 @@ function makeHandle(figure, about, k) {
     };
     return handle;
 }
-
-// The pixel that a link names, such as #pixel=470,120, is asked.
-function followPixelAddress(figure) {
-    const openPixel = () => {
-        const [, i, j] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
-        if (j === undefined) return;
-        const [column, row] = figure.probe.about.parameters;
-        figure.setValue(column, Number(i));
-        figure.setValue(row, Number(j));
-        figure.drawMoving("show");
-        figure.probe.focus({ preventScroll: true });
-    };
-    addEventListener("hashchange", openPixel);
-    openPixel();
-}
