@@ -30,9 +30,8 @@ function addHistory(figure, addTool) {
         figure.values = states[now];
         figure.draw();
     };
-    const buttons = [["Undo", -1], ["Redo", 1]].map(([words, step]) => [addTool(words, () => showState(step)), step]);
-    const showButtons = () => { for (const [button, step] of buttons) button.disabled = !states[now + step]; };
-    showButtons();
+    const undo = addTool("Undo", () => showState(-1));
+    const redo = addTool("Redo", () => showState(1));
     addEventListener("keydown", event => {
         const isTyping = /^(text|search)$/.test(event.target.type) || event.target.isContentEditable;
         if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isTyping) return;
@@ -43,11 +42,8 @@ function addHistory(figure, addTool) {
         if (!confirm("Begin again with the scene of step 5? Undo brings yours back.")) event.stopImmediatePropagation();
     }, { capture: true });
     return () => {
-        if (figure.values.some((value, k) => value !== states[now][k])) {
-            now += 1;
-            states.splice(now, states.length, figure.values);
-        }
-        showButtons();
+        if (figure.values.some((value, k) => value !== states[now][k])) states.splice(now += 1, Infinity, figure.values);
+        [undo.disabled, redo.disabled] = [now === 0, now === states.length - 1];
     };
 }
 
