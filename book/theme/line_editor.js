@@ -9,7 +9,6 @@
 
     // Colours make other elements of the lines, unless they are edited.
     const find = name => document.querySelector(`[data-line="${name}"]`);
-    const books = new Map(); // What the book has there, as HTML, of those that are edited or in hand.
     let hand = null;
     // All that was written, as the texts of the edited lines by name, and which of these the page has.
     let [states, current] = [[{}], 0];
@@ -91,21 +90,19 @@
 
     // The text of a line; editors write blanks of their own.
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
-    const isBook = line => !books.has(line) || readText(line) === line.dataset.book;
-    const findEdited = () => [...books.keys()].filter(line => !isBook(line));
+    const isBook = line => readText(line) === line.dataset.book;
+    // One that is edited, or in hand, has the book's text besides.
+    const findEdited = () => [...document.querySelectorAll("[data-book]")].filter(line => !isBook(line));
 
     // Writes into a line; the book's text may come back with its colours.
     function setText(line, text) {
-        if (!books.has(line)) {
-            books.set(line, line.innerHTML);
-            line.dataset.book = line.textContent;
-        }
+        line.dataset.book ??= line.textContent;
+        line.bookHTML ??= line.innerHTML;
         line.textContent = text;
         if (line === hand) return;
         if (isBook(line)) {
-            line.innerHTML = books.get(line);
-            books.delete(line);
-            line.removeAttribute("data-book");
+            line.innerHTML = line.bookHTML;
+            delete line.dataset.book;
         }
         makeButton(line);
     }
