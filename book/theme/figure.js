@@ -105,9 +105,8 @@ class Figure {
         // nearest, and arrow keys step as in a field of numbers.
         if (input.type !== "number") return;
         input.type = "text";
-        input.addEventListener("blur", () => { input.value = this.values[k]; });
+        input.addEventListener("change", () => { input.value = this.values[k]; });
         input.addEventListener("keydown", event => {
-            if (event.key === "Enter") input.value = this.values[k];
             const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
             if (!steps) return;
             event.preventDefault();
