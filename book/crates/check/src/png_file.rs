@@ -71,7 +71,7 @@ fn notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, I
     let colour = decoder.color_type();
     let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
     let notes = [
-        (!colour.has_color(), "The file is grey, and ours has colours."),
+        (!colour.has_color(), "The file is grey and holds no colours."),
         (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
         (
             decoder.icc_profile()?.is_some(),
