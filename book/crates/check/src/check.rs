@@ -61,7 +61,8 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     if 0 < picture.transparent_count {
         let (count, all) = (picture.transparent_count, picture.rgb.pixels().len());
         answer.text = format!(
-            "Not right. {count} of {all} pixels are not opaque, so a viewer shows other colours.\n\
+            "Not right. In {count} of {all} pixels the file is not opaque, so a viewer may show \
+             other colours.\n\
              Of those in the file this can be said: {}",
             answer.text
         );
