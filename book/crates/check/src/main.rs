@@ -39,7 +39,7 @@ struct Arguments {
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
-    #[arg(long, value_name = "FILE", group = "written", conflicts_with_all = ["scene", "file"])]
+    #[arg(long, value_name = "FILE", group = "written", conflicts_with = "file")]
     names: Option<PathBuf>,
     /// Where to write the program of a scene, in UTF-8; with --names, a folder
     #[arg(long, value_name = "PATH", requires = "written", conflicts_with_all = ["file", "folder"])]
