@@ -52,7 +52,7 @@ pub struct Cause {
 }
 
 impl Cause {
-    /// Its words, and its file.
+    /// The words, and the file in brackets where it is known.
     pub fn words_and_file(&self) -> String {
         match &self.file {
             Some(file) => format!("{} ({file})", self.words),
@@ -81,7 +81,7 @@ pub struct Answer {
     pub causes: Vec<Cause>,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,
-    /// The report of a class, as JSON.
+    /// The report on a folder, as JSON.
     pub report: Option<String>,
 }
 
