@@ -45,8 +45,8 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     picture.pixels().all(|pixel| pixel == first).then_some(first.0)
 }
 
-/// Clauses such as `upside down`: all of how yours is the whole of ours turned, mirrored or
-/// with its channels in another order.
+/// Clauses such as `upside down`: how yours is the whole of ours turned, mirrored or with its
+/// channels in another order; of each turn the plainest.
 fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String> {
     let mut clauses = vec![];
     let turns = TURNS.into_iter().filter(|_| picture.pixels().len() == ours.pixels().len());
@@ -59,6 +59,8 @@ fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String>
             if is_equal {
                 let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
                 clauses.push(words.collect::<Vec<_>>().join(", "));
+                // A grey picture is the same in any order.
+                break;
             }
         }
     }

@@ -36,7 +36,7 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("glass", "sun", locked_picture("glass")),
             ("upside down", PHONG, imageops::flip_vertical(&ours)),
-            ("a quarter", PHONG, imageops::rotate90(&ours)),
+            ("a quarter", "depth", imageops::rotate90(&locked_picture("depth"))),
             ("blue for red", PHONG, map_locked(PHONG, |_, _, [r, g, b]| [b, g, r])),
             ("grey", PHONG, map_locked(PHONG, |_, _, [_, g, _]| [g; 3])),
             ("black", PHONG, RgbImage::new(640, 360)),
