@@ -11,16 +11,16 @@
 //! - a *parameter* is a number that the reader sets, by a *control* below the figure or by
 //!   a handle; the *values* are those of all parameters, in their order. They come from
 //!   the page without names, and `from_values` makes of them what is shown;
-//! - a *handle* is a mark in the figure that the reader drags; it sets two parameters;
+//! - a *handle* is a mark in the figure that the reader drags; it sets one parameter or
+//!   two;
 //! - a *probe* is the handle that marks a pixel, whose *trace* is every number from its
 //!   ray to its bytes;
 //! - the *numbers* are those in the text that depend on the values;
 //! - a *reply* is what a page gets for a request.
 
 mod format;
-pub use format::{
-    format_count, format_fixed, format_number, format_rounded, format_vector, short_name,
-};
+pub use format::{format_count, short_name};
+use format::{format_fixed, format_number, format_rounded, format_vector};
 
 mod drawing;
 mod output;
