@@ -78,7 +78,7 @@ impl Interactive for BallOutlines {
     const TITLE: &str = "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.";
     const CAPTION: &str = "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
                   The ball on the right is {{#number eggs:angle}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
-                  A dashed ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
+                  A dotted ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
                   <span class='move'>Drag the ball further to the side.</span>";
 
     fn parameters() -> Vec<Parameter> {
