@@ -27,8 +27,7 @@ pub struct Sources {
 
 impl Sources {
     /// Takes the locked snapshots as they are, the pictures of the mistakes, the figures, and the
-    /// modules.
-    /// A smaller picture is taken from the folder `old`, if it is there.
+    /// modules. A smaller picture is taken from the folder `old`, if it is there.
     pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;

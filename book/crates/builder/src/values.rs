@@ -2,7 +2,7 @@
 //!
 //! - `LIVE:NAME` is a number of a figure at its defaults, such as `row:D`;
 //! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
-//! - `NAME` is a count over the rays or pixels of a whole picture.
+//! - `NAME` is a count over the rays or pixels of a whole picture, or their largest change.
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
 
