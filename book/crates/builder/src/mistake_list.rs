@@ -11,8 +11,7 @@ pub fn shown_mistakes() -> impl Iterator<Item = (&'static Mistake, &'static Book
 /// The sentence of the list about the picture of a mistake; None for any other picture.
 pub fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
-    let mut shown = shown_mistakes();
     let shows = |entry: &BookEntry| entry.pictures.iter().any(|(known, _)| *known == name);
-    let (_, entry) = shown.find(|(_, entry)| shows(entry))?;
+    let (_, entry) = shown_mistakes().find(|(_, entry)| shows(entry))?;
     Some(entry.effect.replace('`', ""))
 }
