@@ -5,8 +5,8 @@ const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the c
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure or picture: one for each parameter that has a name. Number
-/// fields for what a handle sets are folded away.
+/// The controls below a figure or picture: one for each parameter but [`ControlKind::Columns`].
+/// Number fields for what a handle sets are folded away.
 ///
 /// Hidden where no script can answer, and there from the first where one
 /// will, to be set as soon as it can; see book/theme/figure.js.
@@ -55,7 +55,7 @@ fn exact_html(exact: &[Control]) -> String {
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// A parameter, its number, and the handle that sets it; none sets what has a group.
+/// A parameter, its number, and the handle that sets it; None for one with a group.
 struct Control<'a> {
     live: &'a Figure,
     k: usize,

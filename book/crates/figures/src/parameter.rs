@@ -5,7 +5,7 @@ use crate::format_number;
 pub struct Parameter {
     /// The symbol, in the letters of the formulas; empty if there is none.
     pub symbol: &'static str,
-    /// The name in words; empty if only a handle sets it.
+    /// The name in words; empty if it is called by its handle.
     pub words: String,
     /// The default value, with which the book is printed.
     pub default: f64,
