@@ -62,7 +62,7 @@ impl Interactive for Lambert {
             let edge = (92.0 / half.abs()).min(1.0);
             let foot = |k: f64| ground + dvec2(k * half, 0.0);
             // Across the beam, at a right angle to it.
-            let across = dvec2(-to_light.y, to_light.x);
+            let across = to_light.perp();
             let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
             drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
             for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
