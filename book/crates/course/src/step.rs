@@ -30,8 +30,8 @@ pub fn slide_matrix() -> Camera {
     camera
 }
 
-/// The colour of a scene of step 5 without the test of n·l: with each highlight twice, before and behind the
-/// surface, as r is the same for n and −n and one of the two passes the gate.
+/// The colour of a scene of step 5 without the test of n·l: with each highlight twice, before and
+/// behind the surface, as r is the same for n and −n and one of the two passes the gate.
 pub fn ungated_colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     let Some(outside) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
