@@ -18,7 +18,7 @@ fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     }
 }
 
-/// "Compare how far away the *centres* are …, and steps 3, 4 and 5 still come out right."
+/// "Compare how far away the *centres* are, and steps 3, 4 and 5 still come out right …"
 #[test]
 fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     let distance = |object: &&Object<_>| object.sphere.centre.length();
