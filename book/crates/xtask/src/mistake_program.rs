@@ -30,9 +30,9 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
         let text = String::from_utf8_lossy(&build.stderr).replace('\\', "/");
         let faulty =
             mistakes.iter().enumerate().filter(|(k, _)| text.contains(&format!("src/m{k}/")));
-        let faulty = faulty.map(|(k, mistake)| format!("m{k}: {}\n", title_and_file(mistake)));
-        let faulty: String = faulty.collect();
-        return Err(io::Error::other(format!("does not compile:\n{}{text}", faulty)));
+        let titles = faulty.map(|(k, mistake)| format!("m{k}: {}\n", title_and_file(mistake)));
+        let titles: String = titles.collect();
+        return Err(io::Error::other(format!("does not compile:\n{titles}{text}")));
     }
     let mut run = cargo_command("run");
     let mut program = run.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;

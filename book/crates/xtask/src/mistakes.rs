@@ -15,7 +15,7 @@ use std::io;
 
 /// The most mistakes in one program: as many as a compiler takes with little memory. What is
 /// drawn is written after each program, and not drawn again where the command was stopped.
-const COUNT: usize = 60;
+const BATCH_SIZE: usize = 60;
 
 /// What is made from the mistakes: the rows by their keys, the small pictures by their names.
 pub struct Table {
@@ -30,7 +30,7 @@ pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
     let (mut table, all) = (Table::read()?, mistakes());
     let unknown = table.unknown(&all)?;
     println!("Mistakes to draw: {}", unknown.len());
-    for batch in unknown.chunks(COUNT) {
+    for batch in unknown.chunks(BATCH_SIZE) {
         for (mistake, pictures) in batch.iter().zip(mistake_program::draw(batch)?) {
             table.insert(mistake, &pictures)?;
         }
