@@ -1,9 +1,8 @@
 //! `fast` draws the same bytes as `render` with `colour`.
 
 use super::fast_example::draw;
-use course::camera_with_size;
 use course::examples::look_at::look_at;
-use course::named_scene;
+use course::{camera_with_size, named_scene};
 use fearless_simd::Level;
 use glam::DVec3;
 use proptest::prelude::*;
@@ -59,9 +58,9 @@ proptest! {
         scene.lights.truncate(lights);
         scene.objects.truncate(objects);
         // Each sphere once more, of another material: the first is seen.
-        let again = scene.objects.iter().zip(scene.objects.iter().rev());
-        let again: Vec<_> = again.map(|(one, other)| one.with_material(other.material)).collect();
-        scene.objects.extend(again);
+        let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
+        let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
+        scene.objects.extend(copies);
         let camera = look_at(&camera_with_size(37, 7), from, DVec3::NEG_Z, roll);
         prop_assert_eq!(fast_difference(&camera, samples, &scene), None);
     }
