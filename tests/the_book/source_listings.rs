@@ -1,5 +1,5 @@
-//! Every line of every source file is listed in a chapter, once; every test by hand is named below
-//! its numbers.
+//! Every line of every file of a crate is listed in a chapter, once; every test by hand is named
+//! below its numbers.
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
@@ -25,8 +25,8 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
 fn every_line_of_every_file_is_listed_once() {
     let (book, mut faults) = (built_book(), vec![]);
     let typed = typed_listings(book.chapters_in_order());
-    for (path, text) in SOURCE_FILES.texts_with_suffix("").filter(|(p, _)| p.starts_with("steps/"))
-    {
+    let files = SOURCE_FILES.texts_with_suffix("");
+    for (path, text) in files.filter(|(path, _)| path.starts_with("steps/")) {
         let listed = typed.get(path).map_or(String::new(), |listings| join_listings(listings));
         if listed != text {
             let pairs = text.lines().zip(listed.lines());
