@@ -48,14 +48,14 @@ impl Table {
             let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
             right.push((*name, hash_picture(&image::open(path)?.into_rgb8())));
         }
-        let drawn = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+        let rows = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
         let small_pictures = Step::ALL
             .into_iter()
             .flat_map(|step| read_small_pictures(&workspace(), step))
             .flatten();
         Ok(Self {
             right,
-            rows: drawn.map(|row| (row.key, row)).collect(),
+            rows: rows.map(|row| (row.key, row)).collect(),
             small_pictures: small_pictures.collect(),
         })
     }
@@ -92,8 +92,8 @@ impl Table {
             println!("shows in no picture: {}", title_and_file(mistake));
         }
         for (name, shown_step) in mistake.shown_pictures() {
-            let drawn = pictures.get(shown_step as usize - mistake.step as usize);
-            if let Some(Some(picture)) = drawn {
+            let picture = pictures.get(shown_step as usize - mistake.step as usize);
+            if let Some(Some(picture)) = picture {
                 let [columns, rows] = SMALL_SIZE;
                 self.small_pictures.insert(name, thumbnail(picture, columns, rows));
             }
@@ -104,7 +104,7 @@ impl Table {
     }
 
     /// The small pictures of a step with their names, in the order of the list.
-    fn shown(&self, all: &[Mistake], step: Step) -> Vec<(&'static str, &RgbImage)> {
+    fn step_pictures(&self, all: &[Mistake], step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = all.iter().flat_map(Mistake::shown_pictures);
         let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
         names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
@@ -116,8 +116,8 @@ impl Table {
         let mut text = String::new();
         for (name, hash) in &self.right {
             text += &format!("= {name} {hash:016x}\n");
-            let shown = Step::from_name(name).map_or(vec![], |step| self.shown(all, step));
-            shown.iter().for_each(|(name, _)| text += &format!("! {name}\n"));
+            let pictures = Step::from_name(name).map(|step| self.step_pictures(all, step));
+            pictures.iter().flatten().for_each(|(name, _)| text += &format!("! {name}\n"));
         }
         for mistake in all {
             let row = self.rows.get(&self.key(mistake)?);
@@ -129,7 +129,7 @@ impl Table {
     /// Writes the small pictures, then the table.
     fn write(&self, all: &[Mistake]) -> io::Result<()> {
         for step in Step::ALL {
-            let pictures = self.shown(all, step);
+            let pictures = self.step_pictures(all, step);
             let [columns, rows] = SMALL_SIZE;
             let mut column = RgbImage::new(columns, rows * pictures.len() as u32);
             for ((_, picture), k) in pictures.into_iter().zip(0..) {
