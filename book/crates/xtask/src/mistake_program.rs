@@ -98,7 +98,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
     write_with_folders(&folder.join("src/main.rs"), &format!("{MAIN}\n{modules}\n{pictures}"))
 }
 
-/// The manifest: the program needs what the course needs.
+/// The manifest: the program needs what the course and step 1 need.
 fn manifest_text() -> io::Result<String> {
     let section = |path: &str, name: &str| {
         let text = fs::read_to_string(workspace().join(path))?;
@@ -109,7 +109,9 @@ fn manifest_text() -> io::Result<String> {
     let folder = workspace().display().to_string().replace('\\', "/");
     let versions = versions.replace("path = \"", &format!("path = \"{folder}/"));
     let dependencies = section("book/crates/course/Cargo.toml", "dependencies]")?;
-    Ok(format!("{MANIFEST}\n[{versions}\n[{dependencies}\nclap.workspace = true\n"))
+    Ok(format!(
+        "{MANIFEST}\n[{versions}\n[{dependencies}\nclap.workspace = true\nrayon.workspace = true\n"
+    ))
 }
 
 /// Writes the library of a step, with the mistake, as a part of `module`. The program around the
