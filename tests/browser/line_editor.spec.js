@@ -74,6 +74,7 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
   test(`line, message and picture are in view together at ${width}×${height}`, async ({ page, home }) => {
     await page.setViewportSize({ width, height });
     const { line, listing, status } = await prepare(page, home);
+    await line.evaluate(one => one.scrollIntoView({ block: 'end' }));
     await line.click();
     await page.keyboard.press('Home');
     await page.keyboard.type('p.nosuch() + ');
