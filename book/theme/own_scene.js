@@ -33,7 +33,7 @@ function addHistory(figure, addTool) {
     const undo = addTool("Undo", () => showState(-1));
     const redo = addTool("Redo", () => showState(1));
     addEventListener("keydown", event => {
-        const isTyping = /^(text|search)$/.test(event.target.type) || event.target.isContentEditable;
+        const isTyping = event.target.type === "text" || event.target.isContentEditable;
         if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isTyping) return;
         event.preventDefault();
         showState(event.shiftKey ? 1 : -1);
