@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Fault in a text.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Refusal {
     /// Letters of the text that are wrong.
     pub range: Range<usize>,
