@@ -38,7 +38,7 @@ export const test = base.extend({
   },
 });
 
-// Opens a page of the book; its scripts have come when it returns.
+// Opens a page of the book; when it returns, all of its scripts have been asked for.
 export async function open(page, address) {
   await page.goto(address);
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });

@@ -28,7 +28,7 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // One of each figure and five words of the search will do.
+  // One figure of a page will do, and axe on the shorter pages.
   grepInvert: isThorough ? [] : /@thorough/,
   projects: [
     { name: 'chromium-wide', testIgnore: 'webkit.spec.js', use: { ...chromium, ...view(1280) } },

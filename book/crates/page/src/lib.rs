@@ -1,6 +1,6 @@
-//! The modules that the pages of the book call, compiled for the browser: `live`, `check` with
-//! the pictures that it compares with, and `expressions`, the lines that a reader edits; few
-//! readers of a page drop a picture into it, or edit a line.
+//! The modules that the pages of the book call, compiled for the browser: `live`, the figures;
+//! `check`, the pictures that a reader drops into a page; and `expressions`, the lines that a
+//! reader edits. Few readers do either.
 
 #[cfg(feature = "check")]
 mod check;

@@ -1,5 +1,4 @@
-//! Places as they stand draw the locked pictures, and what Rust would refuse is refused. That an
-//! edited place draws what a listed mistake there draws is tested with them.
+//! An edited line draws what the reader's program would, and what Rust would refuse is refused.
 
 mod judged_by_rustc;
 mod lines;
