@@ -21,7 +21,7 @@ pub struct Camera {
 impl Camera {
     /// A camera at the origin that looks along −z with y up; its pixels are square.
     /// The centres of its outermost columns enclose the angle `field_of_view`, θ, in
-    /// radians, above 0 and below π: at π, the image plane would be endless.
+    /// radians, above 0 and below π: at π, the picture would be endlessly wide.
     /// # Panics
     /// Where it has fewer than two columns, or no row.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {

@@ -16,7 +16,7 @@ fn on_top(ground: &Sphere, place: DVec3, radius: f64) -> Option<DVec3> {
     (0.0 < squared).then(|| place.with_y(ground.centre.y + squared.sqrt()))
 }
 
-/// Says whether two balls share more than a point.
+/// Says whether two balls overlap. Two that only touch don't: 1e-6 is for rounding.
 fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }

@@ -34,7 +34,7 @@ pub fn shadowed_phong(
 
 /// A material that is partly a mirror.
 pub struct Mirror {
-    /// The material of the part that doesn't mirror, 1 − k.
+    /// The material of its own paint, of which 1 − k shows.
     pub material: Material,
     /// k, how much of its colour is a mirror image, 0 to 1.
     pub k: f64,
@@ -58,7 +58,7 @@ pub fn mirrors() -> Scene<Mirror, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// The colour that `ray` sees via at most `depth` mirrors, where new rays start
+/// The colour that `ray` sees by way of at most `depth` mirrors. New rays start
 /// `offset` above a surface.
 pub fn colour(
     scene: &Scene<Mirror, Light>,

@@ -15,7 +15,7 @@ pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Phong> {
 /// ```
 /// use step05_phong::{Camera, colour, render, scene};
 /// let (mut scene, camera) = (scene(), Camera::new(64, 36, 60_f64.to_radians()));
-/// scene.lights.truncate(1); // the warm one
+/// scene.lights.truncate(1); // keeps the warm one
 /// let image = render(&camera, 1, |ray| colour(&scene, ray));
 /// # assert_ne!(image, step05_phong::picture(&camera, 1));
 /// ```
