@@ -1,8 +1,7 @@
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::{SMALL_SIZE, Step, encode_png};
-use image::imageops::thumbnail;
+use course::{Step, encode_png};
 use image::{ImageReader, RgbImage};
 use std::collections::BTreeMap;
 use std::fs;
@@ -41,8 +40,7 @@ impl Sources {
             let wrong = wrong.with_context(|| step.name())?.into_iter();
             let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
             let right = image::load_from_memory(&files[&format!("{}.png", step.name())])?;
-            let [columns, rows] = SMALL_SIZE;
-            let right = thumbnail(&right.into_rgb8(), columns, rows);
+            let right = course::shrink(&right.into_rgb8());
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
                 let png = read_or_encode_png(&old.join(&name), &picture);
                 files.insert(name, png);

@@ -23,7 +23,7 @@ pub use mistake::{BookEntry, Mistake, mistakes};
 pub use mistake_files::{mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
     SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,
-    read_small_pictures, small_pictures_path, table_rows,
+    read_small_pictures, shrink, small_pictures_path, table_rows,
 };
 
 mod place;

@@ -4,7 +4,7 @@
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
 use crate::{Mistake, Step, mistakes};
-use image::imageops::crop_imm;
+use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
 use std::path::{Path, PathBuf};
 
@@ -85,6 +85,12 @@ pub fn locked_names() -> Vec<&'static str> {
 
 /// The columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
+
+/// A small picture of another.
+pub fn shrink(picture: &RgbImage) -> RgbImage {
+    let [columns, rows] = SMALL_SIZE;
+    thumbnail(picture, columns, rows)
+}
 
 /// The file with the small pictures of a step.
 pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {

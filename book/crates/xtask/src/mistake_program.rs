@@ -3,51 +3,63 @@
 
 use course::{Mistake, Step, crate_as_module, target_folder, workspace};
 use image::RgbImage;
-use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::{env, fs};
+use std::process::Command;
+use std::{env, fs, io};
 
-/// The pictures that a mistake may spoil, in the order of [`Mistake::affected_steps`]; None
-/// where it panics.
-pub type Pictures = Vec<Option<RgbImage>>;
+/// The pictures that a mistake may spoil, each with its step; None where it panics.
+pub type Pictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The manifest of the program, up to its dependencies.
-const MANIFEST: &str = "[package]\nname = \"mistakes\"\nedition = \"2024\"\n\n[workspace]\n\n\
-    [profile.dev]\ndebug = false\nincremental = false\n";
+/// The manifest of the program, up to the steps; the versions are those of the course's Cargo.lock.
+const MANIFEST: &str = r#"
+workspace = {}
+package = { name = "mistakes", edition = "2024" }
+profile.dev = { debug = false, incremental = false, package.png.opt-level = 3 }
+
+[dependencies]
+clap = { version = "*", default-features = false }
+glam = { version = "*", default-features = false }
+image = { version = "*", default-features = false }
+rayon = "*"
+"#;
 
 /// The program, up to its modules and the list of what it draws.
-const MAIN: &str = include_str!("draw_mistakes_main.rs");
+const MAIN: &str = "#![allow(warnings)]
+fn main() {
+    std::panic::set_hook(Box::new(|_| {}));
+    for draw in PICTURES {
+        let _ = std::thread::spawn(draw).join();
+    }
+}
+";
 
-/// The modules of a step with the program around its picture.
-const CLI_MODULES: [&str; 2] = ["program", "aspect_ratio"];
+/// The program around a picture, without options, as those take long to compile.
+const RUN: &str = "use crate::Camera;
+pub fn run(name: &str, picture: fn(&Camera, u32) -> image::RgbImage) {
+    let camera = Camera::new(640, 360, 60_f64.to_radians());
+    picture(&camera, 1).save(name.to_owned() + \".png\").unwrap();
+}
+";
 
 /// Draws mistakes in one program, and returns the pictures of each.
 pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
+    let folder = package_folder();
+    let _ = fs::remove_dir_all(folder.join("src"));
     write_package(mistakes)?;
-    let build = cargo_command("build").args(["--message-format", "short"]).output()?;
-    if !build.status.success() {
-        let text = String::from_utf8_lossy(&build.stderr).replace('\\', "/");
-        let faulty =
-            mistakes.iter().enumerate().filter(|(k, _)| text.contains(&format!("src/m{k}/")));
-        let titles = faulty.map(|(k, mistake)| format!("m{k}: {}\n", title_and_file(mistake)));
-        let titles: String = titles.collect();
-        return Err(io::Error::other(format!("does not compile:\n{titles}{text}")));
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["run", "--quiet", "--offline", "--message-format", "short"]);
+    cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
+    let output = cargo.current_dir(&folder).output()?;
+    if !output.status.success() {
+        let text = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();
+        return Err(io::Error::other(format!("{text}\nAll is in {}", folder.display())));
     }
-    let mut run = cargo_command("run");
-    let mut program = run.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
-    let mut output = BufReader::new(program.stdout.take().expect("it is piped"));
-    let draw = |mistake: &&Mistake| {
-        let pictures: Option<_> =
-            mistake.affected_steps().map(|_| read_picture(&mut output)).collect();
-        pictures.ok_or_else(|| {
-            io::Error::other(format!("never ends, or crashes: {}", title_and_file(mistake)))
-        })
+    let read = |k, step: Step| {
+        let path = folder.join(format!("{}.png", picture_name(k, step)));
+        (step, image::open(path).ok().map(|picture| picture.into_rgb8()))
     };
-    let pictures = mistakes.iter().map(draw).collect();
-    drop(output);
-    program.wait()?;
-    pictures
+    let mistakes = mistakes.iter().enumerate();
+    Ok(mistakes.map(|(k, one)| one.affected_steps().map(|step| read(k, step)).collect()).collect())
 }
 
 /// The text of a mistake's file with the mistake in it, no line indented; an error where its
@@ -69,103 +81,52 @@ fn package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
+/// The name under which the program of a step saves its picture with mistake `k`.
+fn picture_name(k: usize, step: Step) -> String {
+    format!("src/m{k}/{}", step.name())
+}
+
 /// Writes the package: its manifest, a module for each mistake, and the list of what its main file
 /// draws.
 fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
-    let folder = package_folder();
-    let _ = fs::remove_dir_all(folder.join("src"));
-    write_with_folders(&folder.join("Cargo.toml"), &manifest_text()?)?;
-    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    let (folder, mut manifest) = (package_folder(), MANIFEST.to_owned());
+    for step in Step::NAMES {
+        let path = workspace().join("steps").join(step);
+        manifest += &format!("{step} = {{ path = {path:?} }}\n");
+    }
     let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
-        let module = format!("m{k}");
-        let mut steps = String::new();
-        for step in mistake.affected_steps().map(Step::name) {
-            write_step(&folder.join("src"), mistake, step, &module)?;
-            steps += &format!("pub mod {step};\n");
-            let path = format!("{module}::{step}");
-            pictures += &if is_cli_file(&mistake.file) {
-                format!("|| draw_with_program(|| {path}::run(\"\", {path}::picture)),\n")
-            } else {
-                let camera = format!("{path}::Camera::new(640, 360, 60_f64.to_radians())");
-                format!("|| {path}::picture(&{camera}, 1),\n")
-            };
+        modules += &format!("/// {}\nmod m{k} {{\n", title_and_file(mistake));
+        for step in mistake.affected_steps() {
+            write_step(&folder.join("src"), mistake, step.name(), &format!("m{k}"))?;
+            modules += &format!("pub mod {};\n", step.name());
+            let (path, name) = (format!("m{k}::{}", step.name()), picture_name(k, step));
+            pictures += &format!("|| {path}::run({name:?}, {path}::picture),\n");
         }
-        write_with_folders(&folder.join(format!("src/{module}/mod.rs")), &steps)?;
-        modules += &format!("mod {module};\n");
+        modules += "}\n";
     }
-    let pictures = format!("const PICTURES: &[fn() -> RgbImage] = &[\n{pictures}];\n");
-    write_with_folders(&folder.join("src/main.rs"), &format!("{MAIN}\n{modules}\n{pictures}"))
+    let main = format!("{MAIN}\n{modules}\nconst PICTURES: &[fn()] = &[\n{pictures}];\n");
+    fs::write(folder.join("src/main.rs"), main)?;
+    fs::write(folder.join("Cargo.toml"), manifest)?;
+    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).map(drop)
 }
 
-/// The manifest: the program needs what the course and step 1 need.
-fn manifest_text() -> io::Result<String> {
-    let section = |path: &str, name: &str| {
-        let text = fs::read_to_string(workspace().join(path))?;
-        let section_text = text.split("\n[").find(|section| section.starts_with(name));
-        Ok::<_, io::Error>(section_text.unwrap_or_default().to_owned())
-    };
-    let versions = section("Cargo.toml", "workspace.dependencies]")?;
-    let folder = workspace().display().to_string().replace('\\', "/");
-    let versions = versions.replace("path = \"", &format!("path = \"{folder}/"));
-    let dependencies = section("book/crates/course/Cargo.toml", "dependencies]")?;
-    Ok(format!(
-        "{MANIFEST}\n[{versions}\n[{dependencies}\nclap.workspace = true\nrayon.workspace = true\n"
-    ))
-}
-
-/// Writes the library of a step, with the mistake, as a part of `module`. The program around the
-/// picture is that of the course, unless the mistake is there.
+/// Writes the library of a step, with the mistake, as a part of `module`.
 fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> io::Result<()> {
-    let is_left_out = |path: &str| is_cli_file(path) && !is_cli_file(&mistake.file);
+    let folder = source.join(module).join(step);
+    fs::create_dir_all(&folder)?;
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
-        if file == "main.rs" || is_left_out(&path) {
-            continue;
-        }
-        let text = match path == mistake.file {
-            true => text_with_mistake(mistake)?,
-            false => fs::read_to_string(workspace().join(&path))?,
+        let text = match &*file {
+            _ if path == mistake.file => text_with_mistake(mistake)?,
+            "program.rs" if !mistake.file.ends_with("aspect_ratio.rs") => RUN.to_owned(),
+            _ => fs::read_to_string(workspace().join(&path))?,
         };
         let siblings = mistake.affected_steps().map(Step::name);
-        let mut text = crate_as_module(&text, &format!("{module}::{step}"), siblings);
-        // The program has one option, and says nothing among the pictures.
-        let options = "Options::parse_from([\"\", \"--output\", \"picture.png\"])";
-        text = text.replace("Options::parse()", options).replace("stdout()", "std::io::sink()");
-        for name in CLI_MODULES.iter().filter(|name| is_left_out(&format!("/{name}.rs"))) {
-            text = text.replace(&format!("mod {name};"), &format!("use ::{step} as {name};"));
-        }
+        let text = crate_as_module(&text, &format!("{module}::{step}"), siblings);
         let file = if file == "lib.rs" { "mod.rs" } else { &file };
-        write_with_folders(&source.join(module).join(step).join(file), &text)?;
+        fs::write(folder.join(file), text)?;
     }
     Ok(())
-}
-
-/// Whether a file belongs to the program around a picture.
-fn is_cli_file(path: &str) -> bool {
-    CLI_MODULES.iter().any(|name| path.ends_with(&format!("/{name}.rs")))
-}
-
-fn cargo_command(command: &str) -> Command {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args([command, "--quiet", "--offline", "--target-dir"]);
-    cargo.arg(package_folder().join("target")).current_dir(package_folder());
-    cargo.env_remove("CARGO_BUILD_TARGET");
-    cargo
-}
-
-/// The next picture of the program, None inside where it panics; None where it has ended.
-fn read_picture(output: &mut impl BufRead) -> Option<Option<RgbImage>> {
-    let mut line = String::new();
-    output.read_line(&mut line).ok()?;
-    let (columns, rows) = line.trim().split_once(' ')?;
-    let mut image = RgbImage::new(columns.parse().ok()?, rows.parse().ok()?);
-    output.read_exact(&mut image).ok()?;
-    Some(Some(image).filter(|image| !image.is_empty()))
-}
-
-fn write_with_folders(path: &Path, text: &str) -> io::Result<()> {
-    fs::create_dir_all(path.parent().unwrap_or(path))?;
-    fs::write(path, text)
 }

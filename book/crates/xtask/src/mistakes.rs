@@ -4,9 +4,9 @@ use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, PICTURES, SMALL_SIZE, Step, TableRow, encode_png, hash_picture, mistakes,
-    read_small_pictures, small_pictures_path, table_rows, workspace,
+    read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
 };
-use image::imageops::{replace, thumbnail};
+use image::imageops::replace;
 use image::{ImageResult, RgbImage};
 use std::collections::HashMap;
 use std::error::Error;
@@ -82,20 +82,18 @@ impl Table {
     }
 
     fn insert(&mut self, mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
-        let steps: Vec<_> = mistake.affected_steps().collect();
-        let hash = |(step, picture): (&Step, &Option<RgbImage>)| {
+        let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
             (!self.right.contains(&(step.name(), hash))).then_some(hash)
         };
-        let hashes: Vec<_> = steps.iter().zip(pictures).map(hash).collect();
+        let hashes: Vec<_> = pictures.iter().map(hash).collect();
         if hashes.iter().all(Option::is_none) {
             println!("shows in no picture: {}", title_and_file(mistake));
         }
         for (name, shown_step) in mistake.shown_pictures() {
-            let picture = pictures.get(shown_step as usize - mistake.step as usize);
-            if let Some(Some(picture)) = picture {
-                let [columns, rows] = SMALL_SIZE;
-                self.small_pictures.insert(name, thumbnail(picture, columns, rows));
+            let picture = pictures.iter().find(|(step, _)| *step == shown_step);
+            if let Some((_, Some(picture))) = picture {
+                self.small_pictures.insert(name, shrink(picture));
             }
         }
         let key = self.key(mistake)?;

@@ -30,10 +30,7 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
     let hash = source_hash()?;
     for name in NAMES {
         let mut module = compile(name)?;
-        hide_paths(&mut module);
-        if let Some(start) = path_starts(&module).first() {
-            return Err(format!("a path of this machine is in {name}.wasm, at {start}").into());
-        }
+        hide_paths(&mut module).map_err(|path| format!("{name}.wasm has the path {path}"))?;
         println!("{name}.wasm: {} bytes", module.len());
         fs::write(page_folder().join(format!("{name}.wasm")), module)?;
     }
@@ -73,23 +70,18 @@ fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(fs::read(folder.join(TARGET).join("wasm/page.wasm"))?)
 }
 
-/// Writes over where the compiler's own library was compiled: no option changes that.
-fn hide_paths(module: &mut [u8]) {
-    for start in path_starts(module) {
-        let is_in_path = |byte: &u8| byte.is_ascii_alphanumeric() || b"/._-".contains(byte);
-        let length = module[start..].iter().take_while(|byte| is_in_path(byte)).count();
-        let path = &mut module[start..start + length];
-        let is_library = |at: &usize| path[*at..].starts_with(b"/library/");
-        if let Some(end) = (0..length).find(is_library) {
+/// Writes over where the compiler's own library was compiled: no option changes that. Any other
+/// path of a machine is an error.
+fn hide_paths(module: &mut [u8]) -> Result<(), String> {
+    for start in 0..module.len() {
+        if ROOTS.iter().any(|root| module[start..].starts_with(root.as_bytes())) {
+            let path = &mut module[start..];
+            let end = path.windows(9).take(100).position(|part| part == b"/library/");
+            let end = end.ok_or_else(|| path[..path.len().min(20)].escape_ascii().to_string())?;
             path[..end].fill(b'-');
         }
     }
-}
-
-/// Where a path of a machine begins in a module.
-fn path_starts(module: &[u8]) -> Vec<usize> {
-    let is_start = |at: &usize| ROOTS.iter().any(|root| module[*at..].starts_with(root.as_bytes()));
-    (0..module.len()).filter(is_start).collect()
+    Ok(())
 }
 
 fn page_folder() -> PathBuf {
