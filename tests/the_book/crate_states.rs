@@ -1,17 +1,15 @@
 //! The book suffices: the crates compile at each heading and each command of their chapters.
 
 use super::built_book::built_book;
-use super::support::listing::join_listings;
-use super::support::page_items::{PageItem, page_items};
-use super::support::reader_workspace::{TypedListings, pages_of_step};
-use super::typed_book::typed_workspace;
-use anyhow::Result;
+use super::page_items::{PageItem, TypedFiles, page_items};
+use super::reader_workspace::{ReaderWorkspace, pages_of_step};
+use anyhow::{Result, ensure};
+use builder::Site;
 use course::{Step, crate_as_module};
-use std::collections::BTreeMap;
 
 /// The crate of a step, as far as its chapters have shown it at some heading or command: a name
 /// of its own, and the text of each file in `src`, by name, but for `main.rs`.
-type CrateState = (String, BTreeMap<String, String>);
+type CrateState<'a> = (String, TypedFiles<'a>);
 
 /// The manifest of a crate in which each state is a module.
 const STATES_MANIFEST: &str = "
@@ -29,24 +27,22 @@ const STATES_MANIFEST: &str = "
 
 /// The states of all crates from their `lib.rs` on, in the order of the book; each differs
 /// from the one before.
-fn crate_states() -> Vec<CrateState> {
-    let (book, mut states) = (built_book(), Vec::<CrateState>::new());
+fn crate_states(book: &Site) -> Vec<CrateState<'_>> {
+    let mut states = Vec::<CrateState>::new();
     for step in Step::NAMES {
-        let mut typed = TypedListings::new();
+        let mut files = TypedFiles::new();
         let folder = format!("steps/{step}/src/");
-        for item in pages_of_step(&book, step).flat_map(page_items) {
-            if let PageItem::Listing(listing) = item {
-                if let Some(file) = listing.path.strip_prefix(&folder) {
-                    typed.entry(file).or_default().push(listing);
+        for item in pages_of_step(book, step).flat_map(page_items) {
+            if let PageItem::Listing(path, code) = item {
+                let file = path.strip_prefix(&folder).filter(|file| *file != "main.rs");
+                if let Some(file) = file {
+                    *files.entry(file).or_default() += &code;
                 }
                 continue;
             }
-            let files = typed.iter().filter(|(file, _)| **file != "main.rs");
-            let files: BTreeMap<_, _> =
-                files.map(|(file, listings)| (file.to_string(), join_listings(listings))).collect();
             let is_new = states.last().is_none_or(|(_, last)| *last != files);
             if is_new && files.contains_key("lib.rs") {
-                states.push((format!("state_{step}_{}", states.len()), files));
+                states.push((format!("state_{step}_{}", states.len()), files.clone()));
             }
         }
     }
@@ -55,12 +51,14 @@ fn crate_states() -> Vec<CrateState> {
 
 #[test]
 fn crates_compile_at_each_heading_and_command() -> Result<()> {
-    let (states, reader, mut lib) = (crate_states(), typed_workspace(), String::new());
+    let reader = ReaderWorkspace::typed();
+    let (book, mut lib) = (built_book(), String::new());
+    let states = crate_states(&book);
     assert!(20 <= states.len());
     // All at once, as modules of one crate.
     for (name, files) in &states {
         for (file, text) in files {
-            let file = if file == "lib.rs" { "mod.rs" } else { file };
+            let file = if *file == "lib.rs" { "mod.rs" } else { file };
             let text = crate_as_module(text, name, []);
             reader.write_if_changed(&format!("steps/states/src/{name}/{file}"), &text)?;
         }
@@ -68,5 +66,7 @@ fn crates_compile_at_each_heading_and_command() -> Result<()> {
     }
     reader.write_if_changed("steps/states/Cargo.toml", STATES_MANIFEST)?;
     reader.write_if_changed("steps/states/src/lib.rs", &lib)?;
-    reader.build(&["-p", "states"])
+    let (code, text) = reader.run("cargo build -p states", "0")?;
+    ensure!(code == Some(0), "{text}");
+    Ok(())
 }

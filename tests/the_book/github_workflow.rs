@@ -2,8 +2,8 @@
 //! for a picture that is drawn, but not for one that lies there.
 
 use super::built_book::built_book;
-use super::support::listing::join_listings;
-use super::support::reader_workspace::{pages_of_step, typed_listings};
+use super::page_items::typed_files;
+use super::reader_workspace::pages_of_step;
 use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
 use std::path::Path;
@@ -53,10 +53,9 @@ fn type_first_step(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
     let book = built_book();
-    let typed = typed_listings(pages_of_step(&book, "step01_rays"));
-    for (path, listings) in typed {
+    for (path, text) in typed_files(pages_of_step(&book, "step01_rays")) {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
-        fs::write(folder.join(path), join_listings(&listings))?;
+        fs::write(folder.join(path), text)?;
     }
     Ok(())
 }

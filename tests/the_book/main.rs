@@ -5,7 +5,8 @@
 //! a page would fetch anything from elsewhere.
 
 mod built_book;
-mod support;
+mod page_items;
+mod reader_workspace;
 
 // The book is the source.
 mod code_names;

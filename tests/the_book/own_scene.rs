@@ -1,8 +1,7 @@
 //! A scene of one's own: the Rust program that a page or `check` writes for it draws its picture.
 
 use super::assert_no_faults;
-use super::support::reader_workspace::ReaderWorkspace;
-use super::typed_book::typed_workspace;
+use super::reader_workspace::ReaderWorkspace;
 use course::{Difference, draw_named_scene, named_scene};
 use figures::{Figure, Output, find, parse_address};
 use image::RgbImage;
@@ -28,18 +27,21 @@ fn program_and_picture(page: &Figure, values: &[f64]) -> (String, RgbImage) {
 
 /// Saves and runs a program; how it fails, or how its picture differs from this one.
 fn program_fault(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) -> Option<String> {
-    // The second line of the program is the command that runs it, options after ` -- `.
-    let command = program.lines().nth(1)?.trim_end_matches('`');
-    let (command, options) = command.split_once(" -- ").unwrap_or((command, ""));
+    // The second line of the program is the command that runs it.
+    let command = program.lines().nth(1)?.split('`').nth(1)?;
     let (_, example) = command.split_once(" --example ")?;
+    let example = example.split(' ').next()?;
     let path = format!("steps/step05_phong/examples/{example}.rs");
     reader.write_if_changed(&path, program).expect("a file can be written");
-    let options = format!("{options} --width {}", picture.width());
-    match reader.draw_example("step05_phong", example, &options) {
-        Err(error) => Some(format!("{error} in {program}")),
-        Ok(example_picture) => Difference::between(picture, &example_picture)
-            .map(|text| format!("It draws another picture, {text}: {program}")),
+    let options = if command.contains(" -- ") { "" } else { "-- " };
+    let line = format!("{command} {options}--width {}", picture.width());
+    let (code, text) = reader.run(&line, "1").expect("a shell");
+    if code != Some(0) || text.contains("warning") {
+        return Some(format!("{text} in {program}"));
     }
+    let drawn = image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
+    Difference::between(picture, &drawn.to_rgb8())
+        .map(|text| format!("It draws another picture, {text}: {program}"))
 }
 
 #[test]
@@ -49,7 +51,7 @@ fn program_of_a_scene_draws_its_picture() {
     let values = ADDRESSES.map(|address| parse_address(page, address).expect("a scene"));
     let scenes = values.into_iter().map(|values| program_and_picture(page, &values));
     let scenes = scenes.chain(["ada", "Grace Hopper", "\"\n é"].map(draw_named_scene));
-    let reader = typed_workspace();
+    let reader = ReaderWorkspace::typed();
     let faults = scenes.filter_map(|(program, picture)| program_fault(&reader, &program, &picture));
     assert_no_faults(&faults.collect::<Vec<_>>());
 }

@@ -3,8 +3,8 @@
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
-use super::support::listing::join_listings;
-use super::support::reader_workspace::{pages_of_step, typed_listings};
+use super::page_items::typed_files;
+use super::reader_workspace::pages_of_step;
 use builder::Files;
 use course::Step;
 use std::collections::BTreeSet;
@@ -24,10 +24,10 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
 #[test]
 fn every_line_of_every_file_is_listed_once() {
     let (book, mut faults) = (built_book(), vec![]);
-    let typed = typed_listings(book.chapters_in_order());
+    let typed = typed_files(book.chapters_in_order());
     let files = SOURCE_FILES.texts_with_suffix("");
     for (path, text) in files.filter(|(path, _)| path.starts_with("steps/")) {
-        let listed = typed.get(path).map_or(String::new(), |listings| join_listings(listings));
+        let listed = typed.get(path).map_or("", String::as_str);
         if listed != text {
             let pairs = text.lines().zip(listed.lines());
             let equal_count = pairs.take_while(|(line, listed)| line == listed).count();

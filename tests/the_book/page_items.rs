@@ -1,0 +1,80 @@
+use builder::{Page, inner_text, select_all};
+use scraper::ElementRef;
+use std::collections::BTreeMap;
+
+/// The texts of the files that were typed so far, by path.
+pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
+
+/// Types the listings of whole pages.
+pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
+    let mut typed = TypedFiles::new();
+    for item in pages.into_iter().flat_map(page_items) {
+        if let PageItem::Listing(path, code) = item {
+            *typed.entry(path).or_default() += &code;
+        }
+    }
+    typed
+}
+
+/// Something on a page that matters to a reader who types along.
+pub enum PageItem<'a> {
+    Heading,
+    /// The path of a file, and the lines to add at its end.
+    Listing(&'a str, String),
+    /// A command to run in the reader's folder.
+    Command(PageCommand),
+}
+
+/// A command on a page, with its output as the page shows it.
+pub struct PageCommand {
+    /// The page, and the place on it.
+    pub location: String,
+    /// The command, for a shell.
+    pub line: String,
+    /// The exit code that the page promises, 0 where it promises none.
+    pub exit_code: i32,
+    /// The output, in which `…` stands for any text.
+    pub output: String,
+}
+
+/// The headings, listings and commands of a page, from top to bottom, but for the commands
+/// for a folder of the course itself.
+pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
+    let mut items = vec![];
+    for element in page.select_all("h1, h2, h3, .listing, .console") {
+        let exit_code = match element.attr("data-folder") {
+            Some("ours") => continue,
+            // Invalid arguments, and a test that fails.
+            Some("yours refused") => 2,
+            Some("yours fails") => 101,
+            _ => 0,
+        };
+        match element.attr("class") {
+            Some("listing") => {
+                let path = element.attr("data-path").expect("the path of a listing");
+                items.push(PageItem::Listing(path, listed_code(element)));
+            }
+            Some("console") => {
+                let location = page.address_for_fault(element);
+                for command in inner_text(select_all(element, "code")[0]).split("$ ").skip(1) {
+                    let (line, output) = command.split_once('\n').unwrap_or((command, ""));
+                    items.push(PageItem::Command(PageCommand {
+                        location: location.clone(),
+                        line: line.to_owned(),
+                        exit_code,
+                        output: output.to_owned(),
+                    }));
+                }
+            }
+            _ => items.push(PageItem::Heading),
+        }
+    }
+    items
+}
+
+/// The lines of a listing; mdBook ends the last line of all code but Rust.
+fn listed_code(listing: ElementRef) -> String {
+    let code = select_all(listing, "code")[0];
+    let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
+    inner_text(code) + if is_rust { "\n" } else { "" }
+}

@@ -1,0 +1,78 @@
+use super::built_book::built_book;
+use super::page_items::{TypedFiles, typed_files};
+use anyhow::Result;
+use builder::{Page, Site};
+use course::{target_folder, workspace};
+use std::fs::{self, File};
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+/// The pages of a step, in the order of the book: the first word of their names is the step's.
+pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
+    let pages = book.chapters_in_order().into_iter();
+    pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
+}
+
+/// A workspace with the files that the book shows, and nothing else.
+pub struct ReaderWorkspace {
+    pub folder: PathBuf,
+    /// Makes other processes wait until this one no longer uses the folder.
+    _lock: File,
+}
+
+impl ReaderWorkspace {
+    /// Opens the workspace, in which files of an earlier run may lie: what is written again as it
+    /// was, Cargo need not compile again.
+    pub fn open() -> Self {
+        let folder = target_folder().join("typed");
+        fs::create_dir_all(&folder).expect("a folder in the target folder");
+        let lock = File::create(folder.join("lock")).expect("a file there");
+        lock.lock().expect("other processes end");
+        Self { folder, _lock: lock }
+    }
+
+    /// Opens the workspace with all that the book lists.
+    pub fn typed() -> Self {
+        let (book, reader) = (built_book(), Self::open());
+        let typed = typed_files(book.chapters_in_order());
+        reader.write_files(&typed).expect("the files can be written");
+        reader
+    }
+
+    pub fn write_files(&self, typed: &TypedFiles) -> Result<()> {
+        for (path, text) in typed {
+            self.write_if_changed(path, text)?;
+        }
+        fs::copy(workspace().join("Cargo.lock"), self.folder.join("Cargo.lock"))?;
+        Ok(())
+    }
+
+    pub fn write_if_changed(&self, path: &str, text: &str) -> Result<()> {
+        let path = self.folder.join(path);
+        if fs::read_to_string(&path).ok().as_deref() != Some(text) {
+            fs::create_dir_all(path.with_file_name(""))?;
+            fs::write(path, text)?;
+        }
+        Ok(())
+    }
+
+    /// Runs a command of Cargo as a shell does, with our programs optimised as much; gives the exit
+    /// code, and what is printed.
+    pub fn run(&self, line: &str, opt_level: &str) -> Result<(Option<i32>, String)> {
+        let mut shell = Command::new("bash");
+        shell.args(["-c", line]).current_dir(&self.folder).env("CARGO_TARGET_DIR", "target");
+        shell.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
+        // Dependencies are shared with the course: they are compiled already, with the same
+        // settings. The five crates have the same names there, and other settings here, so
+        // that neither overwrites the other.
+        shell.env("CARGO_BUILD_BUILD_DIR", target_folder());
+        shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level).env("CARGO_INCREMENTAL", "0");
+        // Commands on a page set INSTA_UPDATE themselves, and lock pictures in this folder.
+        shell.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", &self.folder);
+        // Another platform would put the programs into another folder.
+        shell.env_remove("CARGO_BUILD_TARGET");
+        let Output { status, stdout, stderr } = shell.output()?;
+        let text = String::from_utf8_lossy(&[stderr, stdout].concat()).into_owned();
+        Ok((status.code(), text))
+    }
+}
