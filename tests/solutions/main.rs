@@ -12,7 +12,7 @@ mod step04;
 mod step05;
 
 use course::examples::*;
-use course::{Difference, Picture};
+use course::{Picture, describe_difference};
 use glam::DMat3;
 use step01_rays::Camera;
 use tests::{camera, locked_pictures, read_snapshot};
@@ -28,8 +28,7 @@ fn starters_and_fast_draw_the_pictures_of_their_steps() {
         ("step05_phong", fast_example::picture),
     ];
     for (name, draw) in pictures {
-        let difference = Difference::between(&read_snapshot(name), &draw(&camera(), 1));
-        assert!(difference.is_none(), "{name}: {}", difference.unwrap());
+        assert_eq!(describe_difference(&read_snapshot(name), &draw(&camera(), 1)), None, "{name}");
     }
 }
 
@@ -55,7 +54,7 @@ fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {
         let picture = draw(&camera, 1);
         for neighbour in [f64::next_up, f64::next_down] {
             let perturbed_picture = draw(&perturb_camera(&camera, neighbour), 1);
-            let difference = Difference::between(&picture, &perturbed_picture);
+            let difference = describe_difference(&picture, &perturbed_picture);
             faults.extend(difference.map(|text| format!("{name}: {text}")));
         }
     }

@@ -1,5 +1,5 @@
 use crate::step_program::StepProgram;
-use course::{Difference, Step};
+use course::{Step, describe_difference};
 use std::fs;
 use tests::read_snapshot;
 
@@ -37,8 +37,7 @@ fn assert_program_works(step: &'static str) {
     assert!(output.status.success() && output.stderr.is_empty() && is_line, "{output:?}");
     assert_eq!(program.file_names(), [&file[..]]);
     let picture = image::open(program.folder.join(&file)).expect("a PNG").to_rgb8();
-    let difference = Difference::between(&read_snapshot(step), &picture);
-    assert!(difference.is_none(), "{file}: {}", difference.unwrap());
+    assert_eq!(describe_difference(&read_snapshot(step), &picture), None, "{file}");
 
     for file in [&file, "old.jpg"] {
         fs::write(program.folder.join(file), "old").expect("a file");

@@ -1,4 +1,4 @@
-use course::{Difference, draw_panels, encode_png, target_folder, workspace};
+use course::{describe_difference, draw_panels, encode_png, target_folder, workspace};
 use image::RgbImage;
 use insta::Settings;
 use std::path::PathBuf;
@@ -59,7 +59,7 @@ fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Optio
         Ok(locked) => locked.into_rgb8(),
         Err(error) => return Some(format!("{} can't be read: {error}.", path.display())),
     };
-    let difference = Difference::between(&locked, picture)?;
+    let difference = describe_difference(&locked, picture)?;
     let path = panels_path(name);
     let _ = fs::create_dir_all(path.with_file_name(""));
     let caption = match draw_panels(picture, &locked).save(&path) {

@@ -1,14 +1,6 @@
-use course::camera;
 use glam::DVec3;
 use proptest::prelude::*;
-use step01_rays::Ray;
-use step02_sphere::Sphere;
-
-/// The rays of the course's camera through all its 640×360 pixels, row by row.
-pub fn primary_rays() -> impl Iterator<Item = Ray> {
-    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
-    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
-}
+use step02_sphere::{Ray, Sphere};
 
 /// Points within 10 of the origin along each axis.
 pub fn random_point() -> impl Strategy<Value = DVec3> {

@@ -2,7 +2,7 @@
 
 use super::assert_no_faults;
 use super::reader_workspace::ReaderWorkspace;
-use course::{Difference, draw_named_scene, named_scene};
+use course::{describe_difference, draw_named_scene, named_scene};
 use figures::{Figure, Output, find, parse_address};
 use image::RgbImage;
 use std::collections::HashSet;
@@ -40,7 +40,7 @@ fn program_fault(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) ->
         return Some(format!("{text} in {program}"));
     }
     let drawn = image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
-    Difference::between(picture, &drawn.to_rgb8())
+    describe_difference(picture, &drawn.to_rgb8())
         .map(|text| format!("It draws another picture, {text}: {program}"))
 }
 

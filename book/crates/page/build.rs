@@ -27,13 +27,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             files.insert(name, read_to_string(path)?.replace('\r', ""));
         }
     }
-    let sources: String = files.values().map(String::as_str).collect();
     let (mut faults, mut edits) = (vec![], vec![]);
     for place in all_listed_places() {
         let text = files.get(place.file).map_or("", String::as_str);
-        match (place.find_fault(text, &sources), &place.find_ranges(text)[..]) {
-            (None, [range]) => edits.push((range.clone(), place)),
-            (fault, _) => faults.extend(fault),
+        match place.find_range(text) {
+            Ok(range) => edits.push((range, place)),
+            Err(fault) => faults.push(fault),
         }
     }
     // From the end of a file to its start, as each edit moves what comes behind it.

@@ -38,7 +38,6 @@ pub fn html(
     let path = folders.iter().find_map(|folder| path.strip_prefix(folder)).unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
-    let (first, last) = (range.start + 1, range.end);
     let part = match (range.start, range.len() == lines.len()) {
         (_, true) => "",
         (0, _) => r#" <span class="part">its beginning</span>"#,
@@ -52,7 +51,7 @@ pub fn html(
         "" => String::new(),
         name => format!(" data-code=\"{}\"", escape(name)),
     };
-    let attributes = format!("data-lines=\"{first}-{last}\"{number}{places}");
+    let attributes = format!("{number}{places}");
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
 }
 
@@ -86,14 +85,10 @@ fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
     let file = path.strip_prefix("steps/");
     let places = PLACES.iter().filter(|place| file == Some(place.file));
-    let entries = places.filter_map(|place| match &place.find_ranges(code)[..] {
-        [range] => Some(format!(
-            "{}:{}:{}",
-            place.name,
-            letters(&code[..range.start]),
-            letters(&code[range.clone()])
-        )),
-        _ => None,
+    let entries = places.filter_map(|place| {
+        let range = place.find_range(code).ok()?;
+        let (start, length) = (letters(&code[..range.start]), letters(&code[range]));
+        Some(format!("{}:{start}:{length}", place.name))
     });
     match entries.collect::<Vec<_>>().join(" ") {
         none if none.is_empty() => none,
@@ -119,7 +114,7 @@ fn figure_markdown(
     ids.extend(new.clone());
     let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
     format!(
-        "<figure class=\"listing\"{id} data-path=\"{}\" {attributes} style=\"--lines: {}{changed}\">\
+        "<figure class=\"listing\"{id} data-path=\"{}\"{attributes} style=\"--lines: {}{changed}\">\
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
          ```{language}\n{code}\n```\n\n</figure>\n",
         escape(path),

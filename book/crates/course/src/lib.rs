@@ -11,7 +11,9 @@
 //! - The folders of the *workspace*, and JSON.
 
 mod step;
-pub use step::{Step, camera, camera_with_fov, camera_with_size, slide_matrix, ungated_colour};
+pub use step::{
+    Step, camera, camera_with_fov, camera_with_size, primary_rays, slide_matrix, ungated_colour,
+};
 
 pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture};
@@ -47,7 +49,7 @@ pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
 mod difference;
 mod encode_png;
 mod panels;
-pub use difference::{Difference, largest_channel_difference};
+pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
 pub use panels::draw_panels;
 

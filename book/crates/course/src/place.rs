@@ -46,40 +46,22 @@ impl Place {
         self.file.split('/').next().unwrap_or_default()
     }
 
-    /// Finds its code in a text, however its rows are broken.
-    pub fn find_ranges(&self, text: &str) -> Vec<Range<usize>> {
-        let first = self.code.split(' ').next().unwrap_or_default();
+    /// Finds its code in a text, however its rows are broken; a sentence where it is not there
+    /// once.
+    pub fn find_range(&self, text: &str) -> Result<Range<usize>, String> {
+        let Self { name, file, code, .. } = self;
+        let first = code.split(' ').next().unwrap_or_default();
         let starts = text.match_indices(first).map(|(start, _)| start);
         let ranges = starts.filter_map(|start| {
             let mut remaining = &text[start..];
-            for word in self.code.split(' ') {
+            for word in code.split(' ') {
                 remaining = remaining.trim_start().strip_prefix(word)?;
             }
             Some(start..text.len() - remaining.len())
         });
-        ranges.collect()
-    }
-
-    /// A sentence where it can't be edited, as its file, of this text, has changed; `sources`
-    /// is the text of all files of the steps.
-    pub fn find_fault(&self, text: &str, sources: &str) -> Option<String> {
-        let Self { name, file, code, .. } = self;
-        let count = self.find_ranges(text).len();
-        if count != 1 {
-            return Some(format!("{name}: `{code}` is {count} times in {file}."));
+        match &ranges.collect::<Vec<_>>()[..] {
+            [range] => Ok(range.clone()),
+            ranges => Err(format!("{name}: `{code}` is {} times in {file}.", ranges.len())),
         }
-        let has = |text: &str, word: &str| {
-            let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
-            words.any(|one| one == word)
-        };
-        let is_unknown = |variable: &&str| {
-            let mut parts = variable.split('.');
-            let first = parts.next().and_then(|first| first.split(['(', ':']).next());
-            let mut fields = parts.filter(|part| !part.contains(['(', ')']));
-            !has(text, first.unwrap_or_default()) || fields.any(|field| !has(sources, field))
-        };
-        let mut variables = self.variables.iter().map(|(variable, _)| *variable);
-        let unknown = variables.find(is_unknown)?;
-        Some(format!("{name}: there is no `{unknown}` in {file}."))
     }
 }

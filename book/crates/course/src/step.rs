@@ -7,6 +7,12 @@ pub fn camera() -> Camera {
     camera_with_size(640, 360)
 }
 
+/// The rays of that camera through all its pixels, row by row.
+pub fn primary_rays() -> impl Iterator<Item = Ray> {
+    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
+    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+}
+
 /// The camera of the course with so many columns and rows. Its angle is turned into radians as by
 /// the programs: π/3 is another number in its last digit.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
