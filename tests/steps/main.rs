@@ -1,9 +1,8 @@
 //! The five steps: what their programs do, and the mathematics as laws.
 
-mod program_texts;
+mod programs;
 mod step01_rays;
 mod step02_sphere;
 mod step03_nearest;
 mod step04_diffuse;
 mod step05_phong;
-mod step_program;

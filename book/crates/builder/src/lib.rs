@@ -24,7 +24,6 @@
 //!
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 
-mod built_site;
 mod edits;
 mod figure_file;
 mod files;
@@ -62,8 +61,7 @@ mod build;
 mod tests;
 
 pub use build::build;
-pub use built_site::Site;
 pub use files::Files;
-pub use page::{Page, inner_text, select_all};
+pub use page::{Page, Site, inner_text, select_all};
 pub use preprocessor::Course;
 pub use sources::Sources;

@@ -6,23 +6,16 @@ use crate::{Page, Site};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
-/// Each link that leads nowhere, and all that would be fetched from elsewhere.
-///
-/// The pages that repeat the chapters are looked at where these have no fault.
+/// Each link that leads nowhere, and all that would be fetched from elsewhere. The pages that repeat
+/// the chapters are left out.
 pub fn find_faults(site: &Site) -> Vec<String> {
-    let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
-    let (copies, pages): (Vec<_>, Vec<_>) = site.pages.values().partition(is_copy);
-    let faults = find_page_faults(site, &pages);
-    if faults.is_empty() { find_page_faults(site, &copies) } else { faults }
-}
-
-fn find_page_faults(site: &Site, pages: &[&Page]) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
         page.select_all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
     });
     let ids = with_id.collect();
     let mut faults = vec![];
-    for page in pages {
+    let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
+    for page in site.pages.values().filter(|page| !is_copy(page)) {
         for element in page.html.root_element().descendent_elements() {
             for (attribute, address) in addresses_in(element) {
                 let is_link = (element.value().name(), attribute) == ("a", "href");
@@ -96,16 +89,15 @@ fn find_address_fault(
 /// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture
 /// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
 fn is_answered(page: &Page, id: &str) -> bool {
-    let Some((kind, words)) = id.split_once('=') else { return false };
-    match kind {
-        "pixel" => !page.select_all("[data-panel]").is_empty(),
-        "line" => {
-            let name = words.split(':').next().unwrap_or_default();
+    match id.split_once('=') {
+        Some(("pixel", _)) => !page.select_all("[data-panel]").is_empty(),
+        Some(("line", words)) => {
+            let place = format!("{}:", words.split(':').next().unwrap_or_default());
             let listings = page.select_all("[data-places]").into_iter();
             let mut places = listings.filter_map(|listing| listing.attr("data-places"));
-            places.any(|places| places.split([' ', ':']).any(|word| word == name))
+            places.any(|places| places.split(' ').any(|one| one.starts_with(&place)))
         }
-        "scene" => !page.select_all("[data-live=own_scene]").is_empty(),
+        Some(("scene", _)) => !page.select_all("[data-live=own_scene]").is_empty(),
         _ => false,
     }
 }

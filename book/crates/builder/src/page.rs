@@ -1,4 +1,26 @@
+use crate::Files;
 use scraper::{ElementRef, Html, Selector};
+use std::collections::BTreeMap;
+
+/// The book as a reader gets it.
+#[derive(Clone, Debug)]
+pub struct Site {
+    /// Every file of it.
+    pub files: Files,
+    /// Every page of it, by the name of its file.
+    pub pages: BTreeMap<String, Page>,
+}
+
+impl Site {
+    /// The pages in reading order, as the list of contents has them.
+    ///
+    /// `index.html` is not one of them: it is the first page again.
+    pub fn chapters_in_order(&self) -> Vec<&Page> {
+        let contents = self.pages["index.html"].select_all("#contents a");
+        let names = contents.iter().filter_map(|link| link.attr("href"));
+        names.filter_map(|name| self.pages.get(name)).collect()
+    }
+}
 
 /// A page of the book, as a browser reads it.
 #[derive(Clone, Debug)]

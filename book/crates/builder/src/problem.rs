@@ -27,7 +27,7 @@ pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) ->
     for (title, text) in chapters {
         let mut heading = Some(format!("## {}\n\n", title.trim_end_matches(": practice")));
         for part in text.split("\n{{#problem ").skip(1) {
-            let Some((words, problem, answer)) = split_problem(part) else {
+            let Some((words, problem, answer)) = split(part) else {
                 continue; // a fault of its chapter, and told there
             };
             let opening = opening_html(words).unwrap_or_default();
@@ -49,7 +49,7 @@ pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) ->
 }
 
 /// The words of a directive, the text of the problem, and the way to its answer.
-fn split_problem(part: &str) -> Option<(&str, &str, &str)> {
+pub fn split(part: &str) -> Option<(&str, &str, &str)> {
     let (words, box_text) = part.split_once("}}")?;
     let (problem, answer_text) = box_text.split_once("\n{{#answer}}")?;
     let (answer, _) = answer_text.split_once("\n{{#end}}")?;

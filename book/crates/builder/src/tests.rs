@@ -66,17 +66,16 @@ fn problems_are_short_numbered_as_they_are_read_and_answered_in_bold() {
     let summary = files.text("SUMMARY.md").expect("a summary");
     let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
     let text: String = names.filter_map(|name| files.text(name)).collect();
-    let problems: Vec<_> = text.split("\n{{#problem ").skip(1).collect();
-    for (number, problem) in (1..).zip(&problems) {
-        let answer =
-            problem.strip_prefix(&format!("{number} ")).and_then(|rest| rest.split("}}").next());
-        let answer = answer.expect("the problems are numbered");
-        let words = problem.split("\n{{#answer}}").next().map(str::split_whitespace);
-        assert!(words.is_some_and(|words| words.count() <= 80), "{problem}");
-        let bold = format!("{{{{#answer}}}}\n\n**{answer}");
-        assert!(problem.contains(&bold), "The sheet shows what is bold: {problem}");
+    let parts: Vec<_> = text.split("\n{{#problem ").skip(1).collect();
+    for (number, part) in (1..).zip(&parts) {
+        let (words, problem, way) = problem::split(part).expect("a problem");
+        assert!(problem.split_whitespace().count() <= 80, "{problem}");
+        // The sheet shows what is bold.
+        let bold = way.split("**").nth(1).unwrap_or_default();
+        let bold = bold.trim_end_matches(['.', '°', '%']).trim_end();
+        assert_eq!(words, format!("{number} {bold}"), "{problem}");
     }
-    assert!(10 < problems.len());
+    assert!(10 < parts.len());
 }
 
 #[test]

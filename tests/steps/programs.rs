@@ -1,0 +1,120 @@
+//! The programs of the five steps draw; step 1, whose code they all run, says what its options are.
+
+use course::{Step, describe_difference, target_folder, workspace};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::Once;
+use std::{env, fs};
+use tests::read_snapshot;
+
+/// Arguments at the limits of what is allowed.
+const ALLOWED: [&str; 10] = [
+    "--width 2",
+    "--width 8192 --aspect 8192:1",
+    "--width 2 --aspect 1:4",
+    "--aspect 1e9:1",
+    "--fov 0.001 --width 2",
+    "--fov 179.999 --width 2",
+    "--samples 16 --width 2",
+    "--width 20 --output UPPER.PNG",
+    "--width 20 --output .png",
+    "--width 20 --output -dash.png",
+];
+
+/// Arguments with which a program draws nothing: what it prints is locked.
+const REFUSED: [&str; 16] = [
+    "--help",
+    "--width 0",
+    "--width -3",
+    "--aspect 0:9",
+    "--aspect 16",
+    "--aspect 1:2:3",
+    "--aspect -4:3",
+    "--aspect 1\n\n2",
+    "--aspect 1:4.1",
+    "--aspect nan:1",
+    "--fov 0",
+    "--fov nan",
+    "--samples 0",
+    "--output old.jpg",
+    "--output nowhere/a.png",
+    "--output folder.png",
+];
+
+#[test]
+fn programs_draw_the_locked_pictures() {
+    for step in Step::NAMES {
+        let (folder, file) = (empty_folder(step), format!("{step}.png"));
+        fs::write(folder.join(&file), "old").expect("a file");
+        let Output { status, stdout, stderr } = run(step, &folder, "");
+        let text = String::from_utf8_lossy(&stdout);
+        let is_line = text.starts_with(&format!("{file}: 640×360 pixels in "));
+        assert!(status.success() && stderr.is_empty() && is_line && text.lines().count() == 1);
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
+        let picture = image::open(folder.join(&file)).expect("a PNG").to_rgb8();
+        assert_eq!(describe_difference(&read_snapshot(step), &picture), None, "{file}");
+    }
+}
+
+#[test]
+fn program_accepts_the_limits_of_its_options() {
+    let folder = empty_folder("limits");
+    for arguments in ALLOWED {
+        let output = run("step01_rays", &folder, arguments);
+        assert!(output.status.success(), "{arguments}: {output:?}");
+    }
+}
+
+#[test]
+fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
+    let folder = empty_folder("refused");
+    let old_files = ["step01_rays.png", "old.jpg"].map(|file| folder.join(file));
+    old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
+    fs::create_dir(folder.join("folder.png")).expect("a folder");
+    let texts = REFUSED.map(|arguments| {
+        let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
+        assert!(status.success() || stdout.is_empty(), "errors are on stderr");
+        let text = String::from_utf8([stdout, stderr].concat()).expect("UTF-8");
+        let code = status.code().unwrap_or(-1);
+        format!("$ step01_rays {}\n{text}--- exit code {code} ---\n\n", arguments.escape_debug())
+    });
+    // Windows has a name of its own for the program, and every system its own words.
+    let text = texts.concat().replace("step01_rays.exe", "step01_rays");
+    let lines = text.lines().map(|line| match line.rsplit_once(": ") {
+        Some((start, reason)) if reason.ends_with(')') => format!("{start}: REASON\n"),
+        _ => format!("{line}\n"),
+    });
+    insta::assert_snapshot!("program_texts", lines.collect::<String>());
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 3);
+    assert!(old_files.iter().all(|file| fs::read(file).is_ok_and(|bytes| bytes == b"old")));
+}
+
+/// Makes an empty folder for a test.
+fn empty_folder(test: &str) -> PathBuf {
+    let folder = target_folder().join("tests/programs").join(test);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder in the target folder");
+    folder
+}
+
+/// Runs the program of a step with arguments that are separated by single blanks.
+fn run(step: &str, folder: &Path, arguments: &str) -> Output {
+    static BUILD: Once = Once::new();
+    BUILD.call_once(build_programs);
+    let executable = target_folder().join("debug").join(step);
+    let mut command = Command::new(executable.with_extension(env::consts::EXE_EXTENSION));
+    command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
+    // The width for which help is wrapped.
+    command.current_dir(folder).env("COLUMNS", "100").output().expect("a program")
+}
+
+/// Builds the programs, as `cargo test` builds none of other packages.
+///
+/// `--workspace` gives them the features with which everything else is built.
+fn build_programs() {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());
+    cargo.args(Step::NAMES.iter().flat_map(|name| ["--bin", name]));
+    let status = cargo.env_remove("CARGO_BUILD_TARGET").current_dir(workspace()).status();
+    assert!(status.is_ok_and(|status| status.success()), "the programs do not compile");
+}
