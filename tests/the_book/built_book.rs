@@ -1,15 +1,13 @@
 use super::assert_no_faults;
 use anyhow::Result;
-use builder::{Files, Page, Site, inner_text};
+use builder::{Files, Site, inner_text};
 use course::{target_folder, workspace};
 use std::env;
 use std::fs::{self, File};
-use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
-use std::time::SystemTime;
 
 /// The book, or the fault for which it can't be built; one test reads it at a time.
-static BOOK: LazyLock<Result<Mutex<Site>>> = LazyLock::new(|| read_or_build().map(Mutex::new));
+static BOOK: LazyLock<Result<Mutex<Site>>> = LazyLock::new(|| build_or_read().map(Mutex::new));
 
 #[test]
 fn book_is_built() {
@@ -24,40 +22,22 @@ pub fn built_book() -> MutexGuard<'static, Site> {
     book.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Reads the book, which one process builds for all, where it is older than what it is made from.
-fn read_or_build() -> Result<Site> {
+/// Builds the book. nextest gives each test a process of its own, of which the first builds it for
+/// all.
+fn build_or_read() -> Result<Site> {
     let folder = target_folder().join("tests/book");
+    let Ok(run) = env::var("NEXTEST_RUN_ID") else {
+        return builder::build(&workspace(), &folder);
+    };
+    let run_file = folder.with_extension("run");
     fs::create_dir_all(folder.with_file_name(""))?;
     let lock = File::create(folder.with_extension("reading"))?;
     lock.lock()?;
-    let time_file = folder.with_extension("time");
-    let source_time = newest_change(&workspace())?.max(newest_change(&env::current_exe()?)?);
-    if fs::metadata(&time_file).and_then(|file| file.modified()).ok() <= Some(source_time) {
-        let start = SystemTime::now();
+    if fs::read_to_string(&run_file).ok().as_ref() != Some(&run) {
         builder::build(&workspace(), &folder)?;
-        File::create(time_file)?.set_modified(start)?;
+        fs::write(run_file, run)?;
     }
-    lock.unlock()?;
-    lock.lock_shared()?;
-    let files = Files::read(&folder)?;
-    let pages = files.texts_with_suffix(".html");
-    let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
-    Ok(Site { files, pages })
-}
-
-/// The time of the last change of a file, or of any in a folder and of those in it, but for what
-/// is hidden, built or installed.
-fn newest_change(path: &Path) -> Result<SystemTime> {
-    let mut newest = fs::metadata(path)?.modified()?;
-    for entry in fs::read_dir(path).into_iter().flatten() {
-        let path = entry?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_made = ["target", "node_modules"].contains(&&*name) || path == target_folder();
-        if !is_made && !name.starts_with('.') {
-            newest = newest.max(newest_change(&path)?);
-        }
-    }
-    Ok(newest)
+    Site::read(&folder)
 }
 
 pub fn read_folder(folder: &str) -> Files {

@@ -1,7 +1,7 @@
 use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
-use crate::{Files, Page, Site, links, picture, search};
+use crate::{Files, Site, links, picture, search};
 use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -40,18 +40,16 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
     let folder = book.build_dir_for("html");
     sources.generated.write(&folder.join(GENERATED))?;
     let files = Files::read(&folder)?;
-    let html: Vec<_> = files.texts_with_suffix(".html").collect();
-    let pages = html.into_par_iter().map(|(name, html)| {
+    let pages: Vec<_> = files.texts_with_suffix(".html").collect();
+    pages.into_par_iter().try_for_each(|(name, html)| {
         let mut html = inline_stylesheets(html, &files).with_context(|| name.to_owned())?;
         if name == "print.html" {
             // A picture that waits to be seen would not be on paper.
             html = html.replace(picture::LAZY, "");
         }
-        fs::write(folder.join(name), &html).with_context(|| name.to_owned())?;
-        Ok((name.to_owned(), Page::parse(name, &html)))
-    });
-    let pages = pages.collect::<Result<_>>()?;
-    let site = Site { files, pages };
+        fs::write(folder.join(name), html).with_context(|| name.to_owned())
+    })?;
+    let site = Site::read(&folder)?;
     fs::write(folder.join(search::INDEX), search::index_script(&site))?;
     fail_with_faults(&links::find_faults(&site))?;
     Ok(site)

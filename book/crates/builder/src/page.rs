@@ -1,6 +1,9 @@
 use crate::Files;
+use anyhow::Result;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scraper::{ElementRef, Html, Selector};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// The book as a reader gets it.
 #[derive(Clone, Debug)]
@@ -12,6 +15,15 @@ pub struct Site {
 }
 
 impl Site {
+    /// Reads a book that was built into a folder.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let files = Files::read(folder)?;
+        let texts: Vec<_> = files.texts_with_suffix(".html").collect();
+        let pages = texts.into_par_iter();
+        let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
+        Ok(Self { files, pages })
+    }
+
     /// The pages in reading order, as the list of contents has them.
     ///
     /// `index.html` is not one of them: it is the first page again.
