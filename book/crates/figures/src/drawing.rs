@@ -69,29 +69,13 @@ impl Drawing {
         self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
-    /// A text with its middle at a point, with symbols between dollar signs: `$V_0$`
-    /// is a V with a 0 below the line.
-    pub fn label(&mut self, class: &str, middle: DVec2, text: &str) {
-        self.text(class, middle, "middle", text);
-    }
-
-    /// A text that begins at a point.
-    pub fn label_starting_at(&mut self, class: &str, start: DVec2, text: &str) {
-        self.text(class, start, "start", text);
-    }
-
-    /// A text that ends at a point.
-    pub fn label_ending_at(&mut self, class: &str, end: DVec2, text: &str) {
-        self.text(class, end, "end", text);
-    }
-
-    fn text(&mut self, class: &str, place: DVec2, anchor: &str, text: &str) {
+    /// A text with its middle at a place; with the class `start` it begins there, with `end` it
+    /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a 0 below the line.
+    pub fn label(&mut self, class: &str, place: DVec2, text: &str) {
         let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
         let spans: String = parts.map(|(part, spans)| spans(part)).collect();
         let DVec2 { x, y } = place;
-        self.body += &format!(
-            r#"<text class="{class}" x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{spans}</text>"#
-        );
+        self.body += &format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#);
     }
 
     /// The elements, as the children of an element of SVG.

@@ -1,4 +1,4 @@
-use crate::{Handle, Interactive, Mark, Numbers, Output, Parameter, Probe};
+use crate::{Handle, Mark, Numbers, Output, Parameter};
 use glam::DVec2;
 
 /// A figure or a picture as a page asks for it: by a name, and numbers without names.
@@ -27,22 +27,19 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The figure or picture `T`.
-    pub(crate) fn of<T: Interactive>() -> Self {
-        let mut parameters = T::PROBE.map_or(vec![], Probe::parameters);
-        parameters.extend(T::parameters());
-        let probe = T::PROBE.filter(|_| T::FOLLOWED.is_none()).map(|_| Probe::handle());
+    /// One that has nothing to set but what its other fields say.
+    pub(crate) fn new(name: &'static str, draw: fn(&[f64]) -> Output) -> Self {
         Self {
-            name: T::NAME,
-            title: T::TITLE,
-            caption: T::CAPTION,
-            followed: T::FOLLOWED,
-            parameters,
-            handles: probe.into_iter().chain(T::handles()).collect(),
-            draw: |values| T::from_values(values).draw(),
-            numbers: |values| T::from_values(values).numbers(),
-            group_at: |values, place| T::from_values(values).group_at(place),
-            is_allowed: |values| T::from_values(values).is_allowed(),
+            name,
+            title: "",
+            caption: "",
+            followed: None,
+            parameters: vec![],
+            handles: vec![],
+            draw,
+            numbers: |_| Numbers::new(),
+            group_at: |_, _| None,
+            is_allowed: |_| true,
         }
     }
 
@@ -74,7 +71,9 @@ impl Figure {
     /// and upwards.
     pub fn step_handle(&self, values: &[f64], handle: &Handle, steps: DVec2) -> Option<Vec<f64>> {
         let mut new = values.to_vec();
-        let second = if handle.is_down { -steps.y } else { steps.y };
+        // Rows grow downwards.
+        let [_, row] = handle.parameters.map(|k| self.parameters[k].symbol == "j");
+        let second = if row { -steps.y } else { steps.y };
         for (index, steps) in handle.parameters.into_iter().zip([steps.x, second]) {
             new[index] += steps / self.parameters[index].steps_per_unit;
         }

@@ -1,34 +1,33 @@
-use crate::Figure;
 use crate::figures::*;
-use crate::own_scene::OwnScenePicture;
 use crate::pictures::*;
+use crate::{Figure, own_scene};
 use std::sync::LazyLock;
 
 /// Every figure and every picture, in the order of the book.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     vec![
-        Figure::of::<ray::RayFigure>(),
-        Figure::of::<pinhole::Pinhole>(),
-        Figure::of::<frustum::Frustum>(),
-        Figure::of::<row::RowFigure>(),
-        Figure::of::<right_hand::RightHand>(),
-        Figure::of::<camera::CameraFigure>(),
-        Figure::of::<three_cases::ThreeCases>(),
-        Figure::of::<hits_along_a_ray::HitsAlongARay>(),
-        Figure::of::<scene_from_above::SceneFromAbove>(),
-        Figure::of::<ball_outlines::BallOutlines>(),
-        Figure::of::<lambert::Lambert>(),
-        Figure::of::<attenuation::AttenuationFigure>(),
-        Figure::of::<phong_vectors::PhongVectors>(),
-        Figure::of::<lobes::Lobes>(),
-        Figure::of::<flat_world::FlatWorld>(),
-        Figure::of::<step01::Rays>(),
-        Figure::of::<step02::OneSphere>(),
-        Figure::of::<step03::FlatSpheres>(),
-        Figure::of::<step04::MovedLights>(),
-        Figure::of::<step05::SwitchedTerms>(),
-        Figure::of::<mirror::Mirrors>(),
-        Figure::of::<OwnScenePicture>(),
+        ray::figure(),
+        pinhole::figure(),
+        frustum::figure(),
+        row::figure(),
+        right_hand::figure(),
+        camera::figure(),
+        three_cases::figure(),
+        hits_along_a_ray::figure(),
+        scene_from_above::figure(),
+        ball_outlines::figure(),
+        lambert::figure(),
+        attenuation::figure(),
+        phong_vectors::figure(),
+        lobes::figure(),
+        flat_world::figure(),
+        step01::figure(),
+        step02::figure(),
+        step03::figure(),
+        step04::figure(),
+        step05::figure(),
+        mirror::figure(),
+        own_scene::figure(),
     ]
 });
 

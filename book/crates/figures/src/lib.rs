@@ -9,8 +9,8 @@
 //! - a *figure* is a drawing with a caption, or a *picture*, whose pixels are rendered; its
 //!   *output* is either. `FIGURES` lists all;
 //! - a *parameter* is a number that the reader sets, by a *control* below the figure or by
-//!   a handle; the *values* are those of all parameters, in their order. They come from
-//!   the page without names, and `from_values` makes of them what is shown;
+//!   a handle; the *values* are those of all parameters, in their order, as they come from
+//!   the page, without names;
 //! - a *handle* is a mark in the figure that the reader drags; it sets one parameter or
 //!   two;
 //! - a *probe* is the handle that marks a pixel, whose *trace* is every number from its
@@ -39,15 +39,12 @@ pub use discriminant::discriminant;
 mod aspect_ratio;
 mod figure;
 mod handle;
-mod interactive;
 mod parameter;
 mod probe;
 pub use figure::Figure;
 pub use handle::{Handle, Mark};
-use interactive::Interactive;
 use parameter::array;
 pub use parameter::{ControlKind, Parameter};
-use probe::Probe;
 
 mod figures;
 mod own_scene;

@@ -1,51 +1,45 @@
-//! The probe of a picture: a cross at the pixel whose trace is told.
+//! The probe of a picture, a cross at the pixel whose trace is told. The first values of such a
+//! picture are the column and the row of that pixel, and the columns of the picture.
 
 use crate::projection::SIZE;
-use crate::{ControlKind, Handle, Mark, Parameter, View, array};
-use glam::{DVec2, dvec2};
-use step01_rays::{Camera, Ray};
+use crate::{ControlKind, Figure, Handle, Mark, Output, Parameter, View};
+use glam::{DVec2, DVec3, dvec2};
+use step01_rays::{Ray, render};
 
-/// The pixel of the probe, and the columns of the picture that is drawn.
-pub struct Probe {
-    pub i: f64,
-    pub j: f64,
-    columns: f64,
+/// The picture of the course with a probe, at first at the pixel (i, j), and with the parameters
+/// that are set besides.
+pub fn probed_picture(
+    name: &'static str,
+    [i, j]: [f64; 2],
+    others: Vec<Parameter>,
+    draw: fn(&[f64]) -> Output,
+) -> Figure {
+    let mut parameters = vec![
+        Parameter::new(["i", "column", ""], i, [0.0, SIZE.x - 1.0], 1.0),
+        Parameter::new(["j", "row", ""], j, [0.0, SIZE.y - 1.0], 1.0),
+        columns_parameter(),
+    ];
+    parameters.extend(others);
+    // The middle of a pixel.
+    let view = View { origin: DVec2::splat(0.5), scale: dvec2(1.0, -1.0) };
+    let handle = Handle::of_point("the pixel that you ask", 0, view);
+    let handles = vec![Handle { mark: Mark::Probe, ..handle }];
+    Figure { parameters, handles, ..Figure::new(name, draw) }
 }
 
-impl Probe {
-    /// The first parameters of a picture with a probe, whose default is the pixel (i, j).
-    pub fn parameters([i, j]: [f64; 2]) -> Vec<Parameter> {
-        vec![
-            Parameter::new(["i", "column", ""], i, [0.0, SIZE.x - 1.0], 1.0),
-            Parameter::new(["j", "row", ""], j, [0.0, SIZE.y - 1.0], 1.0),
-            columns_parameter(),
-        ]
-    }
+/// The ray of the probe's pixel.
+pub fn probe_ray(values: &[f64]) -> Ray {
+    course::camera().ray(values[0], values[1])
+}
 
-    /// The probe of the first values, and the other values.
-    pub fn split_values(values: &[f64]) -> (Self, &[f64]) {
-        let (first, others) = values.split_at(3);
-        let [i, j, columns] = array(first);
-        (Self { i, j, columns }, others)
-    }
+/// The picture in these colours, with the columns of these values.
+pub fn draw_picture(values: &[f64], colour: impl Fn(&Ray) -> DVec3 + Sync) -> Output {
+    Output::Pixels(render(&course::camera_with_fov(60.0, values[2]), 1, colour))
+}
 
-    /// The ray of the pixel, in the picture of the course.
-    pub fn ray(&self) -> Ray {
-        course::camera().ray(self.i, self.j)
-    }
-
-    /// The camera of the picture that is drawn.
-    pub fn camera(&self) -> Camera {
-        course::camera_with_fov(60.0, self.columns)
-    }
-
-    /// The handle, a cross at the pixel.
-    pub fn handle() -> Handle {
-        // The middle of a pixel.
-        let view = View { origin: DVec2::splat(0.5), scale: dvec2(1.0, -1.0) };
-        let handle = Handle::of_point("the pixel that you ask", 0, view);
-        Handle { is_down: true, mark: Mark::Probe, ..handle }
-    }
+/// The values after those of the probe.
+pub fn other_values(values: &[f64]) -> &[f64] {
+    &values[3..]
 }
 
 /// The columns of a picture, without a control.

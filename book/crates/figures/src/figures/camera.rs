@@ -1,6 +1,6 @@
 use crate::aspect_ratio::{aspect_ratio_parameter, camera};
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, array, collect_numbers,
+    Drawing, Figure, Handle, Numbers, Output, Parameter, View, array, collect_numbers,
     format_number, format_vector,
 };
 use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
@@ -8,12 +8,42 @@ use step01_rays::{Camera, Ray, direction_colour, render};
 
 /// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
 /// one of the pixels.
-pub struct CameraFigure {
+pub fn figure() -> Figure {
+    let locate = |values: &[f64]| {
+        let figure = CameraFigure::new(values);
+        Some(figure.project(figure.ray().at(1.0)))
+    };
+    let pixel_at = |values: &[f64], place| CameraFigure::new(values).pixel_at(place);
+    Figure {
+        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
+        caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
+                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
+                  down. From the top left pixel, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+        parameters: vec![
+            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+            aspect_ratio_parameter(),
+            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+            Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
+            Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
+        ],
+        handles: vec![Handle::new("the pixel of the ray", [3, 4], locate, pixel_at)],
+        numbers,
+        ..Figure::new("camera", draw)
+    }
+}
+
+struct CameraFigure {
     camera: Camera,
     pixel: DVec2,
 }
 
 impl CameraFigure {
+    fn new(values: &[f64]) -> Self {
+        let [degrees, choice, columns, i, j] = array(values);
+        let camera = camera(degrees, choice, columns);
+        Self { camera, pixel: nearest_pixel(&camera, dvec2(i, j)) }
+    }
+
     fn ray(&self) -> Ray {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }
@@ -47,9 +77,7 @@ impl CameraFigure {
         let rays = corners.map(|(i, j)| camera.ray(i, j));
         drawing.area("plane", rays.map(|ray| self.project(ray.at(1.0))));
         for ray in rays {
-            let corner = self.project(ray.at(1.0));
-            drawing.line("ray faint", c, corner);
-            drawing.line("guide", corner, self.project(ray.at(1.26)));
+            drawing.line("ray faint", c, self.project(ray.at(1.26)));
         }
         drawing.line("guide", c, self.project(DVec3::NEG_Z));
         let place = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
@@ -65,17 +93,17 @@ impl CameraFigure {
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
         let (c, first) = (self.project(centre), self.project(v_0));
         let above = self.project(self.camera.ray(self.pixel.x, 0.0).at(1.0));
-        drawing.line("way", first, above);
-        drawing.line("way", above, self.project(self.ray().at(1.0)));
+        drawing.path("way", [first, above, self.project(self.ray().at(1.0))]);
         drawing.arrow("vector", c, first);
-        let label = (c + first) / 2.0 + dvec2(-6.0, -12.0);
-        drawing.label_ending_at("strong", label, "$V_0$");
-        drawing.arrow("accent", first, self.project(v_0 + d_u));
-        drawing.arrow("second", first, self.project(v_0 + d_v));
-        let label = self.project(v_0 + 0.6 * d_u) + dvec2(2.0, -12.0);
-        drawing.label("accent", label, "$D_u$");
-        let label = self.project(v_0 + 0.75 * d_v) + dvec2(9.0, 6.0);
-        drawing.label_starting_at("second over", label, "$D_v$");
+        drawing.label("strong end", (c + first) / 2.0 + dvec2(-6.0, -12.0), "$V_0$");
+        for (class, step, name, shift) in [
+            ("accent", d_u, "$D_u$", dvec2(2.0, -12.0)),
+            ("second", d_v, "$D_v$", dvec2(21.0, 6.0)),
+        ] {
+            drawing.arrow(class, first, self.project(v_0 + step));
+            let middle = self.project(v_0 + 0.7 * step);
+            drawing.label(&format!("{class} over"), middle + shift, name);
+        }
     }
 }
 
@@ -85,68 +113,26 @@ fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
     pixel.clamp(DVec2::ZERO, last)
 }
 
-impl Interactive for CameraFigure {
-    const NAME: &str = "camera";
-    const TITLE: &str = "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.";
-    const CAPTION: &str = "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
-                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
-                  down. From the top left pixel, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>";
+fn draw(values: &[f64]) -> Output {
+    let figure = CameraFigure::new(values);
+    let c = figure.project(DVec3::ZERO);
+    let mut drawing = Drawing::new(480.0, 310.0);
+    figure.draw_pyramid(&mut drawing);
+    figure.draw_steps(&mut drawing);
+    drawing.dot("eye", c);
+    drawing.label("strong end", c + dvec2(-12.0, 6.0), "$C$");
+    drawing.arrow("ray", c, figure.project(figure.ray().at(1.42)));
+    Output::Drawing(drawing)
+}
 
-    fn parameters() -> Vec<Parameter> {
-        vec![
-            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
-            aspect_ratio_parameter(),
-            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
-            Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
-            Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
-        ]
-    }
-
-    fn from_values(values: &[f64]) -> Self {
-        let [degrees, choice, columns, i, j] = array(values);
-        let camera = camera(degrees, choice, columns);
-        Self { camera, pixel: nearest_pixel(&camera, dvec2(i, j)) }
-    }
-
-    fn handles() -> Vec<Handle> {
-        let locate = |figure: &Self| Some(figure.project(figure.ray().at(1.0)));
-        let handle = Self::handle("the pixel of the ray", [3, 4], locate, Self::pixel_at);
-        vec![Handle { is_down: true, ..handle }]
-    }
-
-    fn draw(&self) -> Output {
-        let c = self.project(DVec3::ZERO);
-        let mut drawing = Drawing::new(480.0, 310.0);
-        self.draw_pyramid(&mut drawing);
-        self.draw_steps(&mut drawing);
-        drawing.dot("eye", c);
-        drawing.label_ending_at("strong", c + dvec2(-12.0, 6.0), "$C$");
-        let tip = self.project(self.ray().at(1.42));
-        drawing.arrow("ray", c, tip);
-        let label = format!("$i$ = {}, $j$ = {}", self.pixel.x, self.pixel.y);
-        if tip.x < 380.0 {
-            drawing.label_starting_at("quiet over", tip + dvec2(10.0, 5.0), &label);
-        } else {
-            let end = (tip + dvec2(14.0, -12.0)).clamp(dvec2(0.0, 16.0), dvec2(474.0, 300.0));
-            drawing.label_ending_at("quiet over", end, &label);
-        }
-        let corner = dvec2(44.0, 286.0);
-        for (axis, name) in [(DVec3::X, "$x$"), (DVec3::Y, "$y$"), (DVec3::Z, "$z$")] {
-            let arrow = (self.project(axis) - c) * 40.0 / (self.project(DVec3::Y) - c).length();
-            drawing.arrow("axis", corner, corner + arrow);
-            drawing.label("quiet", corner + 1.32 * arrow + dvec2(0.0, 5.0), name);
-        }
-        Output::Drawing(drawing)
-    }
-
-    fn numbers(&self) -> Numbers {
-        let Self { camera, pixel } = self;
-        collect_numbers([
-            ("columns", camera.h_res.to_string()),
-            ("rows", camera.v_res.to_string()),
-            ("i", format_number(pixel.x)),
-            ("j", format_number(pixel.y)),
-            ("V", format_vector(self.ray().direction)),
-        ])
-    }
+fn numbers(values: &[f64]) -> Numbers {
+    let figure = CameraFigure::new(values);
+    let CameraFigure { camera, pixel } = &figure;
+    collect_numbers([
+        ("columns", camera.h_res.to_string()),
+        ("rows", camera.v_res.to_string()),
+        ("i", format_number(pixel.x)),
+        ("j", format_number(pixel.y)),
+        ("V", format_vector(figure.ray().direction)),
+    ])
 }

@@ -1,4 +1,4 @@
-use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array};
+use crate::{Drawing, Figure, Handle, Output, Parameter, View, array};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
@@ -6,17 +6,37 @@ use step03_nearest::{Ray, Sphere};
 /// The map of (depth, height) to the drawing: the camera looks to the right.
 const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
+/// The three balls, near, in the middle and far away, and how far below its centre the words
+/// stand.
+const BALLS: [(Sphere, f64); 3] = [
+    (Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 }, 42.0),
+    (Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 }, 42.0),
+    (Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 }, 49.0),
+];
+
+/// The frustum of OpenGL from the side, and rays to what it cuts away.
+pub fn figure() -> Figure {
+    let handle = |words, k: usize| {
+        let locate = move |values: &[f64]| place(sides()[1].at(values[k]));
+        Handle::of_one(words, k, locate, |_, place| VIEW.to_world(place).x)
+    };
+    Figure {
+        title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
+        caption: "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
+                  ignore both planes, and meet all three balls. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
+        parameters: vec![
+            Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
+            Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
+        ],
+        handles: vec![handle("the near plane", 0), handle("the far plane", 1)],
+        ..Figure::new("frustum", draw)
+    }
+}
+
 /// The place of a point of the world, seen from the side.
 fn place(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
-
-/// The three balls, near, in the middle and far away, and where the words stand beside each.
-const BALLS: [(Sphere, DVec2); 3] = [
-    (Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 }, dvec2(0.0, 42.0)),
-    (Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 }, dvec2(62.0, 5.0)),
-    (Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 }, dvec2(0.0, 49.0)),
-];
 
 /// The rays along the upper and the lower side of the view.
 fn sides() -> [Ray; 2] {
@@ -36,65 +56,35 @@ fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
     }
 }
 
-/// The frustum of OpenGL from the side, and rays to what it cuts away.
-pub struct Frustum {
-    /// The t of the near and of the far plane.
-    planes: [f64; 2],
-}
-
-impl Interactive for Frustum {
-    const NAME: &str = "frustum";
-    const TITLE: &str = "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.";
-    const CAPTION: &str = "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
-                  ignore both planes, and meet all three balls. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>";
-
-    fn parameters() -> Vec<Parameter> {
-        vec![
-            Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
-            Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
-        ]
+fn draw(values: &[f64]) -> Output {
+    let (planes, sides) = (array(values), sides());
+    let mut drawing = Drawing::new(480.0, 334.0);
+    let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
+    drawing.area("plane", [near[0], far[0], far[1], near[1]]);
+    for ray in sides {
+        drawing.line("guide", place(ray.start), place(ray.at(5.4)));
     }
-
-    fn from_values(values: &[f64]) -> Self {
-        Self { planes: array(values) }
+    // However near the planes are to each other, their names don't meet.
+    for ([upper, lower], class, name, shift) in [
+        (near, "quiet over end", "near plane", dvec2(14.0, -10.0)),
+        (far, "quiet over start", "far plane", dvec2(-14.0, -10.0)),
+    ] {
+        drawing.line("ground", upper, lower);
+        drawing.label(class, upper + shift, name);
     }
-
-    fn handles() -> Vec<Handle> {
-        let handle = |words, k: usize| {
-            let locate = move |figure: &Self| place(sides()[1].at(figure.planes[k]));
-            Self::handle_of_one(words, k, locate, |_, place| VIEW.to_world(place).x)
-        };
-        vec![handle("the near plane", 0), handle("the far plane", 1)]
-    }
-
-    fn draw(&self) -> Output {
-        let (planes, sides) = (self.planes, sides());
-        let mut drawing = Drawing::new(480.0, 334.0);
-        let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
-        drawing.area("plane", [near[0], far[0], far[1], near[1]]);
-        for ray in sides {
-            drawing.line("guide", place(ray.start), place(ray.at(5.4)));
+    for (sphere, words_below) in BALLS {
+        let part = part_between(&sphere, planes);
+        let class = if part == "cut away" { "behind" } else { "object" };
+        let centre = place(sphere.centre);
+        drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
+        drawing.label("quiet over", centre + dvec2(0.0, words_below), part);
+        let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
+        if let Some(t) = sphere.intersect(&ray).first_hit() {
+            drawing.line("ray", place(ray.start), place(ray.at(t)));
+            drawing.dot("hit", place(ray.at(t)));
         }
-        for [upper, lower] in [near, far] {
-            drawing.line("ground", upper, lower);
-        }
-        // However near the planes are to each other, their names don't meet.
-        let names = [near, far].map(|[upper, _]| upper - dvec2(0.0, 10.0));
-        drawing.label_ending_at("quiet over", names[0].max(dvec2(76.0, 0.0)), "near plane");
-        drawing.label_starting_at("quiet over", names[1].min(dvec2(408.0, 300.0)), "far plane");
-        for (sphere, words_shift) in BALLS {
-            let part = part_between(&sphere, planes);
-            let class = if part == "cut away" { "behind" } else { "object" };
-            drawing.circle(class, place(sphere.centre), VIEW.scale.x * sphere.radius);
-            drawing.label("quiet over", place(sphere.centre) + words_shift, part);
-            let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
-            if let Some(t) = sphere.intersect(&ray).first_hit() {
-                drawing.line("ray", place(ray.start), place(ray.at(t)));
-                drawing.dot("hit", place(ray.at(t)));
-            }
-        }
-        drawing.dot("eye", VIEW.origin);
-        drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
-        Output::Drawing(drawing)
     }
+    drawing.dot("eye", VIEW.origin);
+    drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
+    Output::Drawing(drawing)
 }

@@ -1,14 +1,10 @@
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
-    direction_left_of_up, format_number, format_rounded,
+    Drawing, Figure, Handle, Output, Parameter, View, collect_numbers, direction_left_of_up,
+    format_number, format_rounded,
 };
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
-
-/// The largest angle of the light on the right, in degrees: below the ground, and still
-/// in the drawing.
-const LARGEST_ANGLE: f64 = 115.0;
 
 /// The map whose origin is the place that the light on the right falls on.
 const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
@@ -17,100 +13,80 @@ const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
 const LENGTH: f64 = 165.0;
 
 /// A beam of light that falls straight down, and one whose angle the reader sets.
-pub struct Lambert {
-    /// The angle of the light on the right.
-    degrees: f64,
-}
-
-impl Interactive for Lambert {
-    const NAME: &str = "lambert";
-    const TITLE: &str = "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.";
-    const CAPTION: &str = "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
+pub fn figure() -> Figure {
+    let angle = Parameter::new(["α", "angle of the light", "°"], 60.0, [0.0, 100.0], 1.0);
+    Figure {
+        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
+        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above, which is \
                   the cosine of the angle. From a light below the ground, it gets nothing. <span class='move'>Lower the light to the ground, and then below it. \
-                  (A low beam lights more ground than is drawn.)</span>";
-
-    fn parameters() -> Vec<Parameter> {
-        vec![Parameter::new(["α", "angle of the light", "°"], 60.0, [0.0, LARGEST_ANGLE], 1.0)]
+                  (A low beam lights more ground than is drawn.)</span>",
+        parameters: vec![angle],
+        handles: vec![Handle::of_angle("the light on the right", 0, VIEW, LENGTH)],
+        numbers: |values| {
+            let share = brightness(direction_left_of_up(values[0]));
+            collect_numbers([
+                ("angle", format_number(values[0])),
+                ("share", format_rounded(share, 3)),
+            ])
+        },
+        ..Figure::new("lambert", draw)
     }
+}
 
-    fn from_values(values: &[f64]) -> Self {
-        Self { degrees: values[0] }
-    }
+fn draw(values: &[f64]) -> Output {
+    let mut drawing = Drawing::new(480.0, 300.0);
+    draw_beam(&mut drawing, dvec2(106.0, 210.0), 0.0);
+    draw_beam(&mut drawing, VIEW.origin, values[0]);
+    Output::Drawing(drawing)
+}
 
-    fn handles() -> Vec<Handle> {
-        let locate = |figure: &Self| VIEW.to_drawing(LENGTH * direction_left_of_up(figure.degrees));
-        // To the right of n, the angle is 0 above the ground, and the largest below.
-        let angle_at = |_: &Self, place| match VIEW.degrees_left_of_up(place) {
-            ..-90.0 => LARGEST_ANGLE,
-            angle => angle.max(0.0),
-        };
-        vec![Self::handle_of_one("the light on the right", 0, locate, angle_at)]
+fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
+    let angle = degrees.to_radians();
+    let l = direction_left_of_up(degrees);
+    let to_light = dvec2(l.x, -l.y);
+    let share = brightness(l);
+    // The beam has one width; the strip it lights is wider by 1 / cos.
+    let half = 26.0 / l.y;
+    // A beam that is nearly level lights more ground than is drawn.
+    let edge = (92.0 / half.abs()).min(1.0);
+    let foot = |k: f64| ground + dvec2(k * half, 0.0);
+    // Across the beam, at a right angle to it.
+    let across = to_light.perp();
+    let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
+    drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
+    for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+        drawing.arrow("light", start(k * edge), foot(k * edge));
     }
-
-    fn draw(&self) -> Output {
-        let mut drawing = Drawing::new(480.0, 292.0);
-        for (ground, degrees) in [(dvec2(106.0, 210.0), 0.0), (VIEW.origin, self.degrees)] {
-            let angle = f64::to_radians(degrees);
-            let l = direction_left_of_up(degrees);
-            let to_light = dvec2(l.x, -l.y);
-            let share = brightness(l);
-            let cosine = l.y;
-            // The beam has one width; the strip it lights is wider by 1 / cos.
-            let half = 26.0 / cosine;
-            // A beam that is nearly level lights more ground than is drawn.
-            let edge = (92.0 / half.abs()).min(1.0);
-            let foot = |k: f64| ground + dvec2(k * half, 0.0);
-            // Across the beam, at a right angle to it.
-            let across = to_light.perp();
-            let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
-            drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
-            for k in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-                drawing.arrow("light", start(k * edge), foot(k * edge));
-            }
-            let side = dvec2(92.0, 0.0);
-            drawing.line("ground", ground - side, ground + side);
-            if 0.0 < share {
-                drawing.line("lit", foot(-edge), foot(edge));
-            }
-            drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
-            drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
-            let is_strip = edge == 1.0 && 0.0 < share;
-            if 0.0 < angle {
-                drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
-                drawing.label_ending_at("", ground + dvec2(-30.0, -100.0), "$α$");
-            }
-            if 0.0 < angle && is_strip {
-                // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
-                let corner = foot(-1.0);
-                drawing.line("vector", corner, corner + 52.0 * across);
-                drawing.arc("angle", corner, 24.0, [0.0, angle]);
-                drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
-                drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
-            } else if is_strip {
-                let top = start(0.0) + dvec2(0.0, 26.0);
-                drawing.line("vector", top - 26.0 * across, top + 26.0 * across);
-                drawing.label("strong", top - 38.0 * across.abs() + dvec2(0.0, 5.0), "$w$");
-            }
-            // A light from below needs the room below the ground.
-            let shift = if cosine < 0.0 { dvec2(-78.0, -152.0) } else { dvec2(0.0, 34.0) };
-            let label = format!("cos {degrees}° = {}", format_rounded(cosine, 3));
-            drawing.label("", ground + shift, &label);
-            let label = match share {
-                ..0.0005 => format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3)),
-                _ => format!("strip × {}", format_rounded(1.0 / share, 2)),
-            };
-            drawing.label("quiet", ground + shift + dvec2(0.0, 24.0), &label);
-        }
-        Output::Drawing(drawing)
+    let side = dvec2(92.0, 0.0);
+    drawing.line("ground", ground - side, ground + side);
+    drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
+    drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
+    if 0.0 < share {
+        drawing.line("lit", foot(-edge), foot(edge));
     }
-
-    fn numbers(&self) -> Numbers {
-        collect_numbers([
-            ("angle", format_number(self.degrees)),
-            ("share", format_rounded(brightness(direction_left_of_up(self.degrees)), 3)),
-        ])
+    if 0.0 < angle {
+        drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
+        drawing.label("end", ground + dvec2(-30.0, -100.0), "$α$");
     }
+    let is_strip = 0.0 < share && edge == 1.0;
+    if is_strip {
+        // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
+        let corner = foot(-1.0);
+        drawing.line("vector", corner, corner + 52.0 * across);
+        drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
+    }
+    if 0.0 < angle && is_strip {
+        drawing.arc("angle", foot(-1.0), 24.0, [0.0, angle]);
+        drawing.label("", foot(-1.0) + dvec2(34.0, -8.0), "$α$");
+    }
+    let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));
+    drawing.label("", ground + dvec2(0.0, 56.0), &label);
+    let label = match share {
+        ..0.0005 => format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3)),
+        _ => format!("strip × {}", format_rounded(1.0 / share, 2)),
+    };
+    drawing.label("quiet", ground + dvec2(0.0, 80.0), &label);
 }
 
 /// The step's diffuse term of a white light in the direction `l`; n is up.

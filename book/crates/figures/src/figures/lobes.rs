@@ -1,4 +1,4 @@
-use crate::{Drawing, Handle, Interactive, Output, Parameter, View, array};
+use crate::{Drawing, Figure, Handle, Output, Parameter, View, array};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
@@ -6,70 +6,54 @@ use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
 /// The lobes of several exponents, one of which the reader sets, and the light.
-pub struct Lobes {
-    /// The n of the first lobe.
-    n: i32,
-    /// The unit vector r.
-    r: DVec2,
-}
-
-impl Interactive for Lobes {
-    const NAME: &str = "lobes";
-    const TITLE: &str = "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.";
-    const CAPTION: &str = "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
+pub fn figure() -> Figure {
+    Figure {
+        title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
+        caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
                   the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
-                  <span class='move'>Turn the light, and let $n$ grow.</span>";
-
-    fn parameters() -> Vec<Parameter> {
-        vec![
+                  <span class='move'>Turn the light, and let $n$ grow.</span>",
+        parameters: vec![
             Parameter::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
             Parameter::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
-        ]
+        ],
+        handles: vec![Handle::of_angle("the light l", 1, VIEW, 0.85)],
+        ..Figure::new("lobes", draw)
     }
+}
 
-    fn from_values(values: &[f64]) -> Self {
-        let [n, light_angle] = array(values);
-        // It is right of n by the angle of the light.
-        Self { n: n as i32, r: DVec2::from_angle((90.0 - light_angle).to_radians()) }
+fn draw(values: &[f64]) -> Output {
+    let [reader_n, light_angle] = array(values);
+    let reader_n = reader_n as i32;
+    // It is right of n by the angle of the light.
+    let r = DVec2::from_angle((90.0 - light_angle).to_radians());
+    let mut drawing = Drawing::new(480.0, 300.0);
+    drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
+    let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
+    for n in [1, 10, 40, reader_n] {
+        let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
+        drawing.area("lobe", directions.map(|v| on_lobe(n, v)));
     }
-
-    fn handles() -> Vec<Handle> {
-        let locate = |Self { r, .. }: &Self| VIEW.to_drawing(0.85 * dvec2(-r.x, r.y));
-        let angle_at = |_: &Self, place| VIEW.degrees_left_of_up(place);
-        vec![Self::handle_of_one("the light l", 1, locate, angle_at)]
+    drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
+    for (class, tip, name, shift) in [
+        ("light", 0.85 * dvec2(-r.x, r.y), "$l$", dvec2(-18.0, -6.0)),
+        ("normal", 0.85 * DVec2::Y, "$n$", dvec2(0.0, -8.0)),
+        ("vector", 1.12 * r, "$r$", dvec2(10.0, -2.0)),
+    ] {
+        drawing.arrow(class, VIEW.origin, VIEW.to_drawing(tip));
+        drawing.label("strong", VIEW.to_drawing(tip) + shift, name);
     }
-
-    fn draw(&self) -> Output {
-        let Self { n: reader_n, r } = *self;
-        let mut drawing = Drawing::new(480.0, 300.0);
-        drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-        let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
-        for n in [1, 10, 40, reader_n] {
-            let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
-            drawing.area("lobe", directions.map(|v| on_lobe(n, v)));
-        }
-        let l = dvec2(-r.x, r.y);
-        drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
-        drawing.arrow("light", VIEW.origin, VIEW.to_drawing(0.85 * l));
-        drawing.arrow("normal", VIEW.origin, VIEW.to_drawing(0.85 * DVec2::Y));
-        drawing.arrow("vector", VIEW.origin, VIEW.to_drawing(1.12 * r));
-        drawing.label_ending_at("strong", VIEW.to_drawing(0.9 * l) + dvec2(-4.0, 2.0), "$l$");
-        drawing.label("strong", VIEW.to_drawing(0.85 * DVec2::Y) + dvec2(0.0, -8.0), "$n$");
-        drawing.label_starting_at("strong", VIEW.to_drawing(1.12 * r) + dvec2(6.0, -2.0), "$r$");
-        let labels =
-            [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)];
-        for (n, angle, y) in labels {
-            // The leader ends beside r, on the side of the labels, and above the ground.
-            let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
-            let label = dvec2(418.0, y);
-            drawing.line("leader", on_lobe(n, v), label - dvec2(5.0, 5.0));
-            drawing.label_starting_at("quiet", label, &n.to_string());
-        }
-        drawing.label_starting_at("quiet", dvec2(418.0, 90.0), "$n$ =");
-        drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");
-        Output::Drawing(drawing)
+    let labels = [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)];
+    for (n, angle, y) in labels {
+        // The leader ends beside r, on the side of the labels, and above the ground.
+        let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
+        let label = dvec2(418.0, y);
+        drawing.line("leader", on_lobe(n, v), label - dvec2(5.0, 5.0));
+        drawing.label("quiet start", label, &n.to_string());
     }
+    drawing.label("quiet start", dvec2(418.0, 90.0), "$n$ =");
+    drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");
+    Output::Drawing(drawing)
 }
 
 /// The step's specular term of a white light, seen in the direction `v`.

@@ -1,6 +1,6 @@
 use crate::{
-    Drawing, Handle, Interactive, Numbers, Output, Parameter, View, collect_numbers,
-    direction_left_of_up, format_number,
+    Drawing, Figure, Handle, Output, Parameter, View, collect_numbers, direction_left_of_up,
+    format_number,
 };
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
@@ -10,56 +10,37 @@ use step05_phong::reflect;
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
 
 /// The unit vectors n, l, r and v in one plane, with a light to turn.
-pub struct PhongVectors {
-    /// The angle between n and l.
-    degrees: f64,
+pub fn figure() -> Figure {
+    let angle = Parameter::new(["α", "angle of the light", "°"], 30.0, [0.0, 110.0], 1.0);
+    Figure {
+        title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye, between n and r.",
+        caption: "The four vectors, each one unit long. $l$ and $r$ make the same angle with $n$, {{#number phong-vectors:angle}}°. \
+                  <span class='move'>Turn the light until it is behind the surface.</span>",
+        parameters: vec![angle],
+        handles: vec![Handle::of_angle("the light l", 0, VIEW, 1.0)],
+        numbers: |values| collect_numbers([("angle", format_number(values[0]))]),
+        ..Figure::new("phong-vectors", draw)
+    }
 }
 
-impl Interactive for PhongVectors {
-    const NAME: &str = "phong-vectors";
-    const TITLE: &str = "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye, between n and r.";
-    const CAPTION: &str = "The four vectors, each one unit long. $l$ and $r$ make the same angle with $n$, {{#number phong-vectors:angle}}°. \
-                  <span class='move'>Turn the light until it is behind the surface.</span>";
-
-    fn parameters() -> Vec<Parameter> {
-        vec![Parameter::new(["α", "angle of the light", "°"], 30.0, [0.0, 110.0], 1.0)]
+fn draw(values: &[f64]) -> Output {
+    let mut drawing = Drawing::new(480.0, 320.0);
+    let p = VIEW.origin;
+    drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
+    let [n, l, v] = [0.0, values[0], -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
+    let angle = values[0].to_radians();
+    drawing.arc("angle", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);
+    let arrows = [
+        ("light", l, "$l$", dvec2(-20.0, -4.0)),
+        ("normal", n, "$n$", dvec2(0.0, -12.0)),
+        ("vector", reflect(n, l), "$r$", dvec2(20.0, -4.0)),
+        ("accent", v, "$v$", dvec2(2.0, -12.0)),
+    ];
+    for (class, vector, name, shift) in arrows {
+        let tip = VIEW.to_drawing(vector.truncate());
+        drawing.arrow(class, p, tip);
+        drawing.label("strong over", tip + shift, name);
     }
-
-    fn from_values(values: &[f64]) -> Self {
-        Self { degrees: values[0] }
-    }
-
-    fn handles() -> Vec<Handle> {
-        let locate = |figure: &Self| VIEW.to_drawing(direction_left_of_up(figure.degrees));
-        let angle_at = |_: &Self, place| VIEW.degrees_left_of_up(place);
-        vec![Self::handle_of_one("the light l", 0, locate, angle_at)]
-    }
-
-    fn draw(&self) -> Output {
-        let mut drawing = Drawing::new(480.0, 320.0);
-        let p = VIEW.origin;
-        drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
-        let [n, l, v] =
-            [0.0, self.degrees, -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
-        let r = reflect(n, l);
-        let angle = self.degrees.to_radians();
-        drawing.arc("angle", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);
-        let arrows = [
-            ("light", l, "$l$", dvec2(-20.0, -4.0)),
-            ("normal", n, "$n$", dvec2(0.0, -12.0)),
-            ("vector", r, "$r$", dvec2(20.0, -4.0)),
-            ("accent", v, "$v$", dvec2(2.0, -12.0)),
-        ];
-        for (class, vector, name, shift) in arrows {
-            let tip = VIEW.to_drawing(vector.truncate());
-            drawing.arrow(class, p, tip);
-            drawing.label("strong over", tip + shift, name);
-        }
-        drawing.dot("hit", p);
-        Output::Drawing(drawing)
-    }
-
-    fn numbers(&self) -> Numbers {
-        collect_numbers([("angle", format_number(self.degrees))])
-    }
+    drawing.dot("hit", p);
+    Output::Drawing(drawing)
 }

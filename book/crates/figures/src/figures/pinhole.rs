@@ -1,49 +1,46 @@
-use crate::{Drawing, Interactive, Output, View};
+use crate::{Drawing, Figure, Output, View};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::Ray;
 
 /// A pinhole camera from the side: the image behind the pinhole, and the one in front.
-pub struct Pinhole;
-
-impl Interactive for Pinhole {
-    const NAME: &str = "pinhole";
-    const TITLE: &str = "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross an image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.";
-    const CAPTION: &str = "Two rays to the ends of an arrow. Their lines, extended behind the pinhole, draw an image that's upside down. \
-                  At the same distance in front, it has the same size, and is upright. Here, each $V$ leads to the image plane, so $t$ is 1 there.";
-
-    fn from_values(_: &[f64]) -> Self {
-        Self
+pub fn figure() -> Figure {
+    Figure {
+        title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross an image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
+        caption: "Two rays to the ends of an arrow. Their lines, extended behind the pinhole, draw an image that's upside down. \
+                  At the same distance in front, it has the same size, and is upright. Here, each $V$ leads to the image plane, so $t$ is 1 there.",
+        ..Figure::new("pinhole", draw)
     }
+}
 
-    fn draw(&self) -> Output {
-        let view = View { origin: dvec2(180.0, 94.0), scale: DVec2::splat(96.0) };
-        let ray = |y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) };
-        let [top, bottom] = [ray(0.34), ray(-0.2)];
-        let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
-        let (film, plane, object) = (-1.0, 1.0, 2.3);
-        let c = view.origin;
-        let at_t = |t: f64, y: f64| view.xy_to_drawing(t, 0.0).with_y(y);
-        let mut drawing = Drawing::new(480.0, 236.0);
-        for t in [film, plane] {
-            drawing.line("plane", at_t(t, 16.0), at_t(t, 172.0));
-        }
-        let wall = |y: f64| view.xy_to_drawing(0.0, y);
-        drawing.line("ground", wall(0.82), wall(0.07));
-        drawing.line("ground", wall(-0.07), wall(-0.82));
-        for ray in [&top, &bottom] {
-            drawing.line("guide", place(ray, film), c);
-            drawing.line("ray", c, place(ray, object));
-        }
-        for t in [film, plane, object] {
-            drawing.arrow("second", place(&bottom, t), place(&top, t));
-        }
-        for (t, name) in [(film, "image"), (0.0, "pinhole $C$"), (plane, "image plane")] {
-            drawing.label("quiet", at_t(t, 198.0), name);
-        }
-        for (t, text) in [(film, "$t$ = −1"), (0.0, "$t$ = 0"), (plane, "$t$ = 1")] {
-            drawing.label("quiet", at_t(t, 222.0), text);
-        }
-        drawing.label("quiet", at_t(object, 198.0), "scene");
-        Output::Drawing(drawing)
+fn draw(_: &[f64]) -> Output {
+    let view = View { origin: dvec2(180.0, 94.0), scale: DVec2::splat(96.0) };
+    let ray = |y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) };
+    let [top, bottom] = [ray(0.34), ray(-0.2)];
+    let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
+    let (film, plane, object) = (-1.0, 1.0, 2.3);
+    let c = view.origin;
+    let at_t = |t: f64, y: f64| view.xy_to_drawing(t, 0.0).with_y(y);
+    let mut drawing = Drawing::new(480.0, 236.0);
+    for t in [film, plane] {
+        drawing.line("plane", at_t(t, 16.0), at_t(t, 172.0));
     }
+    drawing.line("ground", at_t(0.0, 16.0), at_t(0.0, 87.0));
+    drawing.line("ground", at_t(0.0, 101.0), at_t(0.0, 172.0));
+    for ray in [&top, &bottom] {
+        drawing.line("guide", place(ray, film), c);
+        drawing.line("ray", c, place(ray, object));
+    }
+    for t in [film, plane, object] {
+        drawing.arrow("second", place(&bottom, t), place(&top, t));
+    }
+    for (t, name, value) in [
+        (film, "image", "$t$ = −1"),
+        (0.0, "pinhole $C$", "$t$ = 0"),
+        (plane, "image plane", "$t$ = 1"),
+        (object, "scene", ""),
+    ] {
+        drawing.label("quiet", at_t(t, 198.0), name);
+        drawing.label("quiet", at_t(t, 222.0), value);
+    }
+    Output::Drawing(drawing)
 }

@@ -1,5 +1,5 @@
-use crate::pictures::step03::FlatSpheres;
-use crate::{Drawing, Interactive, Output, Probe, View, format_rounded, short_name};
+use crate::probe::{probe_ray, probed_picture};
+use crate::{Drawing, Figure, Output, View, format_rounded, short_name};
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
@@ -12,6 +12,19 @@ const SIDE: f64 = 13.0;
 
 /// The smallest and the largest t that is drawn.
 const T_RANGE: [f64; 2] = [-5.4, 13.2];
+
+/// The scene from above, cut along the row of a pixel, and the ray of that pixel with every
+/// root on its line.
+pub fn figure() -> Figure {
+    Figure {
+        title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
+        caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
+                  every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
+        followed: Some("step03_nearest"),
+        handles: vec![],
+        ..probed_picture("from-above", [195.0, 237.0], vec![], draw)
+    }
+}
 
 /// The circle that the plane through the row of `ray` cuts out of a sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
@@ -29,61 +42,44 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     Some(points.collect())
 }
 
-/// The scene from above, cut along the row of a pixel, and the ray of that pixel with every
-/// root on its line.
-pub struct SceneFromAbove(Probe);
-
-impl Interactive for SceneFromAbove {
-    const NAME: &str = "from-above";
-    const TITLE: &str = "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.";
-    const CAPTION: &str = "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
-                  every root on its line. $V_z$ is $-1$, so $t$ is the depth.";
-    const FOLLOWED: Option<&str> = Some("step03_nearest");
-    const PROBE: Option<[f64; 2]> = FlatSpheres::PROBE;
-
-    fn from_values(values: &[f64]) -> Self {
-        Self(Probe::split_values(values).0)
+fn draw(values: &[f64]) -> Output {
+    let ray = probe_ray(values);
+    let nearest_hit = nearest(&OBJECTS, &ray);
+    let mut drawing = Drawing::new(480.0, 330.0);
+    for t in [0.0, 5.0, 10.0] {
+        let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
+        drawing.line("grid", left, right);
+        drawing.label("quiet start", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
     }
-
-    fn draw(&self) -> Output {
-        let ray = self.0.ray();
-        let nearest_hit = nearest(&OBJECTS, &ray);
-        let mut drawing = Drawing::new(480.0, 330.0);
-        for t in [0.0, 5.0, 10.0] {
-            let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
-            drawing.line("grid", left, right);
-            drawing.label_starting_at("quiet", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
-        }
-        // The ground, the largest, lies below the others.
-        let mut objects = OBJECTS;
-        objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
-        for Object { sphere, .. } in &objects[1..] {
-            let centre = VIEW.xy_to_drawing(sphere.centre.x, -sphere.centre.z);
-            drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
-        }
-        for Object { name, sphere, .. } in &objects {
-            let Some(outline) = cut_outline(sphere, &ray) else { continue };
-            let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
-            drawing.area(if is_hit { "object seen" } else { "object" }, outline.iter().copied());
-            let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
-            let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
-            drawing.label("quiet", place, short_name(name));
-        }
-        let place = |t: f64| VIEW.xy_to_drawing(ray.at(t).x, t);
-        drawing.line("guide", place(T_RANGE[0]), place(0.0));
-        drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
-        drawing.dot("eye", place(0.0));
-        let roots = OBJECTS.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
-        for t in roots.filter(|t| (T_RANGE[0]..T_RANGE[1]).contains(t)) {
-            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
-        }
-        if let Some(t) = nearest_hit.map(|hit| hit.t) {
-            let label = format!("$t$ = {}", format_rounded(t, 2));
-            let right = VIEW.xy_to_drawing(SIDE, t);
-            drawing.line("guide", place(t), right);
-            drawing.label_ending_at("hit small", right + dvec2(0.0, -5.0), &label);
-            drawing.dot("hit", place(t));
-        }
-        Output::Drawing(drawing)
+    // The ground, the largest, lies below the others.
+    let mut objects = OBJECTS;
+    objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
+    for Object { sphere, .. } in &objects[1..] {
+        let centre = VIEW.xy_to_drawing(sphere.centre.x, -sphere.centre.z);
+        drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
     }
+    for Object { name, sphere, .. } in &objects {
+        let Some(outline) = cut_outline(sphere, &ray) else { continue };
+        let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
+        drawing.area(if is_hit { "object seen" } else { "object" }, outline.iter().copied());
+        let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
+        let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
+        drawing.label("quiet", place, short_name(name));
+    }
+    let place = |t: f64| VIEW.xy_to_drawing(ray.at(t).x, t);
+    drawing.line("guide", place(T_RANGE[0]), place(0.0));
+    drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
+    drawing.dot("eye", place(0.0));
+    let roots = OBJECTS.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
+    for t in roots.filter(|t| (T_RANGE[0]..T_RANGE[1]).contains(t)) {
+        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
+    }
+    if let Some(t) = nearest_hit.map(|hit| hit.t) {
+        let label = format!("$t$ = {}", format_rounded(t, 2));
+        let right = VIEW.xy_to_drawing(SIDE, t);
+        drawing.line("guide", place(t), right);
+        drawing.label("hit small end", right + dvec2(0.0, -5.0), &label);
+        drawing.dot("hit", place(t));
+    }
+    Output::Drawing(drawing)
 }

@@ -1,13 +1,11 @@
 use super::step05::object_parameters;
+use crate::probe::{draw_picture, other_values, probe_ray, probed_picture};
 use crate::{
-    Interactive, Numbers, Output, Parameter, Probe, array, collect_numbers, format_number,
-    format_vector, short_name,
+    Figure, Numbers, Parameter, array, collect_numbers, format_number, format_vector, short_name,
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
-use step05_phong::{
-    Hit, Light, Ray, Scene, SurfacePoint, nearest, reflect, render, rgb8, visible_point,
-};
+use step05_phong::{Hit, Light, Ray, Scene, SurfacePoint, nearest, reflect, rgb8, visible_point};
 
 /// The offsets, written as in the listing.
 const OFFSETS: &[&str] = &[
@@ -20,14 +18,40 @@ const MAX_DEPTH: u32 = 10;
 
 /// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
 /// the object at the probe to set.
-pub struct Mirrors {
-    probe: Probe,
+pub fn figure() -> Figure {
+    let depth = f64::from(MAX_DEPTH);
+    let depth = Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0);
+    let offset = Parameter::choice("offset", 8.0, OFFSETS);
+    let ks = mirrors().objects.into_iter().map(|object| object.material.k);
+    let ks = object_parameters("k", ks, [0.0, 1.0], 20.0);
+    let parameters = [depth, offset].into_iter().chain(ks).collect();
+    Figure {
+        numbers,
+        ..probed_picture("mirror", [168.0, 295.0], parameters, |values| {
+            let mirrors = Mirrors::new(values);
+            draw_picture(values, |ray| mirrors.colour(ray, mirrors.depth))
+        })
+    }
+}
+
+struct Mirrors {
     depth: u32,
     offset: f64,
     scene: Scene<Mirror, Light>,
 }
 
 impl Mirrors {
+    fn new(values: &[f64]) -> Self {
+        let (first, ks) = other_values(values).split_at(2);
+        let [depth, choice] = array(first);
+        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
+        let mut scene = mirrors();
+        for (object, k) in scene.objects.iter_mut().zip(ks) {
+            object.material.k = *k;
+        }
+        Self { depth: depth as u32, offset, scene }
+    }
+
     /// The colour that `ray` sees by way of at most `depth` mirrors.
     fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
         colour(&self.scene, ray, depth, self.offset)
@@ -49,52 +73,23 @@ impl Mirrors {
     }
 }
 
-impl Interactive for Mirrors {
-    const NAME: &str = "mirror";
-    const PROBE: Option<[f64; 2]> = Some([168.0, 295.0]);
-
-    fn parameters() -> Vec<Parameter> {
-        let depth = f64::from(MAX_DEPTH);
-        let depth = Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0);
-        let offset = Parameter::choice("offset", 8.0, OFFSETS);
-        let ks = mirrors().objects.into_iter().map(|object| object.material.k);
-        let ks = object_parameters("k", ks, [0.0, 1.0], 20.0);
-        [depth, offset].into_iter().chain(ks).collect()
+/// The way of the probe's ray, row by row; the numbers of rows that it does not have are empty.
+fn numbers(values: &[f64]) -> Numbers {
+    let mirrors = Mirrors::new(values);
+    let ray = probe_ray(values);
+    let bytes = rgb8(mirrors.colour(&ray, mirrors.depth)).0;
+    let mut numbers = collect_numbers([
+        ("i", format_number(values[0])),
+        ("j", format_number(values[1])),
+        ("bytes", format_vector(bytes.map(f64::from))),
+    ]);
+    let mut ray = Some(ray);
+    for k in 0..=MAX_DEPTH {
+        let hit = ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
+        let (row, mirrored) = hit.unwrap_or_default();
+        let names = ["object", "t", "k", "I"].map(|name| format!("{name}{k}"));
+        numbers.extend(names.into_iter().zip(row));
+        ray = mirrored;
     }
-
-    fn from_values(values: &[f64]) -> Self {
-        let (probe, others) = Probe::split_values(values);
-        let (first, ks) = others.split_at(2);
-        let [depth, choice] = array(first);
-        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
-        let mut scene = mirrors();
-        for (object, k) in scene.objects.iter_mut().zip(ks) {
-            object.material.k = *k;
-        }
-        Self { probe, depth: depth as u32, offset, scene }
-    }
-
-    fn draw(&self) -> Output {
-        Output::Pixels(render(&self.probe.camera(), 1, |ray| self.colour(ray, self.depth)))
-    }
-
-    /// The way of the probe's ray, row by row; the numbers of rows that it does not have
-    /// are empty.
-    fn numbers(&self) -> Numbers {
-        let mut ray = Some(self.probe.ray());
-        let bytes = rgb8(self.colour(&self.probe.ray(), self.depth)).0;
-        let mut numbers = collect_numbers([
-            ("i", format_number(self.probe.i)),
-            ("j", format_number(self.probe.j)),
-            ("bytes", format_vector(bytes.map(f64::from))),
-        ]);
-        for k in 0..=MAX_DEPTH {
-            let hit = ray.map(|ray| self.trace_hit(&ray, self.depth - k));
-            let (row, mirrored) = hit.unwrap_or_default();
-            let names = ["object", "t", "k", "I"].map(|name| format!("{name}{k}"));
-            numbers.extend(names.into_iter().zip(row));
-            ray = mirrored;
-        }
-        numbers
-    }
+    numbers
 }

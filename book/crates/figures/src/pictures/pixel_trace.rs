@@ -1,8 +1,7 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
-use crate::{
-    Numbers, Probe, collect_numbers, discriminant, format_number, format_vector, short_name,
-};
+use crate::probe::probe_ray;
+use crate::{Numbers, collect_numbers, discriminant, format_number, format_vector, short_name};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step05_phong::{
@@ -11,14 +10,14 @@ use step05_phong::{
 
 /// The trace of the probe's pixel, but for what lies between the point and the colour.
 pub fn trace_pixel<M>(
-    probe: &Probe,
+    values: &[f64],
     objects: &[Object<M>],
     colour: impl Fn(&Ray) -> DVec3,
 ) -> Numbers {
-    let ray = probe.ray();
+    let ray = probe_ray(values);
     let mut numbers = collect_numbers([
-        ("i", format_number(probe.i)),
-        ("j", format_number(probe.j)),
+        ("i", format_number(values[0])),
+        ("j", format_number(values[1])),
         ("V", format_vector(ray.direction)),
         ("length", format_number(ray.direction.length())),
         ("sum", format_vector(colour(&ray))),
@@ -50,12 +49,11 @@ pub fn trace_pixel<M>(
     numbers
 }
 
-/// The numbers from the point that a ray sees to the terms, and those of each light;
+/// The numbers from the point at the probe to the terms, and those of each light;
 /// empty for the sky.
-pub fn trace_shading(scene: &Scene<Material, Light>, ray: &Ray) -> Numbers {
-    let Some(point) = visible_point(&scene.objects, ray) else {
-        return Numbers::new();
-    };
+pub fn trace_shading(values: &[f64], scene: &Scene<Material, Light>) -> Numbers {
+    let ray = &probe_ray(values);
+    let Some(point) = visible_point(&scene.objects, ray) else { return Numbers::new() };
     let SurfacePoint { p, n, material } = point;
     let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
     let v = -ray.direction.normalize();

@@ -1,23 +1,14 @@
 use super::pixel_trace::trace_pixel;
-use crate::{Interactive, Numbers, Output, Probe};
-use step03_nearest::{OBJECTS, colour, render};
+use crate::Figure;
+use crate::probe::{draw_picture, probed_picture};
+use step03_nearest::{OBJECTS, colour};
 
 /// The picture of step 3, with a probe.
-pub struct FlatSpheres(Probe);
-
-impl Interactive for FlatSpheres {
-    const NAME: &str = "step03_nearest";
-    const PROBE: Option<[f64; 2]> = Some([195.0, 237.0]);
-
-    fn from_values(values: &[f64]) -> Self {
-        Self(Probe::split_values(values).0)
-    }
-
-    fn draw(&self) -> Output {
-        Output::Pixels(render(&self.0.camera(), 1, |ray| colour(&OBJECTS, ray)))
-    }
-
-    fn numbers(&self) -> Numbers {
-        trace_pixel(&self.0, &OBJECTS, |ray| colour(&OBJECTS, ray))
+pub fn figure() -> Figure {
+    Figure {
+        numbers: |values| trace_pixel(values, &OBJECTS, |ray| colour(&OBJECTS, ray)),
+        ..probed_picture("step03_nearest", [195.0, 237.0], vec![], |values| {
+            draw_picture(values, |ray| colour(&OBJECTS, ray))
+        })
     }
 }
