@@ -21,7 +21,7 @@ class Figure {
         this.probe = this.handles.find(handle => handle.about.mark === "probe");
         if (this.probe) this.askWherePressed();
         this.show(this.answer);
-        this.selectGroup(this.handles[0]?.about.group);
+        this.selectGroup(this.handles[0]?.group);
     }
 
     // The answer of the module to a request; it throws what the module says of one to which there is none.
@@ -121,7 +121,7 @@ class Figure {
         if (!group) return;
         this.groupSelect.value = group;
         this.showControls();
-        this.handles.forEach(handle => handle.classList.toggle("chosen", handle.about.group === group));
+        this.handles.forEach(handle => handle.classList.toggle("chosen", handle.group === group));
     }
 
     showControls() {

@@ -2,12 +2,16 @@
 
 // A handle of a figure, its number k: a slider that follows pointer, finger and arrow keys.
 function makeHandle(figure, about, k) {
+    // Each of its parameters has a control, too.
+    const parameters = [...new Set(about.parameters)];
+    const fields = about.parameters.map(parameter => figure.parameterControls[parameter].inputs[0]);
+    const { group } = figure.parameterControls[parameters[0]];
     const handle = make("span", {
         class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
-        "aria-valuemin": about.min, "aria-valuemax": about.max,
+        "aria-valuemin": fields[0].min, "aria-valuemax": fields[0].max,
     });
-    handle.about = about;
-    handle.addEventListener("focus", () => figure.selectGroup(about.group));
+    Object.assign(handle, { about, group });
+    handle.addEventListener("focus", () => figure.selectGroup(group));
 
     // What is dragged keeps its distance from the pointer; a pointer that has not moved asks the pixel.
     let offset = null, hasMoved = false;
@@ -31,7 +35,7 @@ function makeHandle(figure, about, k) {
         hasMoved = true;
         const [x, y] = figure.placeOfPointer(event);
         const [dx, dy] = offset;
-        if (event.shiftKey && about.group) return void handle.changeDepth(event.movementY);
+        if (event.shiftKey && group) return void handle.changeDepth(event.movementY);
         figure.drawNextFrame("drag", k, x + dx, y + dy);
     });
     for (const end of ["pointerup", "pointercancel"]) {
@@ -42,17 +46,18 @@ function makeHandle(figure, about, k) {
         });
     }
     handle.addEventListener("keydown", event => {
-        const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
-        if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+        const [axis, sign] = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1] }[event.key] ?? [];
+        if (!sign || event.altKey || event.ctrlKey || event.metaKey) return;
         event.preventDefault();
-        const count = event.shiftKey ? 10 : 1;
-        // Keys follow each other faster than frames: none is lost.
-        figure.drawMoving("step", k, count * step[0], count * step[1]);
+        const steps = (event.shiftKey ? 10 : 1) * sign * (axis && about.down ? -1 : 1);
+        const parameter = about.parameters[axis];
+        figure.setValue(parameter, figure.values[parameter] + steps * fields[axis].step);
+        // Keys follow each other faster than frames: none is lost. A probe leaves the picture as it is.
+        figure.drawMoving(handle === figure.probe ? "tell" : "show");
     });
 
     // Rounded to its step, a handle at the border may be a little outside.
     const isInside = place => place?.every((x, k) => -4 <= x && x <= figure.size[k] + 4) ?? false;
-    const parameters = [...new Set(about.parameters)];
     // Puts the handle where the last answer has it.
     handle.show = () => {
         const { values, answer: { places, texts }, size } = figure;

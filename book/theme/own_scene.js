@@ -84,7 +84,7 @@ function addSphereButton(figure, addTool) {
         if (!handle) return void (figure.fault.textContent = "There can be twelve spheres at most.");
         figure.setValue(handle.about.parameters[0] - 1, 1);
         figure.draw();
-        figure.selectGroup(handle.about.group);
+        figure.selectGroup(handle.group);
         handle.focus({ preventScroll: true });
     });
 }
@@ -132,7 +132,7 @@ function addCopies(figure, addTool) {
 function dragObjects(figure) {
     const find = event => {
         const { group } = figure.ask("press", ...figure.placeOfPointer(event), ...figure.values);
-        return figure.handles.find(({ about, hidden }) => about.group === group && !hidden);
+        return figure.handles.find(handle => handle.group === group && !handle.hidden);
     };
     figure.stage.addEventListener("pointerdown", event => {
         if (event.target === figure.output) find(event)?.grab(event);
@@ -142,7 +142,7 @@ function dragObjects(figure) {
         if (event.touches.length === 1 && find(event.touches[0])) event.preventDefault();
     }, { passive: false });
     figure.stage.addEventListener("wheel", event => {
-        const chosen = figure.handles.find(handle => handle.about.group === figure.groupSelect.value);
+        const chosen = figure.handles.find(handle => handle.group === figure.groupSelect.value);
         if (!chosen || !(event.ctrlKey || event.altKey)) return;
         event.preventDefault();
         chosen.changeDepth(event.deltaY * (event.ctrlKey ? 1.5 : 0.3));

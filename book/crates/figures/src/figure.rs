@@ -67,20 +67,6 @@ impl Figure {
         self.snap_if_allowed(&new)
     }
 
-    /// The values after a handle was moved by some steps of its parameters, to the right
-    /// and upwards.
-    pub fn step_handle(&self, values: &[f64], handle: &Handle, steps: DVec2) -> Option<Vec<f64>> {
-        let mut new = values.to_vec();
-        // Rows grow downwards.
-        let [_, row] = handle.parameters.map(|k| self.parameters[k].symbol == "j");
-        let second = if row { -steps.y } else { steps.y };
-        for (index, steps) in handle.parameters.into_iter().zip([steps.x, second]) {
-            new[index] += steps / self.parameters[index].steps_per_unit;
-        }
-        // As by dragging, it stays inside the picture.
-        self.drag_handle(&new, handle, (handle.locate)(&new)?)
-    }
-
     /// The allowed values that are nearest to these; None if there is nothing to draw.
     pub fn snap_if_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
         let is_complete =

@@ -13,11 +13,6 @@ pub fn format_rounded(number: f64, digits: i32) -> String {
     format_number((number * power).round() / power)
 }
 
-/// Just so many digits after the point, zeros at the end included.
-pub fn format_fixed(number: f64, digits: usize) -> String {
-    format!("{number:.digits$}").replace('-', "−")
-}
-
 /// The name that the chapters give an object: a sphere is called by its colour.
 pub fn short_name(name: &str) -> &str {
     name.trim_end_matches(" sphere")

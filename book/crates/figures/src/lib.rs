@@ -20,7 +20,7 @@
 
 mod format;
 pub use format::{format_count, short_name};
-use format::{format_fixed, format_number, format_rounded, format_vector};
+use format::{format_number, format_rounded, format_vector};
 
 mod drawing;
 mod output;

@@ -26,7 +26,6 @@ impl Reply {
 /// - `show NAME VALUES`: all that the page shows at these values.
 /// - `tell NAME VALUES`: the same without the drawing or the pixels.
 /// - `drag NAME HANDLE X Y VALUES`: as `show`, after a handle was dragged to a place.
-/// - `step NAME HANDLE X Y VALUES`: the same, after so many steps by arrow keys.
 /// - `press NAME X Y VALUES`: the group of the object that is seen at a place, or nothing.
 /// - `open NAME ADDRESS`: as `show`, at the values of an address.
 ///
@@ -55,15 +54,11 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
             let group = (figure.group_at)(&figure.snap_if_allowed(values)?, dvec2(*x, *y));
             Reply::from_json_fields([("group", json::quote(group.unwrap_or_default()))])
         }
-        (_, [handle, x, y, values @ ..]) => {
+        ("drag", [handle, x, y, values @ ..]) => {
             let handle = figure.handles.get(*handle as usize)?;
-            let (values, vector) = (figure.snap_if_allowed(values)?, dvec2(*x, *y));
-            let new = match verb {
-                "drag" => figure.drag_handle(&values, handle, vector),
-                "step" => figure.step_handle(&values, handle, vector),
-                _ => return None,
-            };
-            reply_at(figure, &new.unwrap_or(values), handle.mark != Mark::Probe)
+            let values = figure.snap_if_allowed(values)?;
+            let new = figure.drag_handle(&values, handle, dvec2(*x, *y)).unwrap_or(values);
+            reply_at(figure, &new, handle.mark != Mark::Probe)
         }
         _ => return None,
     }))
@@ -74,15 +69,13 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
 fn handles_and_defaults_reply(figure: &Figure) -> Reply {
     let columns = figure.parameters.iter().position(|p| p.control == ControlKind::Columns);
     let handles = figure.handles.iter().map(|handle| {
-        let [first, _] = handle.parameters;
-        let [min, max] = figure.parameters[first].range;
+        let [_, second] = handle.parameters;
         json::object([
             ("words", json::quote(&handle.words)),
             ("parameters", json::list(handle.parameters)),
             ("mark", json::quote(&format!("{:?}", handle.mark).to_lowercase())),
-            ("min", min.to_string()),
-            ("max", max.to_string()),
-            ("group", json::quote(figure.parameters[first].group)),
+            // Rows grow downwards.
+            ("down", (figure.parameters[second].symbol == "j").to_string()),
         ])
     });
     Reply::from_json_fields([

@@ -1,6 +1,6 @@
 use crate::{
     Drawing, Figure, Handle, Output, Parameter, View, collect_numbers, direction_left_of_up,
-    format_fixed, format_number,
+    format_number, format_rounded,
 };
 use glam::{DVec2, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -37,7 +37,7 @@ pub fn figure() -> Figure {
             let half = image_half(values[0]);
             collect_numbers([
                 ("angle", format_number(values[0])),
-                ("times", format_fixed(half.x / half.y, 1)),
+                ("times", format_rounded(half.x / half.y, 1)),
             ])
         },
         ..Figure::new("eggs", draw)

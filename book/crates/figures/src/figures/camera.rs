@@ -20,9 +20,9 @@ pub fn figure() -> Figure {
                   of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
                   down. From the top left pixel, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
         parameters: vec![
-            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 120.0], 1.0),
+            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 90.0], 1.0),
             aspect_ratio_parameter(),
-            Parameter::new(["hRes", "columns", ""], 8.0, [2.0, 16.0], 1.0),
+            Parameter::new(["hRes", "columns", ""], 8.0, [3.0, 16.0], 1.0),
             Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
             Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
         ],
@@ -49,14 +49,11 @@ impl CameraFigure {
     }
 
     /// The place in the drawing of a point of the world: turned about y, tilted, without
-    /// perspective. A wide view is drawn smaller, so that the lowest ray stays inside.
+    /// perspective. A wide view is drawn smaller.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
-        let Camera { h_res, v_res, matrix, .. } = self.camera;
-        let last = self.camera.ray(f64::from(h_res - 1), f64::from(v_res - 1));
-        let depth = -(turn * last.direction).y;
-        let scale = (144.35 / -matrix.z_axis.x).min(58.0 / depth.max(0.2)).min(250.0);
-        let view = View { origin: dvec2(82.0, 216.0), scale: DVec2::splat(scale) };
+        let scale = (144.35 / -self.camera.matrix.z_axis.x).min(250.0);
+        let view = View { origin: dvec2(82.0, 204.0), scale: DVec2::splat(scale) };
         view.to_drawing((turn * point).truncate())
     }
 
@@ -77,7 +74,7 @@ impl CameraFigure {
         let rays = corners.map(|(i, j)| camera.ray(i, j));
         drawing.area("plane", rays.map(|ray| self.project(ray.at(1.0))));
         for ray in rays {
-            drawing.line("ray faint", c, self.project(ray.at(1.26)));
+            drawing.line("ray faint", c, self.project(ray.at(1.16)));
         }
         drawing.line("guide", c, self.project(DVec3::NEG_Z));
         let place = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
@@ -121,7 +118,7 @@ fn draw(values: &[f64]) -> Output {
     figure.draw_steps(&mut drawing);
     drawing.dot("eye", c);
     drawing.label("strong end", c + dvec2(-12.0, 6.0), "$C$");
-    drawing.arrow("ray", c, figure.project(figure.ray().at(1.42)));
+    drawing.arrow("ray", c, figure.project(figure.ray().at(1.26)));
     Output::Drawing(drawing)
 }
 

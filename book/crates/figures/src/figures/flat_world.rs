@@ -1,5 +1,6 @@
 use crate::{
-    Drawing, Figure, Handle, Mark, Numbers, Output, Parameter, View, collect_numbers, format_fixed,
+    Drawing, Figure, Handle, Mark, Numbers, Output, Parameter, View, collect_numbers,
+    format_rounded,
 };
 use course::examples::shadows::{OFFSET, hidden};
 use glam::{DVec2, DVec3, dvec2};
@@ -135,7 +136,7 @@ fn numbers(values: &[f64]) -> Numbers {
     let (hits, leaving) = world.trace();
     let words = hits.iter().map(|Hit { t, point, is_lit }| {
         let place = if *is_lit { "in the light" } else { "in shadow" };
-        format!("ball {} at t = {}, {place}", point.material, format_fixed(*t, 2))
+        format!("ball {} at t = {}, {place}", point.material, format_rounded(*t, 2))
     });
     let words = words.chain(leaving.map(|_| "nothing".into()));
     collect_numbers([("path", words.collect::<Vec<_>>().join("; then "))])

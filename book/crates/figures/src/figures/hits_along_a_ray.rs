@@ -1,4 +1,4 @@
-use crate::{Drawing, Figure, Handle, Output, Parameter, View, format_fixed};
+use crate::{Drawing, Figure, Handle, Output, Parameter, View, format_rounded};
 use glam::{DVec2, DVec3, dvec2};
 use step03_nearest::{Object, Ray, Sphere, nearest};
 
@@ -60,7 +60,7 @@ fn draw(values: &[f64]) -> Output {
             drawing.line("leader", place(t) + dvec2(0.0, 8.0), place(t).with_y(y));
             let shift = if anchor == "end" { -4.0 } else { 4.0 };
             let class = format!("{label} over {anchor}");
-            drawing.label(&class, dvec2(place(t).x + shift, y), &format_fixed(t, 1));
+            drawing.label(&class, dvec2(place(t).x + shift, y), &format_rounded(t, 1));
         }
     }
     drawing.label("over", dvec2(24.0, 172.0), "$t$ =");
