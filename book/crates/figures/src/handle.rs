@@ -1,4 +1,4 @@
-use crate::projection::{SIZE, place_of_point, point_at_place};
+use crate::probe::SIZE;
 use crate::{View, direction_left_of_up};
 use glam::{DVec2, DVec3};
 use step01_rays::Camera;
@@ -86,12 +86,17 @@ impl Handle {
     ) -> Self {
         let locate = move |values: &[f64]| {
             let (camera, point) = camera_and_point(values)?;
-            place_of_point(&camera, point)
+            // In p = d [D_u D_v V_0] (i, j, 1)ᵀ, d is the depth.
+            let pixel = camera.matrix.inverse() * (point - camera.centre);
+            (0.0 < pixel.z).then(|| pixel.truncate() / pixel.z + 0.5)
         };
         Self::new(words, [x, x + 1], locate, move |values, place| {
             let Some((camera, point)) = camera_and_point(values) else { return DVec2::NAN };
-            let inside = place.clamp(DVec2::splat(margin), SIZE - margin);
-            point_at_place(&camera, inside, point.z).unwrap_or(point.truncate())
+            let pixel = place.clamp(DVec2::splat(margin), SIZE - margin) - 0.5;
+            let ray = camera.ray(pixel.x, pixel.y);
+            let t = (point.z - ray.start.z) / ray.direction.z;
+            let is_ahead = 0.0 < t && t.is_finite();
+            if is_ahead { ray.at(t).truncate() } else { point.truncate() }
         })
     }
 }

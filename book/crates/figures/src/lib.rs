@@ -24,7 +24,6 @@ use format::{format_number, format_rounded, format_vector};
 
 mod drawing;
 mod output;
-mod projection;
 mod text_markup;
 mod view;
 pub use drawing::Drawing;

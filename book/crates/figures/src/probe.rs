@@ -1,10 +1,12 @@
 //! The probe of a picture, a cross at the pixel whose trace is told. The first values of such a
 //! picture are the column and the row of that pixel, and the columns of the picture.
 
-use crate::projection::SIZE;
 use crate::{ControlKind, Figure, Handle, Mark, Output, Parameter, View};
 use glam::{DVec2, DVec3, dvec2};
 use step01_rays::{Ray, render};
+
+/// Columns and rows of the pictures of the course.
+pub const SIZE: DVec2 = dvec2(640.0, 360.0);
 
 /// The picture of the course with a probe, at first at the pixel (i, j), and with the parameters
 /// that are set besides.
@@ -35,11 +37,6 @@ pub fn probe_ray(values: &[f64]) -> Ray {
 /// The picture in these colours, with the columns of these values.
 pub fn draw_picture(values: &[f64], colour: impl Fn(&Ray) -> DVec3 + Sync) -> Output {
     Output::Pixels(render(&course::camera_with_fov(60.0, values[2]), 1, colour))
-}
-
-/// The values after those of the probe.
-pub fn other_values(values: &[f64]) -> &[f64] {
-    &values[3..]
 }
 
 /// The columns of a picture, without a control.

@@ -1,22 +1,16 @@
-/// A symbol in the letters of the formulas: `_` puts the next one below the line,
-/// `^` above it.
+/// A symbol in the letters of the formulas: `_` puts the next one below the line.
 pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
-    let mut letters = text.chars();
-    while let Some(c) = letters.next() {
-        let shift = match c {
-            '_' => 4.0,
-            '^' => -7.0,
-            _ => {
-                spans += &escape(&italic_letter(c).to_string());
-                continue;
-            }
-        };
-        let shifted = letters.next().map_or(' ', italic_letter);
-        spans += &format!(
-            r#"<tspan class="small" dy="{shift}">{shifted}</tspan><tspan dy="{}">&#8203;</tspan>"#,
-            -shift
-        );
+    let mut letters = text.chars().map(italic_letter);
+    while let Some(letter) = letters.next() {
+        if letter == '_' {
+            let low = letters.next().unwrap_or(' ');
+            spans += &format!(
+                r#"<tspan class="small" dy="4">{low}</tspan><tspan dy="-4">&#8203;</tspan>"#
+            );
+        } else {
+            spans += &escape(&letter.to_string());
+        }
     }
     spans + "</tspan>"
 }

@@ -1,4 +1,4 @@
-use crate::{Drawing, Figure, Output, Parameter, View, array, collect_numbers, format_number};
+use super::*;
 use glam::dvec2;
 use step04_diffuse::{Attenuation, WARM};
 

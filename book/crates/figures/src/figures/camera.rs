@@ -1,9 +1,6 @@
+use super::*;
 use crate::aspect_ratio::{aspect_ratio_parameter, camera};
-use crate::{
-    Drawing, Figure, Handle, Numbers, Output, Parameter, View, array, collect_numbers,
-    format_number, format_vector,
-};
-use glam::{DMat2, DQuat, DVec2, DVec3, dvec2};
+use glam::{DMat2, DQuat};
 use step01_rays::{Camera, Ray, direction_colour, render};
 
 /// The pyramid of rays of a small camera, its picture on the image plane, and the ray of

@@ -1,9 +1,5 @@
-use crate::{
-    Drawing, Figure, Handle, Mark, Numbers, Output, Parameter, View, collect_numbers,
-    format_rounded,
-};
+use super::*;
 use course::examples::shadows::{OFFSET, hidden};
-use glam::{DVec2, DVec3, dvec2};
 use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point};
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };

@@ -1,17 +1,15 @@
-use crate::{Drawing, Figure, Handle, Output, Parameter, View, array};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
 
 /// The map of (depth, height) to the drawing: the camera looks to the right.
 const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
-/// The three balls, near, in the middle and far away, and how far below its centre the words
-/// stand.
-const BALLS: [(Sphere, f64); 3] = [
-    (Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 }, 42.0),
-    (Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 }, 42.0),
-    (Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 }, 49.0),
+/// The three balls, near, in the middle and far away.
+const BALLS: [Sphere; 3] = [
+    Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
+    Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },
+    Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 },
 ];
 
 /// The frustum of OpenGL from the side, and rays to what it cuts away.
@@ -72,12 +70,12 @@ fn draw(values: &[f64]) -> Output {
         drawing.line("ground", upper, lower);
         drawing.label(class, upper + shift, name);
     }
-    for (sphere, words_below) in BALLS {
+    for sphere in BALLS {
         let part = part_between(&sphere, planes);
         let class = if part == "cut away" { "behind" } else { "object" };
-        let centre = place(sphere.centre);
-        drawing.circle(class, centre, VIEW.scale.x * sphere.radius);
-        drawing.label("quiet over", centre + dvec2(0.0, words_below), part);
+        let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
+        drawing.circle(class, centre, radius);
+        drawing.label("quiet over", centre + dvec2(0.0, radius + 17.0), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", place(ray.start), place(ray.at(t)));

@@ -1,5 +1,4 @@
-use crate::{Drawing, Figure, Handle, Output, Parameter, View, format_rounded};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use step03_nearest::{Object, Ray, Sphere, nearest};
 
 const VIEW: View = View { origin: dvec2(150.0, 100.0), scale: dvec2(44.0, 44.0) };

@@ -1,8 +1,4 @@
-use crate::{
-    Drawing, Figure, Handle, Output, Parameter, View, collect_numbers, direction_left_of_up,
-    format_number, format_rounded,
-};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 

@@ -1,5 +1,4 @@
-use crate::{Drawing, Figure, Handle, Output, Parameter, View, array};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
 

@@ -15,3 +15,9 @@ pub mod right_hand;
 pub mod row;
 pub mod scene_from_above;
 pub mod three_cases;
+
+use crate::{
+    Drawing, Figure, Handle, Mark, Numbers, Output, Parameter, View, array, collect_numbers,
+    direction_left_of_up, discriminant, format_number, format_rounded, format_vector, short_name,
+};
+use glam::{DVec2, DVec3, dvec2};

@@ -1,5 +1,4 @@
-use crate::{Drawing, Figure, Output, View};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use step01_rays::Ray;
 
 /// A pinhole camera from the side: the image behind the pinhole, and the one in front.

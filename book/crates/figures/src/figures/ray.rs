@@ -1,8 +1,4 @@
-use crate::{
-    Drawing, Figure, Handle, Numbers, Output, Parameter, View, array, collect_numbers,
-    format_number, format_rounded,
-};
-use glam::{DVec2, dvec2};
+use super::*;
 use step01_rays::Ray;
 
 const SIZE: DVec2 = dvec2(480.0, 250.0);
@@ -90,14 +86,9 @@ fn draw(values: &[f64]) -> Output {
         }
     }
     let (_, t) = ray_and_t(values);
-    if is_in_drawing(place(t)) {
-        let sign = if t < 0.0 { '−' } else { '+' };
-        let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
-        // Above V and its name.
-        let above = if (-0.5..1.5).contains(&t) { 46.0 } else { 24.0 };
-        let middle = place(t) - dvec2(10.0, above);
-        drawing.label("over", middle.clamp(dvec2(40.0, 16.0), SIZE - dvec2(40.0, 16.0)), &label);
-    }
+    let sign = if t < 0.0 { '−' } else { '+' };
+    let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
+    drawing.label("over", place(t) + dvec2(-10.0, -24.0), &label);
     Output::Drawing(drawing)
 }
 

@@ -1,5 +1,4 @@
-use crate::{Drawing, Figure, Output, View};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use step01_rays::Camera;
 
 /// The three axes from the front, and the way a camera looks.

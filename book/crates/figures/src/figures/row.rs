@@ -1,9 +1,5 @@
-use crate::{
-    Drawing, Figure, Handle, Numbers, Output, Parameter, View, array, collect_numbers,
-    format_number,
-};
+use super::*;
 use course::examples::row::Row;
-use glam::{DVec2, dvec2};
 
 /// The place of C in the drawing.
 const ORIGIN: DVec2 = dvec2(240.0, 294.0);

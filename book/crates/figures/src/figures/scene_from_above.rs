@@ -1,6 +1,5 @@
+use super::*;
 use crate::probe::{probe_ray, probed_picture};
-use crate::{Drawing, Figure, Output, View, format_rounded, short_name};
-use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
@@ -54,10 +53,6 @@ fn draw(values: &[f64]) -> Output {
     // The ground, the largest, lies below the others.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
-    for Object { sphere, .. } in &objects[1..] {
-        let centre = VIEW.xy_to_drawing(sphere.centre.x, -sphere.centre.z);
-        drawing.circle("guide", centre, VIEW.scale.x * sphere.radius);
-    }
     for Object { name, sphere, .. } in &objects {
         let Some(outline) = cut_outline(sphere, &ray) else { continue };
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);

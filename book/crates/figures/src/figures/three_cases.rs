@@ -1,5 +1,4 @@
-use crate::{Drawing, Figure, Handle, Output, Parameter, View, discriminant, format_rounded};
-use glam::{DVec2, DVec3, dvec2};
+use super::*;
 use step02_sphere::{Ray, Sphere};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
@@ -38,7 +37,7 @@ fn draw(values: &[f64]) -> Output {
         let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
         draw_case(&mut drawing, &ray, circle_view(case));
     }
-    drawing.label("", dvec2(240.0, 334.0), "$at^2$ + $bt$ + $c$ along each ray");
+    drawing.label("", dvec2(240.0, 334.0), "$at$² + $bt$ + $c$ along each ray");
     Output::Drawing(drawing)
 }
 

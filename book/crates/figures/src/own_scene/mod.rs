@@ -1,13 +1,10 @@
 //! A scene of the reader's own: the picture of step 5 with everything in it to set, and
 //! its Rust.
 
-mod address;
 mod parameters;
 
-pub use address::parse_address;
-
-use crate::projection::SIZE;
-use crate::{Figure, Handle, Mark, Output, collect_numbers};
+use crate::probe::SIZE;
+use crate::{Figure, Handle, Mark, Output, Parameter, collect_numbers};
 use course::{Owner, format_scene_program};
 use glam::DVec3;
 use parameters::{PARAMETERS, Target, own_scene};
@@ -33,7 +30,7 @@ pub fn figure() -> Figure {
         numbers: |values| {
             collect_numbers([
                 ("rust", format_scene_program(&own_scene(values))),
-                ("address", address::format_address(values)),
+                ("address", format_address(values)),
             ])
         },
         group_at: |values, place| {
@@ -48,4 +45,39 @@ pub fn figure() -> Figure {
         },
         ..Figure::new("own_scene", draw)
     }
+}
+
+/// The part of an address that keeps a scene: the values that differ from the defaults, such as
+/// `red-sphere-radius:2,camera-field-of-view:45`.
+fn format_address(values: &[f64]) -> String {
+    // The first is the columns of the picture, which no address has.
+    let pairs = PARAMETERS.iter().map(|(_, parameter)| parameter).zip(values).skip(1);
+    let different = pairs.filter(|(parameter, value)| parameter.default != **value);
+    let parts = different.map(|(parameter, value)| format!("{}:{value}", key(parameter)));
+    parts.collect::<Vec<_>>().join(",")
+}
+
+/// The values at an address, or a sentence that says what is wrong with it.
+pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String> {
+    let mut values = figure.default_values();
+    for part in address.split(',').filter(|part| !part.is_empty()) {
+        let (name, value) = part.split_once(':').unwrap_or((part, ""));
+        // The sentence repeats only the beginning of a long address.
+        let [name, value] = [name, value].map(|text| text.chars().take(40).collect::<String>());
+        let index = figure.parameters.iter().position(|parameter| key(parameter) == name);
+        let index = index.ok_or_else(|| {
+            format!("The address speaks of “{name}”, and nothing here is called so.")
+        })?;
+        let [min, max] = figure.parameters[index].range;
+        let number = value.parse().ok().filter(|number| (min..=max).contains(number));
+        values[index] = number.ok_or_else(|| {
+            format!("The address says “{value}” for {name}; allowed are {min} to {max}.")
+        })?;
+    }
+    figure.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
+}
+
+/// The name of a parameter in an address.
+fn key(parameter: &Parameter) -> String {
+    format!("{} {}", parameter.group, parameter.words).replace(' ', "-")
 }

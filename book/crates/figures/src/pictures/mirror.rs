@@ -1,5 +1,5 @@
 use super::step05::object_parameters;
-use crate::probe::{draw_picture, other_values, probe_ray, probed_picture};
+use crate::probe::{draw_picture, probe_ray, probed_picture};
 use crate::{
     Figure, Numbers, Parameter, array, collect_numbers, format_number, format_vector, short_name,
 };
@@ -42,7 +42,7 @@ struct Mirrors {
 
 impl Mirrors {
     fn new(values: &[f64]) -> Self {
-        let (first, ks) = other_values(values).split_at(2);
+        let (first, ks) = values[3..].split_at(2);
         let [depth, choice] = array(first);
         let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
         let mut scene = mirrors();

@@ -1,5 +1,5 @@
 use super::pixel_trace::trace_pixel;
-use crate::probe::{draw_picture, other_values, probed_picture};
+use crate::probe::{draw_picture, probed_picture};
 use crate::{Figure, Handle, Parameter, array};
 use step02_sphere::{SPHERE, Sphere, colour};
 use step03_nearest::Object;
@@ -24,6 +24,6 @@ pub fn figure() -> Figure {
 }
 
 fn sphere(values: &[f64]) -> Sphere {
-    let [x, y, radius] = array(other_values(values));
+    let [x, y, radius] = array(&values[3..]);
     Sphere { centre: SPHERE.centre.with_x(x).with_y(y), radius }
 }

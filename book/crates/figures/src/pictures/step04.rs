@@ -1,5 +1,5 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use crate::probe::{draw_picture, other_values, probed_picture};
+use crate::probe::{draw_picture, probed_picture};
 use crate::{Figure, Handle, Mark, Numbers, Parameter};
 use glam::DVec3;
 use std::iter::zip;
@@ -38,7 +38,7 @@ pub fn figure() -> Figure {
 /// The scene with its lights at these values.
 fn moved_scene(values: &[f64]) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
-    for (light, position) in zip(&mut scene.lights, other_values(values).chunks_exact(3)) {
+    for (light, position) in zip(&mut scene.lights, values[3..].chunks_exact(3)) {
         light.position = DVec3::from_slice(position);
     }
     scene

@@ -1,5 +1,5 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
-use crate::probe::{draw_picture, other_values, probe_ray, probed_picture};
+use crate::probe::{draw_picture, probe_ray, probed_picture};
 use crate::{Figure, Numbers, Parameter, array};
 use glam::DVec3;
 use std::iter::zip;
@@ -27,7 +27,7 @@ pub fn figure() -> Figure {
 
 /// The scene with the terms and materials of these values.
 fn changed_scene(values: &[f64]) -> Scene<Material, Light> {
-    let (terms, materials) = other_values(values).split_at(3);
+    let (terms, materials) = values[3..].split_at(3);
     let [ambient, diffuse, specular] = array(terms);
     let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
     let mut scene = step05_phong::scene();
