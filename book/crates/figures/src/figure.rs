@@ -1,5 +1,23 @@
-use crate::{Handle, Mark, Numbers, Output, Parameter};
+use crate::{Drawing, Handle, Mark, Parameter};
 use glam::DVec2;
+use image::RgbImage;
+use std::collections::BTreeMap;
+
+/// A drawing, or the pixels of a picture.
+pub enum Output {
+    /// Lines and labels.
+    Drawing(Drawing),
+    /// Pixels.
+    Pixels(RgbImage),
+}
+
+/// Numbers by name, formatted for the page; some are vectors or words.
+pub type Numbers = BTreeMap<String, String>;
+
+/// Numbers with these names.
+pub fn collect_numbers<const N: usize>(numbers: [(&str, String); N]) -> Numbers {
+    numbers.map(|(name, text)| (name.into(), text)).into()
+}
 
 /// A figure or a picture as a page asks for it: by a name, and numbers without names.
 pub struct Figure {

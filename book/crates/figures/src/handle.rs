@@ -62,10 +62,7 @@ impl Handle {
             view.to_drawing(distance * direction_left_of_up(values[parameter]))
         };
         Self::of_one(words, parameter, locate, move |_, place| {
-            match view.degrees_left_of_up(place) {
-                angle if angle < -90.0 => angle + 360.0,
-                angle => angle,
-            }
+            (view.degrees_left_of_up(place) + 90.0).rem_euclid(360.0) - 90.0
         })
     }
 

@@ -31,21 +31,24 @@ impl Reply {
 ///
 /// A probe leaves the picture as it is: after it was moved, nothing is drawn.
 pub fn reply(request: &str) -> Reply {
-    let reply = try_reply(request);
-    let reply = reply.unwrap_or_else(|| Err(format!("There is no answer to {request}.")));
-    reply.unwrap_or_else(|error| Reply::from_json_fields([("error", json::quote(&error))]))
+    let no_answer = || error_reply(format!("There is no answer to {request}."));
+    try_reply(request).unwrap_or_else(no_answer)
 }
 
-/// The reply, or a sentence that says what is wrong; None where nothing fits the request.
-fn try_reply(request: &str) -> Option<Result<Reply, String>> {
+fn error_reply(error: String) -> Reply {
+    Reply::from_json_fields([("error", json::quote(&error))])
+}
+
+/// The reply; None where nothing fits the request.
+fn try_reply(request: &str) -> Option<Reply> {
     let mut words = request.split_whitespace();
     let (verb, figure) = (words.next()?, find(words.next()?)?);
     if verb == "open" {
         let values = parse_address(figure, words.next().unwrap_or_default());
-        return Some(values.map(|values| reply_at(figure, &values, true)));
+        return Some(values.map_or_else(error_reply, |values| reply_at(figure, &values, true)));
     }
     let numbers: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
-    Some(Ok(match (verb, &numbers?[..]) {
+    Some(match (verb, &numbers?[..]) {
         ("about", _) => handles_and_defaults_reply(figure),
         ("show" | "tell", values) => {
             reply_at(figure, &figure.snap_if_allowed(values)?, verb == "show")
@@ -61,7 +64,7 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
             reply_at(figure, &new, handle.mark != Mark::Probe)
         }
         _ => return None,
-    }))
+    })
 }
 
 /// The handles, the default values, and which of them is the columns of a picture; the
@@ -69,13 +72,12 @@ fn try_reply(request: &str) -> Option<Result<Reply, String>> {
 fn handles_and_defaults_reply(figure: &Figure) -> Reply {
     let columns = figure.parameters.iter().position(|p| p.control == ControlKind::Columns);
     let handles = figure.handles.iter().map(|handle| {
-        let [_, second] = handle.parameters;
         json::object([
             ("words", json::quote(&handle.words)),
             ("parameters", json::list(handle.parameters)),
             ("mark", json::quote(&format!("{:?}", handle.mark).to_lowercase())),
             // Rows grow downwards.
-            ("down", (figure.parameters[second].symbol == "j").to_string()),
+            ("down", (figure.parameters[handle.parameters[1]].symbol == "j").to_string()),
         ])
     });
     Reply::from_json_fields([

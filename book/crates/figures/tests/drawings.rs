@@ -89,28 +89,25 @@ fn handle_lines(figure: &Figure, values: &[f64]) -> String {
         let dragged = dragged.map(|new| handle.parameters.map(|k| new[k]));
         format!("{}: {place:?}, dragged: {dragged:?}\n", handle.words)
     });
-    lines.collect()
+    format!("{}\n{}", figure.name, lines.collect::<String>())
 }
 
 #[test]
 fn dragged_handles_are_as_locked() {
-    let figures = FIGURES.iter().filter(|figure| !figure.handles.is_empty());
-    let parts = figures.flat_map(|figure| {
-        let lines = values_to_lock(figure).into_iter().map(|values| handle_lines(figure, &values));
-        lines.map(|lines| format!("{}\n{lines}", figure.name))
+    let parts = FIGURES.iter().flat_map(|figure| {
+        let all = values_to_lock(figure).into_iter();
+        all.map(|values| handle_lines(figure, &values))
     });
     let own_scene = find("own_scene").expect("a picture");
     let cameras = [
-        "camera-roll:90",
         "camera-position-sideways:6,camera-roll:-30,camera-target-backwards:-8",
         // It looks back at the scene.
         "camera-position-backwards:-20,camera-target-upwards:1",
         // The plane in which the red sphere is dragged is seen from its edge.
         "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
     ];
-    let cameras = cameras.into_iter().map(|address| {
-        let values = parse_address(own_scene, address).expect("a scene");
-        format!("own_scene at {address}\n{}", handle_lines(own_scene, &values))
+    let cameras = cameras.map(|address| {
+        handle_lines(own_scene, &parse_address(own_scene, address).expect("a scene"))
     });
     assert_snapshot!("handles", parts.chain(cameras).collect::<Vec<_>>().join("\n"));
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::aspect_ratio::{aspect_ratio_parameter, camera};
+use crate::pictures::step01::{aspect_ratio_parameter, camera};
 use glam::{DMat2, DQuat};
 use step01_rays::{Camera, Ray, direction_colour, render};
 
@@ -36,9 +36,8 @@ struct CameraFigure {
 
 impl CameraFigure {
     fn new(values: &[f64]) -> Self {
-        let [degrees, choice, columns, i, j] = array(values);
-        let camera = camera(degrees, choice, columns);
-        Self { camera, pixel: nearest_pixel(&camera, dvec2(i, j)) }
+        let camera = camera(&values[..3]);
+        Self { camera, pixel: nearest_pixel(&camera, DVec2::from_slice(&values[3..])) }
     }
 
     fn ray(&self) -> Ray {

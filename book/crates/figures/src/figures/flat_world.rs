@@ -4,9 +4,6 @@ use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
-/// The number of mirrors that a ray may meet.
-const DEPTH: usize = 2;
-
 /// The handles with their marks and their default places.
 const HANDLES: [(&str, Mark, [f64; 2]); 7] = [
     ("the eye S", Mark::Point, [0.6, 2.6]),
@@ -72,11 +69,11 @@ impl FlatWorld {
         Self { ray, q: points[2], balls: balls.collect() }
     }
 
-    /// The hits of the ray from the eye and the mirrored ones, and the ray that meets
-    /// nothing, unless the depth was used up.
+    /// The first three hits of the ray from the eye and the mirrored ones, and the ray that
+    /// meets nothing, if there is one.
     fn trace(&self) -> (Vec<Hit<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
-        for _ in 0..=DEPTH {
+        for _ in 0..3 {
             let hit = nearest(&self.balls, &ray).zip(visible_point(&self.balls, &ray));
             let Some((hit, point)) = hit else { return (hits, Some(ray)) };
             let start = point.p + OFFSET * point.n;

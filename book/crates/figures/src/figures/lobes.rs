@@ -1,6 +1,5 @@
 use super::*;
 use std::f64::consts::{FRAC_PI_4, PI};
-use step05_phong::{Attenuation, Light, Material, Matte, PointLight, specular};
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
@@ -28,7 +27,7 @@ fn draw(values: &[f64]) -> Output {
     let r = DVec2::from_angle((90.0 - light_angle).to_radians());
     let mut drawing = Drawing::new(480.0, 300.0);
     drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
-    let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(highlight(r, v, n) * v);
+    let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
     for n in [1, 10, 40, reader_n] {
         let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
         drawing.area("lobe", directions.map(|v| on_lobe(n, v)));
@@ -53,14 +52,4 @@ fn draw(values: &[f64]) -> Output {
     drawing.label("quiet start", dvec2(418.0, 90.0), "$n$ =");
     drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");
     Output::Drawing(drawing)
-}
-
-/// The step's specular term of a white light, seen in the direction `v`.
-fn highlight(r: DVec2, v: DVec2, shininess: i32) -> f64 {
-    let matte = Matte::of(DVec3::ZERO);
-    let material = Material { matte, specular: DVec3::ONE, shininess };
-    let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
-    let point_light = PointLight { position: DVec3::Y, diffuse: DVec3::ZERO, attenuation };
-    let light = Light { point_light, specular: DVec3::ONE };
-    specular(r.extend(0.0), v.extend(0.0), 1.0, &material, &light).x
 }

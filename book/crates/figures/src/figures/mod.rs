@@ -1,4 +1,5 @@
-//! The figures: each is drawn by the step's own functions.
+//! The figures: each is drawn by the steps' own functions, where they have one for it. All begin
+//! with what is imported here.
 
 pub mod attenuation;
 pub mod ball_outlines;

@@ -17,7 +17,6 @@ fn draw(_: &[f64]) -> Output {
     let [top, bottom] = [ray(0.34), ray(-0.2)];
     let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
     let (film, plane, object) = (-1.0, 1.0, 2.3);
-    let c = view.origin;
     let at_t = |t: f64, y: f64| view.xy_to_drawing(t, 0.0).with_y(y);
     let mut drawing = Drawing::new(480.0, 236.0);
     for t in [film, plane] {
@@ -26,8 +25,8 @@ fn draw(_: &[f64]) -> Output {
     drawing.line("ground", at_t(0.0, 16.0), at_t(0.0, 87.0));
     drawing.line("ground", at_t(0.0, 101.0), at_t(0.0, 172.0));
     for ray in [&top, &bottom] {
-        drawing.line("guide", place(ray, film), c);
-        drawing.line("ray", c, place(ray, object));
+        drawing.line("guide", place(ray, film), view.origin);
+        drawing.line("ray", view.origin, place(ray, object));
     }
     for t in [film, plane, object] {
         drawing.arrow("second", place(&bottom, t), place(&top, t));

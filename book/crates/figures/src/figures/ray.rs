@@ -14,6 +14,7 @@ pub fn figure() -> Figure {
     let v = Parameter::point([2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
     let distance = Parameter::new([""; 3], 5.0, [-2.0, 8.0], 10.0);
     let v_at = |values: &[f64], place| VIEW.to_world(place - BESIDE) - dvec2(values[0], values[1]);
+    let point = |values: &[f64]| place(values, ray_and_t(values).1);
     let distance_at = |values: &[f64], place| {
         let (ray, _) = ray_and_t(values);
         let way = VIEW.to_world(place).extend(0.0) - ray.start;
@@ -28,12 +29,7 @@ pub fn figure() -> Figure {
         handles: vec![
             Handle::of_point("the start S", 0, VIEW),
             Handle::new("the tip of V", [2, 3], |values| Some(tip(values)), v_at),
-            Handle::of_one(
-                "the point's distance from S",
-                4,
-                |values| place(values, ray_and_t(values).1),
-                distance_at,
-            ),
+            Handle::of_one("the point's distance from S", 4, point, distance_at),
         ],
         is_allowed: |values| {
             let is_long = 1.0 <= ray_and_t(values).0.direction.length();

@@ -62,8 +62,6 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String>
     let mut values = figure.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
-        // The sentence repeats only the beginning of a long address.
-        let [name, value] = [name, value].map(|text| text.chars().take(40).collect::<String>());
         let index = figure.parameters.iter().position(|parameter| key(parameter) == name);
         let index = index.ok_or_else(|| {
             format!("The address speaks of “{name}”, and nothing here is called so.")

@@ -1,12 +1,19 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
 use crate::probe::probe_ray;
-use crate::{Numbers, collect_numbers, discriminant, format_number, format_vector, short_name};
+use crate::{Numbers, collect_numbers, format_number, format_vector, short_name};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
+use step02_sphere::Sphere;
 use step05_phong::{
     Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect, visible_point,
 };
+
+/// b² − 4ac of a ray and a sphere.
+pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
+    let (a, b, c) = sphere.coefficients(ray);
+    b * b - 4.0 * a * c
+}
 
 /// The trace of the probe's pixel, but for what lies between the point and the colour.
 pub fn trace_pixel<M>(
