@@ -36,9 +36,9 @@ async function startModule({ module, mistakes }) {
 function ask(module, request, file) {
     const copyIn = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
     const words = new TextEncoder().encode(request);
-    copyIn(words, module.live_room(0, words.length));
-    if (file) copyIn(file, module.live_room(1, file.length));
-    const address = module.live_answer();
+    copyIn(words, module.make_room(0, words.length));
+    if (file) copyIn(file, module.make_room(1, file.length));
+    const address = module.answer_request();
     const [text, letters, pixels, count] = new Uint32Array(module.memory.buffer, address, 4);
     const copyOut = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
     const answer = JSON.parse(new TextDecoder().decode(copyOut(text, letters)));

@@ -13,7 +13,7 @@ thread_local! {
 
 /// Makes room for this many bytes: of the next request, 0, or of its file, 1.
 #[unsafe(no_mangle)]
-extern "C" fn live_room(index: usize, length: usize) -> *mut u8 {
+extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
     ROOMS.with_borrow_mut(|rooms| {
         rooms[index] = vec![0; length];
         rooms[index].as_mut_ptr()
@@ -23,7 +23,7 @@ extern "C" fn live_room(index: usize, length: usize) -> *mut u8 {
 /// Answers the request that was written into its room. At the address that it gives are those of
 /// the answer's text and of its pixels, each with the length in bytes.
 #[unsafe(no_mangle)]
-extern "C" fn live_answer() -> *const usize {
+extern "C" fn answer_request() -> *const usize {
     let [request, file] = ROOMS.take();
     let reply = answer(str::from_utf8(&request).unwrap_or_default(), &file);
     let [text, pixels] = [reply.text.as_bytes(), &reply.pixels];
