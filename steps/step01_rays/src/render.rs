@@ -14,7 +14,7 @@ pub fn sub_pixels(samples: u32) -> Vec<(f64, f64)> {
     (0..samples * samples).map(place).collect()
 }
 
-/// The mean of `colour(u, v)` for all (u, v) of a list, such as `sub_pixels` makes.
+/// The mean of `colour(u, v)` over all (u, v) of a list like that of `sub_pixels`.
 pub fn mean(places: &[(f64, f64)], colour: impl Fn(f64, f64) -> DVec3) -> DVec3 {
     let sum: DVec3 = places.iter().map(|&(u, v)| colour(u, v)).sum();
     sum / places.len() as f64

@@ -34,7 +34,7 @@ pub fn shadowed_phong(
 
 /// A material that is partly a mirror.
 pub struct Mirror {
-    /// The material of its own paint, of which 1 − k shows.
+    /// Its own paint, which makes up 1 − k of its colour.
     pub material: Material,
     /// k, how much of its colour is a mirror image, 0 to 1.
     pub k: f64,

@@ -12,7 +12,7 @@ pub fn figure() -> Figure {
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
         parameters: vec![
-            Parameter::new(["n", "of the first lobe", ""], 150.0, [1.0, 300.0], 1.0),
+            Parameter::new(["n", "of one of the lobes", ""], 150.0, [1.0, 300.0], 1.0),
             Parameter::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
         ],
         handles: vec![Handle::of_angle("the light l", 1, VIEW, 0.85)],

@@ -23,7 +23,7 @@ pub fn figure() -> Figure {
     Figure {
         title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
         caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
-                  $V$ has length {{#number ray:length}}, and the point with the coordinates {{#number ray:point}} has $t = {{#number ray:t}}$. \
+                  $V$ has length {{#number ray:length}}, so the point at a distance of {{#number ray:distance}} from $S$ has $t = {{#number ray:t}}$. \
                   <span class='move'>Make $V$ longer, and this same point gets a smaller $t$.</span>",
         parameters: start.into_iter().chain(v).chain([distance]).collect(),
         handles: vec![
@@ -90,11 +90,10 @@ fn draw(values: &[f64]) -> Output {
 
 fn numbers(values: &[f64]) -> Numbers {
     let (ray, t) = ray_and_t(values);
-    let point = ray.at(t);
-    let [x, y] = [point.x, point.y].map(|number| format_rounded(number, 2));
+    let length = ray.direction.length();
     collect_numbers([
-        ("length", format_rounded(ray.direction.length(), 2)),
+        ("length", format_rounded(length, 2)),
+        ("distance", format_rounded(t.abs() * length, 2)),
         ("t", format_rounded(t, 2)),
-        ("point", format!("({x}, {y})")),
     ])
 }
