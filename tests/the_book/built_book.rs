@@ -1,6 +1,5 @@
-use super::assert_no_faults;
 use anyhow::Result;
-use builder::{Files, Site, inner_text};
+use builder::{Files, Site};
 use course::{target_folder, workspace};
 use std::env;
 use std::fs::{self, File};
@@ -43,19 +42,4 @@ fn build_or_read() -> Result<Site> {
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))
-}
-
-#[test]
-fn titles_of_pages_are_those_in_the_contents() {
-    let book = built_book();
-    let mut faults = vec![];
-    for link in book.pages["index.html"].select_all("#contents a") {
-        let (name, title) = (link.attr("href").unwrap_or_default(), inner_text(link));
-        let mut titles = book.pages[name].select_all("h1").into_iter().map(inner_text);
-        // The title of the introduction is the book's.
-        if name != "introduction.html" && !titles.any(|text| text.trim() == title.trim()) {
-            faults.push(format!("{name} is called {title:?} in the contents."));
-        }
-    }
-    assert_no_faults(&faults);
 }

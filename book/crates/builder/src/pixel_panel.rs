@@ -3,7 +3,7 @@ use step03_nearest::OBJECTS;
 
 /// The text about a pixel, with a number for each `{{#number name}}`. A line that
 /// begins with `45` is for the pictures of these steps.
-pub const TEXT: &str = include_str!("pixel_trace_template.md");
+const TEXT: &str = include_str!("pixel_trace_template.md");
 
 /// The same for the picture with mirrors.
 const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");

@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand_directives;
-use crate::{Files, Page, Site, Sources, links, pixel_panel, problem, values};
+use crate::{Files, Page, Site, Sources, links, problem};
 use course::workspace;
 use std::sync::LazyLock;
 
@@ -76,20 +76,6 @@ fn problems_are_short_numbered_as_they_are_read_and_answered_in_bold() {
         assert_eq!(words, format!("{number} {bold}"), "{problem}");
     }
     assert!(10 < parts.len());
-}
-
-#[test]
-fn every_figure_and_every_value_is_used() {
-    let files = Files::read(&workspace().join("book/src")).expect("chapters");
-    let texts = files.texts_with_suffix(".md").map(|(_, text)| text);
-    let chapters: String = texts.chain([pixel_panel::TEXT]).collect();
-    let figures = figures::FIGURES.iter().filter(|live| !live.title.is_empty());
-    let figures = figures.map(|live| format!("{{{{#figure {}", live.name));
-    let values = values::COUNTS.iter().map(|(name, _)| format!("{{{{#value {name}"));
-    let unused = figures.chain(values).filter(|directive| {
-        ["}}", " "].iter().all(|end| !chapters.contains(&format!("{directive}{end}")))
-    });
-    assert_eq!(unused.collect::<Vec<_>>(), [""; 0]);
 }
 
 #[test]

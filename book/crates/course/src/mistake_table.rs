@@ -21,25 +21,10 @@ pub fn hash_picture(picture: &RgbImage) -> u64 {
     fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
-/// Hashes of the pictures of one mistake: a line of the table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TableRow {
-    /// Hash of what decides about the mistake's pictures, when they were drawn.
-    pub key: u32,
-    /// The hash of the picture of its step and of each later one; None where that is right all
-    /// the same, or can't be drawn.
-    pub hashes: Vec<Option<u64>>,
-}
-
-impl TableRow {
-    /// Formats the line of the table.
-    pub fn to_line(&self) -> String {
-        let word =
-            |hash: &Option<u64>| hash.map_or(" -".to_owned(), |hash| format!(" {hash:016x}"));
-        let hashes: String = self.hashes.iter().map(word).collect();
-        format!("{:08x}{hashes}\n", self.key)
-    }
-}
+/// A line of the table, of one mistake: a hash of what decided about its pictures when they were
+/// drawn; then the hash of the picture of its step and of each later one, None where that is right
+/// all the same, or can't be drawn.
+pub type TableRow = (u32, Vec<Option<u64>>);
 
 /// The hashes of all pictures that are right, by their names.
 pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
@@ -55,7 +40,7 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
         let (key, hashes) = line.split_once(' ')?;
         let key = u32::from_str_radix(key, 16).ok()?;
         let hashes = hashes.split(' ').map(|hash| u64::from_str_radix(hash, 16).ok());
-        Some(TableRow { key, hashes: hashes.collect() })
+        Some((key, hashes.collect()))
     })
 }
 
@@ -64,8 +49,8 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
     let all = mistakes().into_iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
-        .flat_map(|(mistake, row)| {
-            let steps = mistake.affected_steps().zip(row.hashes);
+        .flat_map(|(mistake, (_, hashes))| {
+            let steps = mistake.affected_steps().zip(hashes);
             let steps = steps.filter(|(_, one)| *one == Some(hash));
             steps.map(|(step, _)| (mistake.clone(), step.name())).collect::<Vec<_>>()
         })

@@ -82,7 +82,7 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let is_here = |mistake: &Mistake| {
         let old = mistake.old.split_whitespace().collect::<Vec<_>>().join(" ");
         mistake.file == format!("steps/{}", place.file)
-            && (place.code.contains(&old) || !place.find_ranges(&old).is_empty())
+            && (place.code.contains(&old) || place.find_range(&old).is_ok())
     };
     let mistakes = find_mistakes_with_hash(hash);
     let (mistake, _) = mistakes.iter().find(|(mistake, name)| *name == step && is_here(mistake))?;

@@ -60,12 +60,12 @@ fn edits_of_listed_mistakes(place: &Place) -> Vec<(Place, String, u64)> {
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
     let lines: Vec<_> = text.lines().map(str::trim_start).collect();
     let bare = lines.join("\n");
-    let range = place.find_ranges(&bare).first().cloned().expect("the place");
+    let range = place.find_range(&bare).expect("the place");
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
-    let edit = |(mistake, row): (Mistake, TableRow)| {
+    let edit = |(mistake, (_, hashes)): (Mistake, TableRow)| {
         let edited = mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
-        Some((place.clone(), new.to_owned(), row.hashes.first()?.unwrap_or(locked_hash(place))))
+        Some((place.clone(), new.to_owned(), hashes.first()?.unwrap_or(locked_hash(place))))
     };
     mistakes().into_iter().zip(table_rows()).filter_map(edit).collect()
 }
