@@ -61,16 +61,10 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     });
 }
 
-// Contents: open and close on small screens, mark this chapter and list its sections.
+// Contents: mark this chapter and list its sections, to one of which a click leads.
 {
     const contents = document.getElementById("contents");
-    const toggle = document.getElementById("contents-toggle");
-    const open = yes => {
-        contents.classList.toggle("open", yes);
-        toggle.setAttribute("aria-expanded", yes);
-    };
-    toggle.addEventListener("click", () => open(!contents.classList.contains("open")));
-    contents.addEventListener("click", event => { if (event.target.closest("a")) open(false); });
+    contents.addEventListener("click", event => { if (event.target.closest("a")) contents.hidePopover(); });
     const links = [...contents.querySelectorAll("a")];
     // Some servers leave out what ends the name of a file.
     const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");

@@ -38,7 +38,7 @@ function ask(module, request, file) {
     const words = new TextEncoder().encode(request);
     copyIn(words, module.make_room(0, words.length));
     if (file) copyIn(file, module.make_room(1, file.length));
-    const address = module.answer_request();
+    const address = module.make_answer();
     const [text, letters, pixels, count] = new Uint32Array(module.memory.buffer, address, 4);
     const copyOut = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
     const answer = JSON.parse(new TextDecoder().decode(copyOut(text, letters)));

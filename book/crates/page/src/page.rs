@@ -23,7 +23,7 @@ extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
 /// Answers the request that was written into its room. At the address that it gives are those of
 /// the answer's text and of its pixels, each with the length in bytes.
 #[unsafe(no_mangle)]
-extern "C" fn answer_request() -> *const usize {
+extern "C" fn make_answer() -> *const usize {
     let [request, file] = ROOMS.take();
     let reply = answer(str::from_utf8(&request).unwrap_or_default(), &file);
     let [text, pixels] = [reply.text.as_bytes(), &reply.pixels];

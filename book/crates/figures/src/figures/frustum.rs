@@ -75,7 +75,7 @@ fn draw(values: &[f64]) -> Output {
         let class = if part == "cut away" { "behind" } else { "object" };
         let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
-        drawing.label("quiet over", centre + dvec2(0.0, radius + 17.0), part);
+        drawing.label("quiet over", centre + dvec2(0.0, radius + 30.0), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", place(ray.start), place(ray.at(t)));
