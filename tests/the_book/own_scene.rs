@@ -1,8 +1,8 @@
-//! A scene of one's own: the Rust program that a page or `check` writes for it draws its picture.
+//! A scene of one's own: the Rust program that a page writes for it draws its picture.
 
 use super::assert_no_faults;
 use super::reader_workspace::ReaderWorkspace;
-use course::{describe_difference, draw_named_scene, named_scene};
+use course::{describe_difference, named_scene};
 use figures::{Figure, Output, find, parse_address};
 use image::RgbImage;
 use std::collections::HashSet;
@@ -50,7 +50,6 @@ fn program_of_a_scene_draws_its_picture() {
     let page = find("own_scene").expect("the page has it");
     let values = ADDRESSES.map(|address| parse_address(page, address).expect("a scene"));
     let scenes = values.into_iter().map(|values| program_and_picture(page, &values));
-    let scenes = scenes.chain(["ada", "Grace Hopper", "\"\n é"].map(draw_named_scene));
     let reader = ReaderWorkspace::typed();
     let faults = scenes.filter_map(|(program, picture)| program_fault(&reader, &program, &picture));
     assert_no_faults(&faults.collect::<Vec<_>>());

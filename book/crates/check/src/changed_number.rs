@@ -33,7 +33,7 @@ pub(crate) fn find_changed_numbers(
 }
 
 /// The names of all that have a quantity.
-fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
+pub(crate) fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
     match owner {
         Owner::Object => drawing.object_names(),
         Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
@@ -61,7 +61,7 @@ fn all_with_one_number_changed(
 }
 
 /// (1, −2.5, 0), or the number alone.
-fn format_numbers(numbers: &[f64]) -> String {
+pub(crate) fn format_numbers(numbers: &[f64]) -> String {
     let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
     let all = all.join(", ").replace('-', "−");
     if numbers.len() == 1 { all } else { format!("({all})") }

@@ -16,7 +16,8 @@
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
-//! draw a scene that they don't know (`class::trial`). What is tried is bounded by a `RayBudget`,
+//! draw a scene that they don't know (`class::trial`), and each name has a sheet with the numbers
+//! of its scene (`class::scene_sheet`). What is tried is bounded by a `RayBudget`,
 //! the same on every machine; of a file, no more is read than a picture has.
 
 mod answer;
@@ -35,7 +36,6 @@ mod other_options;
 mod png_file;
 mod read_file;
 mod regions;
-mod scene_files;
 mod scene_mistake;
 mod target;
 mod transformed;
@@ -44,9 +44,10 @@ mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_png, check_scene_png};
-pub use class::{report_on_folder, report_on_workspaces};
+pub use class::{
+    format_sheet, read_names, report_on_folder, report_on_workspaces, write_sheet, write_sheets,
+};
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
-pub use scene_files::{read_names, write_scene, write_scenes};
 pub use target::LockedPictures;
 use which_picture::find_name_in_file_name;

@@ -1,13 +1,13 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal,
-    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_scene,
-    write_scenes,
+    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet,
+    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_sheet,
+    write_sheets,
 };
 use clap::Parser;
 use clap::builder::NonEmptyStringValueParser;
-use course::{NAMED_SCENE_EXAMPLE, draw_named_scene, locked_names};
+use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};
@@ -31,26 +31,30 @@ struct Arguments {
     /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets a row
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
-    /// Prints the program of the scene that belongs to a name. With a file, tells whether it is
-    /// what the program draws. With --in, draws it with the five crates of each workspace in the
-    /// folder and compares it: what is in these crates runs as you, so do that in a container
-    #[arg(long, value_name = "NAME", group = "written", conflicts_with = "name")]
+    /// Prints the sheet of a name: the numbers of the scene that belongs to it, and problems on
+    /// paper. With a file, tells whether it is this scene. With --in, draws the scene with the
+    /// five crates of each workspace in the folder and compares it: what is in these crates runs
+    /// as you, so do that in a container
+    #[arg(long, value_name = "NAME", group = "sheet", conflicts_with = "name")]
     #[arg(value_parser = NonEmptyStringValueParser::new())]
     scene: Option<String>,
-    /// A class's list of names, one a line. With --out, writes the scene of each; with --in,
+    /// A class's list of names, one a line. With --out, writes the sheet of each; with --in,
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
-    #[arg(long, value_name = "FILE", group = "written", conflicts_with = "file")]
+    #[arg(long, value_name = "FILE", group = "sheet", conflicts_with = "file")]
     names: Option<PathBuf>,
-    /// Where to write the program of a scene, in UTF-8; with --names, a folder
-    #[arg(long, value_name = "PATH", requires = "written", conflicts_with_all = ["file", "folder"])]
+    /// Where to write a sheet, in UTF-8; with --names, a folder
+    #[arg(long, value_name = "PATH", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     out: Option<PathBuf>,
+    /// Writes the answers to the problems as well
+    #[arg(long, requires = "out")]
+    answers: bool,
     /// The pictures that are asked for, with commas between them; `scene` is the scene of the
     /// student's name
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene"])]
     #[arg(value_delimiter = ',', value_parser = parse_picture_name)]
     require: Vec<&'static str>,
     /// Prints a row for each student and picture, for a spreadsheet
-    #[arg(long, conflicts_with_all = ["file", "json"])]
+    #[arg(long, requires = "folder", conflicts_with_all = ["file", "json"])]
     csv: bool,
     /// Prints JSON
     #[arg(long)]
@@ -81,15 +85,17 @@ fn answer(arguments: Arguments) -> Result<Answer, String> {
         Arguments { file: Some(file), name, scene, .. } => {
             check_file(&file, name.as_deref(), scene.as_deref())
         }
-        Arguments { names: Some(list), out: Some(folder), .. } => {
-            write_scenes(&read_names(&list)?, &folder)
+        Arguments { names: Some(list), out: Some(folder), answers, .. } => {
+            write_sheets(&read_names(&list)?, answers, &folder)
         }
-        Arguments { scene: Some(scene), out: Some(file), .. } => write_scene(&scene, &file),
+        Arguments { scene: Some(scene), out: Some(file), answers, .. } => {
+            write_sheet(&scene, answers, &file)
+        }
         Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
             Ok(report_on_workspaces(&folder, &scene, csv))
         }
         Arguments { scene: Some(scene), .. } => {
-            Ok(Answer::new(Verdict::Right, draw_named_scene(&scene).0))
+            Ok(Answer::new(Verdict::Right, format_sheet(&scene, false)))
         }
         Arguments { folder, names, require, csv, .. } => {
             let folder = folder.unwrap_or_else(|| ".".into());

@@ -58,10 +58,10 @@ fn computed_values(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String 
     text
 }
 
-fn format_vector(vector: DVec3) -> String {
+pub(crate) fn format_vector(vector: DVec3) -> String {
     format!("({})", vector.to_array().map(format_number).join(", "))
 }
 
-fn format_number(number: f64) -> String {
+pub(crate) fn format_number(number: f64) -> String {
     format!("{number:.4}").replace('-', "−")
 }

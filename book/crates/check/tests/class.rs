@@ -1,8 +1,8 @@
 //! Reports on one's own folder, and on classes as learning platforms give them.
 
 use crate::program::{run_check, write_files};
-use crate::{assert_locked, create_empty_folder, encode, locked_file, map_locked};
-use course::{Step, draw_named_scene, workspace};
+use crate::{assert_locked, create_empty_folder, draw_scene, encode, locked_file, map_locked};
+use course::{Step, workspace};
 use std::fs;
 use std::io::Write;
 
@@ -29,7 +29,7 @@ fn reports_on_folders_are_as_locked() {
     let folder = create_empty_folder("folders");
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(locked_file);
     let bgr = |name| encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]));
-    let scene = |name: &str| encode(draw_named_scene(name).1);
+    let scene = |name: &str| encode(draw_scene(name));
     let two_pictures = zip(&[("raycaster/step01_rays.png", &rays), ("__MACOSX/._a.png", b"")]);
     let nested = zip(&[("my/pictures.zip", &two_pictures), ("my/notes.txt", b"text")]);
     write_files(
@@ -66,7 +66,6 @@ fn reports_on_folders_are_as_locked() {
             ("own/hourglass.png", locked_file("glass")),
             ("own/step12.png", rays.clone()),
             ("own/Step 3 final.png", locked_file("step03_nearest")),
-            ("own/deeper/step01_rays.png", locked_file("step01_rays")),
             ("github/raycaster-ada/step01_rays.png", bgr("step01_rays")),
             ("github/raycaster-ada/step02_sphere.png", bgr("step02_sphere")),
             ("github/raycaster-ada/glass.png", locked_file("glass")),
@@ -85,11 +84,11 @@ fn reports_on_folders_are_as_locked() {
         &["--in", "github", "--json"],
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
         &["--in", "github", "--scene", "a secret"],
-        &["--names", "names.txt", "--out", "scenes"],
+        &["--names", "names.txt", "--out", "sheets", "--answers"],
     ];
     assert_locked("folders", runs.map(|arguments| run_check(&folder, arguments)));
-    let program = fs::read_to_string(folder.join("scenes/___Zo\u{eb}/scene_of_me.rs"));
-    assert_eq!(program.expect("a program"), draw_named_scene("../Zoe\u{308}").0);
+    let sheet = fs::read_to_string(folder.join("sheets/___Zo\u{eb}.md"));
+    assert_locked("sheet", [("___Zo\u{eb}.md".to_owned(), sheet.expect("a sheet"))]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ mod program;
 mod wrong_programs;
 
 use check::{Answer, LockedPictures, check_png};
-use course::{Step, camera, workspace};
+use course::{Step, camera, named_scene, workspace};
 use glam::DVec3;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
@@ -45,6 +45,11 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
 
 fn draw_step(step: Step) -> RgbImage {
     (step.picture())(&camera(), 1)
+}
+
+/// The picture of the scene of a name.
+fn draw_scene(name: &str) -> RgbImage {
+    draw(|ray| step05_phong::colour(&named_scene(name), ray))
 }
 
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {

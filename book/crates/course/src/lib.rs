@@ -41,7 +41,7 @@ mod named_scene;
 mod own_scene;
 mod scene_program;
 mod scene_quantity;
-pub use named_scene::{NAMED_SCENE_EXAMPLE, draw_named_scene, named_scene};
+pub use named_scene::{NAMED_SCENE_EXAMPLE, named_scene};
 pub use own_scene::OwnScene;
 pub use scene_program::format_scene_program;
 pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};

@@ -1,28 +1,11 @@
 use crate::hash::fnv_1a;
-use crate::{OwnScene, format_scene_program};
 use glam::DVec3;
-use image::RgbImage;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 use unicode_normalization::UnicodeNormalization;
 
-/// The example of step 5 as which the program of a named scene is saved. No example of the
-/// course has this name, so no other program draws a picture of it.
+/// The example of step 5 that draws the scene of a name. No example of the course has this name,
+/// so no other program draws a picture of it.
 pub const NAMED_SCENE_EXAMPLE: &str = "scene_of_me";
-
-/// The program of the scene that belongs to a name, for an example of step 5, and the
-/// picture that it draws.
-pub fn draw_named_scene(name: &str) -> (String, RgbImage) {
-    let name = join_words(name);
-    let own = OwnScene::new(named_scene(&name));
-    let title = format!("The scene of {}.", name.escape_debug());
-    let program = format_scene_program(&own);
-    let program = program.replacen("A scene of your own.", &title, 1).replacen(
-        "--example own_scene",
-        &format!("--example {NAMED_SCENE_EXAMPLE}"),
-        1,
-    );
-    (program, own.picture(640.0))
-}
 
 /// The names of the objects in the order of `OBJECTS`, as their colours are chosen.
 const NAMES: [&str; OBJECTS.len()] =

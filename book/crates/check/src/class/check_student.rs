@@ -1,31 +1,31 @@
-use crate::class::found_file::{FoundFile, has_extension, picture_names};
+use crate::class::found_file::{has_extension, picture_names, unchecked_clause};
+use crate::class::report::{Entry, Report};
 use crate::class::student::Student;
-use crate::class::{Entry, Report};
 use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png};
 use course::NAMED_SCENE_EXAMPLE;
 use std::cmp::Reverse;
 
 /// Looks at the pictures of a student; `names` are those of all.
 pub(crate) fn check_student(
-    student: &Student,
+    student: Student,
     required: &[&'static str],
     names: &[String],
     locked: &LockedPictures,
 ) -> Report {
-    let mut files: Vec<_> = student.files.iter().collect();
+    let mut files = student.files;
+    // First those that end as PNG files do, that lie highest, that have just the name of a
+    // picture, that were handed in last.
+    files.sort_by_key(|file| {
+        let is_exact = file.picture.is_some_and(|name| file.name() == format!("{name}.png"));
+        let is_png = has_extension(file.name(), &["png"]);
+        (!is_png, file.depth(), !is_exact, Reverse(file.version()))
+    });
     let mut pictures = vec![];
     for name in picture_names() {
         let is_required = required.contains(&name);
-        // One that ends as PNG files do, the one that lies highest, that has just this name, the
-        // last that was handed in.
-        let of_name = files.iter().copied().filter(|file| file.picture == Some(name));
-        let file = of_name.min_by_key(|file| {
-            let is_exact = file.name() == format!("{name}.png");
-            let is_png = has_extension(file.name(), &["png"]);
-            (!is_png, file.depth(), !is_exact, Reverse(file.version()))
-        });
-        files.retain(|other| file.is_none_or(|file| !std::ptr::eq(*other, file)));
-        let answer = match file.map(|file| (file.name(), file.read())) {
+        let position = files.iter().position(|file| file.picture == Some(name));
+        let file = position.map(|k| files.remove(k));
+        let answer = match file.as_ref().map(|file| (file.name(), file.read())) {
             None if is_required => Answer::new(Verdict::Missing, ""),
             None => continue,
             Some((_, Err(why))) => Answer::error(why),
@@ -34,26 +34,14 @@ pub(crate) fn check_student(
             }
             Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
         };
-        let file = file.map(|file| file.path.clone());
-        pictures.push(Entry::new(name, is_required, file, answer));
+        let path = file.map(|file| file.path).unwrap_or_default();
+        pictures.push(Entry::new(name, is_required || required.is_empty(), path, answer));
     }
     files.retain(|file| file.is_unreadable() || !file.name().is_empty());
-    // What can't be read comes first, as a line tells only some names.
-    files.sort_by_key(|file| !file.is_unreadable());
-    let unchecked = files.into_iter().map(FoundFile::describe).collect();
-    Report { student: student.unique_name.clone(), pictures, unchecked }
-}
-
-/// Tells of each wrong picture which earlier one is wrong by the same cause, the only one that
-/// we know for one of the two.
-pub(crate) fn tell_common_causes(report: &mut Report) {
-    for k in 1..report.pictures.len() {
-        let (earlier, later) = report.pictures.split_at_mut(k);
-        let causes = &later[0].answer.causes;
-        later[0].follows = earlier.iter().find_map(|one| {
-            let cause = one.answer.causes.iter().find(|cause| causes.contains(cause))?;
-            let is_sure = one.answer.causes.len() == 1 || causes.len() == 1;
-            is_sure.then(|| (one.name, cause.words_and_file()))
-        });
-    }
+    let is_empty = pictures.iter().all(Entry::is_missing);
+    let in_place =
+        unchecked_clause(files).or_else(|| is_empty.then(|| "nothing was handed in".to_owned()));
+    let mut report = Report { student: student.unique_name, pictures, in_place };
+    report.tell_common_causes();
+    report
 }

@@ -1,4 +1,5 @@
-use crate::{find_name_in_file_name, read_bounded_file};
+use crate::answer::join_first;
+use crate::{escape_for_terminal, find_name_in_file_name, read_bounded_file};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use std::path::PathBuf;
 
@@ -7,6 +8,9 @@ const PICTURE_EXTENSIONS: [&str; 14] = [
     "png", "jpg", "jpeg", "jfif", "webp", "gif", "bmp", "ppm", "tif", "tiff", "heic", "avif",
     "svg", "pdf",
 ];
+
+/// The most names of files that a line tells.
+const MOST_NAMES: usize = 8;
 
 /// A file in a folder or in an archive.
 pub(crate) struct FoundFile {
@@ -70,6 +74,14 @@ impl FoundFile {
         let number = stem.rsplit(['-', '(']).next().unwrap_or_default();
         number.trim_end_matches(')').parse().unwrap_or(0)
     }
+}
+
+/// A clause with the first of some files, and how many more there are; None where none are. What
+/// can't be read comes first, with the reason.
+pub(crate) fn unchecked_clause(mut files: Vec<FoundFile>) -> Option<String> {
+    files.sort_by_key(|file| !file.is_unreadable());
+    let told = files.iter().map(|file| escape_for_terminal(&file.describe())).collect();
+    (!files.is_empty()).then(|| format!("not looked at: {}", join_first(told, MOST_NAMES, ", ")))
 }
 
 /// The pictures of the course, and the scene of a student's name.

@@ -1,11 +1,34 @@
-use crate::answer::join_first;
 use crate::class::found_file::picture_names;
-use crate::class::{Entry, Report};
-use crate::{Verdict, escape_for_terminal};
+use crate::class::report::{Entry, Report};
+use crate::class::table::align;
+use crate::{Answer, Verdict, escape_for_terminal};
 use course::json;
+use std::iter;
 
-/// The most names of files that a line tells.
-const MOST_NAMES: usize = 8;
+/// The answer made of reports on students, and of a clause about files that are nobody's, as text
+/// and as JSON. The text is a table, or, for a spreadsheet, a row for each picture.
+///
+/// The verdict is right if all pictures are that were required, or else all that are there.
+pub(crate) fn report_answer(
+    reports: &[Report],
+    stray: Option<&str>,
+    is_csv: bool,
+    is_own: bool,
+) -> Answer {
+    let rows = rows(reports, stray);
+    let text = match (is_csv, is_own) {
+        (true, _) => format_csv(&rows),
+        (_, true) => format_own(&reports[0]),
+        _ => format_class(reports, stray),
+    };
+    let pictures = || reports.iter().flat_map(|report| &report.pictures);
+    let verdict = match reports.iter().flat_map(Report::counted).all(Entry::is_right) {
+        _ if pictures().all(Entry::is_missing) => Verdict::Missing,
+        true => Verdict::Right,
+        false => Verdict::NotRight,
+    };
+    Answer { report: Some(format_json(&rows)), ..Answer::new(verdict, text) }
+}
 
 impl Entry {
     /// A sentence on what is wrong or to be noted; empty where nothing is.
@@ -24,42 +47,19 @@ impl Entry {
     }
 }
 
-impl Report {
-    /// How many pictures are right: of those required, if any are, or else all.
-    fn count_text(&self) -> String {
-        match (self.right_count(), self.required_count()) {
-            (right, 0) => right.to_string(),
-            (right, required) => format!("{right} of {required}"),
-        }
-    }
-
-    /// What there is in place of pictures; None where nothing is.
-    fn in_place(&self) -> Option<String> {
-        let is_empty = self.pictures.iter().all(Entry::is_missing);
-        unchecked_clause(&self.unchecked)
-            .or_else(|| is_empty.then(|| "nothing was handed in".to_owned()))
-    }
-}
-
-/// A clause with the first of some names, and how many more there are; None where none are.
-fn unchecked_clause(names: &[String]) -> Option<String> {
-    let told = names.iter().map(|name| escape_for_terminal(name)).collect();
-    (!names.is_empty()).then(|| format!("not looked at: {}", join_first(told, MOST_NAMES, ", ")))
-}
-
 /// One line for each picture, and how many are right.
-pub(crate) fn format_own(report: &Report) -> String {
+fn format_own(report: &Report) -> String {
     let row = |entry: &Entry| {
         vec![entry.name.to_owned(), entry.answer.verdict.words().to_owned(), entry.feedback()]
     };
     let rows: Vec<_> = report.pictures.iter().map(row).collect();
-    let unchecked = unchecked_clause(&report.unchecked).unwrap_or_default();
-    format!("{}Right: {}.\n{unchecked}", align(&rows), report.count_text())
+    let in_place = report.in_place.as_deref().unwrap_or_default();
+    format!("{}Right: {}.\n{in_place}", align(&rows), report.count_text())
 }
 
 /// One line for each student: how many pictures are right, and the verdict on each that was
 /// required, or else on each that anybody has. Below are the sentences on each student.
-pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
+fn format_class(reports: &[Report], stray: Option<&str>) -> String {
     let has_column = |name: &&str| {
         let mut counted = reports.iter().flat_map(Report::counted);
         counted.any(|entry| entry.name == *name)
@@ -67,54 +67,53 @@ pub(crate) fn format_class(reports: &[Report], stray: &[String]) -> String {
     let names: Vec<_> = picture_names().filter(has_column).collect();
     let head = ["", "right"].into_iter().chain(names.iter().copied());
     let mut rows = vec![head.map(str::to_owned).collect()];
-    for report in reports {
-        let mut row = vec![escape_for_terminal(&report.student), report.count_text()];
-        row.extend(names.iter().map(|name| {
-            let entry = report.pictures.iter().find(|entry| entry.name == *name);
-            entry.map_or(Verdict::Missing, |entry| entry.answer.verdict).words().to_owned()
-        }));
-        rows.push(row);
-    }
-    let mut text = align(&rows);
+    let mut sentences = String::new();
     for report in reports {
         let student = escape_for_terminal(&report.student);
+        let verdict = |name: &&str| {
+            let entry = report.pictures.iter().find(|entry| entry.name == *name);
+            entry.map_or(Verdict::Missing, |entry| entry.answer.verdict).words().to_owned()
+        };
+        let row = [student.clone(), report.count_text()];
+        rows.push(row.into_iter().chain(names.iter().map(verdict)).collect());
         for entry in &report.pictures {
             let feedback = Some(entry.feedback()).filter(|text| !text.is_empty());
-            text.extend(feedback.map(|text| format!("{student}, {}: {text}\n", entry.name)));
+            sentences.extend(feedback.map(|text| format!("{student}, {}: {text}\n", entry.name)));
         }
-        text.extend(report.in_place().map(|found| format!("{student}, {found}\n")));
+        sentences.extend(report.in_place.iter().map(|found| format!("{student}, {found}\n")));
     }
-    text.extend(unchecked_clause(stray).map(|clause| format!("Nobody's, {clause}\n")));
-    text
+    sentences.extend(stray.map(|found| format!("Nobody's, {found}\n")));
+    align(&rows) + &sentences
 }
 
-/// Rows of words in columns, each as wide as its longest word.
-fn align(rows: &[Vec<String>]) -> String {
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
-    let line = |row: &Vec<String>| {
-        let words = row.iter().zip(&widths).map(|(word, width)| format!("{word:width$}"));
-        words.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
-    };
-    rows.iter().map(line).collect()
-}
+/// What there is of one picture of a student, or in place of pictures: a cell for each column.
+type Row<'a> = ([String; 6], Option<&'a Answer>);
 
-/// A row for each student and picture, after a mark by which a spreadsheet knows UTF-8.
-pub(crate) fn format_csv(reports: &[Report]) -> String {
-    let mut text = String::from("\u{feff}student,right,picture,verdict,file,feedback\r\n");
+const COLUMNS: [&str; 6] = ["student", "right", "picture", "verdict", "found", "feedback"];
+
+fn rows<'a>(reports: &'a [Report], stray: Option<&str>) -> Vec<Row<'a>> {
+    let mut rows = vec![];
     for report in reports {
-        let (student, count) = (&*report.student, report.count_text());
-        let mut add = |cells: [&str; 4]| {
-            let cells = [student, &count].into_iter().chain(cells).map(csv_cell);
-            text += &(cells.collect::<Vec<_>>().join(",") + "\r\n");
+        let count = report.count_text();
+        let mut add = |[name, verdict, file, feedback]: [&str; 4], answer| {
+            let cells = [&report.student, &*count, name, verdict, file, feedback];
+            rows.push((cells.map(str::to_owned), answer));
         };
         for entry in &report.pictures {
-            let file = entry.file.as_deref().unwrap_or_default();
-            add([entry.name, entry.answer.verdict.words(), file, &entry.feedback()]);
+            let words = entry.answer.verdict.words();
+            add([entry.name, words, &entry.file, &entry.feedback()], Some(&entry.answer));
         }
-        report.in_place().iter().for_each(|found| add(["", "", "", found]));
+        report.in_place.iter().for_each(|found| add(["", "", "", found], None));
     }
-    text
+    rows.extend(stray.map(|found| (["", "", "", "", "", found].map(str::to_owned), None)));
+    rows
+}
+
+/// The rows below their head, after a mark by which a spreadsheet knows UTF-8.
+fn format_csv(rows: &[Row]) -> String {
+    let lines = rows.iter().map(|(cells, _)| cells.each_ref().map(|cell| csv_cell(cell)).join(","));
+    let lines = iter::once(COLUMNS.join(",")).chain(lines);
+    format!("\u{feff}{}", lines.map(|line| line + "\r\n").collect::<String>())
 }
 
 /// A cell in quotes, with a `'` before what a spreadsheet would compute.
@@ -123,27 +122,14 @@ fn csv_cell(text: &str) -> String {
     format!("\"{mark}{}\"", text.replace('"', "\"\""))
 }
 
-/// A list of students, each with the answer about each picture.
-pub(crate) fn format_json(reports: &[Report], stray: &[String]) -> String {
-    let entry = |entry: &Entry| {
-        let mut fields = vec![("picture", json::quote(entry.name))];
-        fields.push(("required", entry.is_required.to_string()));
-        fields.extend(entry.file.iter().map(|file| ("found", json::quote(file))));
-        fields.extend(entry.follows.iter().map(|(step, _)| ("follows", json::quote(step))));
-        fields.extend(entry.answer.json_fields());
-        format!("\n   {}", json::object(fields))
+/// The rows as a list of objects, with the fields of each answer.
+fn format_json(rows: &[Row]) -> String {
+    let object = |(cells, answer): &Row| {
+        let cells = iter::zip(COLUMNS, cells);
+        let cells = cells.filter(|(name, cell)| *name != "verdict" && !cell.is_empty());
+        let cells = cells.map(|(name, cell)| (name, json::quote(cell)));
+        let fields = answer.iter().flat_map(|answer| answer.json_fields());
+        format!("\n  {}", json::object(cells.chain(fields)))
     };
-    let names = |names: &[String]| json::list(names.iter().map(|one| json::quote(one)));
-    let report = |report: &Report| {
-        let fields = [
-            ("student", json::quote(&report.student)),
-            ("right", report.right_count().to_string()),
-            ("required", report.required_count().to_string()),
-            ("not_looked_at", names(&report.unchecked)),
-            ("pictures", json::list(report.pictures.iter().map(entry))),
-        ];
-        format!("\n  {}", json::object(fields))
-    };
-    let students = json::list(reports.iter().map(report));
-    json::object([("students", students), ("nobodys", names(stray))])
+    json::list(rows.iter().map(object))
 }

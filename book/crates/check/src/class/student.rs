@@ -80,7 +80,7 @@ fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
 }
 
 /// Splits a path into what tells the student and the rest; None where nothing does.
-fn split_key(path: &str) -> Option<(String, String)> {
+pub(crate) fn split_key(path: &str) -> Option<(String, String)> {
     if let Some(split) = split_canvas_name(path) {
         return Some(split);
     }
@@ -92,7 +92,7 @@ fn split_key(path: &str) -> Option<(String, String)> {
 }
 
 /// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
-pub(crate) fn split_canvas_name(name: &str) -> Option<(String, String)> {
+fn split_canvas_name(name: &str) -> Option<(String, String)> {
     let (student, numbers_and_name) = name.split_once('_')?;
     let numbers_and_name = numbers_and_name.strip_prefix("LATE_").unwrap_or(numbers_and_name);
     let [user, file, name] = numbers_and_name.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;

@@ -1,8 +1,13 @@
 //! A scene of a name that students don't know, drawn by their own crates.
 
-use crate::class::{Entry, Report, report};
+use crate::class::report::{Entry, Report};
+use crate::class::report_text::report_answer;
 use crate::{Answer, LockedPictures, check_scene_png, escape_for_terminal, read_bounded_file};
-use course::{NAMED_SCENE_EXAMPLE, Step, draw_named_scene, target_folder, workspace};
+use course::{
+    NAMED_SCENE_EXAMPLE, OwnScene, Step, format_scene_program, named_scene, target_folder,
+    workspace,
+};
+use std::env::consts::EXE_EXTENSION;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -31,14 +36,14 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
     let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
     let reports = paths.iter().enumerate().map(|(k, path)| {
         let student = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let answer = match draw_with_crates(path, scene, &trial, k) {
+        let answer = match draw_with_crates(path, scene, &trial, &trial.join(k.to_string())) {
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
-        let pictures = vec![Entry::new(NAMED_SCENE_EXAMPLE, true, None, answer)];
-        Report { student, pictures, unchecked: vec![] }
+        let pictures = vec![Entry::new(NAMED_SCENE_EXAMPLE, true, String::new(), answer)];
+        Report { student, pictures, in_place: None }
     });
-    report(reports.collect(), vec![], is_csv, false)
+    report_answer(&reports.collect::<Vec<_>>(), None, is_csv, false)
 }
 
 /// The folders in a folder that aren't hidden, by their names.
@@ -51,30 +56,28 @@ fn folders_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 /// The bytes of the picture that the crates in a workspace draw of a scene, or why there is none.
-fn draw_with_crates(path: &Path, scene: &str, trial: &Path, k: usize) -> Result<Vec<u8>, String> {
-    let steps = find_steps(path, 0).ok_or("there aren't the five crates")?;
-    let (folder, target) = (trial.join(k.to_string()), trial.join("target"));
-    let program = target.join("debug/examples").join(NAMED_SCENE_EXAMPLE);
-    let program = program.with_extension(std::env::consts::EXE_EXTENSION);
-    // What is left of an earlier student or run mustn't be taken for this one's.
-    let _ = (fs::remove_dir_all(&folder), fs::remove_file(&program));
-    for entry in fs::read_dir(target.join("debug/.fingerprint")).into_iter().flatten().flatten() {
-        if Step::from_path(&entry.file_name().to_string_lossy()).is_some() {
-            fs::remove_dir_all(entry.path()).map_err(|error| error.to_string())?;
-        }
-    }
-    copy_crates(&steps, scene, &folder).map_err(|error| format!("can't be copied: {error}"))?;
-    let log = folder.join("errors.txt");
+/// They are copied into a folder, which is made anew.
+fn draw_with_crates(
+    workspace: &Path,
+    scene: &str,
+    trial: &Path,
+    folder: &Path,
+) -> Result<Vec<u8>, String> {
+    let steps = find_steps(workspace, 0).ok_or("there aren't the five crates")?;
+    let _ = fs::remove_dir_all(folder);
+    copy_crates(&steps, scene, folder).map_err(|error| format!("can't be copied: {error}"))?;
+    let (log, target) = (folder.join("errors.txt"), trial.join("target"));
     let mut cargo = Command::new("cargo");
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
     cargo.args(["--example", NAMED_SCENE_EXAMPLE]).env("CARGO_TARGET_DIR", &target);
-    if !run_within(cargo.current_dir(&folder), &log, COMPILE_TIME)? {
+    if !run_within(cargo.current_dir(folder), &log, COMPILE_TIME)? {
         let text = String::from_utf8_lossy(&fs::read(&log).unwrap_or_default()).into_owned();
         let error = text.lines().find(|line| line.starts_with("error")).unwrap_or_default();
         return Err(format!("the crates don't compile: {}", escape_for_terminal(error)));
     }
-    let mut program = Command::new(program);
-    if !run_within(program.current_dir(&folder), &log, DRAW_TIME)? {
+    let program = target.join("debug/examples").join(NAMED_SCENE_EXAMPLE);
+    let mut program = Command::new(program.with_extension(EXE_EXTENSION));
+    if !run_within(program.current_dir(folder), &log, DRAW_TIME)? {
         return Err("the program ends with an error".into());
     }
     read_bounded_file(&folder.join(NAMED_SCENE_EXAMPLE).with_extension("png"))
@@ -102,22 +105,23 @@ fn copy_crates(steps: &Path, scene: &str, folder: &Path) -> io::Result<()> {
     }
     let examples = folder.join("steps").join(Step::Phong.name()).join("examples");
     fs::create_dir_all(&examples)?;
-    let program = examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs");
-    fs::write(program, draw_named_scene(scene).0)?;
+    let program = format_scene_program(&OwnScene::new(named_scene(scene)));
+    fs::write(examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs"), program)?;
     fs::copy(course.join("book/reader/Cargo.toml"), folder.join("Cargo.toml"))?;
     fs::copy(course.join("Cargo.lock"), folder.join("Cargo.lock"))?;
     Ok(())
 }
 
-/// Copies the Rust files of a folder, and of those in it; no links.
+/// Copies the Rust files of a folder, and of those in it; no links. Each is as new as its copy,
+/// so that Cargo takes none for one that it has compiled.
 fn copy_sources(from: &Path, to: &Path) -> io::Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)?.flatten() {
-        let (path, metadata) = (entry.path(), entry.metadata()?);
-        if metadata.is_dir() {
-            copy_sources(&path, &to.join(entry.file_name()))?;
-        } else if metadata.is_file() && path.extension().is_some_and(|one| one == "rs") {
-            fs::copy(&path, to.join(entry.file_name()))?;
+        let (path, copy, kind) = (entry.path(), to.join(entry.file_name()), entry.file_type()?);
+        if kind.is_dir() {
+            copy_sources(&path, &copy)?;
+        } else if kind.is_file() && path.extension().is_some_and(|one| one == "rs") {
+            fs::write(copy, fs::read(&path)?)?;
         }
     }
     Ok(())

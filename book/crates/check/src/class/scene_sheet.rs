@@ -1,0 +1,135 @@
+//! Sheets: the numbers of the scene that belongs to a name, from which a student writes it in
+//! Rust, and problems on paper with these numbers.
+
+use crate::changed_number::{format_numbers, owner_names};
+use crate::class::table::align;
+use crate::comparison::scattered_places;
+use crate::drawing::{Drawing, ObjectHit, bytes};
+use crate::wrong_pixel::{format_number, format_vector};
+use crate::{Answer, Verdict, escape_for_terminal, read_bounded_file};
+use course::{NAMED_SCENE_EXAMPLE, Owner, QUANTITIES, camera, fnv_1a};
+use std::ops::Range;
+use std::path::Path;
+use std::{fs, iter};
+use step05_phong::{Ray, normal};
+
+/// The least n·l of the first light, and the least −n·V, at the point of the problems.
+const LEAST_COSINE: f64 = 0.3;
+
+/// The radii of balls for problems: of smaller ones, D loses digits, and the ground is larger.
+const RADII: Range<f64> = 0.7..10.0;
+
+/// The sheet of a name, in Markdown.
+pub fn format_sheet(name: &str, has_answers: bool) -> String {
+    let drawing = Drawing::of_name(name);
+    let tables = [Owner::Object, Owner::Light, Owner::Scene];
+    let numbers = tables.map(|owner| number_table(&drawing, owner)).join("\n");
+    // Spellings of a name that have one scene have one pixel.
+    let skipped = fnv_1a(numbers.bytes()) % 10_000;
+    format!(
+        "# The scene of {}\n\n{numbers}\n\
+         The colour is R_a and R_d, and the camera is that of the five steps. As a program, this \
+         is {NAMED_SCENE_EXAMPLE}.rs, an example of step 5.\n\n\
+         Name: ______________________________  Points: _____ of 12\n\n\
+         Work with six digits.\n\n{}",
+        escape_for_terminal(name.trim()),
+        problems(&drawing, skipped as usize, has_answers).unwrap_or_default()
+    )
+}
+
+/// A table of all numbers of the objects, the lights or the scene, indented as Markdown has code,
+/// with a minus as Rust has it.
+fn number_table(drawing: &Drawing, owner: Owner) -> String {
+    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner && !one.needs_mirrors);
+    let names = owner_names(drawing, owner).into_iter().enumerate();
+    let rows = names.map(|(k, name)| {
+        let numbers = quantities().map(|one| {
+            format_numbers(&(one.get)(&drawing.own, k)[..one.numbers.len()]).replace('−', "-")
+        });
+        iter::once(name).chain(numbers).collect()
+    });
+    let head = iter::once("").chain(quantities().map(|one| one.name)).map(str::to_owned);
+    let rows: Vec<_> = iter::once(head.collect()).chain(rows).collect();
+    align(&rows).lines().map(|line| format!("    {line}\n")).collect()
+}
+
+/// Problems on a pixel that shows a ball; each number of pixels to skip chooses one.
+fn problems(drawing: &Drawing, skipped: usize, has_answers: bool) -> Option<String> {
+    let ((i, j), ray, hit) = find_lit_pixel(drawing, skipped)?;
+    let (object, lights) = (&drawing.own.scene.objects[hit.object], &drawing.own.scene.lights);
+    let (p, ball) = (ray.at(hit.t), object.name);
+    let n = normal(&object.sphere, p);
+    let (l, d) = lights[0].point_light.direction_from(p);
+    let (a, b, c) = object.sphere.coefficients(&ray);
+    let terms = drawing.terms_at_hit(&ray, hit, &lights[..1]);
+    let [red, _, _] = bytes(terms.ambient + terms.diffuse);
+    let [v_text, n_text] = [ray.direction, n].map(format_vector);
+    let numbers = [a, b, c, b * b - 4.0 * a * c, hit.t, d, n.dot(l), terms.diffuse.x];
+    let [a, b, c, discriminant, t, d, cosine, diffuse] = numbers.map(format_number);
+    let problems = [
+        (format!("What's the V of the pixel in column {i} and row {j}?"), v_text),
+        (format!("What are a, b and c of its ray and {ball}?"), format!("{a}, {b}, {c}")),
+        (
+            format!("What's D, and at which t does the ray first meet {ball}?"),
+            format!("{discriminant}, {t}"),
+        ),
+        ("What's the normal n at this point?".into(), n_text),
+        ("What are d and n·l there, for the first light?".into(), format!("{d}, {cosine}")),
+        (
+            "What's the red of its diffuse term, and which byte is red by this and the ambient \
+             term alone?"
+                .into(),
+            format!("{diffuse}, {red}"),
+        ),
+    ];
+    let lines = (1..).zip(problems).map(|(k, (problem, answer))| match has_answers {
+        true => format!("{k}. {problem} **{answer}**\n"),
+        false => format!("{k}. {problem}\n"),
+    });
+    Some(lines.collect())
+}
+
+/// A pixel that shows a large ball in the first light, and not its edge.
+fn find_lit_pixel(drawing: &Drawing, skipped: usize) -> Option<((u32, u32), Ray, ObjectHit)> {
+    let (camera, scene) = (camera(), &drawing.own.scene);
+    let mut places = scattered_places((camera.h_res, camera.v_res)).skip(skipped);
+    places.find_map(|(i, j)| {
+        let ray = camera.ray(i.into(), j.into());
+        let hit = drawing.visible_hit(&ray)?;
+        let (object, p) = (&scene.objects[hit.object], ray.at(hit.t));
+        let n = normal(&object.sphere, p);
+        let (l, _) = scene.lights[0].point_light.direction_from(p);
+        let least = n.dot(l).min(-n.dot(ray.direction));
+        let is_found = RADII.contains(&object.sphere.radius) && LEAST_COSINE < least;
+        is_found.then_some(((i, j), ray, hit))
+    })
+}
+
+/// The names in a list, one a line.
+pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
+    let text = String::from_utf8(read_bounded_file(list)?);
+    let text = text.map_err(|_| format!("{} is not in UTF-8", list.display()))?;
+    let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
+}
+
+/// Writes the sheet of a name.
+pub fn write_sheet(name: &str, has_answers: bool, file: &Path) -> Result<Answer, String> {
+    let path = escape_for_terminal(&file.display().to_string());
+    let written = fs::write(file, format_sheet(name, has_answers));
+    written.map_err(|error| format!("{path} can't be written: {error}"))?;
+    Ok(Answer::new(Verdict::Right, format!("{}: {path}", escape_for_terminal(name))))
+}
+
+/// Writes the sheet of each name, into a file of this name.
+pub fn write_sheets(names: &[String], has_answers: bool, folder: &Path) -> Result<Answer, String> {
+    fs::create_dir_all(folder)
+        .map_err(|error| format!("{} can't be made: {error}", folder.display()))?;
+    let write = |name: &String| {
+        let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
+        let file = folder.join(format!("{}.md", name.replace(is_odd, "_")));
+        Ok(write_sheet(name, has_answers, &file)?.text)
+    };
+    let lines: Result<Vec<_>, String> = names.iter().map(write).collect();
+    Ok(Answer::new(Verdict::Right, lines?.join("\n")))
+}
