@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::{self, Command, Output};
 use std::{env, fs};
 
-const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/pictures.yml");
+const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/classroom.yml");
 
 /// The commands of the workflow that run Cargo, in their order; one may have several lines.
 fn workflow_commands() -> Vec<String> {
@@ -81,7 +81,7 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     run(&folder, "INSTA_UPDATE=always cargo test -p locked")?;
     run(&folder, &format!("git init --quiet && {COMMIT}"))?;
     let text = run_workflow(&folder)?;
-    assert!(text.contains("1 of 1"), "{text}");
+    assert!(text.contains("::Points 1/1\n"), "{text}");
     run(&class.join("job/student"), "cargo test -p locked")?;
     // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
     // folder of the name that the workflow draws in, and beside code that can't be compiled.
