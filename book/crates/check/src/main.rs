@@ -86,23 +86,25 @@ fn answer(arguments: Arguments) -> Result<Answer, String> {
             check_file(&file, name.as_deref(), scene.as_deref())
         }
         Arguments { names: Some(list), out: Some(folder), answers, .. } => {
-            write_sheets(&read_names(&list)?, answers, &folder)
+            write_sheets(&read_names(&list)?, answers, &folder).map(sheet_answer)
         }
         Arguments { scene: Some(scene), out: Some(file), answers, .. } => {
-            write_sheet(&scene, answers, &file)
+            write_sheet(&scene, answers, &file).map(sheet_answer)
         }
         Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
             Ok(report_on_workspaces(&folder, &scene, csv))
         }
-        Arguments { scene: Some(scene), .. } => {
-            Ok(Answer::new(Verdict::Right, format_sheet(&scene, false)))
-        }
+        Arguments { scene: Some(scene), .. } => Ok(sheet_answer(format_sheet(&scene, false))),
         Arguments { folder, names, require, csv, .. } => {
             let folder = folder.unwrap_or_else(|| ".".into());
             let names = names.map_or(Ok(vec![]), |list| read_names(&list))?;
             Ok(report_on_folder(&folder, &names, &require, csv))
         }
     }
+}
+
+fn sheet_answer(text: String) -> Answer {
+    Answer::new(Verdict::Right, text)
 }
 
 /// Prints an answer, as JSON where that is asked for; gives its exit code.

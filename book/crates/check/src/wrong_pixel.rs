@@ -1,8 +1,8 @@
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, ObjectHit};
 use course::Step;
 use glam::DVec3;
-use step05_phong::normal;
+use step05_phong::{Ray, normal};
 
 /// How far the pixel is off that is off most.
 fn largest_difference(comparison: &Comparison) -> u8 {
@@ -24,15 +24,16 @@ pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
     let mut far: Vec<_> = far.collect();
     far.sort_unstable_by_key(|pixel| (pixel.place.1, pixel.place.0));
     let Some(pixel) = far.get(far.len() / 2) else { return String::new() };
-    let computed = comparison.drawing.map_or(String::new(), |one| computed_values(one, pixel));
+    let computed =
+        comparison.drawing.map_or(String::new(), |one| computed_values(one, &pixel.ray, pixel.hit));
     let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     let (i, j) = pixel.place;
     format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
 }
 
-/// The values that our program computes for one pixel, in the book's letters, after a colon.
-fn computed_values(drawing: &Drawing, Pixel { ray, hit, .. }: &Pixel) -> String {
-    let Some(hit) = *hit else {
+/// The values that our program computes for one ray, in the book's letters, after a colon.
+pub(crate) fn computed_values(drawing: &Drawing, ray: &Ray, hit: Option<ObjectHit>) -> String {
+    let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector(ray.direction));
     };
     let mut text = format!(": {} at t = {:.4}", drawing.object_names()[hit.object], hit.t);

@@ -41,7 +41,7 @@ pub(crate) fn check_student(
     let is_empty = pictures.iter().all(Entry::is_missing);
     let in_place =
         unchecked_clause(files).or_else(|| is_empty.then(|| "nothing was handed in".to_owned()));
-    let mut report = Report { student: student.unique_name, pictures, in_place };
+    let mut report = Report { student: student.key, pictures, in_place };
     report.tell_common_causes();
     report
 }

@@ -4,14 +4,14 @@
 use crate::changed_number::{format_numbers, owner_names};
 use crate::class::table::align;
 use crate::comparison::scattered_places;
-use crate::drawing::{Drawing, ObjectHit, bytes};
-use crate::wrong_pixel::{format_number, format_vector};
-use crate::{Answer, Verdict, escape_for_terminal, read_bounded_file};
+use crate::drawing::{Drawing, ObjectHit};
+use crate::wrong_pixel::{computed_values, format_number, format_vector};
+use crate::{escape_for_terminal, read_bounded_file};
 use course::{NAMED_SCENE_EXAMPLE, Owner, QUANTITIES, camera, fnv_1a};
 use std::ops::Range;
 use std::path::Path;
 use std::{fs, iter};
-use step05_phong::{Ray, normal};
+use step05_phong::{Object, Ray, normal};
 
 /// The least n·l of the first light, and the least −n·V, at the point of the problems.
 const LEAST_COSINE: f64 = 0.3;
@@ -56,37 +56,23 @@ fn number_table(drawing: &Drawing, owner: Owner) -> String {
 /// Problems on a pixel that shows a ball; each number of pixels to skip chooses one.
 fn problems(drawing: &Drawing, skipped: usize, has_answers: bool) -> Option<String> {
     let ((i, j), ray, hit) = find_lit_pixel(drawing, skipped)?;
-    let (object, lights) = (&drawing.own.scene.objects[hit.object], &drawing.own.scene.lights);
-    let (p, ball) = (ray.at(hit.t), object.name);
-    let n = normal(&object.sphere, p);
-    let (l, d) = lights[0].point_light.direction_from(p);
-    let (a, b, c) = object.sphere.coefficients(&ray);
-    let terms = drawing.terms_at_hit(&ray, hit, &lights[..1]);
-    let [red, _, _] = bytes(terms.ambient + terms.diffuse);
-    let [v_text, n_text] = [ray.direction, n].map(format_vector);
-    let numbers = [a, b, c, b * b - 4.0 * a * c, hit.t, d, n.dot(l), terms.diffuse.x];
-    let [a, b, c, discriminant, t, d, cosine, diffuse] = numbers.map(format_number);
-    let problems = [
-        (format!("What's the V of the pixel in column {i} and row {j}?"), v_text),
-        (format!("What are a, b and c of its ray and {ball}?"), format!("{a}, {b}, {c}")),
-        (
-            format!("What's D, and at which t does the ray first meet {ball}?"),
-            format!("{discriminant}, {t}"),
-        ),
-        ("What's the normal n at this point?".into(), n_text),
-        ("What are d and n·l there, for the first light?".into(), format!("{d}, {cosine}")),
-        (
-            "What's the red of its diffuse term, and which byte is red by this and the ambient \
-             term alone?"
-                .into(),
-            format!("{diffuse}, {red}"),
-        ),
-    ];
-    let lines = (1..).zip(problems).map(|(k, (problem, answer))| match has_answers {
-        true => format!("{k}. {problem} **{answer}**\n"),
-        false => format!("{k}. {problem}\n"),
-    });
-    Some(lines.collect())
+    let Object { name, sphere, .. } = &drawing.own.scene.objects[hit.object];
+    let mut text = format!(
+        "1. What's the V of the pixel in column {i} and row {j}?\n\
+         2. What are a, b and c of its ray and {name}?\n\
+         3. What's D, and at which t does the ray first meet {name}?\n\
+         4. What's the normal n at this point?\n\
+         5. What are n·l and d there, for each of the two lights?\n\
+         6. What are I_a, I_d and I_s there, in red?\n"
+    );
+    if has_answers {
+        let (a, b, c) = sphere.coefficients(&ray);
+        let [a, b, c, d] = [a, b, c, b * b - 4.0 * a * c].map(format_number);
+        let v = format_vector(ray.direction);
+        let values = computed_values(drawing, &ray, Some(hit));
+        text += &format!("\n## Answers\n\nV = {v}; a = {a}, b = {b}, c = {c}, D = {d}{values}\n");
+    }
+    Some(text)
 }
 
 /// A pixel that shows a large ball in the first light, and not its edge.
@@ -113,23 +99,22 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
     Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
 }
 
-/// Writes the sheet of a name.
-pub fn write_sheet(name: &str, has_answers: bool, file: &Path) -> Result<Answer, String> {
+/// Writes the sheet of a name, and tells where.
+pub fn write_sheet(name: &str, has_answers: bool, file: &Path) -> Result<String, String> {
     let path = escape_for_terminal(&file.display().to_string());
     let written = fs::write(file, format_sheet(name, has_answers));
     written.map_err(|error| format!("{path} can't be written: {error}"))?;
-    Ok(Answer::new(Verdict::Right, format!("{}: {path}", escape_for_terminal(name))))
+    Ok(format!("{}: {path}\n", escape_for_terminal(name)))
 }
 
 /// Writes the sheet of each name, into a file of this name.
-pub fn write_sheets(names: &[String], has_answers: bool, folder: &Path) -> Result<Answer, String> {
+pub fn write_sheets(names: &[String], has_answers: bool, folder: &Path) -> Result<String, String> {
     fs::create_dir_all(folder)
         .map_err(|error| format!("{} can't be made: {error}", folder.display()))?;
-    let write = |name: &String| {
+    let sheets = names.iter().map(|name| {
         let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
         let file = folder.join(format!("{}.md", name.replace(is_odd, "_")));
-        Ok(write_sheet(name, has_answers, &file)?.text)
-    };
-    let lines: Result<Vec<_>, String> = names.iter().map(write).collect();
-    Ok(Answer::new(Verdict::Right, lines?.join("\n")))
+        write_sheet(name, has_answers, &file)
+    });
+    sheets.collect()
 }

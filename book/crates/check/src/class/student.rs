@@ -6,8 +6,8 @@ use unicode_normalization::UnicodeNormalization;
 pub(crate) struct Student {
     /// The name to which the student's scene belongs.
     pub name: String,
-    /// The name, with what tells two of one name apart.
-    pub unique_name: String,
+    /// What the platform calls the student, which tells two of one name apart.
+    pub key: String,
     /// Their paths begin below what belongs to the student.
     pub files: Vec<FoundFile>,
 }
@@ -15,7 +15,7 @@ pub(crate) struct Student {
 impl Student {
     /// A student who is the only one of a name.
     pub fn new(name: &str, files: Vec<FoundFile>) -> Self {
-        Self { name: name.to_owned(), unique_name: name.to_owned(), files }
+        Self { name: name.to_owned(), key: name.to_owned(), files }
     }
 }
 
@@ -40,13 +40,9 @@ pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<
     }
     let keys: Vec<_> = groups.keys().cloned().collect();
     let prefix = common_prefix(&keys);
-    let names: Vec<String> = keys.iter().map(|key| name_in_key(&key[prefix..])).collect();
-    let students = groups.into_values().enumerate().map(|(k, files)| {
-        let mut student = Student::new(&names[k], files);
-        if 1 < names.iter().filter(|name| **name == names[k]).count() {
-            student.unique_name.clone_from(&keys[k]);
-        }
-        student
+    let students = groups.into_iter().map(|(key, files)| {
+        let key: String = key[prefix..].nfc().collect();
+        Student { name: without_number(&key).to_owned(), key, files }
     });
     (students.collect(), stray)
 }
@@ -110,11 +106,8 @@ fn common_prefix(keys: &[String]) -> usize {
     ends.filter(|end| others.iter().all(|key| key.starts_with(&first[..*end]))).max().unwrap_or(0)
 }
 
-/// The student's name: without Moodle's number, and in one Unicode form.
-fn name_in_key(key: &str) -> String {
-    let name = match key.rsplit_once('_') {
-        Some((name, number)) if number.bytes().all(|byte| byte.is_ascii_digit()) => name,
-        _ => key,
-    };
-    name.nfc().collect()
+/// The student's name: what a platform calls the student, without Moodle's number.
+fn without_number(key: &str) -> &str {
+    let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    key.rsplit_once('_').filter(|(_, number)| is_number(number)).map_or(key, |(name, _)| name)
 }
