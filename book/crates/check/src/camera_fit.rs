@@ -21,18 +21,14 @@ pub(crate) fn find_cameras(
     for (row, k) in (0..2).flat_map(|row| (0..3).map(move |k| (row, k))) {
         let Some(number) = fit_number(comparison, row, k) else { continue };
         // Not the number is tried, but what is told of it.
-        for (digits, scale) in [(6, 1e6), (9, 1e9), (12, 1e12)] {
-            let told_number = (number * scale).round() / scale;
-            let text = format!("{told_number:.digits$}");
-            let mut yours = camera();
-            let old = replace(&mut yours.matrix.col_mut(k)[row], told_number);
-            let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
-            if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
-                let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
-                let clause = format!("{axis} of {vector} = {text} instead of {old:.6}");
-                words.push(clause.replace('-', "−"));
-                break;
-            }
+        let number = (number * 1e12).round() / 1e12;
+        let mut yours = camera();
+        let old = replace(&mut yours.matrix.col_mut(k)[row], number);
+        let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
+        if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
+            let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
+            let clause = format!("{axis} of {vector} = {number} instead of {old:.6}");
+            words.push(clause.replace('-', "−"));
         }
     }
     if drawing.step == Step::Rays && !words.is_empty() {

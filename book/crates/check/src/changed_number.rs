@@ -3,7 +3,7 @@ use crate::drawing::Drawing;
 use course::{OwnScene, Owner, QUANTITIES, Typed};
 
 /// All single numbers of the scene, typed otherwise, that give the reader's picture in every
-/// pixel, in words; of each quantity those next to ours come first.
+/// pixel, in words.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     drawing: &Drawing,
@@ -49,10 +49,9 @@ fn all_with_one_number_changed(
 ) -> impl Iterator<Item = [f64; 3]> {
     (0..count).flat_map(move |k| {
         let values = start * steps_per_unit..=end * steps_per_unit;
-        let values = values.map(|value| f64::from(value) / f64::from(steps_per_unit));
-        let mut values: Vec<_> = values.filter(|value| *value != old[k]).collect();
-        values.sort_by(|a, b| (a - old[k]).abs().total_cmp(&(b - old[k]).abs()));
-        values.into_iter().map(move |value| {
+        let values = values.map(move |value| f64::from(value) / f64::from(steps_per_unit));
+        let typed = old[k];
+        values.filter(move |value| *value != typed).map(move |value| {
             let mut new = if count == 1 { [value; 3] } else { old };
             new[k] = value;
             new

@@ -1,6 +1,6 @@
 use crate::comparison::{RayBudget, scattered_places};
 use crate::drawing::Drawing;
-use course::{find_mistakes_with_hash, hash_picture, largest_channel_difference};
+use course::largest_channel_difference;
 use image::RgbImage;
 use step01_rays::{Camera, mean, rgb8, sub_pixels};
 
@@ -43,30 +43,15 @@ pub(crate) fn describe_other_options(
                 let options = format!(
                     "{columns}×{rows} pixels, {fov_degrees}° and {side}×{side} rays per pixel"
                 );
-                return Some(sentences(title, yours, &options, compared));
+                let all = yours.pixels().len();
+                return Some(format!(
+                    "With other options: {compared} of {all} pixels were compared, and are those of \
+                     {title} at {options}.\n\
+                     Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
+                     --samples 1."
+                ));
             }
         }
     }
     None
-}
-
-/// Sentences about a picture that is right with these options, in the pixels compared.
-fn sentences(title: &str, yours: &RgbImage, options: &str, compared: usize) -> String {
-    let all = yours.pixels().len();
-    let beginning = match compared == all {
-        true => format!("Right, but with other options: this is {title}, in every pixel,"),
-        false => format!(
-            "With other options, as far as was compared: {compared} of {all} pixels are those of \
-             {title}"
-        ),
-    };
-    let mistakes = find_mistakes_with_hash(hash_picture(yours));
-    let hint = mistakes.first().map_or(String::new(), |(mistake, _)| {
-        format!(" If you gave none, then perhaps {} ({}).", mistake.title, mistake.file)
-    });
-    format!(
-        "{beginning} at {options}.\n\
-         Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples \
-         1.{hint}"
-    )
 }

@@ -38,7 +38,7 @@ impl Entry {
         }
         let mut lines = self.answer.text.lines();
         let first = lines.next().unwrap_or_default();
-        let starts = ["Not right. ", "Right, but with other options: ", "error: "];
+        let starts = ["Not right. ", "With other options: ", "error: "];
         let start = starts.iter().find_map(|start| first.strip_prefix(start));
         escape_for_terminal(&match self.answer.verdict {
             Verdict::Right => lines.collect::<Vec<_>>().join(" "),
