@@ -4,11 +4,9 @@
 mod check_student;
 mod found_file;
 mod report;
-mod report_text;
 mod scene_sheet;
 mod search;
 mod student;
-mod table;
 mod trial;
 
 pub use scene_sheet::{format_sheet, read_names, write_sheet, write_sheets};
@@ -16,7 +14,7 @@ pub use trial::report_on_workspaces;
 
 use crate::class::check_student::check_student;
 use crate::class::found_file::{FoundFile, unchecked_clause};
-use crate::class::report_text::report_answer;
+use crate::class::report::{Row, report_answer};
 use crate::class::search::find_files;
 use crate::class::student::{Student, add_names, group_by_student, split_key};
 use crate::{Answer, LockedPictures};
@@ -61,6 +59,7 @@ pub fn report_on_folder(
     let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
     let locked = LockedPictures::in_workspace();
     let check = |student| check_student(student, required, &names, &locked);
-    let reports: Vec<_> = students.into_par_iter().map(check).collect();
-    report_answer(&reports, unchecked_clause(stray).as_deref(), is_csv, is_own)
+    let mut rows: Vec<_> = students.into_par_iter().flat_map_iter(check).collect();
+    rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
+    report_answer(&rows, is_csv)
 }

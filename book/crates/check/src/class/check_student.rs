@@ -1,17 +1,17 @@
 use crate::class::found_file::{has_extension, picture_names, unchecked_clause};
-use crate::class::report::{Entry, Report};
+use crate::class::report::{Row, count_right};
 use crate::class::student::Student;
 use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png};
 use course::NAMED_SCENE_EXAMPLE;
 use std::cmp::Reverse;
 
-/// Looks at the pictures of a student; `names` are those of all.
+/// The rows about the pictures of a student; `names` are those of all.
 pub(crate) fn check_student(
     student: Student,
     required: &[&'static str],
     names: &[String],
     locked: &LockedPictures,
-) -> Report {
+) -> Vec<Row> {
     let mut files = student.files;
     // First those that end as PNG files do, that lie highest, that have just the name of a
     // picture, that were handed in last.
@@ -20,7 +20,7 @@ pub(crate) fn check_student(
         let is_png = has_extension(file.name(), &["png"]);
         (!is_png, file.depth(), !is_exact, Reverse(file.version()))
     });
-    let mut pictures = vec![];
+    let mut rows: Vec<Row> = vec![];
     for name in picture_names() {
         let is_required = required.contains(&name);
         let position = files.iter().position(|file| file.picture == Some(name));
@@ -34,14 +34,15 @@ pub(crate) fn check_student(
             }
             Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
         };
-        let path = file.map(|file| file.path).unwrap_or_default();
-        pictures.push(Entry::new(name, is_required || required.is_empty(), path, answer));
+        let row = Row::new(&student.key, name, answer, &rows);
+        let found = file.map(|file| file.path).unwrap_or_default();
+        rows.push(Row { counts: is_required || required.is_empty(), found, ..row });
     }
     files.retain(|file| file.is_unreadable() || !file.name().is_empty());
-    let is_empty = pictures.iter().all(Entry::is_missing);
+    let is_empty = rows.iter().all(Row::is_missing);
     let in_place =
         unchecked_clause(files).or_else(|| is_empty.then(|| "nothing was handed in".to_owned()));
-    let mut report = Report { student: student.key, pictures, in_place };
-    report.tell_common_causes();
-    report
+    rows.extend(in_place.map(|clause| Row::in_place(&student.key, clause)));
+    count_right(&mut rows);
+    rows
 }

@@ -2,7 +2,7 @@
 //! Rust, and problems on paper with these numbers.
 
 use crate::changed_number::{format_numbers, owner_names};
-use crate::class::table::align;
+use crate::class::report::align;
 use crate::comparison::scattered_places;
 use crate::drawing::{Drawing, ObjectHit};
 use crate::wrong_pixel::{computed_values, format_number, format_vector};

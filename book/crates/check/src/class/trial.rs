@@ -1,7 +1,6 @@
 //! A scene of a name that students don't know, drawn by their own crates.
 
-use crate::class::report::{Entry, Report};
-use crate::class::report_text::report_answer;
+use crate::class::report::{Row, count_right, report_answer};
 use crate::{Answer, LockedPictures, check_scene_png, escape_for_terminal, read_bounded_file};
 use course::{
     NAMED_SCENE_EXAMPLE, OwnScene, Step, format_scene_program, named_scene, target_folder,
@@ -34,16 +33,18 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
         Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
     };
     let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
-    let reports = paths.iter().enumerate().map(|(k, path)| {
-        let student = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let rows = paths.iter().enumerate().flat_map(|(k, path)| {
+        let student = path.file_name().unwrap_or_default().to_string_lossy();
         let answer = match draw_with_crates(path, scene, &trial, &trial.join(k.to_string())) {
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
-        let pictures = vec![Entry::new(NAMED_SCENE_EXAMPLE, true, String::new(), answer)];
-        Report { student, pictures, in_place: None }
+        let row = Row::new(&student, NAMED_SCENE_EXAMPLE, answer, &[]);
+        let mut rows = [Row { counts: true, ..row }];
+        count_right(&mut rows);
+        rows
     });
-    report_answer(&reports.collect::<Vec<_>>(), None, is_csv, false)
+    report_answer(&rows.collect::<Vec<_>>(), is_csv)
 }
 
 /// The folders in a folder that aren't hidden, by their names.
