@@ -15,15 +15,12 @@ pub use trial::report_on_workspaces;
 use crate::class::check_student::check_student;
 use crate::class::found_file::{FoundFile, unchecked_clause};
 use crate::class::report::{Row, report_answer};
-use crate::class::search::find_files;
+use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::{Student, add_names, group_by_student, split_key};
 use crate::{Answer, LockedPictures};
 use course::NAMED_SCENE_EXAMPLE;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::path::Path;
-
-/// The most folders, one in the other, around a file of a class.
-const MOST_FOLDERS: usize = 8;
 
 /// Says of each picture in a folder or an archive whether it is right. It is one's own if it has
 /// pictures of the course or a workspace of Cargo, else that of a class, some names of which may

@@ -7,79 +7,76 @@ use std::fs;
 use std::io::Read;
 use std::path::Path;
 
-/// The most files and folders, and the most bytes that are unpacked.
-const MOST_ENTRIES: u32 = 20_000;
+/// The most folders, one in the other, around a file of a class.
+pub(crate) const MOST_FOLDERS: usize = 8;
+
+/// The most files, and the most bytes that are unpacked.
+const MOST_FILES: usize = 20_000;
 const MOST_BYTES: u64 = 1 << 28;
 
 /// All files in a folder or an archive, in so many folders and archives in each other, by their
 /// names; or why it can't be read. Left out are hidden files, what Cargo builds, the locked
-/// pictures, and what a Mac adds.
+/// pictures, and what a Mac adds; links aren't followed.
 pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<FoundFile>, String> {
-    let (entries_left, bytes_left) = (MOST_ENTRIES, MOST_BYTES);
-    let mut search = Search { most_folders, files: vec![], entries_left, bytes_left };
-    if is_archive(&folder.to_string_lossy()) && folder.is_file() {
-        search.add_archive(Ok(read_file_of_at_most(folder, MOST_BYTES)?), "");
-    } else if fs::read_dir(folder).is_ok() {
-        search.add_folder(folder, "");
-    } else {
-        let path = escape_for_terminal(&folder.display().to_string());
-        return Err(format!("{path} is no folder or ZIP archive that can be read"));
-    }
+    let mut search = Search { most_folders, files: vec![], bytes_left: MOST_BYTES };
+    let is_file = is_archive(&folder.to_string_lossy()) && folder.is_file();
+    let result = match is_file.then(|| read_file_of_at_most(folder, MOST_BYTES)) {
+        Some(bytes) => search.add_archive(&bytes?, ""),
+        None => search.add_folder(folder, ""),
+    };
+    let path = escape_for_terminal(&folder.display().to_string());
+    result.map_err(|why| format!("{path} {why}"))?;
     Ok(search.files)
 }
 
 struct Search {
     most_folders: usize,
     files: Vec<FoundFile>,
-    entries_left: u32,
     bytes_left: u64,
 }
 
 impl Search {
+    /// Adds a file; where there are too many, that is noted once.
     fn add(&mut self, path: String, content: Content) {
+        let content = match self.files.len() {
+            MOST_FILES => Content::Unreadable("and the rest: too many files".to_owned()),
+            _ => content,
+        };
         let picture = picture_in_name(&path);
         self.files.push(FoundFile { path, picture, content });
+        self.files.truncate(MOST_FILES + 1);
     }
 
-    fn add_unreadable(&mut self, path: &str, why: impl Into<String>) {
-        self.add(path.to_owned(), Content::Unreadable(why.into()));
-    }
-
-    /// Whether one more file or folder may be looked at; if not, that is noted of the folder.
-    fn take_entry(&mut self, path: &str, folder: &str) -> bool {
-        if self.entries_left == 0 {
-            self.add_unreadable(folder, "has more files than are looked at");
-            return false;
+    /// Adds what a function finds in a folder or an archive, and why there is no more.
+    fn enter(&mut self, folder: &str, find: impl FnOnce(&mut Self) -> Result<(), String>) {
+        let result = match self.most_folders < folder.matches('/').count() {
+            true => Err("is too deep, so it isn't looked at".to_owned()),
+            false => find(self),
+        };
+        if let Err(why) = result {
+            self.add(folder.to_owned(), Content::Unreadable(why));
         }
-        self.entries_left -= 1;
-        if self.most_folders < path.matches('/').count() {
-            self.add_unreadable(path, "is too deep, so the rest there isn't looked at");
-            return false;
-        }
-        true
     }
 
     /// Adds what is in a folder, whose own path ends with a `/` or is empty.
-    fn add_folder(&mut self, on_disk: &Path, folder: &str) {
-        let Ok(entries) = fs::read_dir(on_disk) else {
-            return self.add_unreadable(folder, "can't be read");
-        };
+    fn add_folder(&mut self, on_disk: &Path, folder: &str) -> Result<(), String> {
+        let entries = fs::read_dir(on_disk).map_err(|_| "is no folder that can be read")?;
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.sort();
         let count = self.files.len();
         for on_disk in paths {
             let name = on_disk.file_name().unwrap_or_default().to_string_lossy();
+            let (path, inside) = (format!("{folder}{name}"), format!("{folder}{name}/"));
             if is_left_out(&name) {
                 continue;
-            }
-            let path = format!("{folder}{name}");
-            if !self.take_entry(&path, folder) {
-                return;
-            }
-            if on_disk.is_dir() {
-                self.add_folder(&on_disk, &(path + "/"));
+            } else if on_disk.is_symlink() {
+                self.add(path, Content::Unreadable("is a link, which isn't followed".into()));
+            } else if on_disk.is_dir() {
+                self.enter(&inside, |search| search.add_folder(&on_disk, &inside));
             } else if is_archive(&path) {
-                self.add_archive(read_file_of_at_most(&on_disk, MOST_BYTES), &(path + "/"));
+                self.enter(&inside, |search| {
+                    search.add_archive(&read_file_of_at_most(&on_disk, MOST_BYTES)?, &inside)
+                });
             } else {
                 self.add(path, Content::OnDisk(on_disk));
             }
@@ -87,44 +84,35 @@ impl Search {
         if self.files.len() == count {
             self.add(folder.to_owned(), Content::Unpacked(vec![]));
         }
+        Ok(())
     }
 
     /// Adds what is in an archive, whose own path ends with a `/` or is empty.
-    fn add_archive(&mut self, bytes: Result<Vec<u8>, String>, folder: &str) {
+    fn add_archive(&mut self, bytes: &[u8], folder: &str) -> Result<(), String> {
         let damaged = "is a damaged ZIP archive";
-        let bytes = match bytes {
-            Ok(bytes) => bytes,
-            Err(why) => return self.add_unreadable(folder, why),
-        };
-        let Ok(archive) = ZipArchive::from_slice(&*bytes) else {
-            return self.add_unreadable(folder, damaged);
-        };
-        let mut entries = archive.entries();
-        loop {
-            let entry = match entries.next_entry() {
-                Ok(Some(entry)) => entry,
-                Ok(None) => return,
-                Err(_) => return self.add_unreadable(folder, damaged),
-            };
+        let archive = ZipArchive::from_slice(bytes).map_err(|_| damaged)?;
+        for entry in archive.entries() {
+            let entry = entry.map_err(|_| damaged)?;
             let path = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
             let names: Vec<_> = path.split(['/', '\\']).filter(|name| !name.is_empty()).collect();
             if entry.is_dir() || names.iter().any(|name| is_left_out(name)) {
                 continue;
             }
             let path = format!("{folder}{}", names.join("/"));
-            if !self.take_entry(&path, folder) {
-                return;
-            }
-            let is_needed = is_archive(&path) || picture_in_name(&path).is_some();
-            let bytes = match is_needed {
-                true => unpack(&archive, &entry, &mut self.bytes_left),
-                false => Ok(vec![]),
-            };
-            match is_archive(&path) {
-                true => self.add_archive(bytes, &(path + "/")),
-                false => self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked)),
+            let is_source_or_picture =
+                has_extension(&path, &["rs"]) || picture_in_name(&path).is_some();
+            if is_archive(&path) {
+                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
+                let inside = path + "/";
+                self.enter(&inside, |search| search.add_archive(&bytes?, &inside));
+            } else if is_source_or_picture {
+                let bytes = unpack(&archive, &entry, &mut self.bytes_left);
+                self.add(path, bytes.map_or_else(Content::Unreadable, Content::Unpacked));
+            } else {
+                self.add(path, Content::Unpacked(vec![]));
             }
         }
+        Ok(())
     }
 }
 

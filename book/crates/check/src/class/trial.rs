@@ -1,7 +1,10 @@
 //! A scene of a name that students don't know, drawn by their own crates.
 
+use crate::class::found_file::FoundFile;
 use crate::class::report::{Row, count_right, report_answer};
-use crate::{Answer, LockedPictures, check_scene_png, escape_for_terminal, read_bounded_file};
+use crate::class::search::{MOST_FOLDERS, find_files};
+use crate::class::student::group_by_student;
+use crate::{Answer, LockedPictures, check_scene_png, read_bounded_file};
 use course::{
     NAMED_SCENE_EXAMPLE, OwnScene, Step, format_scene_program, named_scene, target_folder,
     workspace,
@@ -9,7 +12,7 @@ use course::{
 use std::env::consts::EXE_EXTENSION;
 use std::fs::{self, File};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -18,28 +21,29 @@ use std::time::{Duration, Instant};
 const COMPILE_TIME: Duration = Duration::from_secs(300);
 const DRAW_TIME: Duration = Duration::from_secs(30);
 
-/// The most folders around the five crates in a workspace.
-const MOST_FOLDERS: usize = 3;
+/// Where a workspace has the crate that needs all others.
+const LAST_CRATE: &str = "step05_phong/src/lib.rs";
 
-/// Draws the scene of a name with the crates of each workspace in a folder, and says of each
+/// Draws the scene of a name with the crates of each student in a folder, and says of each
 /// picture whether it is right.
 ///
-/// The sources are compiled in a folder of the course, with its manifests; nothing else of a
-/// workspace is copied, no setting of Cargo and no build script. The programs run as the one
-/// who asks, unprotected.
+/// The sources are compiled in a folder of the course, with its manifests; nothing else is
+/// copied, no setting of Cargo and no build script. The programs run as the one who asks,
+/// unprotected.
 pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer {
-    let paths = match folders_in(folder) {
-        Ok(paths) => paths,
-        Err(error) => return Answer::error(format!("{}: {error}", folder.display())),
+    let files = match find_files(folder, MOST_FOLDERS) {
+        Ok(files) => files,
+        Err(why) => return Answer::error(why),
     };
     let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
-    let rows = paths.iter().enumerate().flat_map(|(k, path)| {
-        let student = path.file_name().unwrap_or_default().to_string_lossy();
-        let answer = match draw_with_crates(path, scene, &trial, &trial.join(k.to_string())) {
+    let (students, _) = group_by_student(files);
+    let rows = students.iter().enumerate().flat_map(|(k, student)| {
+        let folder = trial.join(k.to_string());
+        let answer = match draw_with_crates(&student.files, scene, &trial, &folder) {
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
-        let row = Row::new(&student, NAMED_SCENE_EXAMPLE, answer, &[]);
+        let row = Row::new(&student.key, NAMED_SCENE_EXAMPLE, answer, &[]);
         let mut rows = [Row { counts: true, ..row }];
         count_right(&mut rows);
         rows
@@ -47,26 +51,19 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
     report_answer(&rows.collect::<Vec<_>>(), is_csv)
 }
 
-/// The folders in a folder that aren't hidden, by their names.
-fn folders_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let entries = fs::read_dir(folder)?.flatten();
-    let shown = entries.filter(|entry| !entry.file_name().to_string_lossy().starts_with('.'));
-    let mut paths: Vec<_> = shown.map(|entry| entry.path()).filter(|path| path.is_dir()).collect();
-    paths.sort();
-    Ok(paths)
-}
-
-/// The bytes of the picture that the crates in a workspace draw of a scene, or why there is none.
-/// They are copied into a folder, which is made anew.
+/// The bytes of the picture that the crates among some files draw of a scene, or why there is
+/// none. They are copied into a folder, which is made anew.
 fn draw_with_crates(
-    workspace: &Path,
+    files: &[FoundFile],
     scene: &str,
     trial: &Path,
     folder: &Path,
 ) -> Result<Vec<u8>, String> {
-    let steps = find_steps(workspace, 0).ok_or("there aren't the five crates")?;
+    let mut starts = files.iter().filter_map(|file| file.path.strip_suffix(LAST_CRATE));
+    let start = starts.next().ok_or("there aren't the five crates")?;
     let _ = fs::remove_dir_all(folder);
-    copy_crates(&steps, scene, folder).map_err(|error| format!("can't be copied: {error}"))?;
+    copy_sources(files, start, &folder.join("steps"))?;
+    make_workspace(scene, folder).map_err(|error| format!("can't be copied: {error}"))?;
     let (log, target) = (folder.join("errors.txt"), trial.join("target"));
     let mut cargo = Command::new("cargo");
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
@@ -74,7 +71,7 @@ fn draw_with_crates(
     if !run_within(cargo.current_dir(folder), &log, COMPILE_TIME)? {
         let text = String::from_utf8_lossy(&fs::read(&log).unwrap_or_default()).into_owned();
         let error = text.lines().find(|line| line.starts_with("error")).unwrap_or_default();
-        return Err(format!("the crates don't compile: {}", escape_for_terminal(error)));
+        return Err(format!("the crates don't compile: {error}"));
     }
     let program = target.join("debug/examples").join(NAMED_SCENE_EXAMPLE);
     let mut program = Command::new(program.with_extension(EXE_EXTENSION));
@@ -84,25 +81,32 @@ fn draw_with_crates(
     read_bounded_file(&folder.join(NAMED_SCENE_EXAMPLE).with_extension("png"))
 }
 
-/// The folder in which the five crates are.
-fn find_steps(folder: &Path, depth: usize) -> Option<PathBuf> {
-    if Step::NAMES.iter().all(|name| folder.join(name).join("src").is_dir()) {
-        return Some(folder.to_owned());
+/// Copies the Rust files of the five crates in the folder `start`. Each is as new as its copy, so
+/// that Cargo takes none for one that it has compiled.
+fn copy_sources(files: &[FoundFile], start: &str, steps: &Path) -> Result<(), String> {
+    for file in files {
+        let path = file.path.strip_prefix(start).filter(|path| path.ends_with(".rs"));
+        let is_source =
+            |path: &&str| Step::NAMES.iter().any(|name| path.starts_with(&format!("{name}/src/")));
+        let Some(path) = path.filter(is_source) else { continue };
+        let (bytes, copy) = (file.read()?, steps.join(path));
+        let result = fs::create_dir_all(copy.parent().unwrap_or(steps));
+        let result = result.and_then(|()| fs::write(&copy, bytes));
+        result.map_err(|error| format!("{path} can't be copied: {error}"))?;
     }
-    let folders = folders_in(folder).ok().filter(|_| depth < MOST_FOLDERS)?;
-    folders.iter().find_map(|folder| find_steps(folder, depth + 1))
+    Ok(())
 }
 
-/// Makes a workspace with the manifests of the course, the sources of a student, and a scene.
-fn copy_crates(steps: &Path, scene: &str, folder: &Path) -> io::Result<()> {
+/// Makes a workspace around copied sources, with the manifests of the course and a scene.
+fn make_workspace(scene: &str, folder: &Path) -> io::Result<()> {
     let course = workspace();
     for name in Step::NAMES {
-        let (from, to) = (course.join("steps").join(name), folder.join("steps").join(name));
-        copy_sources(&steps.join(name).join("src"), &to.join("src"))?;
-        let manifest = fs::read_to_string(from.join("Cargo.toml"))?;
+        let path = Path::new("steps").join(name).join("Cargo.toml");
+        let manifest = fs::read_to_string(course.join(&path))?;
         // What only tests and benchmarks need isn't there.
         let end = manifest.find("[dev-dependencies]").unwrap_or(manifest.len());
-        fs::write(to.join("Cargo.toml"), &manifest[..end])?;
+        fs::create_dir_all(folder.join("steps").join(name))?;
+        fs::write(folder.join(path), &manifest[..end])?;
     }
     let examples = folder.join("steps").join(Step::Phong.name()).join("examples");
     fs::create_dir_all(&examples)?;
@@ -110,21 +114,6 @@ fn copy_crates(steps: &Path, scene: &str, folder: &Path) -> io::Result<()> {
     fs::write(examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs"), program)?;
     fs::copy(course.join("book/reader/Cargo.toml"), folder.join("Cargo.toml"))?;
     fs::copy(course.join("Cargo.lock"), folder.join("Cargo.lock"))?;
-    Ok(())
-}
-
-/// Copies the Rust files of a folder, and of those in it; no links. Each is as new as its copy,
-/// so that Cargo takes none for one that it has compiled.
-fn copy_sources(from: &Path, to: &Path) -> io::Result<()> {
-    fs::create_dir_all(to)?;
-    for entry in fs::read_dir(from)?.flatten() {
-        let (path, copy, kind) = (entry.path(), to.join(entry.file_name()), entry.file_type()?);
-        if kind.is_dir() {
-            copy_sources(&path, &copy)?;
-        } else if kind.is_file() && path.extension().is_some_and(|one| one == "rs") {
-            fs::write(copy, fs::read(&path)?)?;
-        }
-    }
     Ok(())
 }
 
