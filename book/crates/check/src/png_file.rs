@@ -1,6 +1,5 @@
 use crate::file_format::other_format_clause;
 use image::codecs::png::PngDecoder;
-use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageError, Limits, Pixel, RgbImage};
 use std::io::Cursor;
 
@@ -15,7 +14,7 @@ pub(crate) struct Picture {
     pub rgb: RgbImage,
     /// How many pixels are not opaque.
     pub transparent_count: usize,
-    /// Sentences about what a viewer may show otherwise, and what was left out.
+    /// Sentences about what the file hasn't, and what was left out.
     pub notes: Vec<&'static str>,
 }
 
@@ -32,14 +31,20 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(FILE_BYTES);
     let decoder = PngDecoder::with_limits(Cursor::new(file), limits);
-    let mut decoder = decoder.map_err(damage_clause)?;
+    let decoder = decoder.map_err(damage_clause)?;
     let (columns, rows) = LARGEST;
     if 3 * u64::from(columns) * u64::from(rows) < decoder.total_bytes() {
         return Err(format!(
             "is too large: unpacked, it has more bytes than {columns}×{rows} pixels"
         ));
     }
-    let notes = notes(&mut decoder).map_err(damage_clause)?;
+    let colour = decoder.color_type();
+    let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
+    let notes = [
+        (!colour.has_color(), "The file is grey and holds no colours."),
+        (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
+    ];
+    let notes = notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect();
     let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
     if !picture.color().has_alpha() {
         return Ok(Picture { rgb: picture.into_rgb8(), transparent_count: 0, notes });
@@ -65,23 +70,4 @@ fn damage_clause(error: ImageError) -> String {
         "its contents can't be unpacked"
     };
     format!("is a damaged PNG file: {cause}")
-}
-
-fn notes(decoder: &mut PngDecoder<Cursor<&[u8]>>) -> Result<Vec<&'static str>, ImageError> {
-    let colour = decoder.color_type();
-    let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
-    let notes = [
-        (!colour.has_color(), "The file is grey and holds no colours."),
-        (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
-        (
-            decoder.icc_profile()?.is_some(),
-            "It has a colour profile, ignored here, so a viewer may show other colours.",
-        ),
-        (
-            decoder.orientation()? != Orientation::NoTransforms,
-            "Its EXIF data, ignored here, asks a viewer to turn it.",
-        ),
-        (decoder.is_apng()?, "It is an animation; only its first picture was compared."),
-    ];
-    Ok(notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect())
 }
