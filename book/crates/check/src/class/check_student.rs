@@ -13,12 +13,12 @@ pub(crate) fn check_student(
     locked: &LockedPictures,
 ) -> Vec<Row> {
     let mut files = student.files;
-    // First those that end as PNG files do, that lie highest, that have just the name of a
-    // picture, that were handed in last.
+    // First those that end as PNG files do, that lie highest, that were handed in last, that have
+    // just the name of a picture.
     files.sort_by_key(|file| {
         let is_exact = file.picture.is_some_and(|name| file.name() == format!("{name}.png"));
         let is_png = has_extension(file.name(), &["png"]);
-        (!is_png, file.depth(), !is_exact, Reverse(file.version()))
+        (!is_png, file.depth(), Reverse(file.version()), !is_exact)
     });
     let mut rows: Vec<Row> = vec![];
     for name in picture_names() {

@@ -69,7 +69,7 @@ impl FoundFile {
     }
 
     /// The number at the end of the name of a file that was handed in again: `-2`, `(1)`.
-    pub fn version(&self) -> u32 {
+    pub fn version(&self) -> u8 {
         let stem = self.name().rsplit_once('.').map_or("", |(stem, _)| stem);
         let number = stem.rsplit(['-', '(']).next().unwrap_or_default();
         number.trim_end_matches(')').parse().unwrap_or(0)

@@ -35,11 +35,10 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
         Ok(files) => files,
         Err(why) => return Answer::error(why),
     };
-    let (trial, locked) = (target_folder().join("trial"), LockedPictures::in_workspace());
+    let locked = LockedPictures::in_workspace();
     let (students, _) = group_by_student(files);
-    let rows = students.iter().enumerate().flat_map(|(k, student)| {
-        let folder = trial.join(k.to_string());
-        let answer = match draw_with_crates(&student.files, scene, &trial, &folder) {
+    let rows = students.iter().flat_map(|student| {
+        let answer = match draw_with_crates(&student.files, scene) {
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
@@ -52,19 +51,17 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
 }
 
 /// The bytes of the picture that the crates among some files draw of a scene, or why there is
-/// none. They are copied into a folder, which is made anew.
-fn draw_with_crates(
-    files: &[FoundFile],
-    scene: &str,
-    trial: &Path,
-    folder: &Path,
-) -> Result<Vec<u8>, String> {
+/// none. They are copied into a folder that is emptied first, so that nobody finds there what
+/// another's have drawn.
+fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String> {
+    let trial = target_folder().join("trial");
+    let (folder, target) = (&trial.join("workspace"), trial.join("target"));
     let mut starts = files.iter().filter_map(|file| file.path.strip_suffix(LAST_CRATE));
     let start = starts.next().ok_or("there aren't the five crates")?;
     let _ = fs::remove_dir_all(folder);
     copy_sources(files, start, &folder.join("steps"))?;
     make_workspace(scene, folder).map_err(|error| format!("can't be copied: {error}"))?;
-    let (log, target) = (folder.join("errors.txt"), trial.join("target"));
+    let log = folder.join("errors.txt");
     let mut cargo = Command::new("cargo");
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
     cargo.args(["--example", NAMED_SCENE_EXAMPLE]).env("CARGO_TARGET_DIR", &target);
