@@ -2,9 +2,9 @@ use crate::comparison::scattered_places;
 use crate::drawing::Drawing;
 use crate::explain::explain;
 use crate::target::{Target, scene_title};
-use crate::which_picture::{find_most_similar, find_name_in_file_name};
+use crate::which_picture::{find_equal, find_most_similar, find_name_in_file_name};
 use crate::{Answer, LockedPictures, Picture, Verdict, escape_for_terminal, read_png};
-use course::{camera, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names};
+use course::{camera, find_mistakes_with_hash, hash_picture, locked_names};
 use image::RgbImage;
 
 /// Compares the picture in a PNG file with the locked picture `expected_name`; where that is
@@ -75,32 +75,15 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
 /// Compares a picture with the locked picture of a name, or with the nearest where that is left
 /// out.
 fn check_picture(yours: &RgbImage, name: Option<&str>, locked: &LockedPictures) -> Answer {
-    let names = locked_names();
-    if let Some(unknown) = name.filter(|name| !names.contains(name)) {
-        return Answer::error(format!(
-            "there is no locked picture '{}'; allowed are {}",
-            escape_for_terminal(unknown),
-            names.join(", ")
-        ));
-    }
-    let listed_name = || {
-        let mistakes = find_mistakes_with_hash(hash_picture(yours));
-        mistakes.first().map(|(_, name)| *name)
-    };
-    let name = name.or_else(|| equal_name(yours, locked)).or_else(listed_name);
-    let name = name.map_or_else(|| find_most_similar(yours, &names, locked), Ok);
+    let name = name.or_else(|| find_equal(yours, locked));
+    let mistakes = || find_mistakes_with_hash(hash_picture(yours));
+    let name = name.or_else(|| mistakes().first().map(|(_, name)| *name));
+    let name = name.map_or_else(|| find_most_similar(yours, &locked_names(), locked), Ok);
     match name.and_then(|name| locked.get(name)) {
         Err(why) => Answer::error(why),
         Ok(target) if target.picture == *yours => right(&target.title),
         Ok(target) => explain(yours, &target, locked),
     }
-}
-
-/// The name of the locked picture that a picture is.
-pub(crate) fn equal_name(picture: &RgbImage, locked: &LockedPictures) -> Option<&'static str> {
-    let hash = hash_picture(picture);
-    let mut same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
-    same.find(|name| locked.get(name).is_ok_and(|one| one.picture == *picture))
 }
 
 /// Whether a picture is the scene of a name; most others are refuted by the first pixels.

@@ -1,7 +1,6 @@
 use crate::answer::{Cause, common_part, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
-use crate::check::equal_name;
 use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::facts::{are_above_1, tell_facts};
 use crate::listed_mistake::find_listed_mistakes;
@@ -9,6 +8,7 @@ use crate::other_options::describe_other_options;
 use crate::regions::describe_regions;
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
+use crate::which_picture::find_equal;
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
 use crate::{Answer, LockedPictures, Verdict};
 use course::Step;
@@ -27,7 +27,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         return Answer::new(Verdict::RightWithOtherOptions, text);
     }
     let comparison = Comparison::new(target, yours);
-    let mut explanation = match equal_name(yours, locked) {
+    let mut explanation = match find_equal(yours, locked) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };

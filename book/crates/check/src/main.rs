@@ -6,7 +6,7 @@ use check::{
     write_sheets,
 };
 use clap::Parser;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use image::RgbImage;
 use std::fs;
@@ -26,6 +26,7 @@ struct Arguments {
     /// The picture to look at, a PNG file
     file: Option<PathBuf>,
     /// The expected picture (default: from the file name, else the closest)
+    #[arg(value_parser = PossibleValuesParser::new(locked_names()), hide_possible_values = true)]
     name: Option<String>,
     /// The folder to look in for pictures of the course; or what a class has handed in, as
     /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets a row

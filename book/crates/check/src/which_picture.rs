@@ -1,5 +1,5 @@
 use crate::LockedPictures;
-use course::Step;
+use course::{Step, hash_picture, locked_hashes};
 use image::RgbImage;
 use image::imageops::thumbnail;
 
@@ -21,6 +21,13 @@ pub(crate) fn find_name_in_file_name<'a>(
         let step = Step::ALL.into_iter().find(is_numbered)?;
         names.clone().find(|name| *name == step.name())
     })
+}
+
+/// The name of the locked picture that a picture is.
+pub(crate) fn find_equal(picture: &RgbImage, locked: &LockedPictures) -> Option<&'static str> {
+    let hash = hash_picture(picture);
+    let mut same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
+    same.find(|name| locked.get(name).is_ok_and(|one| one.picture == *picture))
 }
 
 /// The one of some locked pictures that is most like yours, whatever its size.
