@@ -36,7 +36,7 @@ impl Camera {
     }
 
     /// The ray through column `i` and row `j`, V_ij = [D_u D_v V_0] (i, j, 1)ᵀ.
-    /// Whole numbers are centres of pixels, fractions are sub-pixels around them.
+    /// Whole numbers give the centres of pixels, and fractions the points around them.
     pub fn ray(&self, i: f64, j: f64) -> Ray {
         Ray { start: self.centre, direction: self.matrix * DVec3::new(i, j, 1.0) }
     }
