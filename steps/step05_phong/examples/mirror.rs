@@ -34,7 +34,7 @@ pub fn shadowed_phong(
 
 /// A material that is partly a mirror.
 pub struct Mirror {
-    /// Its own paint, which makes up 1 − k of its colour.
+    /// Its own material, whose paint counts for 1 − k.
     pub material: Material,
     /// k, how much of its colour is a mirror image, 0 to 1.
     pub k: f64,
