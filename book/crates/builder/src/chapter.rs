@@ -1,4 +1,3 @@
-use crate::edits::{Edits, Fault};
 use crate::markdown::{self, parse_directive};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
@@ -19,20 +18,37 @@ pub fn expand_directives(
     sources: &Sources,
     problem_sheet: &str,
 ) -> (String, Vec<Fault>) {
-    let (listings, open_box, open_problem) = Default::default();
-    let edits = Edits::new(text);
-    let mut chapter = Chapter { edits, sources, problem_sheet, listings, open_box, open_problem };
+    let mut chapter = Chapter {
+        text,
+        sources,
+        problem_sheet,
+        expanded: String::new(),
+        expanded_end: 0,
+        faults: vec![],
+        listings: vec![],
+        open_box: None,
+        open_problem: None,
+    };
     chapter.expand_blocks();
-    let (markdown, faults) = chapter.edits.apply();
+    chapter.faults.sort_by_key(|(line, _)| *line);
+    let markdown = chapter.expanded + &text[chapter.expanded_end..];
     // The first picture does not wait until it is near.
-    (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), faults)
+    (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), chapter.faults)
 }
+
+/// A fault in a chapter: its line, and a sentence about it.
+pub type Fault = (usize, String);
 
 /// A chapter as it is read once, from top to bottom.
 struct Chapter<'a> {
-    edits: Edits<'a>,
+    /// The text as its author wrote it.
+    text: &'a str,
     sources: &'a Sources,
     problem_sheet: &'a str,
+    /// What the text becomes, up to `expanded_end` in it.
+    expanded: String,
+    expanded_end: usize,
+    faults: Vec<Fault>,
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// Places where the open box and the open problem begin.
@@ -43,9 +59,30 @@ struct Chapter<'a> {
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
 impl<'a> Chapter<'a> {
+    fn add_fault(&mut self, position: usize, sentence: impl Into<String>) {
+        let line = 1 + self.text[..position].matches('\n').count();
+        self.faults.push((line, sentence.into()));
+    }
+
+    /// Puts `part` in place of a range of the text. An error is a fault of it.
+    fn replace(&mut self, range: Range<usize>, part: Result<String, String>) {
+        self.expanded += &self.text[self.expanded_end..range.start];
+        self.expanded_end = range.end;
+        // A comma stays on the line of the formula before it.
+        let mark = self.text[range.end..].chars().next();
+        match (part, mark.filter(|mark| ",.;:?)".contains(*mark))) {
+            (Err(fault), _) => self.add_fault(range.start, fault),
+            (Ok(formula), Some(mark)) if formula.ends_with("</math>") => {
+                self.expanded += &format!("<span class=\"tight\">{formula}{mark}</span>");
+                self.expanded_end += mark.len_utf8();
+            }
+            (Ok(part), _) => self.expanded += &part,
+        }
+    }
+
     fn expand_blocks(&mut self) {
-        let (mut end_of_last, mut nesting) = (0, 0);
-        let parser = Parser::new_ext(self.edits.text, markdown::markdown_options());
+        let mut nesting = 0;
+        let parser = Parser::new_ext(self.text, markdown::markdown_options());
         let events: Vec<_> = TextMergeWithOffset::new(parser.into_offset_iter()).collect();
         for (index, (event, range)) in events.iter().enumerate() {
             match event {
@@ -54,19 +91,17 @@ impl<'a> Chapter<'a> {
                 _ => {}
             }
             if MAX_NESTING < nesting {
-                self.edits.add_fault(range.start, "this is nested too deeply");
+                self.add_fault(range.start, "this is nested too deeply");
                 return;
             }
-            if range.start < end_of_last {
-                continue;
-            }
-            if let Some(text) = self.expand_event(event, &events[index..], range) {
-                self.edits.replace(range.clone(), text);
-                end_of_last = range.end;
+            if self.expanded_end < range.end
+                && let Some(part) = self.expand_event(event, &events[index..], range)
+            {
+                self.replace(range.clone(), part);
             }
         }
         if let Some(position) = self.open_problem.or(self.open_box) {
-            self.edits.add_fault(position, "the box has no {{#end}}");
+            self.add_fault(position, "the box has no {{#end}}");
         }
     }
 
@@ -77,7 +112,7 @@ impl<'a> Chapter<'a> {
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
-        let source = &self.edits.text[range.clone()];
+        let source = &self.text[range.clone()];
         Some(match event {
             Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
             Event::Start(Tag::Paragraph) => {
@@ -97,7 +132,7 @@ impl<'a> Chapter<'a> {
                 self.find_lone_dollar(source, range.start);
                 let first = source.find("{{#")?;
                 let text = numbers::fill_in_text(&source[first..]);
-                self.edits.replace(range.start + first..range.end, text);
+                self.replace(range.start + first..range.end, text);
                 return None;
             }
             _ => return None,
@@ -107,8 +142,8 @@ impl<'a> Chapter<'a> {
     /// Finds a $ in the `source` at this position, which is text or HTML.
     fn find_lone_dollar(&mut self, source: &str, start: usize) {
         let Some(position) = source.find('$').map(|position| start + position) else { return };
-        if !self.edits.text[..position].ends_with(['\\', '$']) {
-            self.edits.add_fault(
+        if !self.text[..position].ends_with(['\\', '$']) {
+            self.add_fault(
                 position,
                 "a $ that is no formula is written \\$, and a formula has its end, pairs of \
                  braces, and no HTML around it",
@@ -141,7 +176,7 @@ impl<'a> Chapter<'a> {
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
-        let source = self.edits.text[range.clone()].trim();
+        let source = self.text[range.clone()].trim();
         let (kind, words) = parse_directive(source).unwrap_or_default();
         Some(match (kind, words.trim()) {
             ("figure", name) => figure::html(name),
@@ -189,44 +224,40 @@ impl<'a> Chapter<'a> {
         events: &Events,
         range: &Range<usize>,
     ) -> Option<Result<String, String>> {
-        let mut pictures = vec![];
-        let mut remaining = self.edits.text[range.clone()].to_string();
+        let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
                 && inner.start < range.end
             {
-                let markdown = &self.edits.text[inner.clone()];
-                let image = picture::markdown_html(markdown, dest_url, self.sources);
-                pictures.push((image, title.to_string()));
+                let markdown = &self.text[inner.clone()];
                 remaining = remaining.replacen(markdown, "", 1);
+                pictures.push([markdown, &**dest_url, &**title]);
             }
         }
         let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         (is_whole && !pictures.is_empty())
-            .then(|| self.figures_html(pictures, live.map(|(_, name)| name)))
+            .then(|| self.figures_html(&pictures, live.map(|(_, name)| name)))
     }
 
-    /// Figures of pictures, each with its caption, side by side if there are several; below them
-    /// is what the one says of a pixel that answers in them.
-    fn figures_html(
-        &self,
-        pictures: Vec<(Result<String, String>, String)>,
-        live: Option<&str>,
-    ) -> Result<String, String> {
+    /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
+    /// are several; below them is what the one says of a pixel that answers in them.
+    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&str>) -> Result<String, String> {
         let find = |name| figures::find(name).ok_or(format!("nothing called {name:?} answers"));
         let live = live.map(find).transpose()?;
-        let count = pictures.len();
-        let figures = pictures.into_iter();
-        let figures = figures.map(|(image, caption)| picture::figure_html(&image?, &caption, live));
-        let figures: String = figures.collect::<Result<_, _>>()?;
-        let panel = live.filter(|live| live.has_probe()).map(|live| self.pixel_panel_html(live));
-        let panel = panel.transpose()?.unwrap_or_default();
-        Ok(match count {
-            1 => figures + &panel,
+        let mut figures = String::new();
+        for [markdown, file, caption] in pictures {
+            let image = picture::markdown_html(markdown, file, self.sources)?;
+            figures += &picture::figure_html(&image, caption, live)?;
+        }
+        if 1 < pictures.len() {
             // A reader view of a browser takes a `div` of pictures for decoration.
-            _ => format!("<section class=\"pictures\">\n{figures}</section>\n{panel}"),
-        })
+            figures = format!("<section class=\"pictures\">\n{figures}</section>\n");
+        }
+        match live.filter(|live| live.has_probe()) {
+            Some(live) => Ok(figures + &self.pixel_panel_html(live)?),
+            None => Ok(figures),
+        }
     }
 
     /// What is said of a pixel of a picture, below it.

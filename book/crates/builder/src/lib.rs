@@ -24,7 +24,6 @@
 //!
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 
-mod edits;
 mod figure_file;
 mod files;
 mod mistake_list;
