@@ -7,4 +7,4 @@ mod random_inputs;
 pub use course::{camera, primary_rays};
 pub use picture_list::{LockedPicture, locked_pictures};
 pub use picture_snapshot::{compare_pixels, read_snapshot};
-pub use random_inputs::{random_point, random_sphere, random_sphere_and_ray, random_unit_vector};
+pub use random_inputs::{RandomInputs, test_law};

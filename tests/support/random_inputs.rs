@@ -1,32 +1,48 @@
+use fastrand::Rng;
 use glam::DVec3;
-use proptest::prelude::*;
 use step02_sphere::{Ray, Sphere};
 
-/// Points within 10 of the origin along each axis.
-pub fn random_point() -> impl Strategy<Value = DVec3> {
-    (-10.0..10.0, -10.0..10.0, -10.0..10.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+/// Random inputs, the same in each run.
+pub struct RandomInputs(Rng);
+
+/// Calls a law, which asserts what holds for all inputs, so many times.
+pub fn test_law(count: usize, mut law: impl FnMut(&mut RandomInputs)) {
+    let mut inputs = RandomInputs(Rng::with_seed(5));
+    (0..count).for_each(|_| law(&mut inputs));
 }
 
-/// Vectors of length 1.
-pub fn random_unit_vector() -> impl Strategy<Value = DVec3> {
-    let vector = random_point().prop_filter("too short", |v| 0.1 < v.length());
-    vector.prop_map(|v| v.normalize())
-}
+impl RandomInputs {
+    /// A number between two others.
+    pub fn number(&mut self, min: f64, max: f64) -> f64 {
+        min + (max - min) * self.0.f64()
+    }
 
-/// Spheres of radius 0.1 to 4 around a random point.
-pub fn random_sphere() -> impl Strategy<Value = Sphere> {
-    (random_point(), 0.1..4.0).prop_map(|(centre, radius)| Sphere { centre, radius })
-}
+    /// A whole number below `end`.
+    pub fn index(&mut self, end: usize) -> usize {
+        self.0.usize(..end)
+    }
 
-/// Spheres, each with a ray of any length from a random point; about half of the rays hit
-/// their sphere.
-pub fn random_sphere_and_ray() -> impl Strategy<Value = (Sphere, Ray)> {
-    let start = random_point();
-    (random_sphere(), start, random_unit_vector(), 0.1..5.0, 0.0..2.0).prop_map(
-        |(sphere, start, unit_vector, length, radii)| {
-            let target: DVec3 = sphere.centre + radii * sphere.radius * unit_vector;
-            let direction = (target - start).normalize_or(unit_vector) * length;
-            (sphere, Ray { start, direction })
-        },
-    )
+    /// A point within 10 of the origin along each axis.
+    pub fn point(&mut self) -> DVec3 {
+        [(); 3].map(|()| self.number(-10.0, 10.0)).into()
+    }
+
+    /// A vector of length 1.
+    pub fn unit_vector(&mut self) -> DVec3 {
+        self.point().normalize_or(DVec3::X)
+    }
+
+    /// A sphere of radius 0.1 to 4 around a random point.
+    pub fn sphere(&mut self) -> Sphere {
+        Sphere { centre: self.point(), radius: self.number(0.1, 4.0) }
+    }
+
+    /// A sphere, and a ray of any length from a random point; about half of the rays hit their
+    /// sphere.
+    pub fn sphere_and_ray(&mut self) -> (Sphere, Ray) {
+        let (sphere, start, unit_vector) = (self.sphere(), self.point(), self.unit_vector());
+        let target = sphere.centre + self.number(0.0, 2.0) * sphere.radius * unit_vector;
+        let direction = (target - start).normalize_or(unit_vector) * self.number(0.1, 5.0);
+        (sphere, Ray { start, direction })
+    }
 }
