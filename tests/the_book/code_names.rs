@@ -40,6 +40,7 @@ fn names_in_the_text_are_names_of_the_code() {
         for (line, number) in text.lines().zip(1..) {
             is_listing ^= line.starts_with("```");
             let codes = line.split('`').skip(1).step_by(2).filter(|_| !is_listing);
+            let codes = codes.chain(line.strip_prefix("{{#by-hand "));
             for (before, word, after) in codes.flat_map(words) {
                 if is_name(before, word, after) && !names.contains(word) {
                     faults.push(format!("book/src/{path}:{number}: no code has `{word}`."));

@@ -3,11 +3,11 @@
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
-use super::reader_workspace::pages_of_step;
+use super::reader_workspace::{pages_of_step, shell};
 use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
 use std::path::Path;
-use std::process::{self, Command, Output};
+use std::process::{self, Output};
 use std::{env, fs};
 
 const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/classroom.yml");
@@ -25,21 +25,16 @@ fn workflow_commands() -> Vec<String> {
 
 /// Runs a command of bash in a folder, and gives what it prints; fails where the command does.
 fn run(folder: &Path, command: &str) -> Result<String> {
-    let mut bash = Command::new("bash");
     let course = format!("\"{}\"/", workspace().display());
-    bash.args(["-eo", "pipefail", "-c", &command.replace("course/", &course)]);
-    bash.current_dir(folder).env("CARGO_NET_OFFLINE", "true");
-    bash.env("REQUIRE", "step01_rays").env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
+    let mut shell = shell(folder, &command.replace("course/", &course));
+    shell.env("REQUIRE", "step01_rays").env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
+    // As the template has it.
+    shell.env_remove("INSTA_WORKSPACE_ROOT");
     if command.contains("course/") {
-        bash.env("CARGO_TARGET_DIR", target_folder());
-    } else {
-        // Dependencies are those of the course, and its crates are compiled in another way than
-        // everywhere else, so that Cargo takes none of these.
-        bash.env("CARGO_BUILD_BUILD_DIR", target_folder());
-        bash.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1").env("CARGO_INCREMENTAL", "0");
-        bash.env_remove("INSTA_WORKSPACE_ROOT");
+        shell.env("CARGO_TARGET_DIR", target_folder()).env_remove("CARGO_BUILD_BUILD_DIR");
+        shell.env_remove("CARGO_PROFILE_DEV_OPT_LEVEL").env_remove("CARGO_INCREMENTAL");
     }
-    let Output { status, stdout, stderr } = bash.output()?;
+    let Output { status, stdout, stderr } = shell.output()?;
     let text = String::from_utf8_lossy(&[stdout, stderr].concat()).into_owned();
     ensure!(status.success(), "{command}: {text}");
     Ok(text)

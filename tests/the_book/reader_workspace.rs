@@ -4,7 +4,7 @@ use anyhow::Result;
 use builder::{Page, Site};
 use course::{target_folder, workspace};
 use std::fs::{self, File};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// The pages of a step, in the order of the book: the first word of their names is the step's.
@@ -59,20 +59,27 @@ impl ReaderWorkspace {
     /// Runs a command of Cargo as a shell does, with our programs optimised as much; gives the exit
     /// code, and what is printed.
     pub fn run(&self, line: &str, opt_level: &str) -> Result<(Option<i32>, String)> {
-        let mut shell = Command::new("bash");
-        shell.args(["-c", line]).current_dir(&self.folder).env("CARGO_TARGET_DIR", "target");
-        shell.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
-        // Dependencies are shared with the course: they are compiled already, with the same
-        // settings. The five crates have the same names there, and other settings here, so
-        // that neither overwrites the other.
-        shell.env("CARGO_BUILD_BUILD_DIR", target_folder());
-        shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level).env("CARGO_INCREMENTAL", "0");
-        // Commands on a page set INSTA_UPDATE themselves, and lock pictures in this folder.
-        shell.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", &self.folder);
-        // Another platform would put the programs into another folder.
-        shell.env_remove("CARGO_BUILD_TARGET");
+        let mut shell = shell(&self.folder, line);
+        shell.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
         let Output { status, stdout, stderr } = shell.output()?;
         let text = String::from_utf8_lossy(&[stderr, stdout].concat()).into_owned();
         Ok((status.code(), text))
     }
+}
+
+/// A shell that runs these lines in a folder of a reader's, up to the first that fails.
+pub fn shell(folder: &Path, lines: &str) -> Command {
+    let mut shell = Command::new("bash");
+    shell.args(["-eo", "pipefail", "-c", lines]).current_dir(folder);
+    shell.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
+    // Dependencies are shared with the course: they are compiled already, with the same settings.
+    // The five crates have the same names there, and other settings here, so that neither
+    // overwrites the other.
+    shell.env("CARGO_BUILD_BUILD_DIR", target_folder());
+    shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1").env("CARGO_INCREMENTAL", "0");
+    // Commands set INSTA_UPDATE themselves, and lock pictures in the folder.
+    shell.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
+    // Another platform would put the programs into another folder.
+    shell.env_remove("CARGO_BUILD_TARGET");
+    shell
 }

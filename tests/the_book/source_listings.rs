@@ -1,13 +1,9 @@
-//! Every line of every file of a crate is listed in a chapter, once; every test by hand is named
-//! below its numbers.
+//! Every line of every file of a crate is listed in a chapter, once.
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
 use super::page_items::typed_files;
-use super::reader_workspace::pages_of_step;
 use builder::Files;
-use course::Step;
-use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 /// The files that a reader types, by path: those of the five crates, with their settings of
@@ -32,25 +28,6 @@ fn every_line_of_every_file_is_listed_once() {
             let pairs = text.lines().zip(listed.lines());
             let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
             faults.push(format!("Line {} of {path} is not listed once.", equal_count + 1));
-        }
-    }
-    assert_no_faults(&faults);
-}
-
-#[test]
-fn chapters_name_every_test_by_hand() {
-    let (book, mut faults) = (built_book(), vec![]);
-    for step in Step::NAMES {
-        let elements = pages_of_step(&book, step).flat_map(|page| page.select_all(".by-hand"));
-        let ids = elements.filter_map(|element| element.attr("id"));
-        let page_tests: BTreeSet<_> = ids.filter_map(|id| id.strip_prefix("by-hand-")).collect();
-        let path = format!("steps/{step}/tests/by_hand.rs");
-        let file = SOURCE_FILES.text(&path).unwrap_or_default();
-        let functions = file.split("#[test]\nfn ").skip(1);
-        let file_tests: BTreeSet<_> =
-            functions.filter_map(|function| function.split('(').next()).collect();
-        for test in page_tests.symmetric_difference(&file_tests) {
-            faults.push(format!("{test} is in only one of {path} and the chapters of {step}."));
         }
     }
     assert_no_faults(&faults);

@@ -1,41 +1,24 @@
 //! Builds the book, and opens it with `--open`.
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use builder::Course;
-use clap::{Parser, Subcommand};
 use course::{target_folder, workspace};
 use mdbook_preprocessor::Preprocessor;
+use std::env;
 use std::io::{Write, stderr, stdin, stdout};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Builds the book from its chapters, the five crates and the locked pictures.
-#[derive(Parser)]
-#[command(name = "cargo run --")]
-struct Options {
-    /// Open the book in the browser
-    #[arg(long)]
-    open: bool,
-    #[command(subcommand)]
-    command: Option<Command>,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    /// Expand the chapters that mdBook writes to standard input: see book/book.toml
-    Preprocess {
-        /// Words with which mdBook asks first: `supports`, and a renderer
-        #[arg(hide = true)]
-        question: Vec<String>,
-    },
-}
-
 fn main() -> ExitCode {
-    let options = Options::parse();
-    let result = match &options.command {
-        Some(Command::Preprocess { question }) if question.is_empty() => preprocess_stdin(),
-        Some(Command::Preprocess { .. }) => Ok(()),
-        None => build_and_report(options.open),
+    let arguments: Vec<_> = env::args().skip(1).collect();
+    let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+    let result = match arguments[..] {
+        [] => build_and_report(false),
+        ["--open"] => build_and_report(true),
+        // What book/book.toml has mdBook run; it asks first.
+        ["preprocess", "supports", _] => Ok(()),
+        ["preprocess"] => preprocess_stdin(),
+        _ => Err(anyhow!("Usage: cargo run -- [--open], where --open opens the book in a browser")),
     };
     let Err(error) = result else { return ExitCode::SUCCESS };
     let _ = writeln!(stderr(), "{error:#}");
