@@ -72,7 +72,7 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     drawing.area("object", outline);
     let on_plane = |x: f64| ABOVE.xy_to_drawing(x, 1.0);
     for (class, x) in [("ray", left), ("guide", middle), ("ray", right)] {
-        drawing.line("leader", on_plane(x), PICTURE.xy_to_drawing(x, 0.0));
+        drawing.line("axis", on_plane(x), PICTURE.xy_to_drawing(x, 0.0));
         drawing.line(class, ABOVE.origin, on_plane(x));
     }
     drawing.line("second", on_plane(left), on_plane(middle));
@@ -87,7 +87,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.line("plane", ABOVE.xy_to_drawing(-0.45, 1.0), ABOVE.xy_to_drawing(1.75, 1.0));
     draw_ball(&mut drawing, 0.0);
     draw_ball(&mut drawing, values[0]);
-    drawing.arc("angle", c, 70.0, [FRAC_PI_2, FRAC_PI_2 - values[0].to_radians()]);
+    drawing.arc("axis", c, 70.0, [FRAC_PI_2, FRAC_PI_2 - values[0].to_radians()]);
     drawing.label("", c + dvec2(30.0, -76.0), "$α$");
     drawing.dot("eye", c);
     Output::Drawing(drawing)

@@ -105,7 +105,7 @@ fn draw(values: &[f64]) -> Output {
     for Hit { point: SurfacePoint { p, n, .. }, is_lit, .. } in &hits {
         let class = if *is_lit { "light" } else { "guide" };
         drawing.line(class, place(*p), place(world.q));
-        drawing.arrow("normal", place(*p), place(p + 0.7 * n));
+        drawing.arrow("second", place(*p), place(p + 0.7 * n));
         drawing.dot("hit", place(*p));
     }
     let [s, v, q] = [world.ray.start, world.ray.at(1.0), world.q];

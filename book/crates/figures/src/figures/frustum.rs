@@ -67,7 +67,7 @@ fn draw(values: &[f64]) -> Output {
         (near, "quiet over end", "near plane", dvec2(14.0, -10.0)),
         (far, "quiet over start", "far plane", dvec2(-14.0, -10.0)),
     ] {
-        drawing.line("ground", upper, lower);
+        drawing.line("plane", upper, lower);
         drawing.label(class, upper + shift, name);
     }
     for sphere in BALLS {

@@ -56,7 +56,7 @@ fn draw(values: &[f64]) -> Output {
                 _ => ("ray", "quiet"),
             };
             drawing.dot(dot, place(t));
-            drawing.line("leader", place(t) + dvec2(0.0, 8.0), place(t).with_y(y));
+            drawing.line("axis", place(t) + dvec2(0.0, 8.0), place(t).with_y(y));
             let shift = if anchor == "end" { -4.0 } else { 4.0 };
             let class = format!("{label} over {anchor}");
             drawing.label(&class, dvec2(place(t).x + shift, y), &format_rounded(t, 1));

@@ -55,14 +55,14 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
         drawing.arrow("light", start(k * edge), foot(k * edge));
     }
     let side = dvec2(92.0, 0.0);
-    drawing.line("ground", ground - side, ground + side);
-    drawing.arrow("normal", ground, ground - dvec2(0.0, 172.0));
+    drawing.line("plane", ground - side, ground + side);
+    drawing.arrow("second", ground, ground - dvec2(0.0, 172.0));
     drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
     if 0.0 < share {
         drawing.line("lit", foot(-edge), foot(edge));
     }
     if 0.0 < angle {
-        drawing.arc("angle", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
+        drawing.arc("axis", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
         drawing.label("end", ground + dvec2(-30.0, -100.0), "$α$");
     }
     let is_strip = 0.0 < share && edge == 1.0;
@@ -73,7 +73,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
         drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
     }
     if 0.0 < angle && is_strip {
-        drawing.arc("angle", foot(-1.0), 24.0, [0.0, angle]);
+        drawing.arc("axis", foot(-1.0), 24.0, [0.0, angle]);
         drawing.label("", foot(-1.0) + dvec2(34.0, -8.0), "$α$");
     }
     let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));

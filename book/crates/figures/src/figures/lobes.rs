@@ -26,7 +26,7 @@ fn draw(values: &[f64]) -> Output {
     // It is right of n by the angle of the light.
     let r = DVec2::from_angle((90.0 - light_angle).to_radians());
     let mut drawing = Drawing::new(480.0, 300.0);
-    drawing.line("ground", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
+    drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
     for n in [1, 10, 40, reader_n] {
         let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
@@ -35,7 +35,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
     for (class, tip, name, shift) in [
         ("light", 0.85 * dvec2(-r.x, r.y), "$l$", dvec2(-18.0, -6.0)),
-        ("normal", 0.85 * DVec2::Y, "$n$", dvec2(0.0, -8.0)),
+        ("second", 0.85 * DVec2::Y, "$n$", dvec2(0.0, -8.0)),
         ("vector", 1.12 * r, "$r$", dvec2(10.0, -2.0)),
     ] {
         drawing.arrow(class, VIEW.origin, VIEW.to_drawing(tip));
@@ -46,7 +46,7 @@ fn draw(values: &[f64]) -> Output {
         // The leader ends beside r, on the side of the labels, and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
-        drawing.line("leader", on_lobe(n, v), label - dvec2(5.0, 5.0));
+        drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));
         drawing.label("quiet start", label, &n.to_string());
     }
     drawing.label("quiet start", dvec2(418.0, 90.0), "$n$ =");

@@ -25,10 +25,10 @@ fn draw(values: &[f64]) -> Output {
     drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
     let [n, l, v] = [0.0, values[0], -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
     let angle = values[0].to_radians();
-    drawing.arc("angle", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);
+    drawing.arc("axis", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);
     let arrows = [
         ("light", l, "$l$", dvec2(-20.0, -4.0)),
-        ("normal", n, "$n$", dvec2(0.0, -12.0)),
+        ("second", n, "$n$", dvec2(0.0, -12.0)),
         ("vector", reflect(n, l), "$r$", dvec2(20.0, -4.0)),
         ("accent", v, "$v$", dvec2(2.0, -12.0)),
     ];

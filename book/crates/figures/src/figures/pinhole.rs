@@ -22,8 +22,8 @@ fn draw(_: &[f64]) -> Output {
     for t in [film, plane] {
         drawing.line("plane", at_t(t, 16.0), at_t(t, 172.0));
     }
-    drawing.line("ground", at_t(0.0, 16.0), at_t(0.0, 87.0));
-    drawing.line("ground", at_t(0.0, 101.0), at_t(0.0, 172.0));
+    drawing.line("plane", at_t(0.0, 16.0), at_t(0.0, 87.0));
+    drawing.line("plane", at_t(0.0, 101.0), at_t(0.0, 172.0));
     for ray in [&top, &bottom] {
         drawing.line("guide", place(ray, film), view.origin);
         drawing.line("ray", view.origin, place(ray, object));

@@ -62,7 +62,7 @@ fn draw(values: &[f64]) -> Output {
             drawing.label("quiet", end + dvec2(0.0, -8.0), &format!("$i$ = {i}"));
         }
     }
-    drawing.arc("angle", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
+    drawing.arc("axis", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
     drawing.label("strong end", view.to_drawing(0.55 * v_0) + dvec2(-14.0, 4.0), "$V_0$");
