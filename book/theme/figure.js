@@ -35,17 +35,13 @@ class Figure {
     // something moves.
     makeStage() {
         const printed = this.root.querySelector("svg, img");
-        const isPicture = printed.tagName === "IMG";
+        this.size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
         this.stage = make("div", { class: "stage" });
+        this.stage.style.aspectRatio = this.size.join(" / ");
         printed.replaceWith(this.stage);
-        this.size = isPicture
-            ? ["width", "height"].map(side => Number(printed.getAttribute(side)))
-            : [printed.viewBox.baseVal.width, printed.viewBox.baseVal.height];
-        if (isPicture) this.stage.style.aspectRatio = `${this.size[0]} / ${this.size[1]}`;
         printed.draggable = false;
-        this.printed = this.output = printed;
         this.stage.append(printed);
-        Object.assign(this, { wholeTime: 0, restTimer: 0, frame: 0 });
+        Object.assign(this, { printed, output: printed, wholeTime: 0, restTimer: 0, frame: 0 });
     }
 
     // What stands elsewhere on the page and depends on the values.

@@ -13,15 +13,14 @@ function makeHandle(figure, about, k) {
     Object.assign(handle, { about, group });
     handle.addEventListener("focus", () => figure.selectGroup(group));
 
-    // What is dragged keeps its distance from the pointer; a pointer that has not moved asks the pixel.
-    let offset = null, hasMoved = false;
+    // What is dragged keeps its distance from the pointer.
+    let offset;
     handle.grab = event => {
         if (event.button !== 0 || event.ctrlKey) return;
         handle.setPointerCapture(event.pointerId);
         handle.focus({ preventScroll: true });
         const [x, y] = figure.placeOfPointer(event);
-        [offset, hasMoved] = [[handle.place[0] - x, handle.place[1] - y], false];
-        handle.classList.add("held");
+        offset = [handle.place[0] - x, handle.place[1] - y];
     };
     handle.addEventListener("pointerdown", handle.grab);
     // Where handles have groups, z follows x and y.
@@ -31,20 +30,11 @@ function makeHandle(figure, about, k) {
         figure.drawNextFrame("show");
     };
     handle.addEventListener("pointermove", event => {
-        if (!offset) return;
-        hasMoved = true;
-        const [x, y] = figure.placeOfPointer(event);
-        const [dx, dy] = offset;
+        if (!handle.hasPointerCapture(event.pointerId)) return;
         if (event.shiftKey && group) return void handle.changeDepth(event.movementY);
-        figure.drawNextFrame("drag", k, x + dx, y + dy);
+        const [x, y] = figure.placeOfPointer(event);
+        figure.drawNextFrame("drag", k, x + offset[0], y + offset[1]);
     });
-    for (const end of ["pointerup", "pointercancel"]) {
-        handle.addEventListener(end, event => {
-            if (offset && !hasMoved && figure.probe && figure.probe !== handle) figure.askPixel(event);
-            offset = null;
-            handle.classList.remove("held");
-        });
-    }
     handle.addEventListener("keydown", event => {
         const [axis, sign] = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1] }[event.key] ?? [];
         if (!sign || event.altKey || event.ctrlKey || event.metaKey) return;

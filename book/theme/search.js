@@ -4,7 +4,6 @@
 {
     const [box, toggle, field, status, list] = ["search", "search-toggle", "search-field", "search-status", "search-results"]
         .map(id => document.getElementById(id));
-    const LIMIT = 20;
 
     // What readers call by another name than the book.
     const SYNONYMS = {
@@ -56,11 +55,10 @@
         const query = field.value.trim();
         const all = findAll(query);
         const results = all.length ? all : index.search(query, { fuzzy: 0.4 });
-        list.replaceChildren(...results.slice(0, LIMIT).map(makeItem));
-        const count = all.length === 1 ? "One section" : `${all.length} sections${LIMIT < all.length ? `; here are ${LIMIT}` : ""}`;
+        list.replaceChildren(...results.map(makeItem));
+        const count = all.length === 1 ? "One section" : `${all.length} sections`;
         const near = results.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
-        if (!sections.length) write(status, "There is no index here: cargo run makes it.");
-        else write(status, all.length ? count : query && near);
+        write(status, all.length ? count : query && near);
     }
 
     // A section that is found: its title, and the words around the first that is found in it.
