@@ -15,7 +15,6 @@ for (const [name, figure, k] of figures) {
     const look = async () => {
       await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
       const pictures = await root.locator('.stage > :is(img, canvas)').all();
-      // A page that mdBook has written has the attributes in another order.
       const shapes = await root.locator('svg *, .handle').evaluateAll(all => all.map(one =>
         [one.tagName, one.textContent, ...['d', 'cx', 'cy', 'r', 'x', 'y', 'style'].map(key => one.getAttribute(key))]));
       return JSON.stringify([shapes, await Promise.all(pictures.map(readPixels))]);

@@ -1,4 +1,4 @@
-// A problem on paper says whether a number is right or how wrong it is; its answer is folded.
+// A problem on paper says whether a number is right or how wrong it is.
 import { expect, open, test } from './fixtures.js';
 
 test('a number for a problem is right, close or wrong', async ({ page, home }) => {
@@ -14,7 +14,4 @@ test('a number for a problem is right, close or wrong', async ({ page, home }) =
     await problem.getByRole('button', { name: 'Check' }).click();
     await expect(problem.locator('output')).toHaveText(words);
   }
-  await expect(problem.locator('details p').first()).toBeHidden();
-  await problem.locator('summary').click();
-  await expect(problem.locator('details strong').first()).toContainText(String(answer));
 });
