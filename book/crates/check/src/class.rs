@@ -30,13 +30,9 @@ pub fn report_on_folder(
     names: &[String],
     required: &[&'static str],
     is_csv: bool,
-) -> Answer {
+) -> Result<Answer, String> {
     let is_workspace = folder.join("Cargo.toml").exists();
-    let files = find_files(folder, if is_workspace { 0 } else { MOST_FOLDERS });
-    let mut files = match files {
-        Ok(files) => files,
-        Err(why) => return Answer::error(why),
-    };
+    let mut files = find_files(folder, if is_workspace { 0 } else { MOST_FOLDERS })?;
     let is_stray = |file: &FoundFile| split_key(&file.path).is_none();
     let is_own = is_workspace
         || files.iter().any(|file| file.picture.is_some() && is_stray(file))
@@ -47,8 +43,8 @@ pub fn report_on_folder(
         let is_known = |name: &&str| *name != NAMED_SCENE_EXAMPLE || required.contains(name);
         files.iter_mut().for_each(|file| file.picture = file.picture.filter(is_known));
         let path = folder.canonicalize().unwrap_or_default();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        (vec![Student::new(&name, files)], vec![])
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        (vec![Student { name: name.clone(), key: name, files }], vec![])
     } else {
         group_by_student(files)
     };
@@ -58,5 +54,5 @@ pub fn report_on_folder(
     let check = |student| check_student(student, required, &names, &locked);
     let mut rows: Vec<_> = students.into_par_iter().flat_map_iter(check).collect();
     rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
-    report_answer(&rows, is_csv)
+    Ok(report_answer(&rows, is_csv))
 }

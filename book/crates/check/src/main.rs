@@ -93,13 +93,13 @@ fn answer(arguments: Arguments) -> Result<Answer, String> {
             write_sheet(&scene, answers, &file).map(sheet_answer)
         }
         Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
-            Ok(report_on_workspaces(&folder, &scene, csv))
+            report_on_workspaces(&folder, &scene, csv)
         }
         Arguments { scene: Some(scene), .. } => Ok(sheet_answer(format_sheet(&scene, false))),
         Arguments { folder, names, require, csv, .. } => {
             let folder = folder.unwrap_or_else(|| ".".into());
             let names = names.map_or(Ok(vec![]), |list| read_names(&list))?;
-            Ok(report_on_folder(&folder, &names, &require, csv))
+            report_on_folder(&folder, &names, &require, csv)
         }
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct FoundFile {
 
 pub(crate) enum Content {
     OnDisk(PathBuf),
-    /// Empty if by its name it is no picture of the course.
+    /// Empty if by its name it is neither a picture of the course nor Rust.
     Unpacked(Vec<u8>),
     /// Why it can't be read.
     Unreadable(String),

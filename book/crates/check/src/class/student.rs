@@ -12,13 +12,6 @@ pub(crate) struct Student {
     pub files: Vec<FoundFile>,
 }
 
-impl Student {
-    /// A student who is the only one of a name.
-    pub fn new(name: &str, files: Vec<FoundFile>) -> Self {
-        Self { name: name.to_owned(), key: name.to_owned(), files }
-    }
-}
-
 /// The students of a class, by their names, and the files that are nobody's. A student's are in
 /// a folder or an archive, as Moodle and GitHub have it, or beside those of others with the
 /// student in their names, as Canvas has it.
@@ -61,7 +54,7 @@ pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
         let same = students.iter_mut().filter(|student| letters(&student.name) == sorted);
         let count = same.map(|student| student.name.clone_from(name)).count();
         if count == 0 {
-            students.push(Student::new(name, vec![]));
+            students.push(Student { name: name.clone(), key: name.clone(), files: vec![] });
         }
     }
 }

@@ -30,13 +30,9 @@ const LAST_CRATE: &str = "step05_phong/src/lib.rs";
 /// The sources are compiled in a folder of the course, with its manifests; nothing else is
 /// copied, no setting of Cargo and no build script. The programs run as the one who asks,
 /// unprotected.
-pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer {
-    let files = match find_files(folder, MOST_FOLDERS) {
-        Ok(files) => files,
-        Err(why) => return Answer::error(why),
-    };
+pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Result<Answer, String> {
     let locked = LockedPictures::in_workspace();
-    let (students, _) = group_by_student(files);
+    let (students, _) = group_by_student(find_files(folder, MOST_FOLDERS)?);
     let rows = students.iter().flat_map(|student| {
         let answer = match draw_with_crates(&student.files, scene) {
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
@@ -47,7 +43,7 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Answer 
         count_right(&mut rows);
         rows
     });
-    report_answer(&rows.collect::<Vec<_>>(), is_csv)
+    Ok(report_answer(&rows.collect::<Vec<_>>(), is_csv))
 }
 
 /// The bytes of the picture that the crates among some files draw of a scene, or why there is
