@@ -88,13 +88,11 @@ fn check_picture(yours: &RgbImage, name: Option<&str>, locked: &LockedPictures) 
 
 /// Whether a picture is the scene of a name; most others are refuted by the first pixels.
 fn is_scene_of(picture: &RgbImage, name: &str) -> bool {
-    let camera = camera();
-    if picture.dimensions() != (camera.h_res, camera.v_res) {
-        return false;
-    }
-    let drawing = Drawing::of_name(name);
-    scattered_places(picture.dimensions())
-        .all(|(i, j)| picture.get_pixel(i, j).0 == drawing.bytes(&camera.ray(i.into(), j.into())))
+    let (camera, drawing) = (camera(), Drawing::of_name(name));
+    let bytes = |i: u32, j: u32| drawing.bytes(&camera.ray(i.into(), j.into()));
+    let mut places = scattered_places(picture.dimensions());
+    picture.dimensions() == (camera.h_res, camera.v_res)
+        && places.all(|(i, j)| picture.get_pixel(i, j).0 == bytes(i, j))
 }
 
 fn right(title: &str) -> Answer {

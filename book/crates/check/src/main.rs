@@ -29,7 +29,7 @@ struct Arguments {
     #[arg(value_parser = PossibleValuesParser::new(locked_names()), hide_possible_values = true)]
     name: Option<String>,
     /// The folder to look in for pictures of the course; or what a class has handed in, as
-    /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive: each student gets a row
+    /// Moodle, Canvas or GitHub gives it, unpacked or a ZIP archive
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the sheet of a name: the numbers of the scene that belongs to it, and problems on
@@ -54,7 +54,7 @@ struct Arguments {
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene"])]
     #[arg(value_delimiter = ',', value_parser = parse_picture_name)]
     require: Vec<&'static str>,
-    /// Prints a row for each student and picture, for a spreadsheet
+    /// Prints the rows of the report as CSV, for a spreadsheet
     #[arg(long, requires = "folder", conflicts_with_all = ["file", "json"])]
     csv: bool,
     /// Prints JSON
