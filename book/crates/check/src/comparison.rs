@@ -63,11 +63,8 @@ impl<'a> Comparison<'a> {
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
             Pixel { place: (i, j), ray, hit, yours, ours }
         };
-        let is_right = |place: &(u32, u32)| yours[*place] == ours[*place];
-        let places = scattered_places(ours.dimensions());
-        let mut pixels = Vec::with_capacity(ours.pixels().len());
-        pixels.extend(places.clone().filter(|place| !is_right(place)).map(pixel));
-        pixels.extend(places.filter(is_right).map(pixel));
+        let mut pixels: Vec<_> = scattered_places((columns, rows)).map(pixel).collect();
+        pixels.sort_by_key(|pixel| !pixel.is_wrong());
         Some(Self { drawing, ours, pixels })
     }
 
@@ -79,7 +76,7 @@ impl<'a> Comparison<'a> {
 }
 
 /// Column and row of every pixel, in an order that soon comes to each part of the picture.
-pub(crate) fn scattered_places(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> + Clone {
+pub(crate) fn scattered_places(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
     // 7919 is a prime, so it visits every place unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };

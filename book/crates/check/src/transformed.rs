@@ -33,9 +33,9 @@ pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -
     if clauses.is_empty() {
         clauses.extend(cut_or_enlarged_clause(picture, ours));
     }
-    match Some(clauses.join(", or ")).filter(|clause| !clause.is_empty()) {
-        Some(clause) => format!("This is {title}, {clause}.\n"),
-        None => String::new(),
+    match clauses.join(", or ") {
+        none if none.is_empty() => none,
+        clause => format!("This is {title}, {clause}.\n"),
     }
 }
 

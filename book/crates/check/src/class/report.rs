@@ -19,12 +19,12 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// A row about a picture, which belongs below those of the student's earlier pictures.
+    /// A row about a picture that counts, below those of the student's earlier pictures.
     pub fn new(student: &str, picture: &'static str, answer: Answer, earlier: &[Row]) -> Self {
         // The pictures that an answer compares aren't kept.
         let answer = Answer { compared: None, ..answer };
         let feedback = escape_for_terminal(&feedback(&answer, earlier));
-        Self { picture, feedback, answer, ..Self::in_place(student, String::new()) }
+        Self { picture, counts: true, answer, ..Self::in_place(student, feedback) }
     }
 
     /// A row about what there is in place of pictures.
@@ -66,12 +66,13 @@ fn feedback(answer: &Answer, earlier: &[Row]) -> String {
     })
 }
 
-/// Tells in each row of a student how many pictures are right.
-pub(crate) fn count_right(rows: &mut [Row]) {
+/// The rows of a student, each with how many pictures are right.
+pub(crate) fn count_right(mut rows: Vec<Row>) -> Vec<Row> {
     let counted = rows.iter().filter(|row| row.counts);
     let right_count = counted.clone().filter(|row| row.is_right()).count();
     let text = format!("{right_count} of {}", counted.count());
     rows.iter_mut().for_each(|row| row.right.clone_from(&text));
+    rows
 }
 
 /// The answer made of the rows about all students: a table, or, for a spreadsheet, CSV; and JSON.

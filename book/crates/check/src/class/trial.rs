@@ -38,10 +38,7 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Result<
             Ok(png) => check_scene_png(&png, "its picture", scene, &[], &locked),
             Err(why) => Answer::error(why),
         };
-        let row = Row::new(&student.key, NAMED_SCENE_EXAMPLE, answer, &[]);
-        let mut rows = [Row { counts: true, ..row }];
-        count_right(&mut rows);
-        rows
+        count_right(vec![Row::new(&student.key, NAMED_SCENE_EXAMPLE, answer, &[])])
     });
     Ok(report_answer(&rows.collect::<Vec<_>>(), is_csv))
 }
