@@ -23,7 +23,7 @@ impl Camera {
     /// The centres of its outermost columns enclose the angle `field_of_view`, θ, in
     /// radians, above 0 and below π: at π, the picture would be endlessly wide.
     /// # Panics
-    /// Where it has fewer than two columns, or no row.
+    /// If there are fewer than two columns, or no rows.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
         assert!(2 <= h_res && 1 <= v_res, "{h_res}×{v_res} is not 2×1 or more");
         let tan = (field_of_view / 2.0).tan();

@@ -21,16 +21,16 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// A material of the scene, but not of the ground, the white or the green sphere; every
-/// fifth number gives a good mirror.
+/// The material of the marble with this number: one of the scene's, but not that of the
+/// ground, the white or the green sphere. Every fifth is a good mirror.
 fn material(number: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][number % 6];
     let material = scene.objects[painted].material.material;
     Mirror { material, k: if number.is_multiple_of(5) { 0.8 } else { 0.12 } }
 }
 
-/// The scene of the mirrors, and a marble at each of 599 places on its ground, unless
-/// it's taken.
+/// The scene of the mirrors, and a marble at each of 599 places on its ground that
+/// isn't taken.
 pub fn crowd() -> Scene<Mirror, Light> {
     let mut scene = mirrors();
     let ground = scene.objects[1].sphere;
