@@ -26,7 +26,6 @@
 
 mod figure_file;
 mod files;
-mod mistake_list;
 mod page;
 mod sources;
 

@@ -1,9 +1,8 @@
 use crate::Sources;
 use crate::markdown::inline_html;
-use crate::mistake_list::shown_mistakes;
 use crate::picture::{self, LAZY};
 use crate::sources::small_picture_name;
-use course::{BookEntry, Mistake, Step};
+use course::{Mistake, Step, mistakes};
 use figures::escape;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
@@ -12,18 +11,18 @@ use figures::escape;
 pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
     let (mut count, mut items, mut sections) = (0, String::new(), String::new());
-    for (mistake, entry) in shown_mistakes() {
-        let Some((name, _)) = entry.pictures.first().filter(|(_, one)| *one == step) else {
+    for mistake in &mistakes() {
+        let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
             continue;
         };
         let (title, source) = (title_html(mistake)?, format!("generated/mistake-{name}.png"));
-        let picture = picture::html(&entry.effect.replace('`', ""), &source, sources)?;
+        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
             panels_html(&source, step, sources)?,
             changed_lines_html(mistake),
-            reason_markdown(mistake, entry)?,
+            reason_markdown(mistake)?,
         );
         count += 1;
     }
@@ -32,16 +31,15 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
 }
 
 /// Why a mistake is wrong, and a link to the section that tells.
-fn reason_markdown(mistake: &Mistake, entry: &BookEntry) -> Result<String, String> {
-    let step = mistake.step;
+fn reason_markdown(mistake: &Mistake) -> Result<String, String> {
+    let Mistake { step, section, reason, .. } = mistake;
     let is_of_program = mistake.file.ends_with("/program.rs");
     let chapter = if is_of_program { "step01_program" } else { step.name() };
     let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
-    let id = entry.section.to_lowercase().replace(' ', "-");
+    let id = section.to_lowercase().replace(' ', "-");
     let id: String = id.chars().filter(is_kept).collect();
-    let reason = inline_html(&symbols_as_formulas(entry.reason))?;
-    let (number, section) = (step.number(), entry.section);
-    Ok(format!("{reason} [Step {number}, “{section}”]({chapter}.md#{id})"))
+    let reason = inline_html(&symbols_as_formulas(reason))?;
+    Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
 /// The picture with a mistake, ours of that step, and where they differ: the browser blends two

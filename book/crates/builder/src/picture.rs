@@ -1,7 +1,7 @@
 use crate::controls;
 use crate::markdown::inline_html;
-use crate::mistake_list::effect_of_picture;
 use crate::sources::Sources;
+use course::mistakes;
 use figures::{Figure, escape};
 
 /// Attribute that makes a picture load when it comes into view.
@@ -15,6 +15,14 @@ pub fn markdown_html(markdown: &str, source: &str, sources: &Sources) -> Result<
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
     html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources)
+}
+
+/// The sentence of the list about the picture of a mistake; None for any other picture.
+fn effect_of_picture(source: &str) -> Option<String> {
+    let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
+    let all = mistakes();
+    let mistake = all.iter().find(|one| one.pictures.iter().any(|(known, _)| *known == name))?;
+    Some(mistake.effect.replace('`', ""))
 }
 
 /// A picture with this alt text, in its size; it loads when it comes into view.

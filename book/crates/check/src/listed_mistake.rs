@@ -3,7 +3,7 @@ use crate::comparison::Comparison;
 use crate::drawing::bytes;
 use crate::scene_mistake::colour_with_mistake;
 use crate::target::Target;
-use course::{BookEntry, Mistake, find_mistakes_with_hash, hash_picture, mistakes};
+use course::{Mistake, find_mistakes_with_hash, hash_picture, mistakes};
 use image::RgbImage;
 
 /// The most lines of a diff that is told.
@@ -50,7 +50,8 @@ fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
         lines.push("  …\n".to_owned());
     }
     let step = mistake.step;
-    if let Some(BookEntry { reason, section, .. }) = &mistake.book_entry {
+    let Mistake { reason, section, .. } = mistake;
+    if !reason.is_empty() {
         lines.push(format!("{reason}\nSee step {}, \"{section}\".\n", step.number()));
     }
     let words = format!("{}{drawn_for}", mistake.title);

@@ -20,15 +20,9 @@ pub struct Mistake {
     pub old: String,
     /// Text that is written instead.
     pub new: String,
-    /// Words and pictures of the book, where it shows the mistake.
-    pub book_entry: Option<BookEntry>,
-}
-
-/// Words and pictures with which the book shows a mistake.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BookEntry {
-    /// The name of each picture, lower-case words with `-` between them, and the step
-    /// that is drawn with the mistake in it: after `! name`, or else that of its file.
+    /// The name of each picture in the book, lower-case words with `-` between them, and the step
+    /// that is drawn with the mistake in it: after `! name`, or else that of its file. It has none
+    /// where the book does not show it, and none of the words below then.
     pub pictures: Vec<(&'static str, Step)>,
     /// How it comes about or what is right, in one sentence.
     pub reason: &'static str,
@@ -66,26 +60,23 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
         let (name, drawn) = picture.split_once(' ').unwrap_or((picture, ""));
         (name, Step::from_name(drawn).unwrap_or(step))
     });
-    let pictures: Vec<_> = pictures.collect();
-    let book_entry = (!pictures.is_empty()).then(|| BookEntry {
-        pictures,
+    Some(Mistake {
+        title,
+        step,
+        file: file.to_owned(),
+        old: text('-'),
+        new: text('+'),
+        pictures: pictures.collect(),
         reason: first_marked('?'),
         section: first_marked('/'),
         effect: first_marked('"'),
-    });
-    let file = file.to_owned();
-    Some(Mistake { title, step, file, old: text('-'), new: text('+'), book_entry })
+    })
 }
 
 impl Mistake {
     /// The steps whose pictures it may spoil, in their order: its own and those after it.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
-    }
-
-    /// The names of its pictures in the book, each with the step that is drawn.
-    pub fn shown_pictures(&self) -> impl Iterator<Item = (&'static str, Step)> {
-        self.book_entry.iter().flat_map(|entry| entry.pictures.iter().copied())
     }
 
     /// Lines of the right text, each after a `-`, and those written instead, after `+`.

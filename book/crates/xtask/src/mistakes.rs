@@ -66,7 +66,7 @@ impl Table {
     pub fn unknown<'a>(&self, all: &'a [Mistake]) -> io::Result<Vec<&'a Mistake>> {
         let mut unknown = vec![];
         for mistake in all {
-            let mut names = mistake.shown_pictures().map(|(name, _)| name);
+            let mut names = mistake.pictures.iter().map(|(name, _)| name);
             let is_drawn = self.rows.contains_key(&self.key(mistake)?);
             if !is_drawn || names.any(|name| !self.small_pictures.contains_key(name)) {
                 unknown.push(mistake);
@@ -84,8 +84,8 @@ impl Table {
         if hashes.iter().all(Option::is_none) {
             println!("shows in no picture: {}", title_and_file(mistake));
         }
-        for (name, shown_step) in mistake.shown_pictures() {
-            let picture = pictures.iter().find(|(step, _)| *step == shown_step);
+        for (name, shown_step) in &mistake.pictures {
+            let picture = pictures.iter().find(|(step, _)| step == shown_step);
             if let Some((_, Some(picture))) = picture {
                 self.small_pictures.insert(name, shrink(picture));
             }
@@ -96,8 +96,8 @@ impl Table {
 
     /// The small pictures of a step with their names, in the order of the list.
     fn step_pictures(&self, all: &[Mistake], step: Step) -> Vec<(&'static str, &RgbImage)> {
-        let shown = all.iter().flat_map(Mistake::shown_pictures);
-        let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| name);
+        let shown = all.iter().flat_map(|mistake| &mistake.pictures);
+        let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| *name);
         names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
     }
 
