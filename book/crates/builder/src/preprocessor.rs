@@ -4,7 +4,6 @@ use crate::{chapter, problem};
 use anyhow::{Result, ensure};
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -42,16 +41,10 @@ fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Resu
     let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
     let sheet = problem::sheet_markdown(chapters);
     let (sheet, sheet_faults) = chapter::expand_directives(&sheet, sources, "");
-    let texts: Vec<_> = book.chapters().map(|c| c.content.clone()).collect();
-    let expanded = texts.par_iter().map(|text| {
-        let text = text.replace("{{#our-folder}}", our_folder);
-        chapter::expand_directives(&text, sources, &sheet)
-    });
-    let expanded: Vec<_> = expanded.collect();
-    let mut expanded = expanded.into_iter();
     let mut faults = vec![];
     book.for_each_chapter_mut(|chapter| {
-        let Some((markdown, wrong)) = expanded.next() else { return };
+        let text = chapter.content.replace("{{#our-folder}}", our_folder);
+        let (markdown, wrong) = chapter::expand_directives(&text, sources, &sheet);
         chapter.content = markdown;
         let file = chapter.source_path.clone().unwrap_or_default();
         faults.extend(
