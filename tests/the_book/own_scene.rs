@@ -1,9 +1,8 @@
 //! A scene of one's own: the Rust program that a page writes for it draws its picture.
 
-use super::assert_no_faults;
 use super::reader_workspace::ReaderWorkspace;
 use course::{describe_difference, named_scene};
-use figures::{Figure, Output, find, parse_address};
+use figures::{Output, find, parse_address};
 use image::RgbImage;
 use std::collections::HashSet;
 use tests::primary_rays;
@@ -18,41 +17,32 @@ const ADDRESSES: [&str; 5] = [
     "the-way-back-shadows-and-mirrors:1,camera-position-upwards:3.5,camera-roll:-20",
 ];
 
-/// The program that the page writes for a scene of these values, and the picture that it shows.
-fn program_and_picture(page: &Figure, values: &[f64]) -> (String, RgbImage) {
-    let program = (page.numbers)(values).remove("rust").expect("it has Rust");
-    let Output::Pixels(picture) = (page.draw)(values) else { panic!("the scene is a picture") };
-    (program, picture)
+#[test]
+#[ignore = "takes a minute: cargo test -- --include-ignored"]
+fn program_of_a_scene_draws_its_picture() {
+    let (page, reader) = (find("own_scene").expect("the page has it"), ReaderWorkspace::typed());
+    for address in ADDRESSES {
+        let values = parse_address(page, address).expect("a scene");
+        let program = (page.numbers)(&values).remove("rust").expect("it has Rust");
+        let Output::Pixels(picture) = (page.draw)(&values) else { panic!("no picture") };
+        assert_program_draws(&reader, &program, &picture);
+    }
 }
 
-/// Saves and runs a program; how it fails, or how its picture differs from this one.
-fn program_fault(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) -> Option<String> {
-    // The second line of the program is the command that runs it.
-    let command = program.lines().nth(1)?.split('`').nth(1)?;
-    let (_, example) = command.split_once(" --example ")?;
-    let example = example.split(' ').next()?;
+/// Saves a program, and runs it by the command in its second line.
+fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
+    let command = program.lines().nth(1).and_then(|line| line.split('`').nth(1));
+    let command = command.expect("a command");
+    let (_, words) = command.split_once("--example ").expect("an example");
+    let example = words.split(' ').next().unwrap_or_default();
     let path = format!("steps/step05_phong/examples/{example}.rs");
     reader.write_if_changed(&path, program).expect("a file can be written");
     let options = if command.contains(" -- ") { "" } else { "-- " };
     let line = format!("{command} {options}--width {}", picture.width());
     let (code, text) = reader.run(&line, "1").expect("a shell");
-    if code != Some(0) || text.contains("warning") {
-        return Some(format!("{text} in {program}"));
-    }
+    assert!(code == Some(0) && !text.contains("warning"), "{text} in {program}");
     let drawn = image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
-    describe_difference(picture, &drawn.to_rgb8())
-        .map(|text| format!("It draws another picture, {text}: {program}"))
-}
-
-#[test]
-#[ignore = "takes a minute: cargo test -- --include-ignored"]
-fn program_of_a_scene_draws_its_picture() {
-    let page = find("own_scene").expect("the page has it");
-    let values = ADDRESSES.map(|address| parse_address(page, address).expect("a scene"));
-    let scenes = values.into_iter().map(|values| program_and_picture(page, &values));
-    let reader = ReaderWorkspace::typed();
-    let faults = scenes.filter_map(|(program, picture)| program_fault(&reader, &program, &picture));
-    assert_no_faults(&faults.collect::<Vec<_>>());
+    assert_eq!(describe_difference(picture, &drawn.to_rgb8()), None, "{program}");
 }
 
 #[test]
