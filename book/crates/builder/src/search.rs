@@ -1,7 +1,7 @@
 use crate::{Page, Site, inner_text};
 use course::json;
-use ego_tree::NodeRef;
-use scraper::{ElementRef, Node};
+use scraper::ElementRef;
+use scraper::node::Element;
 
 /// The name of the script of the search.
 pub const INDEX: &str = "search-index.js";
@@ -36,13 +36,14 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
 /// The text of an element without what is hidden or drawn in it, and without answers and
 /// hints, which a search would give away.
 fn visible_text(element: ElementRef) -> String {
-    let is_hidden = |node: NodeRef<Node>| {
-        node.value().as_element().is_some_and(|element| {
-            let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
-            is_answer || element.attr("hidden").is_some() || element.name() == "svg"
-        })
+    let is_hidden = |element: &Element| {
+        let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
+        is_answer || element.attr("hidden").is_some() || element.name() == "svg"
     };
-    let texts = element.descendants().filter(|node| !node.ancestors().any(is_hidden));
+    let texts = element.descendants().filter(|node| {
+        let mut around = node.ancestors().filter_map(|node| node.value().as_element());
+        !around.any(is_hidden)
+    });
     let texts = texts.filter_map(|node| Some(&**node.value().as_text()?));
     texts.chain([" "]).collect()
 }

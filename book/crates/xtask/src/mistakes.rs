@@ -10,72 +10,73 @@ use image::imageops::replace;
 use image::{ImageResult, RgbImage};
 use std::collections::HashMap;
 use std::error::Error;
-use std::fs;
-use std::io;
+use std::{fs, io};
 
 /// The most mistakes in one program: as many as a compiler takes with little memory. What is
 /// drawn is written after each program, and not drawn again where the command was stopped.
 const BATCH_SIZE: usize = 60;
 
-/// What is made from the mistakes: the rows by their keys, the small pictures by their names.
+/// The mistakes, and what is made from them: the rows by their keys, the small pictures by their
+/// names.
 pub struct Table {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
+    /// All mistakes, each with its key.
+    all: Vec<(u32, Mistake)>,
     rows: HashMap<u32, Vec<Option<u64>>>,
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
 /// Draws the mistakes that the table does not know.
 pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
-    let (mut table, all) = (Table::read()?, mistakes());
-    let unknown = table.unknown(&all)?;
+    let mut table = Table::read()?;
+    let unknown: Vec<_> = table.unknown().cloned().collect();
     println!("Mistakes to draw: {}", unknown.len());
     for batch in unknown.chunks(BATCH_SIZE) {
-        for (mistake, pictures) in batch.iter().zip(mistake_program::draw(batch)?) {
-            table.insert(mistake, &pictures)?;
+        let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| mistake).collect();
+        for ((key, mistake), pictures) in batch.iter().zip(mistake_program::draw(&mistakes)?) {
+            table.insert(*key, mistake, &pictures);
         }
-        table.write(&all)?;
+        table.write()?;
         println!("{} drawn", batch.len());
     }
-    Ok(table.write(&all)?)
+    Ok(table.write()?)
+}
+
+/// A hash of what decides about a mistake's pictures: its code, and what is right.
+fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
+    let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
+    let right = right.iter().filter(|(name, _)| steps.contains(name));
+    let right = right.map(|(_, hash)| hash.to_string());
+    Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
 }
 
 impl Table {
     /// What is checked in.
     pub fn read() -> ImageResult<Self> {
-        let mut right = vec![];
+        let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
             let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
             right.push((*name, hash_picture(&image::open(path)?.into_rgb8())));
         }
+        for mistake in mistakes() {
+            all.push((key(&mistake, &right)?, mistake));
+        }
         let rows = table_rows().filter(|(_, hashes)| hashes.iter().any(Option::is_some));
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
-        Ok(Self { right, rows: rows.collect(), small_pictures })
-    }
-
-    /// A hash of what decides about a mistake's pictures: its code, and what is right.
-    fn key(&self, mistake: &Mistake) -> io::Result<u32> {
-        let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
-        let right = self.right.iter().filter(|(name, _)| steps.contains(name));
-        let right = right.map(|(_, hash)| hash.to_string());
-        Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
+        Ok(Self { right, all, rows: rows.collect(), small_pictures })
     }
 
     /// The mistakes that were not drawn with the code and the right pictures of today.
-    pub fn unknown<'a>(&self, all: &'a [Mistake]) -> io::Result<Vec<&'a Mistake>> {
-        let mut unknown = vec![];
-        for mistake in all {
+    pub fn unknown(&self) -> impl Iterator<Item = &(u32, Mistake)> {
+        self.all.iter().filter(|(key, mistake)| {
             let mut names = mistake.pictures.iter().map(|(name, _)| name);
-            let is_drawn = self.rows.contains_key(&self.key(mistake)?);
-            if !is_drawn || names.any(|name| !self.small_pictures.contains_key(name)) {
-                unknown.push(mistake);
-            }
-        }
-        Ok(unknown)
+            !self.rows.contains_key(key) || names.any(|one| !self.small_pictures.contains_key(one))
+        })
     }
 
-    fn insert(&mut self, mistake: &Mistake, pictures: &Pictures) -> io::Result<()> {
+    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &Pictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
             (!self.right.contains(&(step.name(), hash))).then_some(hash)
@@ -84,48 +85,45 @@ impl Table {
         if hashes.iter().all(Option::is_none) {
             println!("shows in no picture: {}", title_and_file(mistake));
         }
+        self.rows.insert(key, hashes);
         for (name, shown_step) in &mistake.pictures {
             let picture = pictures.iter().find(|(step, _)| step == shown_step);
             if let Some((_, Some(picture))) = picture {
                 self.small_pictures.insert(name, shrink(picture));
             }
         }
-        self.rows.insert(self.key(mistake)?, hashes);
-        Ok(())
     }
 
     /// The small pictures of a step with their names, in the order of the list.
-    fn step_pictures(&self, all: &[Mistake], step: Step) -> Vec<(&'static str, &RgbImage)> {
-        let shown = all.iter().flat_map(|mistake| &mistake.pictures);
+    fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
+        let shown = self.all.iter().flat_map(|(_, mistake)| &mistake.pictures);
         let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| *name);
         names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
     }
 
     /// The table: the hashes of what is right, the names of the small pictures, and a row for
     /// each mistake.
-    pub fn text(&self, all: &[Mistake]) -> io::Result<String> {
+    pub fn text(&self) -> String {
         let mut text = String::new();
         for (name, hash) in &self.right {
             text += &format!("= {name} {hash:016x}\n");
-            let pictures = Step::from_name(name).map(|step| self.step_pictures(all, step));
+            let pictures = Step::from_name(name).map(|step| self.step_pictures(step));
             pictures.iter().flatten().for_each(|(name, _)| text += &format!("! {name}\n"));
         }
-        for mistake in all {
-            let key = self.key(mistake)?;
-            let hashes = self.rows.get(&key).map_or(&[None][..], Vec::as_slice);
+        for (key, _) in &self.all {
             text += &format!("{key:08x}");
-            for hash in hashes {
+            for hash in self.rows.get(key).map_or(&[None][..], Vec::as_slice) {
                 text += &hash.map_or(" -".to_owned(), |hash| format!(" {hash:016x}"));
             }
             text += "\n";
         }
-        Ok(text)
+        text
     }
 
     /// Writes the small pictures, then the table.
-    fn write(&self, all: &[Mistake]) -> io::Result<()> {
+    fn write(&self) -> io::Result<()> {
         for step in Step::ALL {
-            let pictures = self.step_pictures(all, step);
+            let pictures = self.step_pictures(step);
             let [columns, rows] = SMALL_SIZE;
             let mut column = RgbImage::new(columns, rows * pictures.len() as u32);
             for ((_, picture), k) in pictures.into_iter().zip(0..) {
@@ -136,6 +134,6 @@ impl Table {
                 fs::write(path, encode_png(&column))?;
             }
         }
-        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text(all)?)
+        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text())
     }
 }
