@@ -25,8 +25,7 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     if let Ok(path) = panels.strip_prefix(workspace()) {
         settings.set_description(path.to_string_lossy().replace('\\', "/"));
     }
-    let locked_png = fs::read(snapshot_path(name, "snap.png")).unwrap_or_default();
-    let mismatch = describe_mismatch(name, &locked_png, picture);
+    let mismatch = describe_mismatch(name, picture);
     match &mismatch {
         Some(text) => {
             let command = "INSTA_UPDATE=always cargo test --test pictures";
@@ -38,7 +37,8 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
         // insta would delete a picture that waits for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
-    let png = if mismatch.is_none() { locked_png } else { encode_png(picture) };
+    let locked_png = fs::read(snapshot_path(name, "snap.png")).ok();
+    let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
     if insta_update() == "always" {
         // insta leaves half of what waited, and the picture is accepted now.
@@ -46,19 +46,14 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
 }
 
-/// How a picture differs from the locked one, or why that can't be told; None if it does not.
-/// Writes the panels of a difference.
-fn describe_mismatch(name: &str, locked_png: &[u8], picture: &RgbImage) -> Option<String> {
-    let path = snapshot_path(name, "snap.png");
-    for path in [&path, &snapshot_path(name, "snap")] {
-        if !path.exists() {
-            return Some(format!("it is not locked, there is no file {}.", path.display()));
-        }
-    }
-    let locked = match image::load_from_memory(locked_png) {
-        Ok(locked) => locked.into_rgb8(),
-        Err(error) => return Some(format!("{} can't be read: {error}.", path.display())),
+/// How a picture differs from the locked one, or that there is none; None if it does not. Writes
+/// the panels of a difference.
+fn describe_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
+    let [text, png] = ["snap", "snap.png"].map(|extension| snapshot_path(name, extension));
+    let Some(locked) = image::open(&png).ok().filter(|_| text.exists()) else {
+        return Some(format!("no picture {}, with its .snap beside it.", png.display()));
     };
+    let locked = locked.into_rgb8();
     let difference = describe_difference(&locked, picture)?;
     let path = panels_path(name);
     let _ = fs::create_dir_all(path.with_file_name(""));
