@@ -21,7 +21,6 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
             sentences.push(format!("Each wrong pixel {words}."));
         }
     };
-    tell("is black", &|one| one.yours == [0; 3]);
     for (k, name) in ["red", "green", "blue"].into_iter().enumerate() {
         let words = format!("has our {name} in all three bytes");
         tell(&words, &|one| one.yours == [one.ours[k]; 3]);

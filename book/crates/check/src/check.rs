@@ -2,13 +2,14 @@ use crate::comparison::scattered_places;
 use crate::drawing::Drawing;
 use crate::explain::explain;
 use crate::target::{Target, scene_title};
-use crate::which_picture::{find_equal, find_most_similar, find_name_in_file_name};
+use crate::which_picture::{find_equal, find_name_in_file_name};
 use crate::{Answer, LockedPictures, Picture, Verdict, escape_for_terminal, read_png};
 use course::{camera, find_mistakes_with_hash, hash_picture, locked_names};
 use image::RgbImage;
 
 /// Compares the picture in a PNG file with the locked picture `expected_name`; where that is
-/// left out, with the one that the file's own name tells, or else with the nearest.
+/// left out, with the one that the file's own name tells, or that it is, with a listed mistake or
+/// without.
 ///
 /// Reads nothing but what it is given: no file, no argument, no time.
 pub fn check_png(
@@ -18,9 +19,17 @@ pub fn check_png(
     locked: &LockedPictures,
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
-        let names = locked_names().into_iter();
+        let (yours, names) = (&picture.rgb, locked_names().into_iter());
         let name = expected_name.or_else(|| find_name_in_file_name(file_name, names));
-        check_picture(&picture.rgb, name, locked)
+        let name = name.or_else(|| find_equal(yours, locked));
+        let mistakes = || find_mistakes_with_hash(hash_picture(yours));
+        let name = name.or_else(|| mistakes().first().map(|(_, name)| *name));
+        let unknown = "no name tells which picture it should be, such as step02_sphere";
+        match name.ok_or_else(|| unknown.to_owned()).and_then(|name| locked.get(name)) {
+            Err(why) => Answer::error(why),
+            Ok(target) if target.picture == *yours => right(&target.title),
+            Ok(target) => explain(yours, &target, locked),
+        }
     })
 }
 
@@ -70,20 +79,6 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     }
     answer.text.extend(picture.notes.iter().flat_map(|note| ["\n", note]));
     answer
-}
-
-/// Compares a picture with the locked picture of a name, or with the nearest where that is left
-/// out.
-fn check_picture(yours: &RgbImage, name: Option<&str>, locked: &LockedPictures) -> Answer {
-    let name = name.or_else(|| find_equal(yours, locked));
-    let mistakes = || find_mistakes_with_hash(hash_picture(yours));
-    let name = name.or_else(|| mistakes().first().map(|(_, name)| *name));
-    let name = name.map_or_else(|| find_most_similar(yours, &locked_names(), locked), Ok);
-    match name.and_then(|name| locked.get(name)) {
-        Err(why) => Answer::error(why),
-        Ok(target) if target.picture == *yours => right(&target.title),
-        Ok(target) => explain(yours, &target, locked),
-    }
 }
 
 /// Whether a picture is the scene of a name; most others are refuted by the first pixels.

@@ -25,7 +25,7 @@ use std::{env, process::ExitCode};
 struct Arguments {
     /// The picture to look at, a PNG file
     file: Option<PathBuf>,
-    /// The expected picture (default: from the file name, else the closest)
+    /// The expected picture (default: the one that the file name tells)
     #[arg(value_parser = PossibleValuesParser::new(locked_names()), hide_possible_values = true)]
     name: Option<String>,
     /// The folder to look in for pictures of the course; or what a class has handed in, as

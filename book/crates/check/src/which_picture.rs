@@ -1,7 +1,6 @@
 use crate::LockedPictures;
 use course::{Step, hash_picture, locked_hashes};
 use image::RgbImage;
-use image::imageops::thumbnail;
 
 /// The one of `names` that a file's own name tells: `step03_nearest.png`,
 /// `my_lens-2.png`, `step3.png`.
@@ -28,20 +27,4 @@ pub(crate) fn find_equal(picture: &RgbImage, locked: &LockedPictures) -> Option<
     let hash = hash_picture(picture);
     let mut same = locked_hashes().filter(|(_, one)| *one == hash).map(|(name, _)| name);
     same.find(|name| locked.get(name).is_ok_and(|one| one.picture == *picture))
-}
-
-/// The one of some locked pictures that is most like yours, whatever its size.
-pub(crate) fn find_most_similar<'a>(
-    yours: &RgbImage,
-    names: &[&'a str],
-    locked: &LockedPictures,
-) -> Result<&'a str, String> {
-    let small = |picture: &RgbImage| thumbnail(picture, 64, 36).into_raw();
-    let yours = small(yours);
-    let mut distances = vec![];
-    for name in names {
-        let pairs = yours.iter().zip(small(&locked.get(name)?.picture));
-        distances.push((pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>(), *name));
-    }
-    Ok(distances.into_iter().min_by_key(|(distance, _)| *distance).map_or("", |(_, name)| name))
 }

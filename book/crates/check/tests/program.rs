@@ -43,9 +43,10 @@ fn answers_about_one_file_are_as_locked() {
             (odd_name, b"text".to_vec()),
         ],
     );
-    let runs: [&[&str]; 12] = [
+    let runs: [&[&str]; 13] = [
         &["step2.png"],
         &["my.png"],
+        &["my.png", "step02_sphere"],
         &["red.png", "--json"],
         &["ada.png", "--scene", "ada"],
         &["--scene", " ada\t"],

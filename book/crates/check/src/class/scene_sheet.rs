@@ -8,16 +8,9 @@ use crate::drawing::{Drawing, ObjectHit};
 use crate::wrong_pixel::{computed_values, format_number, format_vector};
 use crate::{escape_for_terminal, read_bounded_file};
 use course::{NAMED_SCENE_EXAMPLE, Owner, QUANTITIES, camera, fnv_1a};
-use std::ops::Range;
 use std::path::Path;
 use std::{fs, iter};
-use step05_phong::{Object, Ray, normal};
-
-/// The least n·l of the first light, and the least −n·V, at the point of the problems.
-const LEAST_COSINE: f64 = 0.3;
-
-/// The radii of balls for problems: of smaller ones, D loses digits, and the ground is larger.
-const RADII: Range<f64> = 0.7..10.0;
+use step05_phong::{Object, Ray};
 
 /// The sheet of a name, in Markdown.
 pub fn format_sheet(name: &str, has_answers: bool) -> String {
@@ -75,18 +68,17 @@ fn problems(drawing: &Drawing, skipped: usize, has_answers: bool) -> Option<Stri
     Some(text)
 }
 
-/// A pixel that shows a large ball in the first light, and not its edge.
+/// A pixel that shows a ball in the first light, and not its edge, where D loses digits.
 fn find_lit_pixel(drawing: &Drawing, skipped: usize) -> Option<((u32, u32), Ray, ObjectHit)> {
     let (camera, scene) = (camera(), &drawing.own.scene);
     let mut places = scattered_places((camera.h_res, camera.v_res)).skip(skipped);
     places.find_map(|(i, j)| {
         let ray = camera.ray(i.into(), j.into());
         let hit = drawing.visible_hit(&ray)?;
-        let (object, p) = (&scene.objects[hit.object], ray.at(hit.t));
-        let n = normal(&object.sphere, p);
-        let (l, _) = scene.lights[0].point_light.direction_from(p);
-        let least = n.dot(l).min(-n.dot(ray.direction));
-        let is_found = RADII.contains(&object.sphere.radius) && LEAST_COSINE < least;
+        let object = &scene.objects[hit.object];
+        let (a, b, c) = object.sphere.coefficients(&ray);
+        let light = drawing.terms_at_hit(&ray, hit, &scene.lights[..1]).diffuse.x;
+        let is_found = object.name != "ground" && 1.0 < b * b - 4.0 * a * c && 0.1 < light;
         is_found.then_some(((i, j), ray, hit))
     })
 }
