@@ -92,17 +92,12 @@ const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
     document.head.append(Object.assign(script, { src: path_to_root + file, async: isLarge, onload: done, onerror }));
 });
 
-// Code: colours, when it comes near the view or is printed, and a button that copies a listing.
+// Code: colours, when it comes near the view, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
 const colour = code => load("highlight.js").then(() => setTimeout(() => {
     // A line that is being edited stays as it is.
     if (!code.querySelector("[data-book]")) hljs.highlightBlock(code);
 }));
-function colours() {
-    const codes = document.querySelectorAll("pre > code:is(.language-rust, .language-toml)");
-    if (isWhole) codes.forEach(colour);
-    else whenNear(codes, colour);
-}
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const caption = code.closest(".listing")?.querySelector("figcaption");
     if (!caption) continue;
@@ -166,7 +161,7 @@ const SCRIPTS = {
 
 // What a page can be read without comes once it is shown: colours, what answers, and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
-    colours();
+    whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), colour);
     for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {
         if (document.querySelector(selector)) load(`theme/${name}.js`);
     }

@@ -247,8 +247,6 @@ async function activateFigure(root) {
         root.figure = figure;
         if (figure.probe) openPixel();
         if (figure.answer.numbers.address !== undefined) followScene(figure);
-        // On paper, everything else is as printed.
-        else addEventListener("beforeprint", () => { if (!figure.reset.disabled) figure.reset.click(); });
         Object.assign(controls, { hidden: false, inert: false });
         root.dataset.ready = "";
     } catch (error) {
