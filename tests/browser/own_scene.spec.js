@@ -31,11 +31,8 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Undo');
   await expect(page).toHaveURL(/tenth-sphere/);
 
-  // The scenes to start from are drawn.
-  for (const link of await page.locator('main a[href^="#scene="]').all()) {
-    await link.click();
-    await expect(page.locator('.refused')).toBeHidden();
-    await expect(page.getByRole('button', { name: 'Reset' })).toBeEnabled();
-    await expect(page).not.toHaveURL(/tenth-sphere/);
-  }
+  // A scene to start from is drawn.
+  await page.locator('main a[href^="#scene="]').first().click();
+  await expect(page).not.toHaveURL(/tenth-sphere/);
+  await expect(page.locator('.refused')).toBeHidden();
 });

@@ -3,6 +3,7 @@
 
 use crate::files::resolve_path;
 use crate::{Page, Site};
+use figures::{find, parse_address};
 use scraper::ElementRef;
 use std::collections::BTreeSet;
 
@@ -97,7 +98,10 @@ fn is_answered(page: &Page, id: &str) -> bool {
             let mut places = listings.filter_map(|listing| listing.attr("data-places"));
             places.any(|places| places.split(' ').any(|one| one.starts_with(&place)))
         }
-        Some(("scene", _)) => !page.select_all("[data-live=own_scene]").is_empty(),
+        Some(("scene", address)) => {
+            let live = page.select_all("[data-live=own_scene]").first().and(find("own_scene"));
+            live.is_some_and(|live| parse_address(live, address).is_ok())
+        }
         _ => false,
     }
 }
