@@ -43,7 +43,7 @@
             const asked = worker = new Worker(address);
             asked.onmessage = ({ data }) => show(data.code, ...makeReport(data));
             asked.onerror = () => show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
-            const scene = form.elements.scene?.value.trim();
+            const scene = form.elements.scene?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`;
             // A larger file is too large, whatever follows.
             Promise.all([wasmModules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])

@@ -19,7 +19,7 @@ use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::{Student, add_names, group_by_student, split_key};
 use crate::{Answer, LockedPictures};
 use course::NAMED_SCENE_EXAMPLE;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::prelude::*;
 use std::path::Path;
 
 /// Says of each picture in a folder or an archive whether it is right. It is one's own if it has

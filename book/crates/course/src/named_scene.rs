@@ -1,6 +1,7 @@
 use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
+#[cfg(not(target_arch = "wasm32"))]
 use unicode_normalization::UnicodeNormalization;
 
 /// The example of step 5 that draws the scene of a name. No example of the course has this name,
@@ -54,8 +55,9 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
 }
 
 /// The words of a name, with one blank between them, each letter as one character: a Mac writes
-/// "ü" as two in the names of files.
+/// "ü" as two in the names of files. In a browser, the page joins them.
 fn join_words(name: &str) -> String {
-    let name: String = name.nfc().collect();
+    #[cfg(not(target_arch = "wasm32"))]
+    let name = &*name.nfc().collect::<String>();
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }
