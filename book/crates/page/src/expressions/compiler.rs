@@ -1,16 +1,23 @@
-use crate::expressions::functions::find_function;
+use crate::expressions::functions::{find_function, is_known};
 use crate::expressions::node::{Expression, Node};
-use crate::expressions::refusal::{Checked, explain_mismatch, explain_refused_call, refuse};
+use crate::expressions::operation::{Operation, range_of, split_operation, write_tokens};
+use crate::expressions::parts::literal_part;
+use crate::expressions::refusal::{
+    Checked, explain_mismatch, explain_refused_call, explain_unknown_member, explain_unknown_name,
+    refuse,
+};
 use crate::expressions::syntax::parse_syntax;
-use crate::expressions::value::Value::{self, Stop, Unfit};
+use crate::expressions::value::Value::{self, Bool, Stop, Unfit};
 use course::Place;
-use quote::ToTokens;
 use std::ops::Range;
-use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprBinary, Ident};
+use syn::{BinOp, Expr, ExprBinary};
 
 /// Places whose value has a method called later, so that it can't be a number of an open type.
 const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
+
+/// Files without `use glam::DVec3`.
+const FILES_WITHOUT_VECTORS: [&str; 2] =
+    ["step02_sphere/src/quadratic.rs", "step03_nearest/src/nearest.rs"];
 
 /// A compiled part of a text.
 #[derive(Clone)]
@@ -23,16 +30,10 @@ pub struct Part {
     pub range: Range<usize>,
 }
 
-impl Part {
-    pub fn new(node: Node, sample: Value, is_open: bool) -> Self {
-        Self { node, sample, is_open, range: 0..0 }
-    }
-}
-
 /// Compiles the syntax of a text, as far as Rust would.
 pub struct Compiler<'a> {
-    pub place: &'a Place,
-    pub text: &'a str,
+    place: &'a Place,
+    text: &'a str,
     /// Names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Part)>,
     pub slots: usize,
@@ -50,45 +51,31 @@ pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
     }
     let part = compiler.expression(&syntax)?;
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
-    let starts_as_block = ["{", "if"].iter().any(|sign| write_tokens(&syntax).starts_with(sign));
-    let sentence = match (&syntax, place.name) {
-        _ if starts_as_block && !is_block => "Put parentheses around the block at the beginning.",
-        (Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }), "nearer") => {
-            "It stands behind a &&: put parentheses around it."
-        }
-        (_, name) if part.is_open && PLACES_WITH_METHODS.contains(&name) => {
-            "Rust can't tell yet which kind of number this is: write _f64 behind it."
-        }
-        _ => {
-            compiler.demand(&part, sample_of(place.kind), "Here belongs")?;
-            let Compiler { slots, steps, .. } = compiler;
-            let (place, length) = (place.clone(), text.len());
-            return Ok(Expression { place, node: part.node, slots, steps, length });
-        }
+    let tokens = write_tokens(&syntax);
+    let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
+    let wanted = sample_of(place.kind);
+    let sentence = if !is_block && ["{", "if"].iter().any(|sign| tokens.starts_with(sign)) {
+        "Put parentheses around the block at the beginning.".to_owned()
+    } else if is_or && place.name == "nearer" {
+        "It stands behind a &&: put parentheses around it.".to_owned()
+    } else if part.is_open && PLACES_WITH_METHODS.contains(&place.name) {
+        "Rust can't tell yet which kind of number this is: write _f64 behind it.".to_owned()
+    } else if !part.sample.is_like(&wanted) {
+        explain_mismatch("Here belongs", &part, text, &wanted)
+    } else {
+        let Compiler { slots, steps, .. } = compiler;
+        let (place, length) = (place.clone(), text.len());
+        return Ok(Expression { place, node: part.node, slots, steps, length });
     };
     refuse(part.range, sentence)
-}
-
-/// The bytes of a part of the text.
-pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
-    syntax.span().byte_range()
-}
-
-/// A part of the text without blanks and comments.
-pub fn write_tokens(syntax: &impl ToTokens) -> String {
-    syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
 impl Compiler<'_> {
     /// Compiles a part of the text. What is the same at each pixel is evaluated here.
     pub fn expression(&mut self, syntax: &Expr) -> Checked<Part> {
-        let name = match syntax {
-            Expr::Path(_) | Expr::Field(_) | Expr::MethodCall(_) | Expr::Call(_) => {
-                self.find_name(&write_tokens(syntax))
-            }
-            _ => None,
-        };
-        let part = name.map_or_else(|| self.compile(syntax), Ok)?;
+        let name = write_tokens(syntax);
+        let known = self.names.iter().find(|(known, _)| *known == name);
+        let part = known.map(|(_, part)| part.clone()).map_or_else(|| self.compile(syntax), Ok)?;
         let part = Part { range: range_of(syntax), ..part };
         if !part.node.is_constant() {
             return Ok(part);
@@ -97,40 +84,52 @@ impl Compiler<'_> {
         Ok(Part { node: Node::Constant(sample), sample, ..part })
     }
 
-    /// The value of this name, with what follows it.
-    pub fn find_name(&self, text: &str) -> Option<Part> {
-        self.names.iter().find(|(name, _)| *name == text).map(|(_, part)| part.clone())
+    /// Compiles syntax that isn't the name of a value.
+    fn compile(&mut self, syntax: &Expr) -> Checked<Part> {
+        match syntax {
+            Expr::Lit(literal) => return literal_part(&literal.lit),
+            Expr::Paren(paren) => return self.expression(&paren.expr),
+            Expr::Block(block) => return self.statements(&block.block.stmts, range_of(block)),
+            Expr::If(branches) => return self.branches(branches),
+            _ => {}
+        }
+        let Operation { name, operands, sign } = split_operation(syntax)?;
+        let parts = operands.into_iter().map(|operand| self.expression(operand));
+        let parts = parts.collect::<Checked<Vec<_>>>()?;
+        match syntax {
+            Expr::Path(_) | Expr::Call(_) => {
+                if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
+                    return refuse(sign, "This file has no use glam::DVec3.");
+                }
+                if !is_known(&name) {
+                    let sentence = explain_unknown_name(&name, &parts, self.place, self.text);
+                    return refuse(sign, sentence);
+                }
+                self.call(&name, parts, sign)
+            }
+            Expr::Field(_) | Expr::MethodCall(_) => self.member(&name, parts, sign),
+            _ => self.call(&name, parts, sign),
+        }
+    }
+
+    /// The field `.NAME` or the method `NAME` of a value.
+    fn member(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
+        if parts[0].is_open {
+            let sentence =
+                "Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.";
+            return refuse(parts[0].range.clone(), sentence);
+        }
+        let method = format!("{}::{name}", parts[0].sample.describe().0);
+        match [name, &method].into_iter().find(|name| is_known(name)) {
+            Some(name) => self.call(name, parts, sign),
+            None => refuse(sign, explain_unknown_member(name, &parts[0].sample)),
+        }
     }
 
     /// A value that is written while a line is evaluated.
     pub fn new_slot(&mut self, sample: Value, is_open: bool) -> Part {
         self.slots += 1;
-        Part::new(Node::Slot(self.slots - 1), sample, is_open)
-    }
-
-    /// Makes a name known, which `let` or a closure gives to a value.
-    pub fn add_name(&mut self, ident: &Ident, suffix: &str, part: Part) -> Checked<()> {
-        let name = ident.to_string();
-        let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
-        let is_known =
-            self.names.iter().any(|(known, _)| known.split(is_end).next() == Some(&name));
-        if is_known
-            || ["self", "gen"].contains(&&*name)
-            || name.starts_with(|sign: char| sign.is_uppercase())
-        {
-            return refuse(range_of(ident), "Take another name here, in small letters.");
-        }
-        self.names.push((name + suffix, part));
-        Ok(())
-    }
-
-    /// Refuses a part whose value isn't of a type; the subject begins the sentence about it.
-    pub fn demand(&self, part: &Part, wanted: Value, subject: &str) -> Checked<()> {
-        if part.sample.is_like(&wanted) {
-            return Ok(());
-        }
-        let sentence = explain_mismatch(subject, part, self.text, &wanted);
-        refuse(part.range.clone(), sentence)
+        Part { node: Node::Slot(self.slots - 1), sample, is_open, range: 0..0 }
     }
 
     /// The call of a function, an operator or a cast, whose name is at `sign`.
@@ -151,9 +150,19 @@ impl Compiler<'_> {
             (sample, _) => sample,
         };
         self.steps += 1;
-        let is_operator = !name.contains(char::is_alphanumeric);
-        let is_open = is_operator && parts.iter().all(|part| part.is_open);
-        let nodes = parts.into_iter().map(|part| part.node).collect();
-        Ok(Part::new(Node::Call(function.apply, nodes, sign), sample, is_open))
+        let operands = if name == "if" { &parts[1..] } else { &parts[..] };
+        let is_operator = name == "if" || !name.contains(char::is_alphabetic);
+        let is_open = is_operator && operands.iter().all(|part| part.is_open);
+        let mut nodes: Vec<_> = parts.into_iter().map(|part| part.node).collect();
+        match name {
+            "&&" => nodes.push(Node::Constant(Bool(false))),
+            "||" => nodes.insert(1, Node::Constant(Bool(true))),
+            _ => {}
+        }
+        let node = match name {
+            "if" | "&&" | "||" => Node::If(nodes),
+            _ => Node::Call(function.apply, nodes, sign),
+        };
+        Ok(Part { node, sample, is_open, range: 0..0 })
     }
 }

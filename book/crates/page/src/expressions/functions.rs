@@ -34,10 +34,13 @@ macro_rules! functions {
     };
 }
 
-/// Functions of a type, under the names that they have there.
+/// Functions of a type, under their paths.
 macro_rules! methods {
     ($type:ident $pattern:tt $values:tt $result:ident: $($name:ident)*) => {
-        functions! { $(stringify!($name), $pattern => $result($type::$name $values);)* }
+        functions! { $(
+            concat!(stringify!($type), "::", stringify!($name)), $pattern
+                => $result($type::$name $values);
+        )* }
     };
 }
 
@@ -71,8 +74,8 @@ macro_rules! comparisons {
     };
 }
 
-/// Methods such as `max`, other functions such as `DVec3::new`, fields such as `.x`, operators,
-/// casts such as `as f64`; constants are functions of nothing.
+/// Functions and methods, both such as `f64::max`, fields such as `.x`, operators, casts such as
+/// `as f64`, `if`; constants are functions of nothing.
 pub static FUNCTIONS: &[&[Function]] = &[
     methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
         tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),
@@ -100,15 +103,18 @@ pub static FUNCTIONS: &[&[Function]] = &[
     },
     comparisons! { "==" == "!=" != "<" < ">" > "<=" <= ">=" >= },
     functions! {
+        "if", [Bool(_), a, b] => if a.is_like(&b) { b } else { Unfit };
+        "&&", [Bool(_), Bool(b)] => Bool(b);
+        "||", [Bool(_), Bool(b)] => Bool(b);
         "!", [Bool(a)] => Bool(!a);
         "-", [F64(a)] => F64(-a);
         "-", [Vector(a)] => Vector(-a);
         "-", [I32(a)] => a.checked_neg().map_or(OVERFLOW, I32);
         "%", [F64(a), F64(b)] => F64(remainder(a, b));
         "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(DIVISION, I32);
-        "rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
-        "rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(DIVISION, I32);
-        "clamp", [F64(a), F64(min), F64(max)] => match min <= max {
+        "f64::rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
+        "i32::rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(DIVISION, I32);
+        "f64::clamp", [F64(a), F64(min), F64(max)] => match min <= max {
             true => F64(a.clamp(min, max)),
             false => CLAMP,
         };
@@ -117,15 +123,18 @@ pub static FUNCTIONS: &[&[Function]] = &[
         "as i32", [F64(a)] => I32(a as i32);
         "as i32", [I32(a)] => I32(a);
         "as i32", [Bool(a)] => I32(a.into());
-        "f64::from", [F64(a)] => F64(a);
         "f64::from", [I32(a)] => F64(a.into());
         "f64::from", [Bool(a)] => F64(a.into());
         "DVec3::new", [F64(x), F64(y), F64(z)] => Vector(DVec3::new(x, y, z));
         "DVec3::splat", [F64(a)] => Vector(DVec3::splat(a));
         "DVec3::from", [Array(a)] => Vector(a.into());
         "[…]", [F64(x), F64(y), F64(z)] => Array([x, y, z]);
-        "[]", [Array(a), I32(index @ 0..=2)] => F64(a[index as usize]);
-        "[]", [Vector(a), I32(index @ 0..=2)] => F64(a[index as usize]);
+        "[0]", [Array([a, _, _])] => F64(a);
+        "[1]", [Array([_, a, _])] => F64(a);
+        "[2]", [Array([_, _, a])] => F64(a);
+        "[0]", [Vector(a)] => F64(a.x);
+        "[1]", [Vector(a)] => F64(a.y);
+        "[2]", [Vector(a)] => F64(a.z);
         ".x", [Vector(a)] => F64(a.x);
         ".y", [Vector(a)] => F64(a.y);
         ".z", [Vector(a)] => F64(a.z);

@@ -40,6 +40,7 @@ mod compiler;
 mod drawing;
 mod functions;
 mod node;
+mod operation;
 mod parts;
 mod refusal;
 mod syntax;

@@ -13,7 +13,7 @@ pub enum Node {
     /// A function of up to three values; the range is that of its name in the text.
     Call(fn(&[Value]) -> Value, Vec<Node>, Range<usize>),
     /// A condition and two branches.
-    If(Box<[Node; 3]>),
+    If(Vec<Node>),
     /// What is written into a slot, and the value of the rest.
     Let(usize, Box<[Node; 2]>),
 }
@@ -35,9 +35,8 @@ impl Node {
                 }
             }
             Self::If(nodes) => {
-                let [condition, then, other] = &**nodes;
-                let is_true = matches!(condition.evaluate(slots)?, Value::Bool(true));
-                if is_true { then } else { other }.evaluate(slots)
+                let is_true = matches!(nodes[0].evaluate(slots)?, Value::Bool(true));
+                nodes[if is_true { 1 } else { 2 }].evaluate(slots)
             }
             Self::Let(index, nodes) => {
                 let [value, rest] = &**nodes;
@@ -51,8 +50,7 @@ impl Node {
     pub fn is_constant(&self) -> bool {
         match self {
             Self::Constant(_) => true,
-            Self::Call(_, nodes, _) => nodes.iter().all(Self::is_constant),
-            Self::If(nodes) => nodes.iter().all(Self::is_constant),
+            Self::Call(_, nodes, _) | Self::If(nodes) => nodes.iter().all(Self::is_constant),
             Self::Slot(_) | Self::Let(..) => false,
         }
     }

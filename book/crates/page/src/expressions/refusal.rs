@@ -39,7 +39,7 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Value) 
         (Value::F64(_), Value::I32(_)) => " Write 2, or take .powf.",
         _ => "",
     };
-    format!("{subject} {}, not {}.{cure}", wanted.describe(), actual.describe())
+    format!("{subject} {}, not {}.{cure}", wanted.describe().1, actual.describe().1)
 }
 
 /// Whether a function takes these values, or these and further ones.
@@ -54,24 +54,23 @@ pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text
     let shown_name = &text[sign.clone()];
     let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
     for (_, sample, _) in SAMPLES {
-        for (index, part) in parts.iter().enumerate() {
+        for (index, part) in parts.iter().enumerate().rev() {
             let mut other_values = values.clone();
             other_values[index] = sample;
             if find_function(name, &other_values).is_some() {
-                let is_receiver = index == 0 && shown_name.starts_with('.');
-                let verb = if is_receiver { "belongs to" } else { "takes" };
-                let subject = format!("{shown_name} {verb}");
-                let sentence = explain_mismatch(&subject, part, text, &sample);
+                let sentence =
+                    explain_mismatch(&format!("{shown_name} takes"), part, text, &sample);
                 return Refusal { range: part.range.clone(), sentence };
             }
         }
     }
     let sentence = match name {
         "^" => "For powers, Rust has .powi(2) or .powf(0.5).".to_owned(),
+        "[…]" => "An array here has three numbers.".to_owned(),
+        _ if name.starts_with('[') => "An index here is [0], [1] or [2].".to_owned(),
         _ if name.starts_with("as ") => "Behind as, there is f64 or i32.".to_owned(),
-        _ if !is_known(name) => format!("A page can't draw with {name}."),
-        _ if can_take(name, &values) => format!("{shown_name} takes more values."),
-        _ => format!("{shown_name} takes other values, or fewer."),
+        _ if is_known(name) => format!("{shown_name} takes other values, or more or fewer."),
+        _ => format!("A page can't draw with {name}."),
     };
     Refusal { range: sign, sentence }
 }
@@ -79,21 +78,22 @@ pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text
 /// Says that there is no such name, and lists those that there are; it may be called with parts.
 pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> String {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
-    // Only whole numbers have `pow`.
-    let method = if last == "pow" { "powi" } else { &last };
-    if let Some(first) = parts.first().filter(|_| is_known(method)) {
-        let (first, others) = (&text[first.range.clone()], if parts.len() < 2 { "" } else { "…" });
-        return format!("In Rust, it's a method: {first}.{method}({others}).");
+    if let [first, others @ ..] = parts
+        && is_known(&format!("{}::{last}", first.sample.describe().0))
+    {
+        let (first, dots) = (&text[first.range.clone()], if others.is_empty() { "" } else { "…" });
+        return format!("In Rust, it's a method: {first}.{last}({dots}).");
+    }
+    let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
+    let mut fields = variables.clone();
+    fields.retain(|variable| variable.starts_with(&format!("{name}.")));
+    if !fields.is_empty() {
+        return format!("Of {name}, there is:\n{}", fields.join(", "));
     }
     let cure = match &*last {
-        "pi" => "Rust's π is std::f64::consts::PI.".to_owned(),
-        _ if name.starts_with("DVec3") || last.contains("vec3") => {
-            "DVec3::new(1.0, 0.0, 0.5) is a vector.".to_owned()
-        }
-        _ => {
-            let variables = place.variables.iter().map(|(name, _)| *name);
-            format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
-        }
+        "pi" => "Rust's π is std::f64::consts::PI.",
+        _ if last.contains("vec3") => "DVec3::new(1.0, 0.0, 0.5) is a vector.",
+        _ => &format!("These are:\n{}", variables.join(", ")),
     };
     format!("{name} isn't known here. {cure}")
 }
@@ -101,19 +101,17 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
 /// Says that a value has no such `.FIELD` or `METHOD`, and lists those that it has.
 pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
     let name = member.trim_start_matches('.');
-    if is_known(name) {
+    let (kind, words) = receiver.describe();
+    if is_known(&format!("{kind}::{name}")) {
         return format!("Write .{name}(): it's a method.");
     }
     if is_known(&format!(".{name}")) {
         return format!("Write .{name} without the (): it's a field.");
     }
-    let is_part = |sign: char| sign.is_alphanumeric() || sign == '_';
-    let takes_it = |name: &&str| {
-        name.trim_start_matches('.').chars().all(is_part) && can_take(name, &[*receiver])
-    };
-    let names = FUNCTIONS.iter().copied().flatten().map(|row| row.name).filter(takes_it);
-    let names: BTreeSet<_> = names.map(|name| name.trim_start_matches('.')).collect();
-    let names = names.into_iter().collect::<Vec<_>>().join(", ");
-    let cure = if name == "pow" { " Powers are .powi(2)." } else { "" };
-    format!(".{name} isn't known here.{cure} Of {}, there is:\n{names}", receiver.describe())
+    let names = FUNCTIONS.iter().copied().flatten().map(|row| row.name);
+    let names = names.filter(|name| can_take(name, &[*receiver]));
+    let path = format!("{kind}::");
+    let names = names.filter_map(|name| name.strip_prefix('.').or(name.strip_prefix(&path)));
+    let names: Vec<_> = names.collect::<BTreeSet<_>>().into_iter().collect();
+    format!(".{name} isn't known here. Of {words}, there is:\n{}", names.join(", "))
 }

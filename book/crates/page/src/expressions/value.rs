@@ -36,9 +36,9 @@ impl Value {
         discriminant(self) == discriminant(other)
     }
 
-    /// Words for its type.
-    pub fn describe(&self) -> &'static str {
-        SAMPLES.iter().find(|row| row.1.is_like(self)).map_or("", |row| row.2)
+    /// The name of its type, and words for it.
+    pub fn describe(&self) -> (&'static str, &'static str) {
+        SAMPLES.iter().find(|row| row.1.is_like(self)).map_or(("", ""), |row| (row.0, row.2))
     }
 }
 

@@ -1,25 +1,25 @@
-//! What is said of lines that are refused, where they are read or while they draw.
+//! What is said of lines that are refused, where they are read or while they draw: of the part
+//! between ⟦ and ⟧.
 
 use course::all_listed_places;
 use page::expressions::{Refusal, draw_edited, parse_expression};
+use std::ops::Range;
 
 #[test]
 fn refused_lines_have_their_range_and_sentence() {
     let mut report = String::new();
     for line in include_str!("lines.txt").lines() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
-        report += &format!("{name}: {text}\n{}\n", answer(name, text));
+        report += &match draw(name, text) {
+            Ok(()) => format!("{name} {text}\n"),
+            Err(Refusal { range: Range { start, end }, sentence }) => {
+                let end = text.ceil_char_boundary(end);
+                let [before, wrong, after] = [&text[..start], &text[start..end], &text[end..]];
+                format!("{name} {before}⟦{wrong}⟧{after}\n    {sentence}\n")
+            }
+        };
     }
     insta::assert_snapshot!(report);
-}
-
-/// "drawn", or what is wrong below the part that is.
-fn answer(name: &str, text: &str) -> String {
-    let Err(Refusal { range, sentence }) = draw(name, text) else {
-        return "drawn\n".to_owned();
-    };
-    let blanks = " ".repeat(name.len() + 2 + range.start);
-    format!("{blanks}{}\n{sentence}\n", "^".repeat(range.len().max(1)))
 }
 
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
@@ -50,8 +50,7 @@ fn too_long_or_too_deep_text_is_refused() {
 fn answer_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
-        ("nearer t < best.as_ref().map_or(f64::INFINITY, |h| h.t)", "Not one pixel differs"),
-        ("nearer best.as_ref().is_none_or(|h| t < h.t)", "Not one pixel differs"),
+        ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
         ("byte intensity + 0.5", "\"known\":\"\""),
