@@ -1,6 +1,6 @@
 "use strict";
 
-// Lines of the listings that the reader edits. A press on one makes it a text to write in, and a
+// Lines of the listings that the reader edits. A press on one, or a key, takes it in hand, and a
 // panel below the listing shows what it draws: the module `expressions` is the five steps, with
 // what is written in those places. One line at a time is in hand; what others have stays.
 {
@@ -12,7 +12,7 @@
     let hand = null;
     // All that was written, as the texts of the edited lines by name, and which of these the page has.
     let [states, current] = [[{}], 0];
-    let [frame, restTimer] = [0, 0];
+    let restTimer = 0;
 
     const button = (words, act, label = words) => {
         const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
@@ -45,32 +45,33 @@
         return range;
     }
 
-    // Makes the places of a listing buttons.
+    // Makes the places of a listing texts to write in.
     function makeEditable(listing) {
         const code = listing.querySelector("code");
         for (const place of listing.dataset.places.split(" ")) {
             const [name, from, length] = place.split(":");
             const range = makeRange(code, Number(from), Number(length));
             const line = make("span", {
-                "class": "line", "data-line": name, spellcheck: false, autocapitalize: "off", autocorrect: "off",
+                "class": "line", "data-line": name, role: "textbox", "aria-label": "A line to edit",
+                contenteditable: "plaintext-only", spellcheck: false, autocapitalize: "off", autocorrect: "off",
             });
             line.append(range.extractContents());
             range.insertNode(line);
-            makeButton(line);
         }
-        code.addEventListener("click", event => {
-            const line = event.target.closest("[data-line]");
-            if (line && line !== hand) take(line, findCaret(line, event));
-        });
+        for (const kind of ["click", "beforeinput"]) {
+            code.addEventListener(kind, event => {
+                const line = event.target.closest("[data-line]");
+                if (line && line !== hand) take(line);
+            });
+        }
         code.addEventListener("keydown", event => {
             const line = event.target.closest("[data-line]");
             if (!line) return;
             if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
                 show(event.shiftKey ? 1 : -1);
-            } else if (line !== hand && [" ", "Enter"].includes(event.key)) {
-                take(line, line.textContent.length);
-            } else if (line === hand && event.key === "Enter") {
-                draw(LARGE);
+            } else if (event.key === "Enter") {
+                if (line === hand) draw(LARGE);
+                else take(line);
             } else if (line === hand && event.key === "Escape") {
                 record();
                 setText(line, line.dataset.book);
@@ -83,53 +84,34 @@
         code.addEventListener("input", drawSoon);
     }
 
-    function makeButton(line) {
-        line.removeAttribute("contenteditable");
-        Object.assign(line, { role: "button", tabIndex: 0, ariaLabel: `Edit ${line.textContent.replace(/\s+/g, " ")}`, ariaInvalid: null });
-    }
-
     // The text of a line; editors write blanks of their own.
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
     const isBook = line => readText(line) === line.dataset.book;
     // One that is edited, or in hand, has the book's text besides.
     const findEdited = () => [...document.querySelectorAll("[data-book]")].filter(line => !isBook(line));
 
-    // Writes into a line; the book's text may come back with its colours.
-    function setText(line, text) {
+    // Keeps the book's text of a line, and its colours.
+    function keepBook(line) {
         line.dataset.book ??= line.textContent;
         line.bookHTML ??= line.innerHTML;
+    }
+
+    function setText(line, text) {
+        keepBook(line);
         line.textContent = text;
-        if (line === hand) return;
-        if (isBook(line)) {
-            line.innerHTML = line.bookHTML;
-            delete line.dataset.book;
-        }
-        makeButton(line);
+        if (!isBook(line)) return;
+        line.innerHTML = line.bookHTML;
+        if (line !== hand) delete line.dataset.book;
     }
 
-    // How many letters of a line are before a press; all, where the browser doesn't know.
-    function findCaret(line, { clientX, clientY }) {
-        const caret = document.caretPositionFromPoint?.(clientX, clientY);
-        if (!caret || !line.contains(caret.offsetNode)) return line.textContent.length;
-        const before = document.createRange();
-        before.setStart(line, 0);
-        before.setEnd(caret.offsetNode, caret.offset);
-        return before.toString().length;
-    }
-
-    // Takes a line in hand, with the caret behind so many letters, if one is to write.
-    function take(line, caret) {
+    function take(line) {
         release();
         hand = line;
-        setText(line, readText(line));
-        Object.assign(line, { role: "textbox", ariaLabel: "Your line", contentEditable: "plaintext-only" });
+        keepBook(line);
+        line.ariaCurrent = true;
         line.closest("figure").append(panel);
         line.closest("pre").scrollLeft = 0;
         tell("One moment …");
-        if (caret !== undefined) {
-            line.focus({ preventScroll: true });
-            getSelection().collapse(line.firstChild, caret);
-        }
         draw(LARGE);
     }
 
@@ -139,7 +121,7 @@
         const line = hand;
         clearLine();
         record();
-        hand = null;
+        hand = line.ariaCurrent = line.ariaInvalid = null;
         setText(line, readText(line));
         panel.remove();
         const code = line.closest("code");
@@ -164,19 +146,21 @@
         current += later;
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
-        take(differ[0], differ[0].textContent.length);
+        take(differ[0]);
+        differ[0].focus({ preventScroll: true });
+        getSelection().selectAllChildren(differ[0]);
+        getSelection().collapseToEnd();
     }
 
     // Drops what was to be drawn later, and what was told of the line.
     function clearLine() {
-        cancelAnimationFrame(frame);
         clearTimeout(restTimer);
         mark();
     }
 
     function drawSoon() {
         clearLine();
-        frame = requestAnimationFrame(() => draw(SMALL));
+        draw(SMALL);
         restTimer = setTimeout(draw, REST, LARGE);
     }
 
@@ -240,9 +224,7 @@
     function mark(line, from, to) {
         window.CSS.highlights?.delete("wrong");
         if (!line) return;
-        const isEnd = from === line.textContent.length;
-        const range = makeRange(line, isEnd ? from - 1 : from, Math.max(1, to - from));
-        window.CSS.highlights?.set("wrong", new Highlight(range));
+        window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
 
     // Opens the edits that are in the address, and takes the first in hand.
