@@ -49,5 +49,4 @@ mod value;
 pub use compiler::parse_expression;
 pub use drawing::{TOO_LONG, draw_edited};
 pub use refusal::Refusal;
-pub use steps::FAULTS;
 pub use value::Value;

@@ -2,10 +2,9 @@ use crate::expressions::refusal::{Checked, Refusal, refuse};
 use std::ops::Range;
 use syn::Expr;
 
-/// The most bytes, signs, and brackets inside each other: as deep as they may be, they fit the
-/// stack of a page.
-const LENGTH: usize = 400;
-const SIGNS: usize = 200;
+/// The most bytes, and brackets inside each other: as deep as they may be, they fit the stack of a
+/// page.
+const LENGTH: usize = 250;
 const DEPTH: usize = 20;
 
 /// Signs that no line may have, each with a sentence about it.
@@ -28,7 +27,10 @@ pub fn parse_syntax(text: &str) -> Checked<Expr> {
 
 /// Refuses signs that no line has, and what is too long or too deep to be read.
 fn check_signs(text: &str) -> Checked<()> {
-    let (mut sign_count, mut depth) = (0, 0_usize);
+    if LENGTH < text.len() {
+        return refuse(0..text.len(), "That's longer than a line should be.");
+    }
+    let mut depth = 0_usize;
     for (at, sign) in text.char_indices() {
         let range = at..at + 1;
         if !sign.is_ascii() || "'\"#@$\\".contains(sign) {
@@ -38,7 +40,6 @@ fn check_signs(text: &str) -> Checked<()> {
             );
             return refuse(range, sentence);
         }
-        sign_count += usize::from(sign.is_ascii_punctuation());
         match sign {
             '(' | '[' | '{' => depth += 1,
             ')' | ']' | '}' => depth = depth.saturating_sub(1),
@@ -47,9 +48,6 @@ fn check_signs(text: &str) -> Checked<()> {
         if DEPTH < depth {
             return refuse(range, "That's too many inside each other.");
         }
-    }
-    if LENGTH < text.len() || SIGNS < sign_count {
-        return refuse(0..text.len(), "That's longer than a line should be.");
     }
     let find = |(sign, sentence)| Some((text.match_indices(sign).next()?, sentence));
     match UNREAD_SIGNS.into_iter().find_map(find) {

@@ -33,7 +33,6 @@ fn too_long_or_too_deep_text_is_refused() {
     for (text, words) in [
         (format!("{}1.0{}", "[".repeat(41), "]".repeat(41)), "inside each other"),
         ("-".repeat(10_000), "longer than a line"),
-        ("|".repeat(399), "longer than a line"),
         (format!("1.0{}", "+1e300%v.x".repeat(3)), "longer than a page"),
         (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
     ] {
@@ -42,7 +41,7 @@ fn too_long_or_too_deep_text_is_refused() {
     }
     // As deep as it may be.
     for sign in ["-", "!", "&", "*", "|", "=", "return ", "..", "a as "] {
-        let _ = draw("a", &sign.repeat(200 / sign.len()));
+        let _ = draw("a", &sign.repeat(250 / sign.len()));
     }
 }
 
