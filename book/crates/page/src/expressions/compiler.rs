@@ -1,5 +1,5 @@
+use crate::expressions::expression::{Expression, Run};
 use crate::expressions::functions::{find_function, is_known};
-use crate::expressions::node::{Expression, Node};
 use crate::expressions::operation::{Operation, range_of, split_operation, write_tokens};
 use crate::expressions::parts::literal_part;
 use crate::expressions::refusal::{
@@ -10,6 +10,7 @@ use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value::{self, Bool, Stop, Unfit};
 use course::Place;
 use std::ops::Range;
+use std::sync::Arc;
 use syn::{BinOp, Expr, ExprBinary};
 
 /// Places whose value has a method called later, so that it can't be a number of an open type.
@@ -22,12 +23,21 @@ const FILES_WITHOUT_VECTORS: [&str; 2] =
 /// A compiled part of a text.
 #[derive(Clone)]
 pub struct Part {
-    pub node: Node,
-    /// A value of its type: its own, if it is the same at each pixel.
+    pub run: Run,
+    /// Whether it is the same at each pixel.
+    pub is_constant: bool,
+    /// A value of its type: its own, if it is constant.
     pub sample: Value,
     /// Whether it is a number such as 2.0, or a sum of such, which has no methods yet.
     pub is_open: bool,
     pub range: Range<usize>,
+}
+
+impl Part {
+    /// What has this value at each pixel.
+    pub fn constant(sample: Value, is_open: bool) -> Self {
+        Self { run: Arc::new(move |_| Ok(sample)), is_constant: true, sample, is_open, range: 0..0 }
+    }
 }
 
 /// Compiles the syntax of a text, as far as Rust would.
@@ -65,7 +75,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
     } else {
         let Compiler { slots, steps, .. } = compiler;
         let (place, length) = (place.clone(), text.len());
-        return Ok(Expression { place, node: part.node, slots, steps, length });
+        return Ok(Expression { place, run: part.run, slots, steps, length });
     };
     refuse(part.range, sentence)
 }
@@ -77,11 +87,11 @@ impl Compiler<'_> {
         let known = self.names.iter().find(|(known, _)| *known == name);
         let part = known.map(|(_, part)| part.clone()).map_or_else(|| self.compile(syntax), Ok)?;
         let part = Part { range: range_of(syntax), ..part };
-        if !part.node.is_constant() {
+        if !part.is_constant {
             return Ok(part);
         }
-        let sample = part.node.evaluate(&mut [])?;
-        Ok(Part { node: Node::Constant(sample), sample, ..part })
+        let sample = (part.run)(&mut [])?;
+        Ok(Part { range: part.range, ..Part::constant(sample, part.is_open) })
     }
 
     /// Compiles syntax that isn't the name of a value.
@@ -112,24 +122,26 @@ impl Compiler<'_> {
         }
     }
 
-    /// The field `.NAME` or the method `NAME` of a value.
+    /// The field `.NAME` or the method `::NAME` of a value.
     fn member(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
         if parts[0].is_open {
             let sentence =
                 "Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.";
             return refuse(parts[0].range.clone(), sentence);
         }
-        let method = format!("{}::{name}", parts[0].sample.describe().0);
-        match [name, &method].into_iter().find(|name| is_known(name)) {
-            Some(name) => self.call(name, parts, sign),
-            None => refuse(sign, explain_unknown_member(name, &parts[0].sample)),
+        let path = parts[0].sample.describe().0.to_owned() + name;
+        if !is_known(&path) {
+            return refuse(sign, explain_unknown_member(name, &parts[0].sample));
         }
+        self.call(&path, parts, sign)
     }
 
     /// A value that is written while a line is evaluated.
     pub fn new_slot(&mut self, sample: Value, is_open: bool) -> Part {
         self.slots += 1;
-        Part { node: Node::Slot(self.slots - 1), sample, is_open, range: 0..0 }
+        let slot = self.slots - 1;
+        let run = move |slots: &mut [Value]| Ok(slots[slot]);
+        Part { run: Arc::new(run), is_constant: false, sample, is_open, range: 0..0 }
     }
 
     /// The call of a function, an operator or a cast, whose name is at `sign`.
@@ -140,7 +152,7 @@ impl Compiler<'_> {
         };
         let sample = match ((function.apply)(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.
-            (Stop(sentence), Some(Part { node: Node::Constant(_), .. }))
+            (Stop(sentence), Some(Part { is_constant: true, .. }))
                 if ["/", "%"].contains(&name) =>
             {
                 return refuse(sign, sentence);
@@ -153,16 +165,29 @@ impl Compiler<'_> {
         let operands = if name == "if" { &parts[1..] } else { &parts[..] };
         let is_operator = name == "if" || !name.contains(char::is_alphabetic);
         let is_open = is_operator && operands.iter().all(|part| part.is_open);
-        let mut nodes: Vec<_> = parts.into_iter().map(|part| part.node).collect();
+        let is_constant = parts.iter().all(|part| part.is_constant);
+        let mut runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
         match name {
-            "&&" => nodes.push(Node::Constant(Bool(false))),
-            "||" => nodes.insert(1, Node::Constant(Bool(true))),
+            "&&" => runs.push(Part::constant(Bool(false), false).run),
+            "||" => runs.insert(1, Part::constant(Bool(true), false).run),
             _ => {}
         }
-        let node = match name {
-            "if" | "&&" | "||" => Node::If(nodes),
-            _ => Node::Call(function.apply, nodes, sign),
+        let run: Run = match name {
+            "if" | "&&" | "||" => Arc::new(move |slots| {
+                let is_true = matches!(runs[0](slots)?, Bool(true));
+                runs[if is_true { 1 } else { 2 }](slots)
+            }),
+            _ => Arc::new(move |slots| {
+                let mut values = [Unfit; 3];
+                for (value, run) in values.iter_mut().zip(&runs) {
+                    *value = run(slots)?;
+                }
+                match (function.apply)(&values[..runs.len()]) {
+                    Stop(sentence) => refuse(sign.clone(), sentence),
+                    value => Ok(value),
+                }
+            }),
         };
-        Ok(Part { node, sample, is_open, range: 0..0 })
+        Ok(Part { run, is_constant, sample, is_open, range: 0..0 })
     }
 }

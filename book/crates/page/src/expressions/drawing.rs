@@ -1,4 +1,4 @@
-use crate::expressions::node::{Expression, REMAINING_STEPS};
+use crate::expressions::expression::{Expression, REMAINING_STEPS};
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,

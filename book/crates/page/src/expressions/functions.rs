@@ -1,4 +1,4 @@
-use crate::expressions::node::spend;
+use crate::expressions::expression::spend;
 use crate::expressions::value::Value::{self, Array, Bool, F64, I32, Stop, Unfit, Vector};
 use glam::DVec3;
 use std::f64::consts;
@@ -74,7 +74,7 @@ macro_rules! comparisons {
     };
 }
 
-/// Functions and methods, both such as `f64::max`, fields such as `.x`, operators, casts such as
+/// Functions and methods, both such as `f64::max`, fields such as `DVec3.x`, operators, casts such as
 /// `as f64`, `if`; constants are functions of nothing.
 pub static FUNCTIONS: &[&[Function]] = &[
     methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
@@ -135,9 +135,9 @@ pub static FUNCTIONS: &[&[Function]] = &[
         "[0]", [Vector(a)] => F64(a.x);
         "[1]", [Vector(a)] => F64(a.y);
         "[2]", [Vector(a)] => F64(a.z);
-        ".x", [Vector(a)] => F64(a.x);
-        ".y", [Vector(a)] => F64(a.y);
-        ".z", [Vector(a)] => F64(a.z);
+        "DVec3.x", [Vector(a)] => F64(a.x);
+        "DVec3.y", [Vector(a)] => F64(a.y);
+        "DVec3.z", [Vector(a)] => F64(a.z);
         "std::f64::consts::PI", [] => F64(consts::PI);
         "std::f64::consts::TAU", [] => F64(consts::TAU);
     },

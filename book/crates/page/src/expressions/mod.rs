@@ -3,8 +3,7 @@
 //!
 //! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
 //! script copies the steps' own source and puts a question, `editable!`, around each place.
-//! `syn` reads a reader's text, and the *compiler* makes *nodes* of it, which are evaluated for
-//! each pixel. A value tells its type, and a table of *functions* what they do with values of which
+//! `syn` reads a reader's text, and the *compiler* makes closures of it, which run for each pixel. A value tells its type, and a table of *functions* what they do with values of which
 //! types: so the compiler, which knows a *sample* of each part's value, finds out by calling a
 //! function whether Rust would. What Rust would refuse is refused, with a range of the text and a
 //! sentence; so is what would stop the reader's program while it draws.
@@ -38,8 +37,8 @@ mod steps {
 
 mod compiler;
 mod drawing;
+mod expression;
 mod functions;
-mod node;
 mod operation;
 mod parts;
 mod refusal;

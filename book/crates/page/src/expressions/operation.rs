@@ -54,7 +54,7 @@ pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
             (format!(".{}", write_tokens(&field.member)), vec![&*field.base], sign)
         }
         Expr::MethodCall(call) => {
-            let name = call.method.to_string() + &write_tokens(&call.turbofish);
+            let name = format!("::{}{}", call.method, write_tokens(&call.turbofish));
             let sign = range_of(&call.dot_token).start..range_of(&call.method).end;
             (name, once(&*call.receiver).chain(&call.args).collect(), sign)
         }

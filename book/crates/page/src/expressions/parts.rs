@@ -1,11 +1,11 @@
 //! What a line may have besides functions of its parts.
 
 use crate::expressions::compiler::{Compiler, Part};
-use crate::expressions::node::Node;
 use crate::expressions::operation::range_of;
 use crate::expressions::refusal::{Checked, refuse};
-use crate::expressions::value::Value::{Bool, F64, I32};
+use crate::expressions::value::Value::{self, Bool, F64, I32};
 use std::ops::Range;
+use std::sync::Arc;
 use syn::{ExprIf, Ident, Lit, LocalInit, Pat, PatIdent, Stmt};
 
 const BLOCK: &str = "A block here has let x = …; and a value at its end.";
@@ -40,18 +40,22 @@ impl Compiler<'_> {
             return refuse(range, BLOCK);
         };
         let value = self.expression(expr)?;
-        let (slot, is_constant) = (self.slots, value.node.is_constant());
-        let named_part = match is_constant {
+        let slot = self.slots;
+        let named_part = match value.is_constant {
             true => value.clone(),
             false => self.new_slot(value.sample, value.is_open),
         };
         self.add_name(ident, named_part)?;
-        let mut part = self.statements(rest, range)?;
+        let part = self.statements(rest, range)?;
         self.names.pop();
-        if !is_constant {
-            part.node = Node::Let(slot, Box::new([value.node, part.node]));
+        if value.is_constant {
+            return Ok(part);
         }
-        Ok(part)
+        let run = move |slots: &mut [Value]| {
+            slots[slot] = (value.run)(slots)?;
+            (part.run)(slots)
+        };
+        Ok(Part { run: Arc::new(run), is_constant: false, ..part })
     }
 
     /// Makes a name known, which `let` gives to a value.
@@ -82,7 +86,7 @@ pub fn literal_part(literal: &Lit) -> Checked<Part> {
     match (sample, literal.suffix()) {
         (Some(F64(f64::INFINITY)), _) => refuse(range_of(literal), "That's beyond an f64."),
         (Some(sample), "") | (Some(sample @ I32(_)), "i32") | (Some(sample @ F64(_)), "f64") => {
-            Ok(Part { node: Node::Constant(sample), sample, is_open, range: 0..0 })
+            Ok(Part::constant(sample, is_open))
         }
         _ => refuse(range_of(literal), "Rust has no such f64 or i32; or is a * missing?"),
     }

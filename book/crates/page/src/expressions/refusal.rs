@@ -18,6 +18,9 @@ pub struct Refusal {
 
 pub type Checked<T> = Result<T, Refusal>;
 
+/// Functions of a type that no value has as its method.
+const NO_MEMBERS: [&str; 3] = ["from", "new", "splat"];
+
 /// Refuses a part of a text.
 pub fn refuse<T>(range: Range<usize>, sentence: impl Into<String>) -> Checked<T> {
     Err(Refusal { range, sentence: sentence.into() })
@@ -40,13 +43,6 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Value) 
         _ => "",
     };
     format!("{subject} {}, not {}.{cure}", wanted.describe().1, actual.describe().1)
-}
-
-/// Whether a function takes these values, or these and further ones.
-fn can_take(name: &str, values: &[Value]) -> bool {
-    let can_take_more = |(_, sample, _)| can_take(name, &[values, &[sample]].concat());
-    find_function(name, values).is_some()
-        || values.len() < 3 && SAMPLES.into_iter().any(can_take_more)
 }
 
 /// Why a function, whose name is at `sign`, can't be called with these values, and what is wrong.
@@ -98,20 +94,20 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
     format!("{name} isn't known here. {cure}")
 }
 
-/// Says that a value has no such `.FIELD` or `METHOD`, and lists those that it has.
+/// Says that a value has no such field `.NAME` or method `::NAME`, and lists those that it has.
 pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
-    let name = member.trim_start_matches('.');
+    let name = member.trim_start_matches(['.', ':']);
     let (kind, words) = receiver.describe();
     if is_known(&format!("{kind}::{name}")) {
         return format!("Write .{name}(): it's a method.");
     }
-    if is_known(&format!(".{name}")) {
+    if is_known(&format!("{kind}.{name}")) {
         return format!("Write .{name} without the (): it's a field.");
     }
-    let names = FUNCTIONS.iter().copied().flatten().map(|row| row.name);
-    let names = names.filter(|name| can_take(name, &[*receiver]));
-    let path = format!("{kind}::");
-    let names = names.filter_map(|name| name.strip_prefix('.').or(name.strip_prefix(&path)));
-    let names: Vec<_> = names.collect::<BTreeSet<_>>().into_iter().collect();
-    format!(".{name} isn't known here. Of {words}, there is:\n{}", names.join(", "))
+    let members = FUNCTIONS.iter().copied().flatten().filter_map(|row| row.name.strip_prefix(kind));
+    let members: BTreeSet<_> =
+        members.map(|member| member.trim_start_matches(['.', ':'])).collect();
+    let is_member = |name: &&str| !name.contains(char::is_uppercase) && !NO_MEMBERS.contains(name);
+    let members: Vec<_> = members.into_iter().filter(is_member).collect();
+    format!(".{name} isn't known here. Of {words}, there is:\n{}", members.join(", "))
 }

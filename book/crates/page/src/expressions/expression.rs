@@ -1,0 +1,38 @@
+use crate::expressions::refusal::Checked;
+use crate::expressions::value::Value;
+use course::Place;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
+
+/// Computes a value from those of the slots, unless the reader's program would stop.
+pub type Run = Arc<dyn Fn(&mut [Value]) -> Checked<Value> + Send + Sync>;
+
+/// Meaning of a reader's text: a function of the variables of its place.
+#[derive(Clone)]
+pub struct Expression {
+    pub(super) place: Place,
+    pub(super) run: Run,
+    /// How many variables and values of `let` it has.
+    pub(super) slots: usize,
+    /// Functions and operators that it calls at most.
+    pub(super) steps: i64,
+    /// Bytes of its text.
+    pub(super) length: usize,
+}
+
+impl Expression {
+    /// Computes its value for these values of the variables.
+    pub fn evaluate(&self, mut variables: Vec<Value>) -> Checked<Value> {
+        spend(self.steps);
+        variables.resize(self.slots, Value::Unfit);
+        (self.run)(&mut variables)
+    }
+}
+
+/// The steps that a picture may still take.
+pub static REMAINING_STEPS: AtomicI64 = AtomicI64::new(0);
+
+/// Counts steps of a picture.
+pub fn spend(steps: i64) {
+    REMAINING_STEPS.fetch_sub(steps, Relaxed);
+}
