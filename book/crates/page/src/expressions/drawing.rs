@@ -5,12 +5,8 @@ use crate::expressions::steps::{
 };
 use crate::expressions::value::Value;
 use image::RgbImage;
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
-
-/// Sentence about a picture that takes more steps than it may.
-pub const TOO_LONG: &str = "That takes longer than a page should.";
 
 /// The places that are edited: a bit for the index of each.
 static PLACES: AtomicU64 = AtomicU64::new(0);
@@ -39,15 +35,11 @@ fn is_over() -> bool {
 #[inline(never)]
 pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
-    let mut value = Value::Unfit;
-    if let Some(line) = lines.iter().find(|line| line.place.index == place && !is_over()) {
-        match line.evaluate(variables) {
-            Ok(_) if is_over() => stop(line, 0..line.length, TOO_LONG),
-            Ok(result) => value = result,
-            Err(Refusal { range, sentence }) => stop(line, range, &sentence),
-        }
-    }
-    T::try_from(value).unwrap_or_default()
+    let line = lines.iter().find(|line| line.place.index == place && !is_over());
+    let evaluate = |line: &Expression| {
+        line.evaluate(variables).map_err(|refusal| stop(line.place.name, refusal)).ok()
+    };
+    line.and_then(evaluate).and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }
 
 /// Notes why the reader's program would stop in the code around the lines.
@@ -55,13 +47,13 @@ pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec
 pub(crate) fn stop_outside(sentence: &str) {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(line) = lines.first().filter(|_| !is_over()) {
-        stop(line, 0..line.length, &format!("Here your program would stop: {sentence}."));
+        let sentence = format!("Here your program would stop: {sentence}.");
+        stop(line.place.name, Refusal { range: 0..line.length, sentence });
     }
 }
 
-fn stop(line: &Expression, range: Range<usize>, sentence: &str) {
-    let mut stop = STOP.lock().unwrap_or_else(PoisonError::into_inner);
-    stop.get_or_insert((line.place.name, Refusal { range, sentence: sentence.to_owned() }));
+fn stop(name: &'static str, refusal: Refusal) {
+    STOP.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert((name, refusal));
     REMAINING_STEPS.store(i64::MIN / 2, Relaxed);
 }
 

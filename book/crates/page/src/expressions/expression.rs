@@ -1,8 +1,11 @@
-use crate::expressions::refusal::Checked;
+use crate::expressions::refusal::{Checked, refuse};
 use crate::expressions::value::Value;
 use course::Place;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
+
+/// Sentence about a picture that takes more steps than it may.
+pub const TOO_LONG: &str = "That takes longer than a page should.";
 
 /// Computes a value from those of the slots, unless the reader's program would stop.
 pub type Run = Arc<dyn Fn(&mut [Value]) -> Checked<Value> + Send + Sync>;
@@ -23,7 +26,9 @@ pub struct Expression {
 impl Expression {
     /// Computes its value for these values of the variables.
     pub fn evaluate(&self, mut variables: Vec<Value>) -> Checked<Value> {
-        spend(self.steps);
+        if spend(self.steps) < 0 {
+            return refuse(0..self.length, TOO_LONG);
+        }
         variables.resize(self.slots, Value::Unfit);
         (self.run)(&mut variables)
     }
@@ -32,7 +37,7 @@ impl Expression {
 /// The steps that a picture may still take.
 pub static REMAINING_STEPS: AtomicI64 = AtomicI64::new(0);
 
-/// Counts steps of a picture.
-pub fn spend(steps: i64) {
-    REMAINING_STEPS.fetch_sub(steps, Relaxed);
+/// Counts steps of a picture; gives those that remain.
+pub fn spend(steps: i64) -> i64 {
+    REMAINING_STEPS.fetch_sub(steps, Relaxed) - steps
 }

@@ -46,6 +46,7 @@ mod syntax;
 mod value;
 
 pub use compiler::parse_expression;
-pub use drawing::{TOO_LONG, draw_edited};
+pub use drawing::draw_edited;
+pub use expression::TOO_LONG;
 pub use refusal::Refusal;
 pub use value::Value;
