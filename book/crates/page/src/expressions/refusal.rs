@@ -80,34 +80,28 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
         let (first, dots) = (&text[first.range.clone()], if others.is_empty() { "" } else { "…" });
         return format!("In Rust, it's a method: {first}.{last}({dots}).");
     }
-    let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
-    let mut fields = variables.clone();
-    fields.retain(|variable| variable.starts_with(&format!("{name}.")));
-    if !fields.is_empty() {
-        return format!("Of {name}, there is:\n{}", fields.join(", "));
-    }
     let cure = match &*last {
         "pi" => "Rust's π is std::f64::consts::PI.",
         _ if last.contains("vec3") => "DVec3::new(1.0, 0.0, 0.5) is a vector.",
-        _ => &format!("These are:\n{}", variables.join(", ")),
+        _ => {
+            let variables = place.variables.iter().map(|(name, _)| *name);
+            &format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
+        }
     };
     format!("{name} isn't known here. {cure}")
 }
 
 /// Says that a value has no such field `.NAME` or method `::NAME`, and lists those that it has.
 pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
-    let name = member.trim_start_matches(['.', ':']);
     let (kind, words) = receiver.describe();
-    if is_known(&format!("{kind}::{name}")) {
-        return format!("Write .{name}(): it's a method.");
-    }
-    if is_known(&format!("{kind}.{name}")) {
-        return format!("Write .{name} without the (): it's a field.");
-    }
-    let members = FUNCTIONS.iter().copied().flatten().filter_map(|row| row.name.strip_prefix(kind));
-    let members: BTreeSet<_> =
-        members.map(|member| member.trim_start_matches(['.', ':'])).collect();
-    let is_member = |name: &&str| !name.contains(char::is_uppercase) && !NO_MEMBERS.contains(name);
-    let members: Vec<_> = members.into_iter().filter(is_member).collect();
+    let members = FUNCTIONS.iter().copied().flatten().filter_map(|row| {
+        let member = row.name.strip_prefix(kind)?;
+        let name = member.trim_start_matches(['.', ':']);
+        let is_member = name.starts_with(char::is_lowercase) && !NO_MEMBERS.contains(&name);
+        is_member
+            .then(|| if member.starts_with('.') { name.to_owned() } else { format!("{name}()") })
+    });
+    let members: Vec<_> = members.collect::<BTreeSet<_>>().into_iter().collect();
+    let name = member.trim_start_matches(['.', ':']);
     format!(".{name} isn't known here. Of {words}, there is:\n{}", members.join(", "))
 }

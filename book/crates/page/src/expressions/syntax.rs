@@ -2,10 +2,8 @@ use crate::expressions::refusal::{Checked, Refusal, refuse};
 use std::ops::Range;
 use syn::Expr;
 
-/// The most bytes, and brackets inside each other: as deep as they may be, they fit the stack of a
-/// page.
+/// The most bytes: as deep as they may be inside each other, they fit the stack of a page.
 const LENGTH: usize = 250;
-const DEPTH: usize = 20;
 
 /// Signs that no line may have, each with a sentence about it.
 const UNREAD_SIGNS: [(&str, &str); 3] = [
@@ -25,29 +23,18 @@ pub fn parse_syntax(text: &str) -> Checked<Expr> {
     })
 }
 
-/// Refuses signs that no line has, and what is too long or too deep to be read.
+/// Refuses signs that no line has, and what is too long to be read.
 fn check_signs(text: &str) -> Checked<()> {
     if LENGTH < text.len() {
         return refuse(0..text.len(), "That's longer than a line should be.");
     }
-    let mut depth = 0_usize;
-    for (at, sign) in text.char_indices() {
-        let range = at..at + 1;
-        if !sign.is_ascii() || "'\"#@$\\".contains(sign) {
-            let sentence = format!(
-                "A page can't read {sign}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), \
-                 .sqrt(), <=, std::f64::consts::PI."
-            );
-            return refuse(range, sentence);
-        }
-        match sign {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if DEPTH < depth {
-            return refuse(range, "That's too many inside each other.");
-        }
+    let is_unread = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
+    if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unread(*sign)) {
+        let sentence = format!(
+            "A page can't read {sign}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), .sqrt(), \
+             <=, std::f64::consts::PI."
+        );
+        return refuse(at..at + 1, sentence);
     }
     let find = |(sign, sentence)| Some((text.match_indices(sign).next()?, sentence));
     match UNREAD_SIGNS.into_iter().find_map(find) {

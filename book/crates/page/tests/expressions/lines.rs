@@ -29,9 +29,8 @@ fn draw(name: &str, text: &str) -> Result<(), Refusal> {
 }
 
 #[test]
-fn too_long_or_too_deep_text_is_refused() {
+fn too_long_text_is_refused() {
     for (text, words) in [
-        (format!("{}1.0{}", "[".repeat(41), "]".repeat(41)), "inside each other"),
         ("-".repeat(10_000), "longer than a line"),
         (format!("1.0{}", "+1e300%v.x".repeat(3)), "longer than a page"),
         (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
