@@ -183,7 +183,7 @@
         panel.classList.toggle("old", Boolean(answer.mistake));
         if (answer.size) {
             const [width, height] = answer.size;
-            if (canvas.width !== width) Object.assign(canvas, { width, height });
+            Object.assign(canvas, { width, height });
             paint(canvas, answer);
         }
         if (columns !== LARGE) return;

@@ -1,6 +1,6 @@
 use crate::expressions::expression::{Expression, Run};
 use crate::expressions::functions::{find_function, is_known};
-use crate::expressions::operation::{Operation, range_of, split_operation, write_tokens};
+use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::parts::literal_part;
 use crate::expressions::refusal::{
     Checked, explain_mismatch, explain_refused_call, explain_unknown_member, explain_unknown_name,
@@ -46,14 +46,13 @@ pub struct Compiler<'a> {
     text: &'a str,
     /// Names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Part)>,
-    pub slots: usize,
     steps: i64,
 }
 
 /// Reads what a reader wrote at a place.
 pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
     let syntax = parse_syntax(text)?;
-    let mut compiler = Compiler { place, text, names: vec![], slots: 0, steps: 0 };
+    let mut compiler = Compiler { place, text, names: vec![], steps: 0 };
     let sample_of = |kind| Value::from_type(kind).unwrap_or(Unfit);
     for (name, kind) in &place.variables {
         let part = compiler.new_slot(sample_of(kind), false);
@@ -73,9 +72,8 @@ pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
     } else if !part.sample.is_like(&wanted) {
         explain_mismatch("Here belongs", &part, text, &wanted)
     } else {
-        let Compiler { slots, steps, .. } = compiler;
-        let (place, length) = (place.clone(), text.len());
-        return Ok(Expression { place, run: part.run, slots, steps, length });
+        let (place, run, steps) = (place.clone(), part.run, compiler.steps);
+        return Ok(Expression { place, run, steps, length: text.len() });
     };
     refuse(part.range, sentence)
 }
@@ -90,7 +88,7 @@ impl Compiler<'_> {
         if !part.is_constant {
             return Ok(part);
         }
-        let sample = (part.run)(&mut [])?;
+        let sample = (part.run)(&mut vec![])?;
         Ok(Part { range: part.range, ..Part::constant(sample, part.is_open) })
     }
 
@@ -103,7 +101,7 @@ impl Compiler<'_> {
             Expr::If(branches) => return self.branches(branches),
             _ => {}
         }
-        let Operation { name, operands, sign } = split_operation(syntax)?;
+        let (name, operands, sign) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.expression(operand));
         let parts = parts.collect::<Checked<Vec<_>>>()?;
         match syntax {
@@ -136,11 +134,10 @@ impl Compiler<'_> {
         self.call(&path, parts, sign)
     }
 
-    /// A value that is written while a line is evaluated.
-    pub fn new_slot(&mut self, sample: Value, is_open: bool) -> Part {
-        self.slots += 1;
-        let slot = self.slots - 1;
-        let run = move |slots: &mut [Value]| Ok(slots[slot]);
+    /// The next value of a variable or of `let`, which differs from pixel to pixel.
+    pub fn new_slot(&self, sample: Value, is_open: bool) -> Part {
+        let slot = self.names.iter().filter(|(_, part)| !part.is_constant).count();
+        let run = move |slots: &mut Vec<Value>| Ok(slots[slot]);
         Part { run: Arc::new(run), is_constant: false, sample, is_open, range: 0..0 }
     }
 

@@ -7,16 +7,15 @@ use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
 /// Sentence about a picture that takes more steps than it may.
 pub const TOO_LONG: &str = "That takes longer than a page should.";
 
-/// Computes a value from those of the slots, unless the reader's program would stop.
-pub type Run = Arc<dyn Fn(&mut [Value]) -> Checked<Value> + Send + Sync>;
+/// Computes a value from those of the variables, and of `let` behind them, unless the reader's
+/// program would stop.
+pub type Run = Arc<dyn Fn(&mut Vec<Value>) -> Checked<Value> + Send + Sync>;
 
 /// Meaning of a reader's text: a function of the variables of its place.
 #[derive(Clone)]
 pub struct Expression {
     pub(super) place: Place,
     pub(super) run: Run,
-    /// How many variables and values of `let` it has.
-    pub(super) slots: usize,
     /// Functions and operators that it calls at most.
     pub(super) steps: i64,
     /// Bytes of its text.
@@ -29,7 +28,6 @@ impl Expression {
         if spend(self.steps) < 0 {
             return refuse(0..self.length, TOO_LONG);
         }
-        variables.resize(self.slots, Value::Unfit);
         (self.run)(&mut variables)
     }
 }

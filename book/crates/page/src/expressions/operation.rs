@@ -8,13 +8,9 @@ use syn::{Expr, UnOp};
 const UNSUPPORTED: &str = "A page can't draw with this part of Rust: it knows let, if … else, \
     blocks, arrays of three numbers, vectors and their methods.";
 
-/// A function of other parts of a text, under its name in the table of functions.
-pub struct Operation<'a> {
-    pub name: String,
-    pub operands: Vec<&'a Expr>,
-    /// Where its name or its sign stands.
-    pub sign: Range<usize>,
-}
+/// A function under its name in the table, the parts of a text that it takes, and where its name or
+/// its sign stands.
+type Operation<'a> = (String, Vec<&'a Expr>, Range<usize>);
 
 /// The bytes of a part of the text.
 pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
@@ -28,7 +24,7 @@ pub fn write_tokens(syntax: &impl ToTokens) -> String {
 
 /// What is done with what.
 pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
-    let (name, operands, sign) = match syntax {
+    Ok(match syntax {
         Expr::Unary(unary) => {
             let sign = range_of(&unary.op);
             if let UnOp::Deref(_) = unary.op {
@@ -67,6 +63,5 @@ pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
             return refuse(range_of(&one.eq_token), "For =, Rust has == to compare.");
         }
         _ => return refuse(range_of(syntax), UNSUPPORTED),
-    };
-    Ok(Operation { name, operands, sign })
+    })
 }

@@ -40,7 +40,6 @@ impl Compiler<'_> {
             return refuse(range, BLOCK);
         };
         let value = self.expression(expr)?;
-        let slot = self.slots;
         let named_part = match value.is_constant {
             true => value.clone(),
             false => self.new_slot(value.sample, value.is_open),
@@ -51,9 +50,12 @@ impl Compiler<'_> {
         if value.is_constant {
             return Ok(part);
         }
-        let run = move |slots: &mut [Value]| {
-            slots[slot] = (value.run)(slots)?;
-            (part.run)(slots)
+        let run = move |slots: &mut Vec<Value>| {
+            let named_value = (value.run)(slots)?;
+            slots.push(named_value);
+            let result = (part.run)(slots);
+            slots.pop();
+            result
         };
         Ok(Part { run: Arc::new(run), is_constant: false, ..part })
     }
