@@ -9,6 +9,8 @@ use std::{collections::BTreeSet, env, fs, process::Command};
 
 const PARAMETERS: &str = "d: f64, e: f64, n: DVec3, l: DVec3, k: i32, yes: bool";
 
+const KIND: &str = "fn(f64, f64, DVec3, DVec3, i32, bool) -> String";
+
 const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n\
     [dependencies]\nglam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
 
@@ -45,18 +47,18 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     fs::write(folder.join("Cargo.toml"), MANIFEST).expect("a file");
     let mut refused_lines = BTreeSet::new();
     loop {
-        let (mut source, mut names) = (PROGRAM.to_owned(), String::new());
-        for (index, (kind, text)) in lines.iter().enumerate() {
-            if !refused_lines.contains(&index) {
-                source +=
-                    &format!("fn f{index}({PARAMETERS}) -> String {{ let x: {kind} = {text};");
-                source += " format!(\"{x:?}\") }";
-                names += &format!("f{index}, ");
-            }
-            source += "\n";
-        }
-        let kind = "fn(f64, f64, DVec3, DVec3, i32, bool) -> String";
-        source += &format!("const ALL: &[{kind}] = &[{names}];");
+        let is_judged = |index: &usize| !refused_lines.contains(index);
+        let function = |(index, (kind, text)): (usize, &(&str, String))| match is_judged(&index) {
+            true => format!(
+                "fn f{index}({PARAMETERS}) -> String {{ let x: {kind} = {text}; format!(\"{{x:?}}\") }}\n"
+            ),
+            // Rows keep their numbers.
+            false => "\n".to_owned(),
+        };
+        let functions: String = lines.iter().enumerate().map(function).collect();
+        let names = (0..lines.len()).filter(is_judged).map(|index| format!("f{index}, "));
+        let names: String = names.collect();
+        let source = format!("{PROGRAM}{functions}const ALL: &[{KIND}] = &[{names}];");
         fs::write(folder.join("src/main.rs"), source).expect("a file");
         let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
         cargo.args(["run", "-q", "--offline", "--message-format", "short"]);
@@ -66,11 +68,8 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         let [text, errors] = [output.stdout, output.stderr].map(read);
         if output.status.success() {
             let mut values = text.lines().map(str::to_owned);
-            let answers = (0..lines.len()).map(|index| match refused_lines.contains(&index) {
-                true => None,
-                false => values.next(),
-            });
-            return answers.collect();
+            let answer = |index| is_judged(&index).then(|| values.next()).flatten();
+            return (0..lines.len()).map(answer).collect();
         }
         let count = refused_lines.len();
         let rows = errors.lines().filter(|line| line.contains(": error"));
