@@ -1,11 +1,8 @@
 use crate::expressions::expression::{Expression, Run};
-use crate::expressions::functions::{find_function, is_known};
+use crate::expressions::functions::find_function;
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::parts::literal_part;
-use crate::expressions::refusal::{
-    Checked, explain_mismatch, explain_refused_call, explain_unknown_member, explain_unknown_name,
-    refuse,
-};
+use crate::expressions::refusal::{Checked, explain_mismatch, explain_refused_call, refuse};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value::{self, Bool, Stop, Unfit};
 use course::Place;
@@ -104,34 +101,19 @@ impl Compiler<'_> {
         let (name, operands, sign) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.expression(operand));
         let parts = parts.collect::<Checked<Vec<_>>>()?;
-        match syntax {
-            Expr::Path(_) | Expr::Call(_) => {
-                if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
-                    return refuse(sign, "This file has no use glam::DVec3.");
-                }
-                if !is_known(&name) {
-                    let sentence = explain_unknown_name(&name, &parts, self.place, self.text);
-                    return refuse(sign, sentence);
-                }
-                self.call(&name, parts, sign)
+        let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
+        let Some(receiver) = parts.first().filter(|_| is_member) else {
+            if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
+                return refuse(sign, "This file has no use glam::DVec3.");
             }
-            Expr::Field(_) | Expr::MethodCall(_) => self.member(&name, parts, sign),
-            _ => self.call(&name, parts, sign),
-        }
-    }
-
-    /// The field `.NAME` or the method `::NAME` of a value.
-    fn member(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
-        if parts[0].is_open {
+            return self.call(&name, parts, sign);
+        };
+        if receiver.is_open {
             let sentence =
                 "Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.";
-            return refuse(parts[0].range.clone(), sentence);
+            return refuse(receiver.range.clone(), sentence);
         }
-        let path = parts[0].sample.describe().0.to_owned() + name;
-        if !is_known(&path) {
-            return refuse(sign, explain_unknown_member(name, &parts[0].sample));
-        }
-        self.call(&path, parts, sign)
+        self.call(&(receiver.sample.describe().0.to_owned() + &name), parts, sign)
     }
 
     /// The next value of a variable or of `let`, which differs from pixel to pixel.
@@ -145,7 +127,7 @@ impl Compiler<'_> {
     pub fn call(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
         let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
         let Some(function) = find_function(name, &values) else {
-            return Err(explain_refused_call(name, sign, &parts, self.text));
+            return Err(explain_refused_call(name, sign, &parts, self.place, self.text));
         };
         let sample = match ((function.apply)(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.
@@ -163,16 +145,15 @@ impl Compiler<'_> {
         let is_operator = name == "if" || !name.contains(char::is_alphabetic);
         let is_open = is_operator && operands.iter().all(|part| part.is_open);
         let is_constant = parts.iter().all(|part| part.is_constant);
-        let mut runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
-        match name {
-            "&&" => runs.push(Part::constant(Bool(false), false).run),
-            "||" => runs.insert(1, Part::constant(Bool(true), false).run),
-            _ => {}
-        }
+        let runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
         let run: Run = match name {
-            "if" | "&&" | "||" => Arc::new(move |slots| {
-                let is_true = matches!(runs[0](slots)?, Bool(true));
-                runs[if is_true { 1 } else { 2 }](slots)
+            "if" | "&&" => Arc::new(move |slots| match runs[0](slots)? {
+                Bool(true) => runs[1](slots),
+                no => runs.get(2).map_or(Ok(no), |other| other(slots)),
+            }),
+            "||" => Arc::new(move |slots| match runs[0](slots)? {
+                Bool(false) => runs[1](slots),
+                yes => Ok(yes),
             }),
             _ => Arc::new(move |slots| {
                 let mut values = [Unfit; 3];

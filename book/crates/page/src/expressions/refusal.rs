@@ -19,7 +19,7 @@ pub struct Refusal {
 pub type Checked<T> = Result<T, Refusal>;
 
 /// Functions of a type that no value has as its method.
-const NO_MEMBERS: [&str; 3] = ["from", "new", "splat"];
+const NO_METHODS: [&str; 3] = ["from", "new", "splat"];
 
 /// Refuses a part of a text.
 pub fn refuse<T>(range: Range<usize>, sentence: impl Into<String>) -> Checked<T> {
@@ -46,7 +46,13 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: &Value) 
 }
 
 /// Why a function, whose name is at `sign`, can't be called with these values, and what is wrong.
-pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text: &str) -> Refusal {
+pub fn explain_refused_call(
+    name: &str,
+    sign: Range<usize>,
+    parts: &[Part],
+    place: &Place,
+    text: &str,
+) -> Refusal {
     let shown_name = &text[sign.clone()];
     let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
     for (_, sample, _) in SAMPLES {
@@ -54,8 +60,8 @@ pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text
             let mut other_values = values.clone();
             other_values[index] = sample;
             if find_function(name, &other_values).is_some() {
-                let sentence =
-                    explain_mismatch(&format!("{shown_name} takes"), part, text, &sample);
+                let subject = format!("{shown_name} takes");
+                let sentence = explain_mismatch(&subject, part, text, &sample);
                 return Refusal { range: part.range.clone(), sentence };
             }
         }
@@ -66,13 +72,15 @@ pub fn explain_refused_call(name: &str, sign: Range<usize>, parts: &[Part], text
         _ if name.starts_with('[') => "An index here is [0], [1] or [2].".to_owned(),
         _ if name.starts_with("as ") => "Behind as, there is f64 or i32.".to_owned(),
         _ if is_known(name) => format!("{shown_name} takes other values, or more or fewer."),
+        _ if shown_name.starts_with('.') => explain_unknown_member(shown_name, &values[0]),
+        _ if name.contains(char::is_alphanumeric) => explain_unknown_name(name, parts, place, text),
         _ => format!("A page can't draw with {name}."),
     };
     Refusal { range: sign, sentence }
 }
 
 /// Says that there is no such name, and lists those that there are; it may be called with parts.
-pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> String {
+fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> String {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     if let [first, others @ ..] = parts
         && is_known(&format!("{}::{last}", first.sample.describe().0))
@@ -88,20 +96,20 @@ pub fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &st
             &format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
         }
     };
-    format!("{name} isn't known here. {cure}")
+    format!("{name} alone isn't known here. {cure}")
 }
 
-/// Says that a value has no such field `.NAME` or method `::NAME`, and lists those that it has.
-pub fn explain_unknown_member(member: &str, receiver: &Value) -> String {
+/// Says that a value has no such field or method, and lists those that it has.
+fn explain_unknown_member(shown_name: &str, receiver: &Value) -> String {
     let (kind, words) = receiver.describe();
     let members = FUNCTIONS.iter().copied().flatten().filter_map(|row| {
         let member = row.name.strip_prefix(kind)?;
-        let name = member.trim_start_matches(['.', ':']);
-        let is_member = name.starts_with(char::is_lowercase) && !NO_MEMBERS.contains(&name);
-        is_member
-            .then(|| if member.starts_with('.') { name.to_owned() } else { format!("{name}()") })
+        member.strip_prefix('.').map(str::to_owned).or_else(|| {
+            let name = member.strip_prefix("::")?;
+            let is_method = name.starts_with(char::is_lowercase) && !NO_METHODS.contains(&name);
+            is_method.then(|| format!("{name}()"))
+        })
     });
     let members: Vec<_> = members.collect::<BTreeSet<_>>().into_iter().collect();
-    let name = member.trim_start_matches(['.', ':']);
-    format!(".{name} isn't known here. Of {words}, there is:\n{}", members.join(", "))
+    format!("{shown_name} isn't known here. Of {words}, there is:\n{}", members.join(", "))
 }
