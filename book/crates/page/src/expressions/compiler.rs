@@ -1,5 +1,5 @@
 use crate::expressions::expression::{Expression, Run};
-use crate::expressions::functions::find_function;
+use crate::expressions::functions::{Apply, find_function};
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::parts::literal_part;
 use crate::expressions::refusal::{Checked, explain_mismatch, explain_refused_call, refuse};
@@ -69,8 +69,8 @@ pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
     } else if !part.sample.is_like(&wanted) {
         explain_mismatch("Here belongs", &part, text, &wanted)
     } else {
-        let (place, run, steps) = (place.clone(), part.run, compiler.steps);
-        return Ok(Expression { place, run, steps, length: text.len() });
+        let (place, run) = (place.clone(), part.run);
+        return Ok(Expression { place, run, steps: compiler.steps });
     };
     refuse(part.range, sentence)
 }
@@ -146,26 +146,32 @@ impl Compiler<'_> {
         let is_open = is_operator && operands.iter().all(|part| part.is_open);
         let is_constant = parts.iter().all(|part| part.is_constant);
         let runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
-        let run: Run = match name {
-            "if" | "&&" => Arc::new(move |slots| match runs[0](slots)? {
-                Bool(true) => runs[1](slots),
-                no => runs.get(2).map_or(Ok(no), |other| other(slots)),
-            }),
-            "||" => Arc::new(move |slots| match runs[0](slots)? {
-                Bool(false) => runs[1](slots),
-                yes => Ok(yes),
-            }),
-            _ => Arc::new(move |slots| {
-                let mut values = [Unfit; 3];
-                for (value, run) in values.iter_mut().zip(&runs) {
-                    *value = run(slots)?;
-                }
-                match (function.apply)(&values[..runs.len()]) {
-                    Stop(sentence) => refuse(sign.clone(), sentence),
-                    value => Ok(value),
-                }
-            }),
-        };
+        let run = join_runs(name, function.apply, runs, sign);
         Ok(Part { run, is_constant, sample, is_open, range: 0..0 })
+    }
+}
+
+/// A function of values that these runs compute, the later ones only where Rust would. Where it
+/// stops, its name at `sign` is to blame.
+fn join_runs(name: &str, apply: Apply, runs: Vec<Run>, sign: Range<usize>) -> Run {
+    match name {
+        "if" | "&&" => Arc::new(move |slots| match runs[0](slots)? {
+            Bool(true) => runs[1](slots),
+            no => runs.get(2).map_or(Ok(no), |other| other(slots)),
+        }),
+        "||" => Arc::new(move |slots| match runs[0](slots)? {
+            Bool(false) => runs[1](slots),
+            yes => Ok(yes),
+        }),
+        _ => Arc::new(move |slots| {
+            let mut values = [Unfit; 3];
+            for (value, run) in values.iter_mut().zip(&runs) {
+                *value = run(slots)?;
+            }
+            match apply(&values[..runs.len()]) {
+                Stop(sentence) => refuse(sign.clone(), sentence),
+                value => Ok(value),
+            }
+        }),
     }
 }

@@ -1,4 +1,4 @@
-use crate::expressions::expression::{Expression, REMAINING_STEPS};
+use crate::expressions::expression::{Expression, REMAINING_STEPS, WHOLE};
 use crate::expressions::refusal::Refusal;
 use crate::expressions::steps::{
     step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
@@ -28,7 +28,7 @@ pub(crate) fn is_edited(place: usize) -> bool {
 
 /// Whether a picture is refused: then nothing is evaluated for it.
 fn is_over() -> bool {
-    REMAINING_STEPS.load(Relaxed) < 0
+    REMAINING_STEPS.load(Relaxed) < i64::MIN / 4
 }
 
 /// The value of the reader's expression at a place where its variables have these.
@@ -48,7 +48,7 @@ pub(crate) fn stop_outside(sentence: &str) {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(line) = lines.first().filter(|_| !is_over()) {
         let sentence = format!("Here your program would stop: {sentence}.");
-        stop(line.place.name, Refusal { range: 0..line.length, sentence });
+        stop(line.place.name, Refusal { range: WHOLE, sentence });
     }
 }
 

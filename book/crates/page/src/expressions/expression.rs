@@ -1,8 +1,12 @@
 use crate::expressions::refusal::{Checked, refuse};
 use crate::expressions::value::Value;
 use course::Place;
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
+
+/// All of a text.
+pub const WHOLE: Range<usize> = 0..usize::MAX;
 
 /// Sentence about a picture that takes more steps than it may.
 pub const TOO_LONG: &str = "That takes longer than a page should.";
@@ -18,15 +22,13 @@ pub struct Expression {
     pub(super) run: Run,
     /// Functions and operators that it calls at most.
     pub(super) steps: i64,
-    /// Bytes of its text.
-    pub(super) length: usize,
 }
 
 impl Expression {
     /// Computes its value for these values of the variables.
     pub fn evaluate(&self, mut variables: Vec<Value>) -> Checked<Value> {
         if spend(self.steps) < 0 {
-            return refuse(0..self.length, TOO_LONG);
+            return refuse(WHOLE, TOO_LONG);
         }
         (self.run)(&mut variables)
     }

@@ -3,10 +3,13 @@ use crate::expressions::value::Value::{self, Array, Bool, F64, I32, Stop, Unfit,
 use glam::DVec3;
 use std::f64::consts;
 
+/// Gives the value for these, or tells that it doesn't take such.
+pub type Apply = fn(&[Value]) -> Value;
+
 /// A function that a line may call.
 pub struct Function {
     pub name: &'static str,
-    pub apply: fn(&[Value]) -> Value,
+    pub apply: Apply,
 }
 
 const OVERFLOW: Value = Stop("Here your program would stop: the result is beyond its type.");
@@ -143,9 +146,10 @@ pub static FUNCTIONS: &[&[Function]] = &[
     },
 ];
 
-/// Remainder of a division, which takes time for the binary digits of the quotient.
+/// Remainder of a division, which takes long where the quotient is large.
 fn remainder(a: f64, b: f64) -> f64 {
-    let exponent = |number: f64| (number.to_bits() >> 52 & 0x7ff) as i64;
-    spend(2 + (exponent(a) - exponent(b)).max(0) / 64);
+    if 1e15 * b.abs() < a.abs() {
+        spend(40);
+    }
     a % b
 }
