@@ -52,7 +52,7 @@ pub fn report_on_folder(
     let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
     let locked = LockedPictures::in_workspace();
     let check = |student| check_student(student, required, &names, &locked);
-    let mut rows: Vec<_> = students.into_par_iter().flat_map_iter(check).collect();
+    let mut rows: Vec<_> = students.into_par_iter().flat_map(check).collect();
     rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
     Ok(report_answer(&rows, is_csv))
 }

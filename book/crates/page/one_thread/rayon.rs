@@ -23,4 +23,14 @@ pub mod prelude {
             self.chunks_exact_mut(size)
         }
     }
+
+    /// A list that one thread uses up.
+    pub trait IntoParallelIterator: IntoIterator + Sized {
+        /// Its items.
+        fn into_par_iter(self) -> Self::IntoIter {
+            self.into_iter()
+        }
+    }
+
+    impl<T> IntoParallelIterator for Vec<T> {}
 }
