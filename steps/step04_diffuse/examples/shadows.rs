@@ -10,8 +10,8 @@ use step04_diffuse::{
 
 /// How far above the surface a ray to a light starts.
 ///
-/// From `p` itself, whose last digits are rounded, it might hit the surface that `p`
-/// lies on.
+/// If it started at `p` itself, whose last digits are rounded, it might hit the
+/// surface that `p` lies on.
 pub const OFFSET: f64 = 1e-9;
 
 /// Says whether one of the `objects` stands between `point` and a light at `q`.

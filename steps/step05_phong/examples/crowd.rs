@@ -29,8 +29,8 @@ fn material(number: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     Mirror { material, k: if number.is_multiple_of(5) { 0.8 } else { 0.12 } }
 }
 
-/// The scene of the mirrors, and a marble at each of 599 places on its ground that
-/// isn't taken.
+/// The scene of the mirrors, with a marble wherever one of 599 places on its ground is
+/// free.
 pub fn crowd() -> Scene<Mirror, Light> {
     let mut scene = mirrors();
     let ground = scene.objects[1].sphere;
