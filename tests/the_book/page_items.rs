@@ -1,5 +1,4 @@
 use builder::{Page, inner_text, select_all};
-use scraper::ElementRef;
 use std::collections::BTreeMap;
 
 /// The texts of the files that were typed so far, by path.
@@ -52,7 +51,11 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
         match element.attr("class") {
             Some("listing") => {
                 let path = element.attr("data-path").expect("the path of a listing");
-                items.push(PageItem::Listing(path, listed_code(element)));
+                let code = select_all(element, "code")[0];
+                // mdBook ends the last line of all code but Rust.
+                let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
+                let end = if is_rust { "\n" } else { "" };
+                items.push(PageItem::Listing(path, inner_text(code) + end));
             }
             Some("console") => {
                 let location = page.address_for_fault(element);
@@ -70,11 +73,4 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
         }
     }
     items
-}
-
-/// The lines of a listing; mdBook ends the last line of all code but Rust.
-fn listed_code(listing: ElementRef) -> String {
-    let code = select_all(listing, "code")[0];
-    let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
-    inner_text(code) + if is_rust { "\n" } else { "" }
 }

@@ -1,5 +1,5 @@
 use crate::{Page, Site, inner_text};
-use course::json;
+use anyhow::Result;
 use scraper::ElementRef;
 use scraper::node::Element;
 
@@ -8,15 +8,14 @@ pub const INDEX: &str = "search-index.js";
 
 /// The script from which the search has the text of the book: for each page its name, its
 /// title, and the id, the title, the prose and the listings of each section.
-pub fn index_script(site: &Site) -> String {
+pub fn index_script(site: &Site) -> Result<String> {
     let pages = site.chapters_in_order().into_iter().map(|page| {
         let sections = sections(page);
-        let title = sections.first().map_or("", |[_, title, ..]| title);
-        let sections =
-            sections.iter().map(|section| json::list(section.each_ref().map(quote_words)));
-        json::list([json::quote(&page.name), quote_words(title), json::list(sections)])
+        let title = sections.first().map(|[_, title, ..]| title.clone());
+        (&page.name, title.unwrap_or_default(), sections)
     });
-    format!("window.searchIndex = {};\n", json::list(pages))
+    let index = serde_json::to_string(&pages.collect::<Vec<_>>())?;
+    Ok(format!("window.searchIndex = {index};\n"))
 }
 
 /// The id, the title, the prose and the listings of each section of a page.
@@ -30,7 +29,8 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
             *(if is_listing { listings } else { prose }) += &visible_text(part);
         }
     }
-    sections
+    let join_words = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    sections.iter().map(|texts| texts.each_ref().map(join_words)).collect()
 }
 
 /// The text of an element without what is hidden or drawn in it, and without answers and
@@ -46,9 +46,4 @@ fn visible_text(element: ElementRef) -> String {
     });
     let texts = texts.filter_map(|node| Some(&**node.value().as_text()?));
     texts.chain([" "]).collect()
-}
-
-/// A JSON string of the words of a text, with one blank between two.
-fn quote_words(text: impl AsRef<str>) -> String {
-    json::quote(&text.as_ref().split_whitespace().collect::<Vec<_>>().join(" "))
 }
