@@ -1,7 +1,8 @@
 //! The locked pictures, of the steps, the exercises, the chapters and the cover: each is
 //! compared with its snapshot by the test of its own name, before everything else.
 
-use course::workspace;
+use course::{draw_panels, workspace};
+use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
 use tests::{compare_pixels, locked_pictures};
@@ -56,4 +57,12 @@ fn each_snapshot_has_a_test_of_its_name() {
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
     assert!(orphans.is_empty(), "no test draws {orphans:?}");
+}
+
+#[test]
+fn pixel_that_differs_has_the_colour_of_its_sign() {
+    let new = RgbImage::from_fn(3, 1, |i, _| Rgb([90, 89 + i as u8, 90]));
+    let panels = draw_panels(&new, &RgbImage::from_pixel(3, 1, Rgb([90; 3])));
+    let [darker, equal, brighter] = [6, 7, 8].map(|i| panels.get_pixel(i, 0).0);
+    assert!(darker[0] < darker[2] && equal == [15; 3] && brighter[2] < brighter[0]);
 }

@@ -45,16 +45,3 @@ fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
         (false, false) => Rgb(BRIGHTER.0.map(part)),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pixel_that_differs_has_the_colour_of_its_sign() {
-        let new = RgbImage::from_fn(3, 1, |i, _| Rgb([90, 89 + i as u8, 90]));
-        let panel = difference_panel(&new, &RgbImage::from_pixel(3, 1, Rgb([90; 3])));
-        let [darker, equal, brighter] = [0, 1, 2].map(|i| panel.get_pixel(i, 0).0);
-        assert!(darker[0] < darker[2] && equal == [15; 3] && brighter[2] < brighter[0]);
-    }
-}
