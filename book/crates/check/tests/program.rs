@@ -43,13 +43,14 @@ fn answers_about_one_file_are_as_locked() {
             (odd_name, b"text".to_vec()),
         ],
     );
-    let runs: [&[&str]; 13] = [
+    let runs: [&[&str]; 14] = [
         &["step2.png"],
         &["my.png"],
         &["my.png", "step02_sphere"],
         &["red.png", "--json"],
         &["ada.png", "--scene", "ada"],
         &["--scene", " ada\t"],
+        &["--scene", "ada", "--csv"],
         &["nowhere.png", "--json"],
         &["."],
         &[odd_name],
