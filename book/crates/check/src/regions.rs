@@ -6,20 +6,19 @@ use step01_rays::direction_colour;
 
 const MOST_REGIONS: usize = 3;
 
-/// Sentences about wrong pixels that show the sky or another object behind the one that ours
+/// Sentences about wrong pixels that show the sky or another object in place of the one that ours
 /// shows, and about the objects all of whose pixels do.
 pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<String> {
     let mut missing: Vec<_> = vec![None; drawing.own.scene.objects.len()];
-    let (mut sky_count, mut object_count) = (0, 0);
+    let mut count = 0;
     for pixel in &comparison.pixels {
         let Some(k) = pixel.object() else { continue };
-        let shows_sky = pixel.is_wrong() && bytes(direction_colour(&pixel.ray)) == pixel.yours;
-        let mut others = drawing.object_hits(&pixel.ray).filter(|hit| hit.object != k);
-        let shows_object = pixel.is_wrong()
-            && others.any(|hit| bytes(drawing.colour_at_hit(&pixel.ray, hit)) == pixel.yours);
-        sky_count += usize::from(shows_sky);
-        object_count += usize::from(shows_object);
-        missing[k] = Some(missing[k].unwrap_or(true) && (shows_sky || shows_object));
+        let others = drawing.object_hits(&pixel.ray).filter(|hit| hit.object != k);
+        let colours = others.map(|hit| drawing.colour_at_hit(&pixel.ray, hit));
+        let mut colours = colours.chain([direction_colour(&pixel.ray)]);
+        let shows_other = pixel.is_wrong() && colours.any(|colour| bytes(colour) == pixel.yours);
+        count += usize::from(shows_other);
+        missing[k] = Some(missing[k].unwrap_or(true) && shows_other);
     }
     let names = drawing.object_names().into_iter().zip(&missing);
     let names = names.filter(|(_, missing)| **missing == Some(true)).map(|(name, _)| name);
@@ -29,12 +28,12 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
         sentences.push(format!("Where ours shows {names}, what lies behind shows instead."));
     }
     let all = comparison.wrong_pixels().len();
-    let what = ["the sky, and ours shows an object", "an object behind the nearest"];
-    for (count, what) in [sky_count, object_count].into_iter().zip(what) {
-        // Few may be so by chance.
-        if all <= 10 * count {
-            sentences.push(format!("{count} of {all} wrong pixels have the colour of {what}."));
-        }
+    // Few may be so by chance.
+    if all <= 10 * count {
+        sentences.push(format!(
+            "{count} of {all} wrong pixels have the colour of what lies behind, an object or the \
+             sky."
+        ));
     }
     sentences
 }
