@@ -44,7 +44,8 @@ impl Row {
 
     fn cells(&self) -> [&str; COLUMNS.len()] {
         let verdict = if self.picture.is_empty() { "" } else { self.answer.verdict.words() };
-        [&self.student, &self.right, self.picture, verdict, &self.feedback, &self.found]
+        let counts = if self.counts { "yes" } else { "" };
+        [&self.student, &self.right, self.picture, verdict, &self.feedback, &self.found, counts]
     }
 }
 
@@ -88,13 +89,14 @@ pub(crate) fn report_answer(rows: &[Row], is_csv: bool) -> Answer {
     Answer { report: Some(format_json(rows)), ..Answer::new(verdict, text) }
 }
 
-const COLUMNS: [&str; 6] = ["student", "right", "picture", "verdict", "feedback", "found"];
+const COLUMNS: [&str; 7] =
+    ["student", "right", "picture", "verdict", "feedback", "found", "counts"];
 
-/// The rows without the paths, with each student's name once.
+/// The first five columns of the rows, with each student's name once.
 fn format_table(rows: &[Row]) -> String {
     let mut last = "";
     let cells = rows.iter().map(|row| {
-        let [student, right, cells @ .., _] = row.cells();
+        let [student, right, cells @ .., _, _] = row.cells();
         let is_new = last != student;
         last = student;
         let start = if is_new { [student, right] } else { [""; 2] };
