@@ -37,11 +37,6 @@ impl Pixel {
         self.hit.is_none()
     }
 
-    /// The number of the object that ours shows.
-    pub fn object(&self) -> Option<usize> {
-        self.hit.map(|hit| hit.object)
-    }
-
     /// How far the channel is apart that differs most.
     pub fn largest_difference(&self) -> u8 {
         largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))

@@ -1,6 +1,6 @@
 use crate::answer::join_first;
 use crate::comparison::Comparison;
-use crate::drawing::{Drawing, bytes};
+use crate::drawing::{Drawing, ObjectHit, bytes};
 use std::cmp::Reverse;
 use step01_rays::direction_colour;
 
@@ -12,7 +12,7 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
     let mut missing: Vec<_> = vec![None; drawing.own.scene.objects.len()];
     let mut count = 0;
     for pixel in &comparison.pixels {
-        let Some(k) = pixel.object() else { continue };
+        let Some(ObjectHit { object: k, .. }) = pixel.hit else { continue };
         let others = drawing.object_hits(&pixel.ray).filter(|hit| hit.object != k);
         let colours = others.map(|hit| drawing.colour_at_hit(&pixel.ray, hit));
         let mut colours = colours.chain([direction_colour(&pixel.ray)]);
@@ -43,7 +43,7 @@ pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<
 pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> String {
     let mut counts = vec![(0, 0); drawing.own.scene.objects.len() + 1];
     for pixel in &comparison.pixels {
-        let (wrong, all) = &mut counts[pixel.object().map_or(0, |k| k + 1)];
+        let (wrong, all) = &mut counts[pixel.hit.map_or(0, |hit| hit.object + 1)];
         *wrong += usize::from(pixel.is_wrong());
         *all += 1;
     }

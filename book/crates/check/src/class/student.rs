@@ -92,11 +92,9 @@ fn split_canvas_name(name: &str) -> Option<(String, String)> {
 
 /// How many bytes the keys have in common up to a `-`, as the repositories of one assignment do.
 fn common_prefix(keys: &[String]) -> usize {
-    let Some((first, others)) = keys.split_first().filter(|(_, others)| !others.is_empty()) else {
-        return 0;
-    };
-    let ends = first.match_indices('-').map(|(k, _)| k + 1);
-    ends.filter(|end| others.iter().all(|key| key.starts_with(&first[..*end]))).max().unwrap_or(0)
+    let [first, _, ..] = keys else { return 0 };
+    let mut ends = first.rmatch_indices('-').map(|(k, _)| k + 1);
+    ends.find(|end| keys.iter().all(|key| key.starts_with(&first[..*end]))).unwrap_or(0)
 }
 
 /// The student's name: what a platform calls the student, without Moodle's number.
