@@ -29,17 +29,14 @@ fn program_of_a_scene_draws_its_picture() {
     }
 }
 
-/// Saves a program, and runs it by the command in its second line.
+/// Saves a program, and runs it by the command in its second line, which ends with its name.
 fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
     let command = program.lines().nth(1).and_then(|line| line.split('`').nth(1));
     let command = command.expect("a command");
-    let (_, words) = command.split_once("--example ").expect("an example");
-    let example = words.split(' ').next().unwrap_or_default();
+    let (_, example) = command.rsplit_once(' ').expect("a name");
     let path = format!("steps/step05_phong/examples/{example}.rs");
     reader.write_if_changed(&path, program).expect("a file can be written");
-    let options = if command.contains(" -- ") { "" } else { "-- " };
-    let line = format!("{command} {options}--width {}", picture.width());
-    let (code, text) = reader.run(&line, "1").expect("a shell");
+    let (code, text) = reader.run(command, "1").expect("a shell");
     assert!(code == Some(0) && !text.contains("warning"), "{text} in {program}");
     let drawn = image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
     assert_eq!(describe_difference(picture, &drawn.to_rgb8()), None, "{program}");
