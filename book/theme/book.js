@@ -115,14 +115,6 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
-// A prompt is not a part of a command that is copied.
-addEventListener("copy", event => {
-    const selection = getSelection();
-    if (!selection.focusNode?.parentElement.closest(".console")) return;
-    event.clipboardData.setData("text/plain", selection.toString().replace(/^\$ /gm, ""));
-    event.preventDefault();
-});
-
 // Problems on paper: a number is right if it is within the tolerance, a part of the answer.
 for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
     const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);

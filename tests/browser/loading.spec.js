@@ -46,12 +46,9 @@ test('paper is light, and forced colours keep the cross', async ({ page, home })
 
 test('a prompt is not copied', async ({ page, home }) => {
   await open(page, home + name);
-  const [text, copied] = await page.locator('.console code').first().evaluate(code => {
+  const copied = await page.locator('.console code').first().evaluate(code => {
     getSelection().selectAllChildren(code);
-    const clipboardData = new DataTransfer();
-    code.dispatchEvent(new ClipboardEvent('copy', { clipboardData, bubbles: true, cancelable: true }));
-    return [code.textContent, clipboardData.getData('text/plain')];
+    return getSelection().toString();
   });
-  expect(text).toMatch(/^\$ cargo/);
   expect(copied).toMatch(/^cargo/);
 });

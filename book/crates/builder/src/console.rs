@@ -1,4 +1,5 @@
 use crate::markdown;
+use figures::escape;
 
 /// Commands, under a caption that says in which folder they are meant, the reader's or ours.
 pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
@@ -9,10 +10,13 @@ pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
         "ours" => ("ours", "in <a href=\"how.html#two-folders\">our folder</a>"),
         _ => return Err("a console is console,yours or console,ours".to_string()),
     };
+    // A prompt is not a part of a command that is copied.
+    let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
     Ok(format!(
         "<figure class=\"console\" data-folder=\"{folder}\">\
          <figcaption>{caption}</figcaption>\n\n\
-         ```console\n{commands}\n```\n\n</figure>\n"
+         <pre><code>{}</code></pre>\n\n</figure>\n",
+        commands.trim_start()
     ))
 }
 
