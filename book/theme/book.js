@@ -108,8 +108,8 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
         const edited = copy.querySelectorAll("[data-book]");
         for (const line of edited) line.textContent = line.dataset.book;
         // The file's own line ends and blank lines, so that its parts can be put below each other.
-        const [first, last] = caption.parentElement.dataset.lines.split("-");
-        const ends = last - first + 2 - copy.textContent.split("\n").length;
+        const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
+        const ends = lines + 1 - copy.textContent.split("\n").length;
         const text = copy.textContent + "\n".repeat(Math.max(0, ends));
         copyBy(button, text, edited.length ? "Copied, without your lines" : "Copied");
     });

@@ -118,7 +118,7 @@ fn figure_markdown(
          <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
          ```{language}\n{code}\n```\n\n</figure>\n",
         escape(path),
-        code.lines().count(),
+        code.split('\n').count(),
     )
 }
 
