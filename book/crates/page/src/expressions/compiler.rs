@@ -13,6 +13,8 @@ use syn::{BinOp, Expr, ExprBinary};
 /// Places whose value has a method called later, so that it can't be a number of an open type.
 const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
 
+const STOP: &str = "Here your program would stop: there is no result, or none that fits its type.";
+
 /// Files without `use glam::DVec3`.
 const FILES_WITHOUT_VECTORS: [&str; 2] =
     ["step02_sphere/src/quadratic.rs", "step03_nearest/src/nearest.rs"];
@@ -131,13 +133,11 @@ impl Compiler<'_> {
         };
         let sample = match ((function.apply)(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.
-            (Stop(sentence), Some(Part { is_constant: true, .. }))
-                if ["/", "%"].contains(&name) =>
-            {
-                return refuse(sign, sentence);
+            (Stop, Some(Part { is_constant: true, .. })) if ["/", "%"].contains(&name) => {
+                return refuse(sign, STOP);
             }
             // Where it stops, it would give what its first value is.
-            (Stop(_), _) => values[0],
+            (Stop, _) => values[0],
             (sample, _) => sample,
         };
         self.steps += 1;
@@ -169,7 +169,7 @@ fn join_runs(name: &str, apply: Apply, runs: Vec<Run>, sign: Range<usize>) -> Ru
                 *value = run(slots)?;
             }
             match apply(&values[..runs.len()]) {
-                Stop(sentence) => refuse(sign.clone(), sentence),
+                Stop => refuse(sign.clone(), STOP),
                 value => Ok(value),
             }
         }),

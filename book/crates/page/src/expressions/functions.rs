@@ -12,10 +12,6 @@ pub struct Function {
     pub apply: Apply,
 }
 
-const OVERFLOW: Value = Stop("Here your program would stop: the result is beyond its type.");
-const DIVISION: Value = Stop("Here your program would stop: it divides by 0, or beyond its type.");
-const CLAMP: Value = Stop("Here your program would stop: the lower limit is above the upper.");
-
 /// Whether there is a function of this name.
 pub fn is_known(name: &str) -> bool {
     FUNCTIONS.iter().copied().flatten().any(|function| function.name == name)
@@ -57,13 +53,13 @@ macro_rules! constants {
 
 /// Operators; those of whole numbers stop a program that overflows, as in a development build.
 macro_rules! operators {
-    ($($name:literal $sign:tt $checked:ident $stop:ident;)*) => {
+    ($($name:literal $sign:tt $checked:ident;)*) => {
         functions! { $(
             $name, [F64(a), F64(b)] => F64(a $sign b);
             $name, [Vector(a), Vector(b)] => Vector(a $sign b);
             $name, [Vector(a), F64(b)] => Vector(a $sign b);
             $name, [F64(a), Vector(b)] => Vector(a $sign b);
-            $name, [I32(a), I32(b)] => a.$checked(b).map_or($stop, I32);
+            $name, [I32(a), I32(b)] => a.$checked(b).map_or(Stop, I32);
         )* }
     };
 }
@@ -99,10 +95,10 @@ pub static FUNCTIONS: &[&[Function]] = &[
     constants!(f64 F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
     constants!(DVec3 Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
     operators! {
-        "+" + checked_add OVERFLOW;
-        "-" - checked_sub OVERFLOW;
-        "*" * checked_mul OVERFLOW;
-        "/" / checked_div DIVISION;
+        "+" + checked_add;
+        "-" - checked_sub;
+        "*" * checked_mul;
+        "/" / checked_div;
     },
     comparisons! { "==" == "!=" != "<" < ">" > "<=" <= ">=" >= },
     functions! {
@@ -112,14 +108,13 @@ pub static FUNCTIONS: &[&[Function]] = &[
         "!", [Bool(a)] => Bool(!a);
         "-", [F64(a)] => F64(-a);
         "-", [Vector(a)] => Vector(-a);
-        "-", [I32(a)] => a.checked_neg().map_or(OVERFLOW, I32);
+        "-", [I32(a)] => a.checked_neg().map_or(Stop, I32);
         "%", [F64(a), F64(b)] => F64(remainder(a, b));
-        "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(DIVISION, I32);
+        "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(Stop, I32);
         "f64::rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
-        "i32::rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(DIVISION, I32);
-        "f64::clamp", [F64(a), F64(min), F64(max)] => match min <= max {
-            true => F64(a.clamp(min, max)),
-            false => CLAMP,
+        "i32::rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(Stop, I32);
+        "f64::clamp", [F64(a), F64(min), F64(max)] => {
+            if min <= max { F64(a.clamp(min, max)) } else { Stop }
         };
         "as f64", [F64(a)] => F64(a);
         "as f64", [I32(a)] => F64(a.into());

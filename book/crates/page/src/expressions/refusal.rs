@@ -68,8 +68,9 @@ pub fn explain_refused_call(
     }
     let sentence = match name {
         "^" => "For powers, Rust has .powi(2) or .powf(0.5).".to_owned(),
-        "[…]" => "An array here has three numbers.".to_owned(),
-        _ if name.starts_with('[') => "An index here is [0], [1] or [2].".to_owned(),
+        _ if name.starts_with('[') => {
+            "An array here has three numbers, [0], [1] and [2].".to_owned()
+        }
         _ if name.starts_with("as ") => "Behind as, there is f64 or i32.".to_owned(),
         _ if is_known(name) => format!("{shown_name} takes other values, or more or fewer."),
         _ if shown_name.starts_with('.') => explain_unknown_member(shown_name, &values[0]),

@@ -10,8 +10,8 @@ pub enum Value {
     I32(i32),
     Bool(bool),
     Array([f64; 3]),
-    /// Why the reader's program stops here.
-    Stop(&'static str),
+    /// No result: the reader's program stops here.
+    Stop,
     /// The answer of a function to values that it doesn't take.
     Unfit,
 }
