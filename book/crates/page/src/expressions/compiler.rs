@@ -128,10 +128,10 @@ impl Compiler<'_> {
     /// The call of a function, an operator or a cast, whose name is at `sign`.
     pub fn call(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
         let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
-        let Some(function) = find_function(name, &values) else {
+        let Some(apply) = find_function(name, &values) else {
             return Err(explain_refused_call(name, sign, &parts, self.place, self.text));
         };
-        let sample = match ((function.apply)(&values), parts.last()) {
+        let sample = match (apply(&values), parts.last()) {
             // Rust refuses to divide by a 0 that it knows, whatever is divided.
             (Stop, Some(Part { is_constant: true, .. })) if ["/", "%"].contains(&name) => {
                 return refuse(sign, STOP);
@@ -146,7 +146,7 @@ impl Compiler<'_> {
         let is_open = is_operator && operands.iter().all(|part| part.is_open);
         let is_constant = parts.iter().all(|part| part.is_constant);
         let runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
-        let run = join_runs(name, function.apply, runs, sign);
+        let run = join_runs(name, apply, runs, sign);
         Ok(Part { run, is_constant, sample, is_open, range: 0..0 })
     }
 }

@@ -6,30 +6,23 @@ use std::f64::consts;
 /// Gives the value for these, or tells that it doesn't take such.
 pub type Apply = fn(&[Value]) -> Value;
 
-/// A function that a line may call.
-pub struct Function {
-    pub name: &'static str,
-    pub apply: Apply,
-}
-
 /// Whether there is a function of this name.
 pub fn is_known(name: &str) -> bool {
-    FUNCTIONS.iter().copied().flatten().any(|function| function.name == name)
+    FUNCTIONS.iter().copied().flatten().any(|(known, _)| *known == name)
 }
 
 /// The function of this name that takes values of these types.
-pub fn find_function(name: &str, values: &[Value]) -> Option<&'static Function> {
-    let mut functions = FUNCTIONS.iter().copied().flatten();
-    functions.find(|one| one.name == name && !matches!((one.apply)(values), Unfit))
+pub fn find_function(name: &str, values: &[Value]) -> Option<Apply> {
+    let mut functions = FUNCTIONS.iter().copied().flatten().copied();
+    functions.find_map(|(known, apply)| {
+        (known == name && !matches!(apply(values), Unfit)).then_some(apply)
+    })
 }
 
 /// Functions, each of values that match a pattern.
 macro_rules! functions {
     ($($name:expr, $pattern:pat => $result:expr;)*) => {
-        &[$(Function {
-            name: $name,
-            apply: |values| match *values { $pattern => $result, _ => Unfit },
-        }),*]
+        &[$(($name, |values| match *values { $pattern => $result, _ => Unfit })),*]
     };
 }
 
@@ -75,7 +68,7 @@ macro_rules! comparisons {
 
 /// Functions and methods, both such as `f64::max`, fields such as `DVec3.x`, operators, casts such as
 /// `as f64`, `if`; constants are functions of nothing.
-pub static FUNCTIONS: &[&[Function]] = &[
+pub static FUNCTIONS: &[&[(&str, Apply)]] = &[
     methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
         tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),
     methods!(f64 [F64(a)] (a) Bool: is_nan is_finite is_sign_negative is_sign_positive),

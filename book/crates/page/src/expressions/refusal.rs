@@ -103,8 +103,8 @@ fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -
 /// Says that a value has no such field or method, and lists those that it has.
 fn explain_unknown_member(shown_name: &str, receiver: &Value) -> String {
     let (kind, words) = receiver.describe();
-    let members = FUNCTIONS.iter().copied().flatten().filter_map(|row| {
-        let member = row.name.strip_prefix(kind)?;
+    let members = FUNCTIONS.iter().copied().flatten().filter_map(|(name, _)| {
+        let member = name.strip_prefix(kind)?;
         member.strip_prefix('.').map(str::to_owned).or_else(|| {
             let name = member.strip_prefix("::")?;
             let is_method = name.starts_with(char::is_lowercase) && !NO_METHODS.contains(&name);
