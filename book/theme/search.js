@@ -20,12 +20,12 @@
         return subjects.length ? subjects : words;
     };
     // A word in one spelling, without the endings of most plurals and nouns.
-    const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "").replaceAll(/(?<=..)z/g, "s");
+    const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
     // A name such as `to_radians` is found by its parts, too.
     const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
     // The chapters come first, and what stands in them early, as it is explained there; last comes what
     // repeats them.
-    const weigh = ({ page, title, chapter }, id) => (1.4 - id / sections.length) * (title === chapter ? 0.8 : 1)
+    const weigh = ({ page }, id) => (1.4 - id / sections.length)
         * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
 
     let sections = [], index;

@@ -17,10 +17,8 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
     // A browser tells of the same file only where none was chosen before.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
-    const drop = target => target.evaluate(one =>
+    const isDropped = await page.locator('h1').evaluate(one =>
       one.dispatchEvent(new DragEvent('drop', { dataTransfer: new DataTransfer(), bubbles: true, cancelable: true })));
-    expect(await drop(page.locator('h1')), 'a drop leaves the page').toBe(false);
-    await drop(form);
-    await expect(output).toContainText("isn't a file");
+    expect(isDropped, 'a drop leaves the page').toBe(false);
   });
 }
