@@ -60,13 +60,7 @@ class Figure {
     }
 
     drawMoving(...words) {
-        const divisor = [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4;
-        const start = performance.now();
-        const hasPicture = this.draw(words, divisor)?.size;
-        clearTimeout(this.restTimer);
-        if (!hasPicture) return;
-        this.wholeTime = (performance.now() - start) * divisor ** 2;
-        if (1 < divisor) this.restTimer = setTimeout(() => this.draw(), REST);
+        this.draw(words, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
     }
 
     // Only the last gesture before a frame counts.
@@ -137,21 +131,23 @@ class Figure {
         this.afterControls?.();
     }
 
-    // Puts the answer to a request in place, and returns it: a picture has all its columns, or, while
-    // something moves, a half or a quarter. Where there is nothing to show, the last one stays, and the
-    // page says so.
+    // Puts the answer to a request in place: a picture has all its columns, or, while something moves, a
+    // half or a quarter. Where there is nothing to show, the last one stays, and the page says so.
     draw(words = ["show"], divisor = 1) {
         const { columns, values } = this.about;
         const sent = this.values.map((value, k) => k === columns ? values[k] / divisor : value);
+        const start = performance.now();
         try {
             const answer = this.ask(...words, ...sent);
             this.show(answer);
-            return answer;
+            if (!answer.size) return;
+            clearTimeout(this.restTimer);
+            this.wholeTime = (performance.now() - start) * divisor ** 2;
+            if (1 < divisor) this.restTimer = setTimeout(() => this.draw(), REST);
         } catch {
             this.values = this.answer.values;
             this.showControls();
             this.fault.textContent = "There is nothing to show at that number.";
-            return null;
         }
     }
 

@@ -3,7 +3,6 @@ import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
 for (const [name, figure, k] of figures) {
-  // One figure of a page will do.
   test(`${name}: the figure ${figure}, number ${k + 1} there, answers`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
     page.on('dialog', dialog => dialog.accept()); // A scene of one's own is not wiped unasked.
