@@ -31,8 +31,11 @@ fn run(folder: &Path, command: &str) -> Result<String> {
     // As the template has it.
     shell.env_remove("INSTA_WORKSPACE_ROOT");
     if command.contains("course/") {
-        shell.env("CARGO_TARGET_DIR", target_folder()).env_remove("CARGO_BUILD_BUILD_DIR");
-        shell.env_remove("CARGO_PROFILE_DEV_OPT_LEVEL").env_remove("CARGO_INCREMENTAL");
+        shell.env("CARGO_TARGET_DIR", target_folder());
+        shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
+    } else {
+        // As nowhere else, so that Cargo takes none of the crates of another folder.
+        shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;
     let text = String::from_utf8_lossy(&[stdout, stderr].concat()).into_owned();

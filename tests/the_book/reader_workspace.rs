@@ -73,10 +73,9 @@ pub fn shell(folder: &Path, lines: &str) -> Command {
     shell.args(["-eo", "pipefail", "-c", lines]).current_dir(folder);
     shell.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
     // Dependencies are shared with the course: they are compiled already, with the same settings.
-    // The five crates have the same names there, and other settings here, so that neither
-    // overwrites the other.
-    shell.env("CARGO_BUILD_BUILD_DIR", target_folder());
-    shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1").env("CARGO_INCREMENTAL", "0");
+    // The five crates have the same names there; who calls this optimises them otherwise, so that
+    // neither overwrites the other.
+    shell.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
     // Commands set INSTA_UPDATE themselves, and lock pictures in the folder.
     shell.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
     // Another platform would put the programs into another folder.
