@@ -27,24 +27,20 @@ pub struct Files(pub BTreeMap<String, Vec<u8>>);
 impl Files {
     /// Reads every file in `folder` and in the folders in it.
     pub fn read(folder: &Path) -> Result<Self> {
-        let mut files = Self::default();
-        files.read_into("", folder)?;
-        Ok(files)
-    }
-
-    fn read_into(&mut self, prefix: &str, folder: &Path) -> Result<()> {
-        let unreadable = |path: &Path| format!("{} can't be read", path.display());
-        for entry in fs::read_dir(folder).with_context(|| unreadable(folder))? {
-            let path = entry?.path();
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let name = format!("{prefix}{name}");
-            if path.is_dir() {
-                self.read_into(&format!("{name}/"), &path)?;
-            } else {
-                self.0.insert(name, fs::read(&path).with_context(|| unreadable(&path))?);
+        let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
+        while let Some(inner) = folders.pop() {
+            let unreadable = || format!("{} can't be read", inner.display());
+            for entry in fs::read_dir(&inner).with_context(unreadable)? {
+                let path = entry?.path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else {
+                    let name = path.strip_prefix(folder)?.to_string_lossy().replace('\\', "/");
+                    files.insert(name, fs::read(&path).with_context(unreadable)?);
+                }
             }
         }
-        Ok(())
+        Ok(Self(files))
     }
 
     /// Writes the files into a folder that holds nothing else then. A file that is there as it

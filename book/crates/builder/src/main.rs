@@ -32,23 +32,19 @@ fn preprocess_stdin() -> Result<()> {
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
+/// Says what it does. Where nobody listens any more, the book is built all the same.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
-    print_line("Building the book …");
+    let _ = writeln!(stdout(), "Building the book …");
     let folder = target_folder().join("book");
     let site = builder::build(&workspace(), &folder)?;
     let (count, time) = (site.chapters_in_order().len(), start.elapsed());
-    print_line(&format!("Built {count} chapters in {time:.1?}."));
     let index = folder.join("index.html");
-    print_line(&format!("It begins at {}", index.display()));
+    let place = index.display();
+    let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nIt begins at {place}");
     let patience = Duration::from_secs(2);
     if opens_browser && open::that_detached_with_timeout(&index, patience).is_err() {
-        print_line("There is no browser here to open it with.");
+        let _ = writeln!(stdout(), "There is no browser here to open it with.");
     }
     Ok(())
-}
-
-/// Writes a line. Where nobody listens any more, the book is built all the same.
-fn print_line(line: &str) {
-    let _ = writeln!(stdout(), "{line}");
 }
