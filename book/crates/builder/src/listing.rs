@@ -136,20 +136,13 @@ fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
     Ok(start..end)
 }
 
-/// The place of the first line, not before `first_line`, that begins with these words, or
-/// that of the comments and attributes above it.
-fn find_line_or_attributes(
-    words: &str,
-    lines: &[&str],
-    first_line: usize,
-) -> Result<usize, String> {
-    let mut lines_from = lines.iter().skip(first_line);
-    let mut line_index = first_line
-        + lines_from
-            .position(|line| line.trim_start().starts_with(words))
-            .ok_or(format!("no line there begins with {words:?}"))?;
-    while first_line < line_index && lines[line_index - 1].trim_start().starts_with(['#', '/']) {
-        line_index -= 1;
-    }
-    Ok(line_index)
+/// The place of the first line, not before `start`, that begins with these words, or that of the
+/// comments and attributes above it.
+fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> Result<usize, String> {
+    let is_found = |k: &usize| lines[*k].trim_start().starts_with(words);
+    let found = (start..lines.len()).find(is_found);
+    let found = found.ok_or(format!("no line there begins with {words:?}"))?;
+    let lines_above = lines[start..found].iter().rev();
+    let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
+    Ok(found - lines_above.take_while(is_about_it).count())
 }
