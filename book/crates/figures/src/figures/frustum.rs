@@ -75,7 +75,9 @@ fn draw(values: &[f64]) -> Output {
         let class = if part == "cut away" { "behind" } else { "object" };
         let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
-        drawing.label("quiet over", centre + dvec2(0.0, radius + 30.0), part);
+        // On the side away from the other rays.
+        let below = if 0.0 < sphere.centre.y { -radius - 10.0 } else { radius + 30.0 };
+        drawing.label("quiet over", centre + dvec2(0.0, below), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", place(ray.start), place(ray.at(t)));
