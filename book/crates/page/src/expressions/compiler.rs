@@ -1,8 +1,8 @@
-use crate::expressions::expression::{Expression, Run};
+use crate::expressions::expression::{Expression, Part, Run, literal_part};
 use crate::expressions::functions::{Apply, find_function};
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
-use crate::expressions::parts::literal_part;
-use crate::expressions::refusal::{Checked, explain_mismatch, explain_refused_call, refuse};
+use crate::expressions::refusal::{Checked, refuse};
+use crate::expressions::refused_call::{explain_mismatch, explain_refused_call};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value::{self, Bool, Stop, Unfit};
 use course::Place;
@@ -18,26 +18,6 @@ const STOP: &str = "Here your program would stop: there is no result, or none th
 /// Files without `use glam::DVec3`.
 const FILES_WITHOUT_VECTORS: [&str; 2] =
     ["step02_sphere/src/quadratic.rs", "step03_nearest/src/nearest.rs"];
-
-/// A compiled part of a text.
-#[derive(Clone)]
-pub struct Part {
-    pub run: Run,
-    /// Whether it is the same at each pixel.
-    pub is_constant: bool,
-    /// A value of its type: its own, if it is constant.
-    pub sample: Value,
-    /// Whether it is a number such as 2.0, or a sum of such, which has no methods yet.
-    pub is_open: bool,
-    pub range: Range<usize>,
-}
-
-impl Part {
-    /// What has this value at each pixel.
-    pub fn constant(sample: Value, is_open: bool) -> Self {
-        Self { run: Arc::new(move |_| Ok(sample)), is_constant: true, sample, is_open, range: 0..0 }
-    }
-}
 
 /// Compiles the syntax of a text, as far as Rust would.
 pub struct Compiler<'a> {

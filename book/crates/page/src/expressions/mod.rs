@@ -40,8 +40,9 @@ mod drawing;
 mod expression;
 mod functions;
 mod operation;
-mod parts;
 mod refusal;
+mod refused_call;
+mod statements;
 mod syntax;
 mod value;
 

@@ -1,12 +1,13 @@
 //! What a line may have besides functions of its parts.
 
-use crate::expressions::compiler::{Compiler, Part};
+use crate::expressions::compiler::Compiler;
+use crate::expressions::expression::Part;
 use crate::expressions::operation::range_of;
 use crate::expressions::refusal::{Checked, refuse};
-use crate::expressions::value::Value::{self, Bool, F64, I32};
+use crate::expressions::value::Value;
 use std::ops::Range;
 use std::sync::Arc;
-use syn::{ExprIf, Ident, Lit, LocalInit, Pat, PatIdent, Stmt};
+use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
 
 const BLOCK: &str = "A block here has let x = …; and a value at its end.";
 
@@ -73,23 +74,5 @@ impl Compiler<'_> {
         }
         self.names.push((name, part));
         Ok(())
-    }
-}
-
-/// A number, or true or false.
-pub fn literal_part(literal: &Lit) -> Checked<Part> {
-    let sample = match literal {
-        Lit::Bool(truth) => Some(Bool(truth.value)),
-        Lit::Int(number) => number.base10_parse().map(I32).ok(),
-        Lit::Float(number) => number.base10_parse().map(F64).ok(),
-        _ => None,
-    };
-    let is_open = literal.suffix().is_empty();
-    match (sample, literal.suffix()) {
-        (Some(F64(f64::INFINITY)), _) => refuse(range_of(literal), "That's beyond an f64."),
-        (Some(sample), "") | (Some(sample @ I32(_)), "i32") | (Some(sample @ F64(_)), "f64") => {
-            Ok(Part::constant(sample, is_open))
-        }
-        _ => refuse(range_of(literal), "Rust has no such f64 or i32; or is a * missing?"),
     }
 }
