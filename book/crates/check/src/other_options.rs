@@ -45,8 +45,8 @@ pub(crate) fn describe_other_options(
                 );
                 let all = yours.pixels().len();
                 return Some(format!(
-                    "With other options: {compared} of {all} pixels were compared, and are those of \
-                     {title} at {options}.\n\
+                    "As with other options: {compared} of {all} pixels were compared, and are \
+                     those of {title} at {options}.\n\
                      Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
                      --samples 1."
                 ));

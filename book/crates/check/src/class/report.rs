@@ -59,7 +59,7 @@ fn feedback(answer: &Answer, earlier: &[Row]) -> String {
     });
     let mut lines = answer.text.lines();
     let first = lines.next().unwrap_or_default();
-    let starts = ["Not right. ", "With other options: ", "error: "];
+    let starts = ["Not right. ", "As with other options: ", "error: "];
     let start = starts.iter().find_map(|start| first.strip_prefix(start));
     follows.unwrap_or_else(|| match answer.verdict {
         Verdict::Right => lines.collect::<Vec<_>>().join(" "),
