@@ -89,7 +89,7 @@ impl Search {
 
     /// Adds what is in an archive, whose own path ends with a `/` or is empty.
     fn add_archive(&mut self, bytes: &[u8], folder: &str) -> Result<(), String> {
-        let damaged = "is a damaged ZIP archive";
+        let damaged = "is no ZIP archive, or a damaged one";
         let archive = ZipArchive::from_slice(bytes).map_err(|_| damaged)?;
         for entry in archive.entries() {
             let entry = entry.map_err(|_| damaged)?;
