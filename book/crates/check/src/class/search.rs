@@ -136,7 +136,10 @@ fn unpack(
     *bytes_left = bytes_left.saturating_sub(bytes.len() as u64);
     result.map_err(|_| damaged)?;
     if most_bytes < bytes.len() as u64 {
-        return Err(too_large_clause(most_bytes));
+        return Err(match most_bytes {
+            FILE_BYTES => too_large_clause(FILE_BYTES),
+            _ => format!("isn't unpacked: the limit for all files is {} MB", MOST_BYTES >> 20),
+        });
     }
     Ok(bytes)
 }
