@@ -40,7 +40,9 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     }
     let colour = decoder.color_type();
     let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
+    let is_animated = decoder.is_apng().is_ok_and(|is_so| is_so);
     let notes = [
+        (is_animated, "The file is animated; its first picture was looked at."),
         (!colour.has_color(), "The file is grey and holds no colours."),
         (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
     ];

@@ -57,7 +57,11 @@ fn other_kinds_of_png_are_as_locked() {
     let ours = DynamicImage::from(draw_step(Step::Sphere));
     let mut invisible_pixel = ours.to_rgba8();
     invisible_pixel[(9, 9)][3] = 0;
+    let still = encode(ours.clone());
+    let animation = b"\0\0\0\x08acTL\0\0\0\x02\0\0\0\0";
+    let sum = crc32fast::hash(&animation[4..]).to_be_bytes();
     let answers = [
+        ("animated", [&still[..33], animation, &sum, &still[33..]].concat()),
         ("grey", encode(ours.to_luma8())),
         ("16 bits", encode(ours.to_rgb16())),
         ("one pixel is invisible", encode(invisible_pixel)),
