@@ -18,8 +18,7 @@ mod github_workflow;
 mod own_scene;
 mod typed_book;
 
-// Answers to predictions are right, and the fonts have all letters.
-mod fonts;
+// Answers to predictions are right.
 mod predictions;
 
 /// Fails if there are faults, and prints all of them.
