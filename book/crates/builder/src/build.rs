@@ -2,7 +2,7 @@ use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
-use anyhow::{Context, Result};
+use anyhow::{Context, Error, Result};
 use mdbook_driver::MDBook;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs::{self, File};
@@ -42,7 +42,9 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
     let files = Files::read(&folder)?;
     let pages: Vec<_> = files.texts_with_suffix(".html").collect();
     pages.into_par_iter().try_for_each(|(name, html)| {
-        let mut html = inline_stylesheets(html, &files).with_context(|| name.to_owned())?;
+        let mut html = inline_stylesheets(html, &files)
+            .map_err(Error::msg)
+            .with_context(|| name.to_owned())?;
         if name == "print.html" {
             // A picture that waits to be seen would not be on paper.
             html = html.replace(picture::LAZY, "");

@@ -32,6 +32,7 @@ mod sources;
 mod formula;
 mod markdown;
 mod numbers;
+mod replace_between;
 mod values;
 
 mod check_form;

@@ -1,6 +1,7 @@
 //! The numbers in a text: values, computed when the book is built, and those that move
 //! when a reader moves what answers.
 
+use crate::replace_between::replace_between;
 use crate::values;
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
@@ -35,21 +36,4 @@ pub fn fill_in_formula(
 fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
     let default_text = values::value_text(number_name)?;
     Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
-}
-
-fn replace_between(
-    text: &str,
-    begin: &str,
-    end: &str,
-    replacement: impl Fn(&str) -> Result<String, String>,
-) -> Result<String, String> {
-    let mut parts = text.split(begin);
-    let mut replaced = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (inside, tail) =
-            part.split_once(end).ok_or(format!("{begin} is without its {end} in the same line"))?;
-        replaced += &replacement(inside)?;
-        replaced += tail;
-    }
-    Ok(replaced)
 }
