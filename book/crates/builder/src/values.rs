@@ -12,40 +12,35 @@ use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
-/// The name of a count, and the function that counts.
-pub type Count = (&'static str, fn() -> usize);
-
-/// The counts, by name.
-pub const COUNTS: [Count; 7] = [
-    ("step02-touches", || count_rays(|ray| discriminant(&SPHERE, ray) == 0.0)),
-    ("step02-normalised", || {
-        let unit_ray = |ray: &Ray| Ray { direction: ray.direction.normalize(), ..*ray };
-        let has_hit = |ray: &Ray| SPHERE.intersect(ray).first_hit().is_some();
-        count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray)))
-    }),
-    ("step03-hits", || primary_rays().map(|ray| hit_indices(&ray).count()).sum()),
-    ("step03-last", || {
-        count_rays(|ray| {
-            let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
-            hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
-        })
-    }),
-    // The sphere behind the eye: its roots are below 0.
-    ("step03-behind", || count_rays(|ray| 0.0 <= discriminant(&OBJECTS[4].sphere, ray))),
-    ("step05-gate-pixels", || changes_without_gate().len()),
-    ("step05-gate-most", || changes_without_gate().into_iter().max().unwrap_or(0)),
-];
-
 /// The text of `{{#value …}}`.
 pub fn value_text(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
         Some((live, number)) => live_number_text(live, number),
-        None => {
-            let count = COUNTS.iter().find(|(name, _)| *name == text);
-            count.map(|(_, count)| format_count(count()))
-        }
+        None => count(text).map(format_count),
     };
     number.ok_or_else(|| format!("there is no value {text}"))
+}
+
+/// The count of this name.
+fn count(name: &str) -> Option<usize> {
+    Some(match name {
+        "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
+        "step02-normalised" => {
+            let unit_ray = |ray: &Ray| Ray { direction: ray.direction.normalize(), ..*ray };
+            let has_hit = |ray: &Ray| SPHERE.intersect(ray).first_hit().is_some();
+            count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray)))
+        }
+        "step03-hits" => primary_rays().map(|ray| hit_indices(&ray).count()).sum(),
+        "step03-last" => count_rays(|ray| {
+            let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
+            hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
+        }),
+        // The sphere behind the eye: its roots are below 0.
+        "step03-behind" => count_rays(|ray| 0.0 <= discriminant(&OBJECTS[4].sphere, ray)),
+        "step05-gate-pixels" => changes_without_gate().len(),
+        "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
+        _ => return None,
+    })
 }
 
 /// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
