@@ -57,12 +57,10 @@ pub fn html(
 
 /// The text of the file of the same name in the last step before that has one.
 fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
-    let step = Step::from_path(path)?;
-    let file = path.split_once(step.name())?.1;
-    let mut earlier_steps = Step::ALL.into_iter().rev().filter(|earlier| *earlier < step);
-    earlier_steps.find_map(|step| {
-        fs::read_to_string(workspace.join(format!("steps/{}{file}", step.name()))).ok()
-    })
+    let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
+    let mut earlier_names = Step::NAMES.into_iter().rev().skip_while(|name| *name != step).skip(1);
+    earlier_names
+        .find_map(|name| fs::read_to_string(workspace.join("steps").join(name).join(file)).ok())
 }
 
 /// The style that paints a bar beside each line which the `old` text doesn't have; None where

@@ -86,9 +86,4 @@ impl Step {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }
-
-    /// The step whose folder or file a path leads to.
-    pub fn from_path(path: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|step| path.contains(step.name()))
-    }
 }
