@@ -4,5 +4,4 @@ mod programs;
 mod step01_rays;
 mod step02_sphere;
 mod step03_nearest;
-mod step04_diffuse;
 mod step05_phong;
