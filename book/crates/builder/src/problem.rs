@@ -1,5 +1,3 @@
-use std::fmt::Write;
-
 /// The HTML for `{{#problem 7 0.622}}`, which begins the problem of this number and gives its
 /// answer.
 ///
@@ -32,14 +30,11 @@ pub fn sheet_markdown<'a>(chapters: impl Iterator<Item = (&'a str, &'a str)>) ->
             };
             let opening = opening_html(words).unwrap_or_default();
             problems += &heading.take().unwrap_or_default();
-            let _ = write!(problems, "{opening}\n{}\n\n</section>\n\n", problem.trim());
+            problems += &format!("{opening}\n{}\n\n</section>\n\n", problem.trim());
             let number = words.split(' ').next().unwrap_or_default();
-            let _ = write!(
-                answers,
-                "<div class=\"answer\"><a href=\"#problem-{number}\">{number}</a>\n\n**{}**\n\n\
-                 </div>\n\n",
-                answer.split("**").nth(1).unwrap_or_default()
-            );
+            let answer = answer.split("**").nth(1).unwrap_or_default();
+            let link = format!("<a href=\"#problem-{number}\">{number}</a>");
+            answers += &format!("<div class=\"answer\">{link}\n\n**{answer}**\n\n</div>\n\n");
         }
     }
     format!(
