@@ -7,9 +7,9 @@
 
     // What readers call by another name than the book.
     const SYNONYMS = {
-        acne: "rash", antialiasing: "rays for a pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
-        epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays for a pixel",
-        shiny: "shininess", spotlight: "spot light", supersampling: "rays for a pixel", theta: "θ", zbuffer: "nearest hit",
+        acne: "rash", antialiasing: "rays pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
+        epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays pixel",
+        shiny: "shininess", spotlight: "spot light", supersampling: "rays pixel", theta: "θ", zbuffer: "nearest hit",
     };
     const WORD = /[\p{L}\p{N}_]+/gu;
     const findWords = text => text.match(WORD) ?? [];
@@ -70,7 +70,7 @@
         const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };
         const start = at < 60 ? 0 : text.indexOf(" ", at - 60) + 1;
         return make("li", {}, link, make("span", { class: "teaser" }, start ? "… " : "", text.slice(start, at),
-            make("em", {}, word), `${text.slice(at + word.length, at + 120).replace(/[\ud800-\udbff]$/, "")} …`));
+            make("em", {}, word), `${text.slice(at + word.length, at + 120).replace(/\s?\S*$/, "")} …`));
     }
 
     async function open() {

@@ -24,7 +24,9 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
     let title = &target.title;
     let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
     if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
-        return Answer::new(Verdict::RightWithOtherOptions, text);
+        let causes = find_listed_mistakes(yours, target, None);
+        let text = format!("{text}\n{}", tell_causes(&causes)).trim_end().to_owned();
+        return Answer { causes, ..Answer::new(Verdict::RightWithOtherOptions, text) };
     }
     let comparison = Comparison::new(target, yours);
     let mut explanation = match find_equal(yours, locked) {

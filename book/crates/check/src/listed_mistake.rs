@@ -40,14 +40,13 @@ pub(crate) fn find_listed_mistakes(
     all.map(|mistake| cause(&mistake, "")).collect()
 }
 
-/// A listed mistake as a cause: its diff, cut where it is long, and, if the book shows it, why it
-/// is wrong, and where.
+/// A listed mistake as a cause: its diff, if it is short, and, if the book shows it, why it is
+/// wrong, and where.
 fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     if LINES < lines.len() {
-        lines.truncate(LINES - 1);
-        lines.push("  …\n".to_owned());
+        lines.clear();
     }
     let step = mistake.step;
     let Mistake { reason, section, .. } = mistake;

@@ -25,6 +25,7 @@ const NEAREST: &str = "step03_nearest";
 fn answers_about_whole_pictures_are_as_locked() {
     let ours = locked_picture(PHONG);
     let other_options = Camera::new(100, 75, 75.5_f64.to_radians());
+    let twice_the_angle = Camera::new(640, 360, 120_f64.to_radians());
     let mut screenshot = RgbImage::from_pixel(800, 500, Rgb([90; 3]));
     overlay(&mut screenshot, &locked_picture(NEAREST), 30, 60);
     let wrong_pixel = |i, j, ours| if (i, j) == (9, 9) { [9; 3] } else { ours };
@@ -33,6 +34,7 @@ fn answers_about_whole_pictures_are_as_locked() {
         [
             ("right", PHONG, draw_step(Step::Phong)),
             ("100×75, 75.5°, 2", PHONG, (Step::Phong.picture())(&other_options, 2)),
+            ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("glass", "sun", locked_picture("glass")),
             ("upside down", PHONG, imageops::flip_vertical(&ours)),
