@@ -33,14 +33,6 @@ fn main() {
 }
 ";
 
-/// The program around a picture, without options, as those take long to compile.
-const RUN: &str = "use crate::Camera;
-pub fn run(name: &str, picture: fn(&Camera, u32) -> image::RgbImage) {
-    let camera = Camera::new(640, 360, 60_f64.to_radians());
-    picture(&camera, 1).save(name.to_owned() + \".png\").unwrap();
-}
-";
-
 /// Draws mistakes in one program, and returns the pictures of each.
 pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
     let folder = package_folder();
@@ -118,10 +110,10 @@ fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> io:
     for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
         let file = entry?.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
-        let text = match &*file {
-            _ if path == mistake.file => text_with_mistake(mistake)?,
-            "program.rs" if !mistake.file.ends_with("aspect_ratio.rs") => RUN.to_owned(),
-            _ => fs::read_to_string(workspace().join(&path))?,
+        let text = if path == mistake.file {
+            text_with_mistake(mistake)?
+        } else {
+            fs::read_to_string(workspace().join(&path))?
         };
         let siblings = mistake.affected_steps().map(Step::name);
         let text = crate_as_module(&text, &format!("{module}::{step}"), siblings);
