@@ -196,7 +196,7 @@
         } else if (isBook(line)) {
             tell(`This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${answer.names.join(", ")}`);
         } else {
-            tell(answer.known || "Drawn with what you wrote. The address of the page holds it, too.");
+            tell(answer.known || "Drawn with what you wrote. The address of the page holds it now.");
         }
         keepInView();
     }

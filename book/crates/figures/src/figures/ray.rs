@@ -73,7 +73,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.label("strong over", place(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
     // Below a ray that rises, and above one that falls.
-    let shift = dvec2(6.0, if v.x * v.y <= 0.0 { 22.0 } else { -12.0 });
+    let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = place(t) + shift;
         if is_in_drawing(place(t)) && is_in_drawing(label + dvec2(38.0, 0.0)) {

@@ -82,7 +82,13 @@ fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -
             &format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
         }
     };
-    format!("{name} alone isn't known here. {cure}")
+    // Such as the sphere of sphere.centre.
+    let is_known_in_part = place
+        .variables
+        .iter()
+        .any(|(known, _)| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('.')));
+    let alone = if is_known_in_part { " alone" } else { "" };
+    format!("{name}{alone} isn't known here. {cure}")
 }
 
 /// Says that a value has no such field or method, and lists those that it has.
