@@ -22,9 +22,9 @@ use course::NAMED_SCENE_EXAMPLE;
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Says of each picture in a folder or an archive whether it is right. It is one's own if it has
-/// pictures of the course or a workspace of Cargo, else that of a class, some names of which may
-/// be known.
+/// Says of each picture in a folder or an archive whether it is right. It is one's own if it is a
+/// workspace of Cargo or has most pictures of the course itself, else that of a class, some names
+/// of which may be known.
 pub fn report_on_folder(
     folder: &Path,
     names: &[String],
@@ -34,9 +34,9 @@ pub fn report_on_folder(
     let is_workspace = folder.join("Cargo.toml").exists();
     let mut files = find_files(folder, if is_workspace { 0 } else { MOST_FOLDERS })?;
     let is_stray = |file: &FoundFile| split_key(&file.path).is_none();
-    let is_own = is_workspace
-        || files.iter().any(|file| file.picture.is_some() && is_stray(file))
-        || files.iter().all(is_stray);
+    let pictures = || files.iter().filter(|file| file.picture.is_some());
+    let stray_count = pictures().filter(|file| is_stray(file)).count();
+    let is_own = is_workspace || pictures().count() < 2 * stray_count || files.iter().all(is_stray);
     let (mut students, stray) = if is_own {
         files.retain(|file| file.depth() == 0 && file.may_be_picture());
         // Whose scene it is isn't known, but where that is asked for.
