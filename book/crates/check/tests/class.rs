@@ -46,9 +46,11 @@ fn reports_on_folders_are_as_locked() {
             ("moodle/A1/Emil_476_assignsubmission_file/all.zip", nested),
             ("moodle/A1/Fay_477_assignsubmission_file/all.zip", two_pictures[..99].to_vec()),
             ("moodle/A1/Gus_478_assignsubmission_file/.hidden.png", vec![]),
+            ("moodle/A1/Sun Li_479_assignsubmission_file_Step1.png", rays.clone()),
             ("canvas/l\u{f6}velaceada_4711_99_step01_rays-2.png", rays.clone()),
             ("canvas/l\u{f6}velaceada_4711_98_step01_rays-1.png", sphere.clone()),
             ("canvas/bob_LATE_4712_97_step02_sphere.png", sphere.clone()),
+            ("canvas/bob_4713_95_step01_rays.png", rays.clone()),
             ("canvas/l\u{f6}velaceada_4711_96_scene_of_me.png", scene("Ada L\u{f6}velace")),
             ("canvas/roster.pdf", vec![]),
             (

@@ -1,4 +1,4 @@
-use crate::class::found_file::FoundFile;
+use crate::class::found_file::{FoundFile, picture_in_name};
 use std::collections::{BTreeMap, BTreeSet};
 use unicode_normalization::UnicodeNormalization;
 
@@ -14,28 +14,34 @@ pub(crate) struct Student {
 
 /// The students of a class, by their names, and the files that are nobody's. A student's are in
 /// a folder or an archive, as Moodle and GitHub have it, or beside those of others with the
-/// student in their names, as Canvas has it.
+/// student in their names, as Canvas has it, and Moodle, too, if it is asked for no folders.
 pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<FoundFile>) {
     while is_one_folder_too_deep(&files) {
         for file in &mut files {
             file.path = file.path.split_once('/').map_or("", |(_, rest)| rest).to_owned();
         }
     }
-    let mut groups: BTreeMap<String, Vec<FoundFile>> = BTreeMap::new();
+    let mut groups: BTreeMap<String, BTreeMap<String, Vec<FoundFile>>> = BTreeMap::new();
     let mut stray = vec![];
     for mut file in files {
-        let Some((key, path)) = split_key(&file.path) else {
+        let Some(((name, id), path)) = split_key(&file.path) else {
             stray.push(file);
             continue;
         };
+        // The student may be called as a picture is.
+        file.picture = picture_in_name(&path);
         file.path = path;
-        groups.entry(key).or_default().push(file);
+        groups.entry(name).or_default().entry(id).or_default().push(file);
     }
-    let keys: Vec<_> = groups.keys().cloned().collect();
-    let prefix = common_prefix(&keys);
-    let students = groups.into_iter().map(|(key, files)| {
-        let key: String = key[prefix..].nfc().collect();
-        Student { name: without_number(&key).to_owned(), key, files }
+    let names: Vec<_> = groups.keys().cloned().collect();
+    let prefix = common_prefix(&names);
+    let students = groups.into_iter().flat_map(|(name, ids)| {
+        let name: String = name[prefix..].nfc().collect();
+        let is_shared = 1 < ids.len();
+        ids.into_iter().map(move |(id, files)| {
+            let key = if is_shared { format!("{name}_{id}") } else { name.clone() };
+            Student { name: without_number(&name).to_owned(), key, files }
+        })
     });
     (students.collect(), stray)
 }
@@ -68,33 +74,37 @@ fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
     split.iter().all(|(folder, _)| *folder == split[0].0) && keys.is_some_and(|one| 1 < one.len())
 }
 
-/// Splits a path into what tells the student and the rest; None where nothing does.
-pub(crate) fn split_key(path: &str) -> Option<(String, String)> {
+/// Splits a path into what tells the student, a name and Canvas's user id, and the rest; None
+/// where nothing does.
+pub(crate) fn split_key(path: &str) -> Option<((String, String), String)> {
     if let Some(split) = split_canvas_name(path) {
         return Some(split);
     }
-    let (folder, rest) = path.split_once('/')?;
-    // Moodle makes a folder each for files and for what was typed.
+    // Moodle makes a folder each for files and for what was typed, or puts all files into one.
+    let (folder, rest) = path.split_once('/').or_else(|| {
+        let (student, rest) = path.split_once("_assignsubmission_")?;
+        Some((student, rest.split_once('_')?.1))
+    })?;
     let student = folder.split_once("_assignsubmission_").map(|(student, _)| student);
     let student = student.or(folder.strip_suffix(".zip")).unwrap_or(folder);
-    Some((student.to_owned(), rest.to_owned()))
+    Some(((student.to_owned(), String::new()), rest.to_owned()))
 }
 
-/// Parts such as `lovelaceada` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
-fn split_canvas_name(name: &str) -> Option<(String, String)> {
+/// Parts such as `lovelaceada`, `4711` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
+fn split_canvas_name(name: &str) -> Option<((String, String), String)> {
     let (student, numbers_and_name) = name.split_once('_')?;
     let numbers_and_name = numbers_and_name.strip_prefix("LATE_").unwrap_or(numbers_and_name);
     let [user, file, name] = numbers_and_name.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
     let is_number = |text: &str| 1 < text.len() && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_split = !student.contains('/') && is_number(user) && is_number(file);
-    is_split.then(|| (student.to_owned(), name.to_owned()))
+    is_split.then(|| ((student.to_owned(), user.to_owned()), name.to_owned()))
 }
 
-/// How many bytes the keys have in common up to a `-`, as the repositories of one assignment do.
-fn common_prefix(keys: &[String]) -> usize {
-    let [first, _, ..] = keys else { return 0 };
+/// How many bytes the names have in common up to a `-`, as the repositories of one assignment do.
+fn common_prefix(names: &[String]) -> usize {
+    let [first, _, ..] = names else { return 0 };
     let mut ends = first.rmatch_indices('-').map(|(k, _)| k + 1);
-    ends.find(|end| keys.iter().all(|key| key.starts_with(&first[..*end]))).unwrap_or(0)
+    ends.find(|end| names.iter().all(|name| name.starts_with(&first[..*end]))).unwrap_or(0)
 }
 
 /// The student's name: what a platform calls the student, without Moodle's number.
