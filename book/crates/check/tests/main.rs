@@ -49,7 +49,8 @@ fn draw_step(step: Step) -> RgbImage {
 
 /// The picture of the scene of a name.
 fn draw_scene(name: &str) -> RgbImage {
-    draw(|ray| step05_phong::colour(&named_scene(name), ray))
+    let scene = named_scene(name);
+    draw(|ray| step05_phong::colour(&scene, ray))
 }
 
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {

@@ -2,7 +2,7 @@
 //! names.
 
 use crate::{
-    LOCKED, assert_locked, assert_rows_locked, draw, draw_step, encode, format_answer,
+    LOCKED, assert_locked, assert_rows_locked, draw, draw_scene, draw_step, encode, format_answer,
     locked_picture, map_locked,
 };
 use check::check_scene_png;
@@ -94,10 +94,9 @@ fn answers_about_changes_of_ours_are_as_locked() {
 #[test]
 fn answers_about_scenes_of_names_are_as_locked() {
     let ada = course::named_scene("ada");
-    let right = || draw(|ray| step05_phong::colour(&ada, ray));
     let rows = [
-        ("right", "ada", right()),
-        ("another case", "Ada", right()),
+        ("right", "ada", draw_scene("ada")),
+        ("another case", "Ada", draw_scene("ada")),
         ("no gate", "ada", draw(|ray| ungated_colour(&ada, ray))),
         ("one number", "ada", changed(ada.clone(), |one| one.objects[3].sphere.radius = 1.0)),
         ("the picture of step 5", "ada", draw_step(Step::Phong)),
