@@ -1,8 +1,8 @@
-const COPIED_AS_TEXT: &str =
-    "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
 /// How PNG files begin.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
+const COPIED_AS_TEXT: &str =
+    "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
