@@ -6,8 +6,8 @@ use image::RgbImage;
 pub enum Verdict {
     /// Equal to ours in every pixel, and nothing of it is transparent.
     Right,
-    /// Drawn by a right program with another size, field of view or number of samples.
-    RightWithOtherOptions,
+    /// As a right program draws it with another size, field of view or number of samples.
+    OtherOptions,
     /// Another picture.
     NotRight,
     /// No picture, or nothing to compare it with.
@@ -21,7 +21,7 @@ impl Verdict {
     pub fn words(self) -> &'static str {
         match self {
             Self::Right => "right",
-            Self::RightWithOtherOptions => "other options",
+            Self::OtherOptions => "other options",
             Self::NotRight => "not right",
             Self::Unreadable => "unreadable",
             Self::Missing => "missing",

@@ -26,7 +26,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
     if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
         let causes = find_listed_mistakes(yours, target, None);
         let text = format!("{text}\n{}", tell_causes(&causes)).trim_end().to_owned();
-        return Answer { causes, ..Answer::new(Verdict::RightWithOtherOptions, text) };
+        return Answer { causes, ..Answer::new(Verdict::OtherOptions, text) };
     }
     let comparison = Comparison::new(target, yours);
     let mut explanation = match find_equal(yours, locked) {

@@ -4,8 +4,8 @@
 //! name: a *target*, and, but for exercises, the *drawing* of it, a scene and the functions of a
 //! step. An answer says only what holds in every pixel that it speaks of (`check`):
 //!
-//! 1. The picture is **right**, right **with other options** (`other_options`), or the picture
-//!    of another name.
+//! 1. The picture is **right**, as **with other options** (`other_options`), or the picture of
+//!    another name.
 //! 2. It is ours as a whole, **turned, cut out or enlarged** (`transformed`).
 //! 3. **Causes**, all that we know to give every byte: a listed mistake (`listed_mistake`; with
 //!    the scene of a name, some of these are drawn anew, `scene_mistake`), one other number of the
@@ -17,8 +17,8 @@
 //!
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
 //! draw a scene that they don't know (`class::trial`), and each name has a sheet with the numbers
-//! of its scene (`class::scene_sheet`). What is tried is bounded by a `RayBudget`,
-//! the same on every machine; of a file, no more is read than a picture has.
+//! of its scene (`class::scene_sheet`). What is tried is bounded by a `RayBudget`, the same on
+//! every machine, and what is read of a file by a number of bytes.
 
 mod answer;
 mod byte_facts;
