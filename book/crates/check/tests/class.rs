@@ -52,7 +52,7 @@ fn reports_on_folders_are_as_locked() {
             ("canvas/bob_LATE_4712_97_step02_sphere.png", sphere.clone()),
             ("canvas/bob_4713_95_step01_rays.png", rays.clone()),
             ("canvas/l\u{f6}velaceada_4711_96_scene_of_me.png", scene("Ada L\u{f6}velace")),
-            ("canvas/roster.pdf", vec![]),
+            ("canvas/step01_rays.png", vec![]),
             (
                 "canvas.zip",
                 zip(&[
