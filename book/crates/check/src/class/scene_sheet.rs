@@ -24,7 +24,7 @@ pub fn format_sheet(name: &str, has_answers: bool) -> String {
          The colour is R_a and R_d, and the camera is that of the five steps. As a program, this \
          is {NAMED_SCENE_EXAMPLE}.rs, an example of step 5.\n\n\
          Name: ______________________________  Points: _____ of 12\n\n\
-         Work with six digits.\n\n{}",
+         Work with six decimals, and give four.\n\n{}",
         escape_for_terminal(name.trim()),
         problems(&drawing, skipped as usize, has_answers).unwrap_or_default()
     )
@@ -68,7 +68,8 @@ fn problems(drawing: &Drawing, skipped: usize, has_answers: bool) -> Option<Stri
     Some(text)
 }
 
-/// A pixel that shows a ball in the first light, and not its edge, where D loses digits.
+/// A pixel that shows a ball with some of the first light's highlight, and not its edge, where D
+/// loses digits.
 fn find_lit_pixel(drawing: &Drawing, skipped: usize) -> Option<((u32, u32), Ray, ObjectHit)> {
     let (camera, scene) = (camera(), &drawing.own.scene);
     let mut places = scattered_places((camera.h_res, camera.v_res)).skip(skipped);
@@ -77,8 +78,9 @@ fn find_lit_pixel(drawing: &Drawing, skipped: usize) -> Option<((u32, u32), Ray,
         let hit = drawing.visible_hit(&ray)?;
         let object = &scene.objects[hit.object];
         let (a, b, c) = object.sphere.coefficients(&ray);
-        let light = drawing.terms_at_hit(&ray, hit, &scene.lights[..1]).diffuse.x;
-        let is_found = object.name != "ground" && 1.0 < b * b - 4.0 * a * c && 0.1 < light;
+        let light = drawing.terms_at_hit(&ray, hit, &scene.lights[..1]);
+        let is_lit = 0.1 < light.diffuse.x && 0.01 < light.specular.x;
+        let is_found = object.name != "ground" && 1.0 < b * b - 4.0 * a * c && is_lit;
         is_found.then_some(((i, j), ray, hit))
     })
 }
