@@ -45,7 +45,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// One that has nothing to set but what its other fields say.
+    /// One of a name and what it draws; its other fields are empty.
     pub(crate) fn new(name: &'static str, draw: fn(&[f64]) -> Output) -> Self {
         Self {
             name,

@@ -4,9 +4,9 @@
 //!
 //! The builder prints what these functions give at the defaults. The page calls them,
 //! compiled for the browser, when its reader moves something. Nothing here knows of the
-//! book. A figure is a drawing with a caption, or a picture, whose pixels are rendered. The
-//! *values* are those of all its parameters, in their order, as they come from the page,
-//! without names. The *trace* of a picture's pixel is every number from its ray to its bytes.
+//! book. Each is a [`Figure`]. Its *values* are those of all its parameters, in their order,
+//! as they come from the page, without names. The *trace* of a picture's pixel is every number
+//! from its ray to its bytes.
 
 mod format;
 pub use format::{format_count, short_name};
