@@ -1,5 +1,6 @@
 use super::*;
-use crate::probe::{probe_ray, probed_picture};
+use crate::pictures::step03;
+use crate::probe::probe_ray;
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
@@ -18,10 +19,10 @@ pub fn figure() -> Figure {
     Figure {
         title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
         caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
-                  every root on its line. $V_z$ is $-1$, so $t$ is the depth.",
+                  every root on what is drawn of its line. $V_z$ is $-1$, so $t$ is the depth.",
         followed: Some("step03_nearest"),
-        handles: vec![],
-        ..probed_picture("from-above", [195.0, 237.0], vec![], draw)
+        parameters: step03::figure().parameters,
+        ..Figure::new("from-above", draw)
     }
 }
 
