@@ -42,6 +42,8 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let l = direction_left_of_up(degrees);
     let to_light = dvec2(l.x, -l.y);
     let share = brightness(l);
+    // At 90°, the cosine is a little above 0.
+    let is_lit = 0.0005 <= share;
     // The beam has one width; the strip it lights is wider by 1 / cos.
     let half = 26.0 / l.y;
     // A beam that is nearly level lights more ground than is drawn.
@@ -58,14 +60,14 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     drawing.line("plane", ground - side, ground + side);
     drawing.arrow("second", ground, ground - dvec2(0.0, 172.0));
     drawing.label("strong", ground + dvec2(0.0, -180.0), "$n$");
-    if 0.0 < share {
+    if is_lit {
         drawing.line("lit", foot(-edge), foot(edge));
     }
     if 0.0 < angle {
         drawing.arc("axis", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
         drawing.label("end", ground + dvec2(-30.0, -100.0), "$α$");
     }
-    let is_strip = 0.0 < share && edge == 1.0;
+    let is_strip = is_lit && edge == 1.0;
     if is_strip {
         // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
         let corner = foot(-1.0);
@@ -78,9 +80,10 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));
     drawing.label("", ground + dvec2(0.0, 56.0), &label);
-    let label = match share {
-        ..0.0005 => format!("max($n$·$l$, 0) = {}: no light", format_rounded(share, 3)),
-        _ => format!("strip × {}", format_rounded(1.0 / share, 2)),
+    let label = if is_lit {
+        format!("strip × {}", format_rounded(1.0 / share, 2))
+    } else {
+        "max($n$·$l$, 0) = 0: no light".into()
     };
     drawing.label("quiet", ground + dvec2(0.0, 80.0), &label);
 }
