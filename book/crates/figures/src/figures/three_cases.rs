@@ -14,8 +14,8 @@ pub fn figure() -> Figure {
     });
     Figure {
         title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
-        caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the ray meets the circle, at the point \
-                  straight above. The sign of $D$ says which case it is before any root is known. \
+        caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the line of the ray meets the circle, at the \
+                  point straight above. The sign of $D$ says which case it is before any root is known. \
                   <span class='move'>Drag a ray until it touches.</span>",
         parameters: [1.375, 1.0, 0.4375]
             .map(|y| Parameter::point([-2.125, y], ranges, 16.0))
