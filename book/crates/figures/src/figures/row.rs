@@ -1,5 +1,6 @@
 use super::*;
 use course::examples::row::Row;
+use std::f64::consts::PI;
 
 /// The place of C in the drawing.
 const ORIGIN: DVec2 = dvec2(240.0, 294.0);
@@ -7,7 +8,7 @@ const ORIGIN: DVec2 = dvec2(240.0, 294.0);
 /// A row of rays in 2D, with V_0 and D.
 pub fn figure() -> Figure {
     Figure {
-        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and arrows D step along the line from each point to the next.",
+        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and two arrows D step along the line from there, each to the next point.",
         caption: "Follow $V_0$ to the first pixel; from there, every step $D$ leads to the next ray. \
                   Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
                   <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>",
@@ -62,7 +63,7 @@ fn draw(values: &[f64]) -> Output {
             drawing.label("quiet", end + dvec2(0.0, -8.0), &format!("$i$ = {i}"));
         }
     }
-    drawing.arc("axis", c, 54.0, [directions[last].to_angle(), v_0.to_angle()]);
+    drawing.arc("axis", c, 54.0, [PI - v_0.to_angle(), v_0.to_angle()]);
     drawing.label("", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
     drawing.label("strong end", view.to_drawing(0.55 * v_0) + dvec2(-14.0, 4.0), "$V_0$");
@@ -72,7 +73,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.label("accent over", (tips[0] + tips[1]) / 2.0 + dvec2(0.0, -10.0), "$D$");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    // The rectangle whose diagonal is the last ray.
+    // The triangle of half the field of view.
     let corner = view.xy_to_drawing(tan, 0.0);
     drawing.path("guide", [c, corner, view.xy_to_drawing(tan, 1.0)]);
     drawing.label("quiet start", view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0), "1");
