@@ -10,7 +10,7 @@ use figures::escape;
 /// differ, the diff, and what is to be said of it.
 pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
-    let (mut count, mut items, mut sections) = (0, String::new(), String::new());
+    let (mut items, mut sections) = (String::new(), String::new());
     for mistake in &mistakes() {
         let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
             continue;
@@ -24,10 +24,8 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
             changed_lines_html(mistake),
             reason_markdown(mistake)?,
         );
-        count += 1;
     }
-    let style = format!("--items: {count}");
-    Ok(format!("<div class=\"contacts\" style=\"{style}\">\n\n{items}\n</div>\n{sections}"))
+    Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
 /// Why a mistake is wrong, and a link to the section that tells.
