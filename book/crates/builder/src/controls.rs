@@ -47,8 +47,8 @@ fn exact_html(exact: &[Control]) -> String {
     }
     let rows = exact.chunk_by(|one, other| one.words == other.words).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let of = escape(row[0].words.strip_prefix("of ").unwrap_or(&row[0].words));
-        format!("<span class=\"row\"><span>{of}</span>{fields}</span>")
+        let object = escape(row[0].words.strip_prefix("of ").unwrap_or(&row[0].words));
+        format!("<span class=\"row\"><span>{object}</span>{fields}</span>")
     });
     let rows: String = rows.collect();
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
