@@ -54,7 +54,7 @@ function makeHandle(figure, about, k) {
         handle.place = places[k];
         const isLost = !isInside(handle.place) && handle === document.activeElement;
         handle.hidden = !isInside(handle.place);
-        if (isLost) figure.parameterControls[parameters[0]]?.inputs[0].focus();
+        if (isLost) fields[0].focus();
         for (const [k, side] of ["left", "top"].entries()) handle.style[side] = `${(handle.place?.[k] ?? 0) / size[k] * 100}%`;
         handle.setAttribute("aria-valuenow", values[parameters[0]]);
         handle.setAttribute("aria-valuetext", parameters.map(parameter => texts[parameter]).join(", "));

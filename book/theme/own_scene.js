@@ -76,7 +76,7 @@ function followAddress(figure, keepState) {
     openScene();
 }
 
-// The next sphere or light that is not there comes into the scene; its switch is before its x.
+// The next sphere that is not there comes into the scene; its switch is before its x.
 function addSphereButton(figure, addTool) {
     addTool("+ Sphere", () => {
         const isMissing = ({ about: { mark, parameters: [x] } }) => mark === "point" && figure.values[x - 1] === 0;
