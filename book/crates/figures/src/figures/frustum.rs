@@ -63,12 +63,12 @@ fn draw(values: &[f64]) -> Output {
         drawing.line("guide", place(ray.start), place(ray.at(5.4)));
     }
     // However near the planes are to each other, their names don't meet.
-    for ([upper, lower], class, name, shift) in [
-        (near, "quiet over end", "near plane", dvec2(14.0, -10.0)),
-        (far, "quiet over start", "far plane", dvec2(-14.0, -10.0)),
-    ] {
+    for ([upper, lower], class, name) in
+        [(near, "quiet over end", "near plane"), (far, "quiet over start", "far plane")]
+    {
         drawing.line("plane", upper, lower);
-        drawing.label(class, upper + shift, name);
+        let label = upper.clamp(dvec2(76.0, 0.0), dvec2(408.0, 300.0)) - dvec2(0.0, 10.0);
+        drawing.label(class, label, name);
     }
     for sphere in BALLS {
         let part = part_between(&sphere, planes);
