@@ -137,10 +137,10 @@ fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
 /// The place of the first line, not before `start`, that begins with these words, or that of the
 /// comments and attributes above it.
 fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> Result<usize, String> {
-    let is_found = |k: &usize| lines[*k].trim_start().starts_with(words);
-    let found = (start..lines.len()).find(is_found);
-    let found = found.ok_or(format!("no line there begins with {words:?}"))?;
-    let lines_above = lines[start..found].iter().rev();
+    let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
+    let index = (start..lines.len()).find(has_words);
+    let index = index.ok_or(format!("no line there begins with {words:?}"))?;
+    let lines_above = lines[start..index].iter().rev();
     let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
-    Ok(found - lines_above.take_while(is_about_it).count())
+    Ok(index - lines_above.take_while(is_about_it).count())
 }
