@@ -1,12 +1,19 @@
-use crate::expressions::expression::{Expression, REMAINING_STEPS, WHOLE};
-use crate::expressions::refusal::Refusal;
+use crate::expressions::expression::Expression;
+use crate::expressions::refusal::{Refusal, refuse};
 use crate::expressions::steps::{
     step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
 use crate::expressions::value::Value;
 use image::RgbImage;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::ops::Range;
+use std::sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError, RwLock};
+
+/// All of a text.
+const WHOLE: Range<usize> = 0..usize::MAX;
+
+/// Sentence about a picture that takes more steps than it may.
+pub const TOO_LONG: &str = "That takes longer than a page should.";
 
 /// The places that are edited: a bit for the index of each.
 static PLACES: AtomicU64 = AtomicU64::new(0);
@@ -17,6 +24,9 @@ static LINES: RwLock<Vec<Expression>> = RwLock::new(vec![]);
 /// The name of the place where the reader's program would stop, and why.
 static STOP: Mutex<Option<(&str, Refusal)>> = Mutex::new(None);
 
+/// The steps that the picture may still take.
+static REMAINING_STEPS: AtomicI64 = AtomicI64::new(0);
+
 /// Held while a picture is drawn, as there is one set of edits.
 static DRAWING: Mutex<()> = Mutex::new(());
 
@@ -24,6 +34,11 @@ static DRAWING: Mutex<()> = Mutex::new(());
 #[inline(always)]
 pub(crate) fn is_edited(place: usize) -> bool {
     PLACES.load(Relaxed) >> place & 1 != 0
+}
+
+/// Counts steps of a picture; gives those that remain.
+pub fn spend(steps: i64) -> i64 {
+    REMAINING_STEPS.fetch_sub(steps, Relaxed) - steps
 }
 
 /// Whether a picture is refused: then nothing is evaluated for it.
@@ -37,7 +52,9 @@ pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     let line = lines.iter().find(|line| line.place.index == place && !is_over());
     let evaluate = |line: &Expression| {
-        line.evaluate(variables).map_err(|refusal| stop(line.place.name, refusal)).ok()
+        let is_too_long = spend(line.steps) < 0;
+        let value = if is_too_long { refuse(WHOLE, TOO_LONG) } else { line.evaluate(variables) };
+        value.map_err(|refusal| stop(line.place.name, refusal)).ok()
     };
     line.and_then(evaluate).and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }

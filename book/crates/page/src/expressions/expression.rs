@@ -4,14 +4,7 @@ use crate::expressions::value::Value::{self, Bool, F64, I32};
 use course::Place;
 use std::ops::Range;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
 use syn::Lit;
-
-/// All of a text.
-pub const WHOLE: Range<usize> = 0..usize::MAX;
-
-/// Sentence about a picture that takes more steps than it may.
-pub const TOO_LONG: &str = "That takes longer than a page should.";
 
 /// Computes a value from those of the variables, and of `let` behind them, unless the reader's
 /// program would stop.
@@ -67,17 +60,6 @@ pub struct Expression {
 impl Expression {
     /// Computes its value for these values of the variables.
     pub fn evaluate(&self, mut variables: Vec<Value>) -> Checked<Value> {
-        if spend(self.steps) < 0 {
-            return refuse(WHOLE, TOO_LONG);
-        }
         (self.run)(&mut variables)
     }
-}
-
-/// The steps that a picture may still take.
-pub static REMAINING_STEPS: AtomicI64 = AtomicI64::new(0);
-
-/// Counts steps of a picture; gives those that remain.
-pub fn spend(steps: i64) -> i64 {
-    REMAINING_STEPS.fetch_sub(steps, Relaxed) - steps
 }

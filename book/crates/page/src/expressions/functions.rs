@@ -1,4 +1,4 @@
-use crate::expressions::expression::spend;
+use crate::expressions::drawing::spend;
 use crate::expressions::value::Value::{self, Array, Bool, F64, I32, Stop, Unfit, Vector};
 use glam::DVec3;
 use std::f64::consts;

@@ -47,7 +47,6 @@ mod syntax;
 mod value;
 
 pub use compiler::parse_expression;
-pub use drawing::draw_edited;
-pub use expression::TOO_LONG;
+pub use drawing::{TOO_LONG, draw_edited};
 pub use refusal::Refusal;
 pub use value::Value;
