@@ -3,10 +3,11 @@
 //!
 //! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
 //! script copies the steps' own source and puts a question, `editable!`, around each place.
-//! `syn` reads a reader's text, and the *compiler* makes closures of it, which run for each pixel. A value tells its type, and a table of *functions* what they do with values of which
-//! types: so the compiler, which knows a *sample* of each part's value, finds out by calling a
-//! function whether Rust would. What Rust would refuse is refused, with a range of the text and a
-//! sentence; so is what would stop the reader's program while it draws.
+//! `syn` reads a reader's text, and the *compiler* makes closures of it, which run for each pixel.
+//! A value tells its type, and a table of *functions* what they do with values of which types: so
+//! the compiler, which knows a *sample* of each part's value, finds out by calling a function
+//! whether Rust would. What Rust would refuse is refused, with a range of the text and a sentence;
+//! so is what would stop the reader's program while it draws.
 
 /// The reader's expression where `place` is edited, else the book's.
 macro_rules! editable {
