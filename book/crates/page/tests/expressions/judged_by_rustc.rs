@@ -80,7 +80,7 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
 }
 
 #[test]
-#[ignore = "compiles for a minute"]
+#[ignore = "compiles a thousand lines"]
 fn rustc_judges_made_lines() {
     let mut rng = Rng::with_seed(7);
     let mut lines = vec![];
