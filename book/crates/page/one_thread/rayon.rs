@@ -3,22 +3,15 @@
 
 /// The methods of lists, under the names of `rayon`.
 pub mod prelude {
-    use std::slice::{ChunksExactMut, Iter};
+    use std::slice::ChunksExactMut;
 
-    /// A list that one thread walks through.
-    pub trait ParallelSlice<T> {
-        /// Its items.
-        fn par_iter(&self) -> Iter<'_, T>;
-
+    /// A list that one thread writes into.
+    pub trait ParallelSliceMut<T> {
         /// Parts of this size, to write into.
         fn par_chunks_exact_mut(&mut self, size: usize) -> ChunksExactMut<'_, T>;
     }
 
-    impl<T> ParallelSlice<T> for [T] {
-        fn par_iter(&self) -> Iter<'_, T> {
-            self.iter()
-        }
-
+    impl<T> ParallelSliceMut<T> for [T] {
         fn par_chunks_exact_mut(&mut self, size: usize) -> ChunksExactMut<'_, T> {
             self.chunks_exact_mut(size)
         }
