@@ -52,7 +52,7 @@ fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
 }
 
 impl Table {
-    /// What is checked in.
+    /// Reads the list, the right pictures, and what was made from both.
     pub fn read() -> ImageResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {

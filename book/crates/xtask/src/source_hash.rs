@@ -9,7 +9,8 @@ use std::{fs, io};
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// What those folders have besides: what is made from the sources, and tests.
+/// What those folders have besides: the hash, the list of mistakes, which a page loads by itself,
+/// and tests.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
 /// The hash of texts, one after the other.

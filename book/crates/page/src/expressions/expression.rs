@@ -24,7 +24,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// What has this value at each pixel.
+    /// A part with this value at each pixel.
     pub fn constant(sample: Value, is_open: bool) -> Self {
         Self { run: Arc::new(move |_| Ok(sample)), is_constant: true, sample, is_open, range: 0..0 }
     }

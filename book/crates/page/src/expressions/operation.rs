@@ -22,7 +22,7 @@ pub fn write_tokens(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// What is done with what.
+/// The function or operator that this syntax calls, and its operands.
 pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
     Ok(match syntax {
         Expr::Unary(unary) => {
