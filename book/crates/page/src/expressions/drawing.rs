@@ -32,7 +32,7 @@ static DRAWING: Mutex<()> = Mutex::new(());
 
 /// Whether the place with this index is edited.
 #[inline(always)]
-pub(crate) fn is_edited(place: usize) -> bool {
+pub fn is_edited(place: usize) -> bool {
     PLACES.load(Relaxed) >> place & 1 != 0
 }
 
@@ -48,7 +48,7 @@ fn is_over() -> bool {
 
 /// The value of the reader's expression at a place where its variables have these.
 #[inline(never)]
-pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
+pub fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec<Value>) -> T {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     let line = lines.iter().find(|line| line.place.index == place && !is_over());
     let evaluate = |line: &Expression| {
@@ -61,7 +61,7 @@ pub(crate) fn evaluate<T: Default + TryFrom<Value>>(place: usize, variables: Vec
 
 /// Notes why the reader's program would stop in the code around the lines.
 #[cold]
-pub(crate) fn stop_outside(sentence: &str) {
+pub fn stop_outside(sentence: &str) {
     let lines = LINES.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(line) = lines.first().filter(|_| !is_over()) {
         let sentence = format!("Here your program would stop: {sentence}.");
