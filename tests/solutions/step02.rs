@@ -5,16 +5,17 @@ use step02_sphere::{Ray, Roots};
 use tests::test_law;
 
 #[test]
-fn quadric_has_at_most_one_root_when_a_is_zero() {
+fn quadric_has_its_roots_in_order_where_a_is_not_above_0() {
     let x2_plus_y2 = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
     let cylinder = Quadric::around(DVec3::ZERO, x2_plus_y2, -1.0);
     let ray_along_axis = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };
     assert_eq!(cylinder.intersect(&ray_along_axis), Roots::Zero);
-    let cone = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
-    let cone = Quadric::around(DVec3::new(0.0, 0.0, -4.0), cone, 0.0);
+    let matrix = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
+    let [cone, bowls] = [0.0, 1.0].map(|w| Quadric::around(-4.0 * DVec3::Z, matrix, w));
     let ray_along_side = Ray { direction: DVec3::new(1.0, 0.0, -1.0), ..ray_along_axis };
     assert_eq!(cone.coefficients(&ray_along_side).0, 0.0);
     assert_eq!(cone.intersect(&ray_along_side), Roots::One(2.0));
+    assert_eq!(bowls.intersect(&ray_along_axis), Roots::Two(3.0, 5.0));
 }
 
 #[test]
@@ -30,4 +31,6 @@ fn hits_are_on_the_plane() {
             assert!(n.dot(ray.at(t) - q).abs() < 1e-9 * (1.0 + t));
         }
     });
+    let wall = Plane { point: DVec3::Z, normal: DVec3::Z };
+    assert_eq!(wall.first_hit(&Ray { start: DVec3::ZERO, direction: DVec3::X }), None);
 }

@@ -12,3 +12,9 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
         assert!(course::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
     }
 }
+
+#[test]
+fn line_of_the_srgb_curve_leads_to_its_power() {
+    let [line, power] = [0.0031308, 0.0031309].map(gamma::srgb);
+    assert!(line < power && power < line + 2e-6);
+}
