@@ -30,7 +30,7 @@ fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     }
 }
 
-/// "Every mirror but the ground shows it to you directly", the green sphere behind the eye.
+/// "Every mirror but the ground shows it after a single bounce", the green sphere behind the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
     let objects = course::examples::mirror::mirrors().objects;
