@@ -49,7 +49,7 @@ fn crates_compile_at_each_heading_and_command() -> Result<()> {
     assert!(20 <= modules.lines().count());
     reader.write_if_changed("steps/states/Cargo.toml", STATES_MANIFEST)?;
     reader.write_if_changed("steps/states/src/lib.rs", &modules)?;
-    let (code, text) = reader.run("cargo build -p states", "0")?;
+    let (code, text) = reader.run(&["cargo", "build", "-p", "states"], "0")?;
     ensure!(code == Some(0), "{text}");
     Ok(())
 }

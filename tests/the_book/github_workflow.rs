@@ -3,7 +3,7 @@
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
-use super::reader_workspace::{pages_of_step, shell};
+use super::reader_workspace::{folder_command, pages_of_step};
 use anyhow::{Result, ensure};
 use course::{target_folder, workspace};
 use std::path::Path;
@@ -26,7 +26,8 @@ fn workflow_commands() -> Vec<String> {
 /// Runs a command of bash in a folder, and gives what it prints; fails where the command does.
 fn run(folder: &Path, command: &str) -> Result<String> {
     let course = format!("\"{}\"/", workspace().display());
-    let mut shell = shell(folder, &command.replace("course/", &course));
+    let lines = command.replace("course/", &course);
+    let mut shell = folder_command(folder, &["bash", "-eo", "pipefail", "-c", &lines]);
     shell.env("REQUIRE", "step01_rays").env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
     // As the template has it.
     shell.env_remove("INSTA_WORKSPACE_ROOT");

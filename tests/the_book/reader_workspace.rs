@@ -56,29 +56,29 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Runs a command of Cargo as a shell does, with our programs optimised as much; gives the exit
-    /// code, and what is printed.
-    pub fn run(&self, line: &str, opt_level: &str) -> Result<(Option<i32>, String)> {
-        let mut shell = shell(&self.folder, line);
-        shell.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
-        let Output { status, stdout, stderr } = shell.output()?;
+    /// Runs a program with its arguments, with our programs optimised as much; gives the exit code,
+    /// and what is printed.
+    pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
+        let mut command = folder_command(&self.folder, words);
+        command.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
+        let Output { status, stdout, stderr } = command.output()?;
         let text = String::from_utf8_lossy(&[stderr, stdout].concat()).into_owned();
         Ok((status.code(), text))
     }
 }
 
-/// A shell that runs these lines in a folder of a reader's, up to the first that fails.
-pub fn shell(folder: &Path, lines: &str) -> Command {
-    let mut shell = Command::new("bash");
-    shell.args(["-eo", "pipefail", "-c", lines]).current_dir(folder);
-    shell.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
+/// A program that runs with its arguments in a folder of a reader's.
+pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]).current_dir(folder);
+    command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
     // Dependencies are shared with the course: they are compiled already, with the same settings.
     // The five crates have the same names there; who calls this optimises them otherwise, so that
     // neither overwrites the other.
-    shell.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
+    command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
     // Commands set INSTA_UPDATE themselves, and lock pictures in the folder.
-    shell.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
+    command.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
     // Another platform would put the programs into another folder.
-    shell.env_remove("CARGO_BUILD_TARGET");
-    shell
+    command.env_remove("CARGO_BUILD_TARGET");
+    command
 }

@@ -74,7 +74,7 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
     // To compile once more takes minutes, and so does a benchmark.
     let line = command.line.replace("cargo bench", "cargo build").replace(" --release", "");
     let place = format!("At {}, {}", command.location, command.line);
-    let (code, text) = reader.run(&line, "1")?;
+    let (code, text) = reader.run(&["bash", "-c", &line], "1")?;
     ensure!(code == Some(command.exit_code), "{place}: {text}");
     let mut printed = command.output.lines().flat_map(|line| line.split('…'));
     let missing = printed.find(|part| !text.contains(part));
