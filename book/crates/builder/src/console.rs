@@ -23,5 +23,5 @@ pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
 /// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
 pub fn by_hand_note_html(test: &str) -> String {
     let name = markdown::code_with_break_hints(test);
-    format!("<p class=\"by-hand\" id=\"by-hand-{test}\">Test: {name}</p>\n")
+    format!("<p class=\"by-hand\">Test: {name}</p>\n")
 }
