@@ -3,13 +3,12 @@ use figures::escape;
 
 /// Commands, under a caption that says in which folder they are meant, the reader's or ours.
 pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
-    let (folder, caption) = match folder {
-        "yours" => ("yours", "in your folder"),
-        "yours,refused" => ("yours refused", "in your folder"),
-        "yours,fails" => ("yours fails", "in your folder"),
-        "ours" => ("ours", "in <a href=\"how.html#two-folders\">our folder</a>"),
+    let caption = match folder {
+        "yours" | "yours,refused" | "yours,fails" => "in your folder",
+        "ours" => "in <a href=\"how.html#two-folders\">our folder</a>",
         _ => return Err("a console is console,yours or console,ours".to_string()),
     };
+    let folder = folder.replace(',', " ");
     // A prompt is not a part of a command that is copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
     Ok(format!(
