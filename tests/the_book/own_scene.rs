@@ -38,8 +38,9 @@ fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbIm
     reader.write_if_changed(&path, program).expect("a file can be written");
     let (code, text) = reader.run(&["bash", "-c", command], "1").expect("a shell");
     assert!(code == Some(0) && !text.contains("warning"), "{text} in {program}");
-    let drawn = image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
-    assert_eq!(describe_difference(picture, &drawn.to_rgb8()), None, "{program}");
+    let program_picture =
+        image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
+    assert_eq!(describe_difference(picture, &program_picture.to_rgb8()), None, "{program}");
 }
 
 #[test]

@@ -23,9 +23,9 @@ fn every_line_of_every_file_is_listed_once() {
     let typed = typed_files(book.chapters_in_order());
     let files = SOURCE_FILES.texts_with_suffix("");
     for (path, text) in files.filter(|(path, _)| path.starts_with("steps/")) {
-        let listed = typed.get(path).map_or("", String::as_str);
-        if listed != text {
-            let pairs = text.lines().zip(listed.lines());
+        let listed_text = typed.get(path).map_or("", String::as_str);
+        if listed_text != text {
+            let pairs = text.lines().zip(listed_text.lines());
             let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
             faults.push(format!("Line {} of {path} is not listed once.", equal_count + 1));
         }

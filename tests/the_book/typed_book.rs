@@ -25,7 +25,7 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     let (book, reader) = (built_book(), ReaderWorkspace::open());
     let _ = fs::remove_dir_all(reader.folder.join("steps"));
     let (mut typed, mut commands_for_later) = (TypedFiles::new(), vec![]);
-    let mut drawn = BTreeSet::new();
+    let mut drawn_names = BTreeSet::new();
     for item in book.chapters_in_order().into_iter().flat_map(page_items) {
         match item {
             PageItem::Listing(path, code) => *typed.entry(path).or_default() += &code,
@@ -34,17 +34,17 @@ fn commands_do_what_their_pages_say() -> Result<()> {
             }
             PageItem::Command(command) => {
                 reader.write_files(&typed)?;
-                drawn.extend(run_and_verify(&reader, &command)?);
+                drawn_names.extend(run_and_verify(&reader, &command)?);
             }
             PageItem::Heading => {}
         }
     }
     reader.write_files(&typed)?;
     for command in commands_for_later {
-        drawn.extend(run_and_verify(&reader, &command)?);
+        drawn_names.extend(run_and_verify(&reader, &command)?);
     }
     let names = PICTURES.iter().map(|(name, _)| *name).chain(["cover", "shadowed", "goodbye"]);
-    let missing: Vec<_> = names.filter(|name| !drawn.contains(*name)).collect();
+    let missing: Vec<_> = names.filter(|name| !drawn_names.contains(*name)).collect();
     ensure!(missing.is_empty(), "no command draws {missing:?}");
     Ok(())
 }
@@ -76,8 +76,8 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
     let place = format!("At {}, {}", command.location, command.line);
     let (code, text) = reader.run(&["bash", "-c", &line], "1")?;
     ensure!(code == Some(command.exit_code), "{place}: {text}");
-    let mut printed = command.output.lines().flat_map(|line| line.split('…'));
-    let missing = printed.find(|part| !text.contains(part));
+    let mut expected_parts = command.output.lines().flat_map(|line| line.split('…'));
+    let missing = expected_parts.find(|part| !text.contains(part));
     ensure!(missing.is_none(), "{place} does not print {missing:?}, but {text}");
     let mut names = vec![];
     let is_another_size = command.line.contains("--width") && !command.line.contains("--output");
