@@ -28,13 +28,14 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // One figure of a page will do, and axe on the shorter pages.
+  // One figure of a page will do, axe on the shorter pages, and the search's results in one browser.
   grepInvert: isThorough ? [] : /@thorough/,
   projects: [
     { name: 'chromium-wide', testIgnore: 'webkit.spec.js', use: { ...chromium, ...view(1280) } },
     {
       name: 'firefox-narrow',
       testMatch: ['pages.spec.js', 'search.spec.js', 'line_editor.spec.js'],
+      grepInvert: isThorough ? [] : /@thorough|first results/,
       use: { ...firefox, ...view(390), source: 'folder' },
     },
     // By THOROUGH=1 alone: they take minutes, and find little that the others miss.
