@@ -13,6 +13,8 @@ pub(crate) struct Comparison<'a> {
     /// All pixels, those that are wrong first, each part scattered over the picture, so that
     /// what doesn't give them fails soon.
     pub pixels: Vec<Pixel>,
+    /// How far the pixel is off that is off most.
+    pub largest_difference: u8,
 }
 
 /// A pixel of the reader's picture and of ours.
@@ -44,7 +46,7 @@ impl Pixel {
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares a picture with a target; None where their sizes differ.
+    /// Compares a picture with a target; None where their sizes differ, or no pixel does.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
         let (drawing, ours) = (target.drawing.as_ref(), &target.picture);
         let (columns, rows) = ours.dimensions();
@@ -58,9 +60,11 @@ impl<'a> Comparison<'a> {
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
             Pixel { place: (i, j), ray, hit, yours, ours }
         };
-        let mut pixels: Vec<_> = scattered_places((columns, rows)).map(pixel).collect();
-        pixels.sort_by_key(|pixel| !pixel.is_wrong());
-        Some(Self { drawing, ours, pixels })
+        let pixels = scattered_places((columns, rows)).map(pixel);
+        let (mut pixels, right): (Vec<_>, Vec<_>) = pixels.partition(Pixel::is_wrong);
+        let largest_difference = pixels.iter().map(Pixel::largest_difference).max()?;
+        pixels.extend(right);
+        Some(Self { drawing, ours, pixels, largest_difference })
     }
 
     /// The pixels that are wrong.

@@ -1,19 +1,20 @@
 use crate::comparison::{RayBudget, scattered_places};
-use image::{RgbImage, imageops};
+use image::RgbImage;
 
 /// How many pixels may be compared to find a part, and the least that a part has.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-type TurnBack = fn(&RgbImage) -> RgbImage;
+/// The place in a turned picture of a column and row of ours, of which the last are given.
+type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
-const TURNS: [(&str, TurnBack); 6] = [
-    ("", RgbImage::clone),
-    ("upside down", imageops::flip_vertical),
-    ("mirrored left to right", imageops::flip_horizontal),
-    ("turned by 180°", imageops::rotate180),
-    ("turned by 90° to the right", imageops::rotate270),
-    ("turned by 90° to the left", imageops::rotate90),
+const TURNS: [(&str, Turn); 6] = [
+    ("", |place, _| place),
+    ("upside down", |(i, j), (_, row)| (i, row - j)),
+    ("mirrored left to right", |(i, j), (column, _)| (column - i, j)),
+    ("turned by 180°", |(i, j), (column, row)| (column - i, row - j)),
+    ("turned by 90° to the right", |(i, j), (_, row)| (row - j, i)),
+    ("turned by 90° to the left", |(i, j), (column, _)| (j, column - i)),
 ];
 
 const ORDERS: [(&str, [usize; 3]); 4] = [
@@ -47,24 +48,24 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
 
 /// Clauses such as `upside down`: how yours is the whole of ours turned, mirrored or with its
 /// channels in another order; of each turn the plainest.
-fn turned_or_swapped_clauses(picture: &RgbImage, ours: &RgbImage) -> Vec<String> {
-    let mut clauses = vec![];
-    let turns = TURNS.into_iter().filter(|_| picture.pixels().len() == ours.pixels().len());
-    for (turned, turn_back) in turns {
-        let picture = turn_back(picture);
-        for (swapped, order) in ORDERS {
-            let mut pairs = picture.pixels().zip(ours.pixels());
-            let is_equal = picture.width() == ours.width()
-                && pairs.all(|(yours, ours)| yours.0 == order.map(|k| ours.0[k]));
-            if is_equal {
-                let words = [turned, swapped].into_iter().filter(|words| !words.is_empty());
-                clauses.push(words.collect::<Vec<_>>().join(", "));
-                // A grey picture is the same in any order.
-                break;
-            }
-        }
+fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
+    if yours.pixels().len() != ours.pixels().len() {
+        return vec![];
     }
-    clauses
+    let (columns, rows) = ours.dimensions();
+    let clauses = TURNS.iter().filter_map(|(turned, turn)| {
+        // A grey picture is the same in any order.
+        let (swapped, _) = ORDERS.iter().find(|(_, order)| {
+            scattered_places((columns, rows)).all(|place| {
+                let (i, j) = turn(place, (columns - 1, rows - 1));
+                let colour = order.map(|k| ours[place][k]);
+                yours.get_pixel_checked(i, j).is_some_and(|yours| yours.0 == colour)
+            })
+        })?;
+        let words = [*turned, *swapped].into_iter().filter(|words| !words.is_empty());
+        Some(words.collect::<Vec<_>>().join(", "))
+    });
+    clauses.collect()
 }
 
 /// A clause such as `enlarged 2 times`: which part of ours yours is, or ours of yours, or how

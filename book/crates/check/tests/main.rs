@@ -11,9 +11,9 @@ mod wrong_programs;
 use check::{Answer, LockedPictures, check_png};
 use course::{Step, camera, named_scene, workspace};
 use glam::DVec3;
-use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{DynamicImage, Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
-use std::io::Cursor;
 use std::path::PathBuf;
 use std::{fs, sync::LazyLock};
 use step01_rays::{Ray, render};
@@ -53,10 +53,13 @@ fn draw_scene(name: &str) -> RgbImage {
     draw(|ray| step05_phong::colour(&scene, ray))
 }
 
+/// A picture as a PNG file, uncompressed, as that is soon done.
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
-    let mut png = Cursor::new(vec![]);
-    picture.into().write_to(&mut png, ImageFormat::Png).expect("a picture");
-    png.into_inner()
+    let mut png = vec![];
+    let (size, filter) = (CompressionType::Uncompressed, FilterType::NoFilter);
+    let encoder = PngEncoder::new_with_quality(&mut png, size, filter);
+    picture.into().write_with_encoder(encoder).expect("a picture");
+    png
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
