@@ -3,7 +3,7 @@ use crate::drawing::Drawing;
 use crate::explain::explain;
 use crate::target::{Target, scene_title};
 use crate::which_picture::{find_equal, find_name_in_file_name};
-use crate::{Answer, LockedPictures, Picture, Verdict, escape_for_terminal, read_png};
+use crate::{Answer, Picture, Verdict, escape_for_terminal, read_png};
 use course::{camera, find_mistakes_with_hash, hash_picture, locked_names};
 use image::RgbImage;
 
@@ -11,44 +11,40 @@ use image::RgbImage;
 /// left out, with the one that the file's own name tells, or that it is, with a listed mistake or
 /// without.
 ///
-/// Reads nothing but what it is given: no file, no argument, no time.
+/// A function gives the locked pictures by their names, or why it can't. Nothing else is read: no
+/// file, no argument, no time.
 pub fn check_png(
     png: &[u8],
     file_name: &str,
     expected_name: Option<&str>,
-    locked: &LockedPictures,
+    locked_picture: fn(&str) -> Result<RgbImage, String>,
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let (yours, names) = (&picture.rgb, locked_names().into_iter());
         let name = expected_name.or_else(|| find_name_in_file_name(file_name, names));
-        let name = name.or_else(|| find_equal(yours, locked));
+        let name = name.or_else(|| find_equal(yours));
         let mistakes = || find_mistakes_with_hash(hash_picture(yours));
         let name = name.or_else(|| mistakes().first().map(|(_, name)| *name));
         let unknown = "no name tells which picture it should be, such as step02_sphere";
-        match name.ok_or_else(|| unknown.to_owned()).and_then(|name| locked.get(name)) {
+        let Some(name) = name else { return Answer::error(unknown) };
+        match locked_picture(name).map(|ours| Target::of_locked(name, ours)) {
             Err(why) => Answer::error(why),
             Ok(target) if target.picture == *yours => right(&target.title),
-            Ok(target) => explain(yours, &target, locked),
+            Ok(target) => explain(yours, &target),
         }
     })
 }
 
 /// Compares the picture in a PNG file with the scene that belongs to a name, and, where it
 /// isn't that, with those of other names.
-pub fn check_scene_png(
-    png: &[u8],
-    file_name: &str,
-    name: &str,
-    other_names: &[String],
-    locked: &LockedPictures,
-) -> Answer {
+pub fn check_scene_png(png: &[u8], file_name: &str, name: &str, other_names: &[String]) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let target = Target::of_scene(name);
         if target.picture == picture.rgb {
             return right(&target.title);
         }
         match other_names.iter().find(|other| is_scene_of(&picture.rgb, other)) {
-            None => explain(&picture.rgb, &target, locked),
+            None => explain(&picture.rgb, &target),
             Some(other) => Answer::new(
                 Verdict::NotRight,
                 format!("Not right. This is {}, not {}.", scene_title(other), target.title),

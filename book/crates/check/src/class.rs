@@ -12,12 +12,12 @@ mod trial;
 pub use scene_sheet::{format_sheet, read_names, write_sheet, write_sheets};
 pub use trial::report_on_workspaces;
 
+use crate::Answer;
 use crate::class::check_student::check_student;
 use crate::class::found_file::{FoundFile, unchecked_clause};
 use crate::class::report::{Row, report_answer};
 use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::{Student, add_names, group_by_student, split_key};
-use crate::{Answer, LockedPictures};
 use course::NAMED_SCENE_EXAMPLE;
 use rayon::prelude::*;
 use std::path::Path;
@@ -50,8 +50,7 @@ pub fn report_on_folder(
     };
     add_names(&mut students, names);
     let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
-    let locked = LockedPictures::in_workspace();
-    let check = |student| check_student(student, required, &names, &locked);
+    let check = |student| check_student(student, required, &names);
     let mut rows: Vec<_> = students.into_par_iter().flat_map(check).collect();
     rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
     Ok(report_answer(&rows, is_csv))

@@ -10,7 +10,7 @@ use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::which_picture::find_equal;
 use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
-use crate::{Answer, LockedPictures, Verdict};
+use crate::{Answer, Verdict};
 use course::Step;
 use image::RgbImage;
 
@@ -20,7 +20,7 @@ const MOST_CAUSES: usize = 3;
 const RAYS: u32 = 4_000_000;
 
 /// Says what is known of a picture that isn't the one it should be.
-pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures) -> Answer {
+pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     let title = &target.title;
     let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
     if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
@@ -29,7 +29,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target, locked: &LockedPictures
         return Answer { causes, ..Answer::new(Verdict::OtherOptions, text) };
     }
     let comparison = Comparison::new(target, yours);
-    let mut explanation = match find_equal(yours, locked) {
+    let mut explanation = match find_equal(yours) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };

@@ -49,5 +49,5 @@ pub use class::{
 };
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
-pub use target::LockedPictures;
+pub use target::read_locked_picture;
 use which_picture::find_name_in_file_name;

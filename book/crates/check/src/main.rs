@@ -1,9 +1,9 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, LockedPictures, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet,
-    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_sheet,
-    write_sheets,
+    Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet,
+    read_bounded_file, read_locked_picture, read_names, report_on_folder, report_on_workspaces,
+    write_sheet, write_sheets,
 };
 use clap::Parser;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
@@ -121,11 +121,10 @@ fn print(answer: &Answer, as_json: bool) -> ExitCode {
 
 /// Looks at one picture, and saves the difference.
 fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<Answer, String> {
-    let (png, locked) = (read_bounded_file(file)?, LockedPictures::in_workspace());
-    let file_name = file.display().to_string();
+    let (png, file_name) = (read_bounded_file(file)?, file.display().to_string());
     let mut answer = match scene {
-        Some(scene) => check_scene_png(&png, &file_name, scene, &[], &locked),
-        None => check_png(&png, &file_name, name, &locked),
+        Some(scene) => check_scene_png(&png, &file_name, scene, &[]),
+        None => check_png(&png, &file_name, name, read_locked_picture),
     };
     if let Some(difference) = answer.draw_difference() {
         answer.text += &format!("\n{}", save_difference(&difference, file));

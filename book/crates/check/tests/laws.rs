@@ -1,7 +1,7 @@
 //! What holds of all pictures, all bytes and all mistakes.
 
-use crate::{LOCKED, check, encode, locked_file, map_locked};
-use check::{Verdict, check_png};
+use crate::{check, encode, locked_file, map_locked};
+use check::{Verdict, check_png, read_locked_picture};
 use course::{Step, camera_with_size, locked_names, mistakes, workspace};
 use fastrand::Rng;
 use std::{collections::HashSet, fs};
@@ -15,7 +15,7 @@ fn damaged_files_give_answers_without_panic() {
         let offset = random.usize(..file.len() - 12);
         file[offset] ^= random.u8(1..);
         file.truncate(if k % 2 == 0 { offset + 1 } else { file.len() });
-        let answer = check_png(&file, "my.png", Some("step01_rays"), &LOCKED);
+        let answer = check_png(&file, "my.png", Some("step01_rays"), read_locked_picture);
         assert_eq!(answer.verdict, Verdict::Unreadable, "{}", answer.text);
     }
 }
@@ -24,7 +24,7 @@ fn damaged_files_give_answers_without_panic() {
 fn only_equal_pictures_are_right() {
     let mut random = Rng::with_seed(0x5EED);
     for (n, name) in locked_names().into_iter().enumerate() {
-        let answer = check_png(&locked_file(name), "my.png", Some(name), &LOCKED);
+        let answer = check_png(&locked_file(name), "my.png", Some(name), read_locked_picture);
         assert_eq!(answer.verdict, Verdict::Right, "{name}");
         if n % 12 == 0 {
             let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));

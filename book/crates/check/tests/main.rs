@@ -8,20 +8,18 @@ mod pictures;
 mod program;
 mod wrong_programs;
 
-use check::{Answer, LockedPictures, check_png};
+use check::{Answer, check_png, read_locked_picture};
 use course::{Step, camera, named_scene, workspace};
 use glam::DVec3;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{DynamicImage, Rgb, RgbImage};
 use insta::{Settings, assert_snapshot};
+use std::fs;
 use std::path::PathBuf;
-use std::{fs, sync::LazyLock};
 use step01_rays::{Ray, render};
 
 /// A title, the name of the picture that is expected, and the one that is there.
 type Row = (&'static str, &'static str, RgbImage);
-
-static LOCKED: LazyLock<LockedPictures> = LazyLock::new(LockedPictures::in_workspace);
 
 fn locked_file(name: &str) -> Vec<u8> {
     let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
@@ -29,7 +27,7 @@ fn locked_file(name: &str) -> Vec<u8> {
 }
 
 fn locked_picture(name: &str) -> RgbImage {
-    image::load_from_memory(&locked_file(name)).expect("a locked picture").into_rgb8()
+    read_locked_picture(name).expect("a locked picture")
 }
 
 /// The locked picture `name` with each pixel made from its place and colour.
@@ -63,7 +61,7 @@ fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
-    check_png(&encode(picture), "my.png", Some(name), &LOCKED)
+    check_png(&encode(picture), "my.png", Some(name), read_locked_picture)
 }
 
 /// An answer as a snapshot has it.

@@ -2,7 +2,7 @@
 //! names.
 
 use crate::{
-    LOCKED, assert_locked, assert_rows_locked, draw, draw_scene, draw_step, encode, format_answer,
+    assert_locked, assert_rows_locked, draw, draw_scene, draw_step, encode, format_answer,
     locked_picture, map_locked,
 };
 use check::check_scene_png;
@@ -104,7 +104,7 @@ fn answers_about_scenes_of_names_are_as_locked() {
     ];
     let others = ["ada", "bob"].map(str::to_owned);
     let answer = |(title, name, picture): (&str, &str, RgbImage)| {
-        let answer = check_scene_png(&encode(picture), "my.png", name, &others, &LOCKED);
+        let answer = check_scene_png(&encode(picture), "my.png", name, &others);
         (format!("{title}, {name}"), format_answer(answer))
     };
     assert_locked("scenes_of_names", rows.map(answer));

@@ -1,4 +1,4 @@
-use ::check::{LockedPictures, check_png, check_scene_png};
+use ::check::{check_png, check_scene_png};
 use course::json;
 use figures::Reply;
 
@@ -6,14 +6,14 @@ use figures::Reply;
 /// name of the picture that it should be, `*` where the file's name tells it, or `@` and the
 /// name to which a scene belongs; behind a line break, the file's name.
 pub fn check(words: &str, file: &[u8]) -> Reply {
-    let locked = LockedPictures::new(|name| {
+    let draw = |name: &str| {
         let picture = course::find_picture(name).ok_or_else(|| format!("nothing draws {name}"))?;
         Ok(picture(&course::camera(), 1))
-    });
+    };
     let (name, file_name) = words.split_once('\n').unwrap_or((words, ""));
     let answer = match name.strip_prefix('@') {
-        Some(scene) => check_scene_png(file, file_name, scene, &[], &locked),
-        None => check_png(file, file_name, Some(name).filter(|name| *name != "*"), &locked),
+        Some(scene) => check_scene_png(file, file_name, scene, &[]),
+        None => check_png(file, file_name, Some(name).filter(|name| *name != "*"), draw),
     };
     let mut fields =
         vec![("code", answer.verdict.exit_code().to_string()), ("text", json::quote(&answer.text))];

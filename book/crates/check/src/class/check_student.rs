@@ -1,7 +1,7 @@
 use crate::class::found_file::{has_extension, picture_names, unchecked_clause};
 use crate::class::report::{Row, count_right};
 use crate::class::student::Student;
-use crate::{Answer, LockedPictures, Verdict, check_png, check_scene_png};
+use crate::{Answer, Verdict, check_png, check_scene_png, read_locked_picture};
 use course::NAMED_SCENE_EXAMPLE;
 use std::cmp::Reverse;
 
@@ -10,7 +10,6 @@ pub(crate) fn check_student(
     student: Student,
     required: &[&'static str],
     names: &[String],
-    locked: &LockedPictures,
 ) -> Vec<Row> {
     let mut files = student.files;
     // First those that end as PNG files do, that lie highest, that were handed in last, that have
@@ -30,9 +29,11 @@ pub(crate) fn check_student(
             None => continue,
             Some((_, Err(why))) => Answer::error(why),
             Some((file_name, Ok(png))) if name == NAMED_SCENE_EXAMPLE => {
-                check_scene_png(&png, file_name, &student.name, names, locked)
+                check_scene_png(&png, file_name, &student.name, names)
             }
-            Some((file_name, Ok(png))) => check_png(&png, file_name, Some(name), locked),
+            Some((file_name, Ok(png))) => {
+                check_png(&png, file_name, Some(name), read_locked_picture)
+            }
         };
         let row = Row::new(&student.key, name, answer, &rows);
         let found = file.map(|file| file.path).unwrap_or_default();
