@@ -66,8 +66,7 @@ fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> Option<String> {
 }
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it.
-pub(crate) fn byte_curve(comparison: &Comparison) -> Option<String> {
-    let drawing = comparison.drawing?;
+pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
     let wrong = comparison.wrong_pixels();
     let wrong_sky = wrong.iter().filter(|one| one.is_sky()).count();
     // Where the sky or the objects alone are others, their colours are.

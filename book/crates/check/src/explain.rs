@@ -5,7 +5,6 @@ use crate::comparison::{Comparison, Pixel, RayBudget};
 use crate::facts::{are_above_1, tell_facts};
 use crate::listed_mistake::find_listed_mistakes;
 use crate::other_options::describe_other_options;
-use crate::regions::describe_regions;
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::which_picture::find_equal;
@@ -15,6 +14,8 @@ use course::Step;
 use image::RgbImage;
 
 const MOST_CAUSES: usize = 3;
+
+const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// How many rays may be computed to try changes.
 const RAYS: u32 = 4_000_000;
@@ -82,24 +83,13 @@ fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts
         text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
     }
     if let Some(drawing) = &target.drawing {
-        if has_facts {
-            text += &describe_regions(comparison, drawing);
-        }
         let wrong = comparison.wrong_pixels();
         // The sky and bytes are step 1's.
         let is_of_rays = wrong.iter().any(Pixel::is_sky) || are_above_1(wrong, drawing);
         let first = if is_of_rays { Step::Rays } else { Step::Sphere };
         let first = common_part(causes, |cause| cause.step).unwrap_or(first);
-        text += &tests_line(first, drawing.step);
+        let number = first.number();
+        text += &format!("From step {number} on, the tests by hand may find it: {TESTS}\n");
     }
     text + &describe_wrong_pixel(comparison)
-}
-
-fn tests_line(first: Step, last: Step) -> String {
-    let (package, steps) = match (first.number(), last.number()) {
-        (a, b) if a == b => (format!(" -p {}", first.name()), format!("step {a}")),
-        (a, b) if a + 1 == b => (" --no-fail-fast".into(), format!("steps {a} and {b}")),
-        (a, b) => (" --no-fail-fast".into(), format!("steps {a} to {b}")),
-    };
-    format!("The tests by hand of {steps} may find it: cargo test{package} --test by_hand\n")
 }

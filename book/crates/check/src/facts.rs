@@ -1,28 +1,31 @@
 use crate::byte_facts::{black_block, byte_curve, byte_facts};
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::{Drawing, bytes};
-use crate::regions::hidden_objects;
+use crate::regions::{count_regions, hidden_sentence, region_sentence};
 use course::Step;
 
 const MOST_FACTS: usize = 3;
 
-/// Sentences that are true of the wrong pixels, the strongest first.
+/// Sentences that are true of the wrong pixels, the strongest first; then one on where they are.
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
-    if let Some(block) = black_block(comparison) {
-        return vec![block];
-    }
-    let mut sentences: Vec<_> = byte_curve(comparison).into_iter().collect();
+    let (mut facts, mut places) = (vec![], None);
     if let Some(drawing) = comparison.drawing {
-        let wrong = comparison.wrong_pixels();
-        sentences.extend(hidden_objects(comparison, drawing));
+        let (wrong, regions) = (comparison.wrong_pixels(), count_regions(comparison, drawing));
+        facts.extend(byte_curve(comparison, drawing));
+        facts.extend(hidden_sentence(&regions));
         if are_above_1(wrong, drawing) {
-            sentences.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
+            facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
         }
-        sentences.extend(missing_light(wrong, drawing));
+        facts.extend(missing_light(wrong, drawing));
+        places = Some(region_sentence(regions));
     }
-    sentences.extend(byte_facts(comparison));
-    sentences.truncate(MOST_FACTS);
-    sentences
+    facts.extend(byte_facts(comparison));
+    facts.truncate(MOST_FACTS);
+    if let Some(block) = black_block(comparison) {
+        facts = vec![block];
+    }
+    facts.extend(places);
+    facts
 }
 
 /// Whether each pixel is brighter in ours than a byte can tell.

@@ -1,66 +1,78 @@
 use crate::answer::join_first;
-use crate::comparison::Comparison;
-use crate::drawing::{Drawing, ObjectHit, bytes};
+use crate::comparison::{Comparison, Pixel};
+use crate::drawing::{Drawing, bytes};
 use std::cmp::Reverse;
 use step01_rays::direction_colour;
 
 const MOST_REGIONS: usize = 3;
 
-/// Sentences about wrong pixels that show the sky or another object in place of the one that ours
-/// shows, and about the objects all of whose pixels do.
-pub(crate) fn hidden_objects(comparison: &Comparison, drawing: &Drawing) -> Vec<String> {
-    let mut missing: Vec<_> = vec![None; drawing.own.scene.objects.len()];
-    let mut count = 0;
-    for pixel in &comparison.pixels {
-        let Some(ObjectHit { object: k, .. }) = pixel.hit else { continue };
-        let others = drawing.object_hits(&pixel.ray).filter(|hit| hit.object != k);
-        let colours = others.map(|hit| drawing.colour_at_hit(&pixel.ray, hit));
-        let mut colours = colours.chain([direction_colour(&pixel.ray)]);
-        let shows_other = pixel.is_wrong() && colours.any(|colour| bytes(colour) == pixel.yours);
-        count += usize::from(shows_other);
-        missing[k] = Some(missing[k].unwrap_or(true) && shows_other);
-    }
-    let names = drawing.object_names().into_iter().zip(&missing);
-    let names = names.filter(|(_, missing)| **missing == Some(true)).map(|(name, _)| name);
-    let names = names.collect::<Vec<_>>().join(", ");
-    let mut sentences = vec![];
-    if !names.is_empty() {
-        sentences.push(format!("Where ours shows {names}, what lies behind shows instead."));
-    }
-    let all = comparison.wrong_pixels().len();
-    // Few may be so by chance.
-    if all <= 10 * count {
-        sentences.push(format!(
-            "{count} of {all} wrong pixels have the colour of what lies behind, an object or the \
-             sky."
-        ));
-    }
-    sentences
+/// The pixels in which ours shows the sky, or one object.
+pub(crate) struct Region {
+    name: String,
+    all: usize,
+    wrong: usize,
+    /// How many have the colour of the sky or of an object behind this one.
+    hidden: usize,
 }
 
-/// A line about the sky and the objects of ours: which are right in every pixel, and how many
-/// pixels of the others are wrong.
-pub(crate) fn describe_regions(comparison: &Comparison, drawing: &Drawing) -> String {
-    let mut counts = vec![(0, 0); drawing.own.scene.objects.len() + 1];
-    for pixel in &comparison.pixels {
-        let (wrong, all) = &mut counts[pixel.hit.map_or(0, |hit| hit.object + 1)];
-        *wrong += usize::from(pixel.is_wrong());
-        *all += 1;
-    }
+/// The sky and the objects that ours shows, in their order.
+pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<Region> {
     let names = [vec!["the sky".to_owned()], drawing.object_names()].concat();
-    let regions = || (0..counts.len()).filter(|k| counts[*k].1 != 0);
-    let right: Vec<_> = regions().filter(|k| counts[*k].0 == 0).map(|k| &*names[k]).collect();
-    let mut wrong: Vec<_> = regions().filter(|k| counts[*k].0 != 0).collect();
-    wrong.sort_by_key(|k| Reverse(counts[*k].0));
-    let told = wrong.iter().map(|k| {
-        let (count, all) = counts[*k];
-        format!("{count} of {all} pixels of {}", names[*k])
-    });
-    let told = join_first(told.collect(), MOST_REGIONS, "; ");
-    let right = match right.len() {
-        0 => String::new(),
-        _ if wrong.len() <= MOST_REGIONS => " Everything else is right in every pixel.".to_owned(),
-        _ => format!(" Right in every pixel: {}.", right.join(", ")),
+    let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
+    let mut regions: Vec<_> = regions.collect();
+    let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
+        let colours = drawing.object_hits(ray).map(|hit| drawing.colour_at_hit(ray, hit));
+        colours.chain([direction_colour(ray)]).any(|colour| bytes(colour) == *yours)
     };
-    format!("Wrong: {told}.{right}\n")
+    for pixel in &comparison.pixels {
+        let region = &mut regions[pixel.hit.map_or(0, |hit| hit.object + 1)];
+        region.all += 1;
+        region.wrong += usize::from(pixel.is_wrong());
+        region.hidden += usize::from(pixel.is_wrong() && is_hidden(pixel));
+    }
+    regions.retain(|region| 0 < region.all);
+    regions
+}
+
+/// A sentence about the hidden pixels, unless they are few, and the objects that show nowhere.
+pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
+    let hidden: usize = regions.iter().map(|region| region.hidden).sum();
+    let wrong: usize = regions.iter().map(|region| region.wrong).sum();
+    let nowhere = regions.iter().filter(|region| region.hidden == region.all);
+    let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
+    // Few may be so by chance.
+    if nowhere.is_empty() && 10 * hidden < wrong {
+        return None;
+    }
+    let mut sentence = format!(
+        "{hidden} of {wrong} wrong pixels have the colour of the sky or of an object that lies \
+         behind"
+    );
+    if !nowhere.is_empty() {
+        sentence += &format!(", among them all that show {} in ours", nowhere.join(", "));
+    }
+    Some(sentence + ".")
+}
+
+/// A sentence about the regions with the most wrong pixels, and those that are right.
+pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
+    regions.sort_by_key(|region| Reverse(region.wrong));
+    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| 0 < region.wrong);
+    if let [Region { name, .. }] = wrong[..]
+        && name == "the sky"
+        && !right.is_empty()
+    {
+        let count: usize = right.iter().map(|region| region.all).sum();
+        return format!(
+            "All {count} pixels of the objects are right; only the sky's colours differ."
+        );
+    }
+    let told = wrong
+        .iter()
+        .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
+    let told = join_first(told.collect(), MOST_REGIONS, "; ");
+    match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
+        [] => format!("Wrong: {told}."),
+        ref names => format!("Wrong: {told}. Right in every pixel: {}.", names.join(", ")),
+    }
 }

@@ -6,7 +6,6 @@ mod files;
 mod laws;
 mod pictures;
 mod program;
-mod wrong_programs;
 
 use check::{Answer, check_png, read_locked_picture};
 use course::{Step, camera, named_scene, workspace};
@@ -17,9 +16,6 @@ use insta::{Settings, assert_snapshot};
 use std::fs;
 use std::path::PathBuf;
 use step01_rays::{Ray, render};
-
-/// A title, the name of the picture that is expected, and the one that is there.
-type Row = (&'static str, &'static str, RgbImage);
 
 fn locked_file(name: &str) -> Vec<u8> {
     let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
@@ -80,15 +76,6 @@ fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| assert_snapshot!(name, text.collect::<String>()));
-}
-
-/// Compares the answers about pictures with the snapshot of this name.
-#[track_caller]
-fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
-    let answer = |(title, expected, picture): Row| {
-        (format!("{title}, {expected}"), format_answer(check(picture, expected)))
-    };
-    assert_locked(name, rows.map(answer));
 }
 
 fn create_empty_folder(test: &str) -> PathBuf {

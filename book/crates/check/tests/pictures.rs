@@ -1,25 +1,38 @@
-//! Answers about pictures that are ours as a whole, or with one change; and about the scenes of
-//! names.
+//! Answers about pictures: ours as a whole, ours with one change, those of programs that are wrong
+//! in another way than we know, and the scenes of names.
 
 use crate::{
-    assert_locked, assert_rows_locked, draw, draw_scene, draw_step, encode, format_answer,
-    locked_picture, map_locked,
+    assert_locked, check, draw, draw_scene, draw_step, encode, format_answer, locked_picture,
+    map_locked,
 };
 use check::check_scene_png;
 use course::{Step, camera, ungated_colour};
 use glam::DVec3;
-use image::imageops::{self, crop_imm, overlay};
+use image::imageops::{crop_imm, flip_vertical, overlay, rotate90, thumbnail};
 use image::{Rgb, RgbImage};
-use step01_rays::Camera;
+use step01_rays::{Camera, Ray, direction_colour};
 use step02_sphere::Sphere;
-use step03_nearest::OBJECTS;
+use step03_nearest::{OBJECTS, colour, nearest};
 use step05_phong::{Light, Material};
 
 /// A scene of step 5.
 type Scene = step05_phong::Scene<Material, Light>;
 
-const PHONG: &str = "step05_phong";
+/// A title, the name of the picture that is expected, and the one that is there.
+type Row = (&'static str, &'static str, RgbImage);
+
+const RAYS: &str = "step01_rays";
 const NEAREST: &str = "step03_nearest";
+const PHONG: &str = "step05_phong";
+
+/// Compares the answers about pictures with the snapshot of this name.
+#[track_caller]
+fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
+    let answer = |(title, expected, picture): Row| {
+        (format!("{title}, {expected}"), format_answer(check(picture, expected)))
+    };
+    assert_locked(name, rows.map(answer));
+}
 
 #[test]
 fn answers_about_whole_pictures_are_as_locked() {
@@ -33,20 +46,18 @@ fn answers_about_whole_pictures_are_as_locked() {
     assert_rows_locked(
         "whole_pictures",
         [
-            ("right", PHONG, draw_step(Step::Phong)),
             ("100×75, 75.5°, 2", PHONG, (Step::Phong.picture())(&other_options, 2)),
             ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
-            ("glass", "sun", locked_picture("glass")),
-            ("upside down", PHONG, imageops::flip_vertical(&ours)),
-            ("a quarter", "depth", imageops::rotate90(&locked_picture("depth"))),
+            ("upside down", PHONG, flip_vertical(&ours)),
+            ("a quarter", "depth", rotate90(&locked_picture("depth"))),
             ("blue for red", PHONG, map_locked(PHONG, |_, _, [r, g, b]| [b, g, r])),
             ("grey", PHONG, map_locked(PHONG, |_, _, [_, g, _]| [g; 3])),
             ("black", PHONG, RgbImage::new(640, 360)),
             ("cut out", PHONG, crop_imm(&ours, 100, 150, 300, 200).to_image()),
             ("screenshot", NEAREST, screenshot),
             ("enlarged", PHONG, twice),
-            ("made smaller", PHONG, imageops::thumbnail(&ours, 240, 135)),
+            ("made smaller", PHONG, thumbnail(&ours, 240, 135)),
             ("one wrong pixel", "rings", map_locked("rings", wrong_pixel)),
         ],
     );
@@ -60,8 +71,6 @@ fn changed(mut scene: Scene, change: impl Fn(&mut Scene)) -> RgbImage {
 #[test]
 fn answers_about_changes_of_ours_are_as_locked() {
     let bare_sky = || draw(|ray| ray.direction * DVec3::new(1.0, 1.0, -1.0));
-    let scene = step05_phong::scene();
-    let phong = step05_phong::scene;
     let nearer = Sphere { centre: DVec3::new(0.0, 0.0, -4.95), radius: 1.0 };
     let mut high_camera = camera();
     high_camera.matrix.y_axis.y *= 1.07;
@@ -71,23 +80,72 @@ fn answers_about_changes_of_ours_are_as_locked() {
     assert_rows_locked(
         "changes_of_ours",
         [
-            ("sky without 0.7 + 0.3", "step01_rays", bare_sky()),
+            ("sky without 0.7 + 0.3", RAYS, bare_sky()),
             ("sky without 0.7 + 0.3, of step 1", "step04_diffuse", bare_sky()),
-            ("no gate", PHONG, draw(|ray| ungated_colour(&scene, ray))),
-            (
-                "red's n is 41",
-                PHONG,
-                changed(phong(), |one| one.objects[0].material.shininess = 41),
-            ),
             (
                 "no warm highlights",
                 PHONG,
-                changed(phong(), |one| one.lights[0].specular = DVec3::ZERO),
+                changed(step05_phong::scene(), |one| one.lights[0].specular = DVec3::ZERO),
             ),
             ("3 objects", NEAREST, draw(|ray| step03_nearest::colour(&OBJECTS[..3], ray))),
             ("nearer", "step02_sphere", draw(|ray| step02_sphere::colour(&nearer, ray))),
             ("a higher camera", NEAREST, seen_by(&high_camera, 1)),
             ("half a pixel up and left", NEAREST, seen_by(&half_a_pixel, 1)),
+        ],
+    );
+}
+
+#[test]
+fn answers_about_pixels_are_as_locked() {
+    let rays = locked_picture(RAYS);
+    let noise = |i, j, b: u8| b.saturating_add((i * 7919 % 5 + j % 2) as u8).saturating_sub(2);
+    let black = |is_black: fn(u32, u32) -> bool| {
+        map_locked(PHONG, |i, j, ours| if is_black(i, j) { [0; 3] } else { ours })
+    };
+    assert_rows_locked(
+        "pixels",
+        [
+            ("rows exchanged in pairs", RAYS, map_locked(RAYS, |i, j, _| rays[(i, j ^ 1)].0)),
+            ("every other row is never drawn", PHONG, black(|_, j| j % 2 == 1)),
+            ("a ninth in the middle", PHONG, black(|i, j| i / 213 == 1 && j / 120 == 1)),
+            ("noise", PHONG, map_locked(PHONG, |i, j, ours| ours.map(|b| noise(i, j, b)))),
+        ],
+    );
+}
+
+#[test]
+fn answers_about_colours_are_as_locked() {
+    let white_to_blue = |ray: &Ray| {
+        let t = 0.5 + 0.5 * ray.direction.normalize().y;
+        (1.0 - t) * DVec3::ONE + t * DVec3::new(0.5, 0.7, 1.0)
+    };
+    let below_sky = draw(|ray| {
+        nearest(&OBJECTS, ray).map_or_else(|| white_to_blue(ray), |hit| hit.object.material)
+    });
+    let encoded = |byte: fn(f64) -> u8| {
+        let intensity = |i: u32, j: u32| colour(&OBJECTS, &camera().ray(i.into(), j.into()));
+        RgbImage::from_fn(640, 360, |i, j| Rgb(intensity(i, j).to_array().map(byte)))
+    };
+    let nearer_by_half = draw(|ray| {
+        let hits = OBJECTS.iter();
+        let hits = hits.filter_map(|one| Some((one.sphere.intersect(ray).first_hit()?, one)));
+        let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
+        seen.map_or_else(|| direction_colour(ray), |(_, one)| one.material)
+    });
+    let scene = step04_diffuse::scene();
+    let scaled = draw(|ray| {
+        let colour = step04_diffuse::colour(&scene, ray);
+        colour / colour.max_element().max(1.0)
+    });
+    assert_rows_locked(
+        "colours",
+        [
+            ("a white to blue sky", RAYS, draw(white_to_blue)),
+            ("a white to blue sky", NEAREST, below_sky),
+            ("255.99·I cut off", NEAREST, encoded(|i| (255.99 * i) as u8)),
+            ("gamma 2", NEAREST, encoded(|i| (255.0 * i.sqrt() + 0.5) as u8)),
+            ("nearer only by 0.5", NEAREST, nearer_by_half),
+            ("scaled where it is above 1", "step04_diffuse", scaled),
         ],
     );
 }
