@@ -17,7 +17,7 @@ const RECTANGLE_PIXELS: usize = 1000;
 pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut tell = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
-        if comparison.wrong_pixels().iter().all(holds) {
+        if comparison.wrong.iter().all(holds) {
             sentences.push(format!("Each wrong pixel {words}."));
         }
     };
@@ -25,7 +25,6 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
         let words = format!("has our {name} in all three bytes");
         tell(&words, &|one| one.yours == [one.ours[k]; 3]);
     }
-    tell("is off by 1 of 255", &|one| one.largest_difference() == 1);
     tell("has the colour of a neighbour in ours", &|one| {
         let (i, j) = one.place;
         let columns = i.saturating_sub(1)..=i + 1;
@@ -42,7 +41,7 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
 /// A sentence about black pixels that fill all crossings of some rows and columns, as those do
 /// that nothing draws.
 pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
-    let black = comparison.wrong_pixels().iter().filter(|one| one.yours == [0; 3]);
+    let black = comparison.wrong.iter().filter(|one| one.yours == [0; 3]);
     let columns: BTreeSet<_> = black.clone().map(|one| one.place.0).collect();
     let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
     let (count, (width, height)) = (black.count(), comparison.ours.dimensions());
@@ -67,20 +66,17 @@ fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> Option<String> {
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it.
 pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
-    let wrong = comparison.wrong_pixels();
-    let wrong_sky = wrong.iter().filter(|one| one.is_sky()).count();
+    let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
     // Where the sky or the objects alone are others, their colours are.
-    if Step::Rays < drawing.step && [0, wrong.len()].contains(&wrong_sky) {
+    if Step::Rays < drawing.step && [0, comparison.wrong.len()].contains(&wrong_sky) {
         return None;
     }
     // Most pictures are refuted by a few pixels.
-    sorted_curve(&comparison.pixels[..comparison.pixels.len().min(FIRST_PIXELS)], drawing)?;
-    let mut curve = sorted_curve(&comparison.pixels, drawing)?;
+    sorted_curve(comparison.pixels().take(FIRST_PIXELS), drawing)?;
+    let mut curve = sorted_curve(comparison.pixels(), drawing)?;
     curve.retain(|(_, yours, ours)| yours != ours);
     let points = [1, 3, 5].map(|part| curve[part * curve.len() / 6]);
     let points = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
-    let mut points = points.to_vec();
-    points.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
     // In steps 1 and 2 other colours of the directions look the same.
     let is_file_known = CURVE_VALUES <= values.len() && Step::Sphere < drawing.step;
@@ -91,8 +87,11 @@ pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<S
 
 /// Intensities of pixels in their order, with your bytes and ours; None where yours neither grow
 /// nor fall with them.
-fn sorted_curve(pixels: &[Pixel], drawing: &Drawing) -> Option<Vec<(f64, u8, u8)>> {
-    let bytes = pixels.iter().flat_map(|pixel| {
+fn sorted_curve<'a>(
+    pixels: impl Iterator<Item = &'a Pixel>,
+    drawing: &Drawing,
+) -> Option<Vec<(f64, u8, u8)>> {
+    let bytes = pixels.flat_map(|pixel| {
         let intensity = drawing.colour(&pixel.ray).to_array();
         (0..3).map(move |k| (intensity[k], pixel.yours[k], pixel.ours[k]))
     });

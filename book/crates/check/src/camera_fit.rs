@@ -13,10 +13,10 @@ pub(crate) fn find_cameras(
     budget: &RayBudget,
 ) -> Vec<String> {
     // Another camera sees another sky.
-    if !comparison.wrong_pixels().iter().any(Pixel::is_sky) {
+    if !comparison.wrong.iter().any(|pixel| pixel.hit.is_none()) {
         return vec![];
     }
-    let mut pixels: Vec<_> = comparison.pixels.iter().collect();
+    let mut pixels: Vec<_> = comparison.pixels().collect();
     let mut words = vec![];
     for (row, k) in (0..2).flat_map(|row| (0..3).map(move |k| (row, k))) {
         let Some(number) = fit_number(comparison, row, k) else { continue };
@@ -42,7 +42,7 @@ pub(crate) fn find_cameras(
 fn fit_number(comparison: &Comparison, row: usize, k: usize) -> Option<f64> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    for pixel in comparison.pixels.iter().filter(|pixel| pixel.is_sky()) {
+    for pixel in comparison.pixels().filter(|pixel| pixel.hit.is_none()) {
         let byte = f64::from(pixel.yours[row]);
         if pixel.yours[2] != 255 || !(1.0..255.0).contains(&byte) {
             continue;

@@ -9,7 +9,7 @@ pub(crate) fn find_changed_numbers(
     drawing: &Drawing,
     budget: &RayBudget,
 ) -> Vec<String> {
-    let mut pixels: Vec<_> = comparison.pixels.iter().collect();
+    let mut pixels: Vec<_> = comparison.pixels().collect();
     let own = OwnScene::new(drawing.own.scene.clone());
     let mut changed = Drawing { own, ..*drawing };
     let mut words = vec![];

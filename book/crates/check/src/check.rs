@@ -1,8 +1,7 @@
 use crate::comparison::scattered_places;
 use crate::drawing::Drawing;
 use crate::explain::explain;
-use crate::target::{Target, scene_title};
-use crate::which_picture::{find_equal, find_name_in_file_name};
+use crate::target::{Target, find_equal, find_name_in_file_name, scene_title};
 use crate::{Answer, Picture, Verdict, escape_for_terminal, read_png};
 use course::{camera, find_mistakes_with_hash, hash_picture, locked_names};
 use image::RgbImage;

@@ -1,7 +1,6 @@
 //! What a folder has of the course's pictures: one's own, or those of a class, as a learning
 //! platform gives them; and the sheets that a class gets.
 
-mod check_student;
 mod found_file;
 mod report;
 mod scene_sheet;
@@ -12,14 +11,14 @@ mod trial;
 pub use scene_sheet::{format_sheet, read_names, write_sheet, write_sheets};
 pub use trial::report_on_workspaces;
 
-use crate::Answer;
-use crate::class::check_student::check_student;
-use crate::class::found_file::{FoundFile, unchecked_clause};
-use crate::class::report::{Row, report_answer};
+use crate::class::found_file::{FoundFile, has_extension, picture_names, unchecked_clause};
+use crate::class::report::{Row, count_right, report_answer};
 use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::{Student, add_names, group_by_student, split_key};
+use crate::{Answer, Verdict, check_png, check_scene_png, read_locked_picture};
 use course::NAMED_SCENE_EXAMPLE;
 use rayon::prelude::*;
+use std::cmp::Reverse;
 use std::path::Path;
 
 /// Says of each picture in a folder or an archive whether it is right. It is one's own if it is a
@@ -54,4 +53,42 @@ pub fn report_on_folder(
     let mut rows: Vec<_> = students.into_par_iter().flat_map(check).collect();
     rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
     Ok(report_answer(&rows, is_csv))
+}
+
+/// The rows about the pictures of a student; `names` are those of all.
+fn check_student(student: Student, required: &[&'static str], names: &[String]) -> Vec<Row> {
+    let mut files = student.files;
+    // First those that end as PNG files do, that lie highest, that were handed in last, that have
+    // just the name of a picture.
+    files.sort_by_key(|file| {
+        let is_exact = file.picture.is_some_and(|name| file.name() == format!("{name}.png"));
+        let is_png = has_extension(file.name(), &["png"]);
+        (!is_png, file.depth(), Reverse(file.version()), !is_exact)
+    });
+    let mut rows: Vec<Row> = vec![];
+    for name in picture_names() {
+        let is_required = required.contains(&name);
+        let position = files.iter().position(|file| file.picture == Some(name));
+        let file = position.map(|k| files.remove(k));
+        let answer = match file.as_ref().map(|file| (file.name(), file.read())) {
+            None if is_required => Answer::new(Verdict::Missing, ""),
+            None => continue,
+            Some((_, Err(why))) => Answer::error(why),
+            Some((file_name, Ok(png))) if name == NAMED_SCENE_EXAMPLE => {
+                check_scene_png(&png, file_name, &student.name, names)
+            }
+            Some((file_name, Ok(png))) => {
+                check_png(&png, file_name, Some(name), read_locked_picture)
+            }
+        };
+        let row = Row::new(&student.key, name, answer, &rows);
+        let found = file.map(|file| file.path).unwrap_or_default();
+        rows.push(Row { counts: is_required || required.is_empty(), found, ..row });
+    }
+    files.retain(|file| file.is_unreadable() || !file.name().is_empty());
+    let is_empty = rows.iter().all(Row::is_missing);
+    let in_place =
+        unchecked_clause(files).or_else(|| is_empty.then(|| "nothing was handed in".to_owned()));
+    rows.extend(in_place.map(|clause| Row::in_place(&student.key, clause)));
+    count_right(rows)
 }

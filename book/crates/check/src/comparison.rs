@@ -10,11 +10,11 @@ pub(crate) struct Comparison<'a> {
     /// The drawing of ours; None of an exercise.
     pub drawing: Option<&'a Drawing>,
     pub ours: &'a RgbImage,
-    /// All pixels, those that are wrong first, each part scattered over the picture, so that
-    /// what doesn't give them fails soon.
-    pub pixels: Vec<Pixel>,
-    /// How far the pixel is off that is off most.
-    pub largest_difference: u8,
+    /// Pixels that are wrong, at least one, scattered over the picture.
+    pub wrong: Vec<Pixel>,
+    pub right: Vec<Pixel>,
+    /// A wrong pixel that is off most.
+    pub farthest: Pixel,
 }
 
 /// A pixel of the reader's picture and of ours.
@@ -31,14 +31,6 @@ pub(crate) struct Pixel {
 }
 
 impl Pixel {
-    pub fn is_wrong(&self) -> bool {
-        self.yours != self.ours
-    }
-
-    pub fn is_sky(&self) -> bool {
-        self.hit.is_none()
-    }
-
     /// How far the channel is apart that differs most.
     pub fn largest_difference(&self) -> u8 {
         largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))
@@ -61,16 +53,14 @@ impl<'a> Comparison<'a> {
             Pixel { place: (i, j), ray, hit, yours, ours }
         };
         let pixels = scattered_places((columns, rows)).map(pixel);
-        let (mut pixels, right): (Vec<_>, Vec<_>) = pixels.partition(Pixel::is_wrong);
-        let largest_difference = pixels.iter().map(Pixel::largest_difference).max()?;
-        pixels.extend(right);
-        Some(Self { drawing, ours, pixels, largest_difference })
+        let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|one| one.yours == one.ours);
+        let farthest = *wrong.iter().max_by_key(|one| one.largest_difference())?;
+        Some(Self { drawing, ours, wrong, right, farthest })
     }
 
-    /// The pixels that are wrong.
-    pub fn wrong_pixels(&self) -> &[Pixel] {
-        let count = self.pixels.partition_point(Pixel::is_wrong);
-        &self.pixels[..count]
+    /// All pixels, first those that are wrong, so that what doesn't give them fails soon.
+    pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
+        self.wrong.iter().chain(&self.right)
     }
 }
 

@@ -62,7 +62,7 @@ impl Drawing {
 
     /// The bytes that a ray gets.
     pub fn bytes(&self, ray: &Ray) -> [u8; 3] {
-        bytes(self.colour(ray))
+        rgb8(self.colour(ray)).0
     }
 
     /// The first place on each object that a ray meets, whatever hides it there.
@@ -97,9 +97,4 @@ impl Drawing {
             _ => Phong { specular: DVec3::ZERO, ..terms },
         }
     }
-}
-
-/// The bytes of an intensity, as the course encodes it.
-pub(crate) fn bytes(intensity: DVec3) -> [u8; 3] {
-    rgb8(intensity).0
 }

@@ -1,14 +1,13 @@
 use crate::answer::{Cause, common_part, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
-use crate::comparison::{Comparison, Pixel, RayBudget};
+use crate::comparison::{Comparison, RayBudget};
 use crate::facts::{are_above_1, tell_facts};
 use crate::listed_mistake::find_listed_mistakes;
 use crate::other_options::describe_other_options;
-use crate::target::Target;
+use crate::target::{Target, find_equal};
 use crate::transformed::{describe_whole, uniform_colour};
-use crate::which_picture::find_equal;
-use crate::wrong_pixel::{count_sentence, describe_wrong_pixel};
+use crate::wrong_pixel::describe_wrong_pixel;
 use crate::{Answer, Verdict};
 use course::Step;
 use image::RgbImage;
@@ -75,20 +74,26 @@ fn tell_causes(causes: &[Cause]) -> String {
     format!("{start} gives the picture, in every pixel: {told}.\n{details}")
 }
 
-/// Lines on a picture of the right size: how many pixels differ; the facts and the regions, if
-/// nothing explains it; the tests by hand, from the first step that may be wrong; one pixel.
+/// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
+/// the tests by hand, from the first step that may be wrong; one pixel.
 fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts: bool) -> String {
-    let mut text = count_sentence(comparison, &target.title);
+    let Comparison { wrong, right, farthest, .. } = comparison;
+    let mut text = format!(
+        "{} of {} pixels {} from {}, by up to {} of 255.\n",
+        wrong.len(),
+        wrong.len() + right.len(),
+        if wrong.len() == 1 { "differs" } else { "differ" },
+        target.title,
+        farthest.largest_difference()
+    );
     if has_facts {
         text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
     }
     if let Some(drawing) = &target.drawing {
-        let wrong = comparison.wrong_pixels();
         // The sky and bytes are step 1's.
-        let is_of_rays = wrong.iter().any(Pixel::is_sky) || are_above_1(wrong, drawing);
+        let is_of_rays = wrong.iter().any(|one| one.hit.is_none()) || are_above_1(wrong, drawing);
         let first = if is_of_rays { Step::Rays } else { Step::Sphere };
-        let first = common_part(causes, |cause| cause.step).unwrap_or(first);
-        let number = first.number();
+        let number = common_part(causes, |cause| cause.step).unwrap_or(first).number();
         text += &format!("From step {number} on, the tests by hand may find it: {TESTS}\n");
     }
     text + &describe_wrong_pixel(comparison)

@@ -1,8 +1,9 @@
 use crate::byte_facts::{black_block, byte_curve, byte_facts};
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::{Drawing, bytes};
+use crate::drawing::Drawing;
 use crate::regions::{count_regions, hidden_sentence, region_sentence};
 use course::Step;
+use step01_rays::rgb8;
 
 const MOST_FACTS: usize = 3;
 
@@ -10,7 +11,7 @@ const MOST_FACTS: usize = 3;
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     let (mut facts, mut places) = (vec![], None);
     if let Some(drawing) = comparison.drawing {
-        let (wrong, regions) = (comparison.wrong_pixels(), count_regions(comparison, drawing));
+        let (wrong, regions) = (&comparison.wrong, count_regions(comparison, drawing));
         facts.extend(byte_curve(comparison, drawing));
         facts.extend(hidden_sentence(&regions));
         if are_above_1(wrong, drawing) {
@@ -54,7 +55,7 @@ fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
         let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
         choices.retain(|choice| {
             let kept = (0..count).filter(|k| !is_left_out(*choice, *k));
-            bytes(kept.map(|k| terms[k]).sum()) == *yours
+            rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
         });
         choices.first()?;
     }

@@ -30,7 +30,6 @@ mod comparison;
 mod drawing;
 mod explain;
 mod facts;
-mod file_format;
 mod listed_mistake;
 mod other_options;
 mod png_file;
@@ -39,7 +38,6 @@ mod regions;
 mod scene_mistake;
 mod target;
 mod transformed;
-mod which_picture;
 mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
@@ -49,5 +47,5 @@ pub use class::{
 };
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
+use target::find_name_in_file_name;
 pub use target::read_locked_picture;
-use which_picture::find_name_in_file_name;

@@ -1,10 +1,10 @@
 use crate::answer::Cause;
 use crate::comparison::Comparison;
-use crate::drawing::bytes;
 use crate::scene_mistake::colour_with_mistake;
 use crate::target::Target;
 use course::{Mistake, find_mistakes_with_hash, hash_picture, mistakes};
 use image::RgbImage;
+use step01_rays::rgb8;
 
 /// The most lines of a diff that is told.
 const LINES: usize = 4;
@@ -34,7 +34,7 @@ pub(crate) fn find_listed_mistakes(
     };
     let gives_all = |mistake: &Mistake| {
         let colour = |ray| colour_with_mistake(mistake.title, &drawing.own.scene, ray);
-        comparison.pixels.iter().all(|pixel| bytes(colour(&pixel.ray)) == pixel.yours)
+        comparison.pixels().all(|pixel| rgb8(colour(&pixel.ray)).0 == pixel.yours)
     };
     let all = mistakes().into_iter().filter(gives_all);
     all.map(|mistake| cause(&mistake, "")).collect()

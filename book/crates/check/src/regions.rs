@@ -1,8 +1,8 @@
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::{Drawing, bytes};
+use crate::drawing::Drawing;
 use std::cmp::Reverse;
-use step01_rays::direction_colour;
+use step01_rays::{direction_colour, rgb8};
 
 const MOST_REGIONS: usize = 3;
 
@@ -22,13 +22,13 @@ pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<R
     let mut regions: Vec<_> = regions.collect();
     let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
         let colours = drawing.object_hits(ray).map(|hit| drawing.colour_at_hit(ray, hit));
-        colours.chain([direction_colour(ray)]).any(|colour| bytes(colour) == *yours)
+        colours.chain([direction_colour(ray)]).any(|colour| rgb8(colour).0 == *yours)
     };
-    for pixel in &comparison.pixels {
-        let region = &mut regions[pixel.hit.map_or(0, |hit| hit.object + 1)];
-        region.all += 1;
-        region.wrong += usize::from(pixel.is_wrong());
-        region.hidden += usize::from(pixel.is_wrong() && is_hidden(pixel));
+    let number = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);
+    comparison.pixels().for_each(|pixel| regions[number(pixel)].all += 1);
+    for pixel in &comparison.wrong {
+        regions[number(pixel)].wrong += 1;
+        regions[number(pixel)].hidden += usize::from(is_hidden(pixel));
     }
     regions.retain(|region| 0 < region.all);
     regions

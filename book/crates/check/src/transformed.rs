@@ -68,37 +68,29 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// A clause such as `enlarged 2 times`: which part of ours yours is, or ours of yours, or how
-/// many times larger each pixel.
+/// A clause such as `enlarged 2 times`: which part of ours yours is, or how many times larger.
 fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
-    let (w, h) = yours.dimensions();
-    if let Some((i, j)) = find_corner_of_part(yours, ours) {
+    let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
+    if let Some((i, j)) = find_corner(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
         return Some(format!("cut out: its columns {i} to {right} and rows {j} to {low}"));
     }
-    if let Some((i, j)) = find_corner_of_part(ours, yours) {
-        let place = format!("from column {i} and row {j} on");
-        return Some(format!("inside a larger one, perhaps a screenshot, {place}"));
-    }
-    let times = w / ours.width();
-    let mut pixels = yours.enumerate_pixels();
-    let is_enlarged = (w, h) == (times * ours.width(), times * ours.height())
-        && pixels.all(|(i, j, pixel)| ours.get_pixel(i / times, j / times) == pixel);
+    let times = w / columns;
+    let is_enlarged = (w, h) == (times * columns, times * rows)
+        && yours.enumerate_pixels().all(|(i, j, pixel)| ours[(i / times, j / times)] == *pixel);
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
 /// The corner of a place in `whole` where all pixels of `part` are.
-fn find_corner_of_part(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
+fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
-    if part.pixels().len() < LEAST_PIXELS {
-        return None;
-    }
-    let budget = RayBudget::new(PIXELS);
     let mut places: Vec<_> = scattered_places((w, h)).collect();
+    let budget = RayBudget::new(PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
-    corners.find(|(i, j)| {
+    let corner = corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
         budget.all(&mut places, 1, is_there)
-    })
+    });
+    corner.filter(|_| LEAST_PIXELS <= places.len())
 }

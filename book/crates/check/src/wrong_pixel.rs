@@ -1,29 +1,14 @@
-use crate::comparison::Comparison;
+use crate::comparison::{Comparison, Pixel};
 use crate::drawing::{Drawing, ObjectHit};
 use course::Step;
 use glam::DVec3;
 use step05_phong::{Ray, normal};
 
-/// A sentence about how many pixels differ, and by how much.
-pub(crate) fn count_sentence(comparison: &Comparison, title: &str) -> String {
-    let (count, all) = (comparison.wrong_pixels().len(), comparison.pixels.len());
-    let differ = if count == 1 { "differs" } else { "differ" };
-    let largest = comparison.largest_difference;
-    format!("{count} of {all} pixels {differ} from {title}, by up to {largest} of 255.\n")
-}
-
-/// One wrong pixel, among those that differ most: its colours, and what ours computes there.
-pub(crate) fn describe_wrong_pixel(comparison: &Comparison) -> String {
-    let least = comparison.largest_difference.div_ceil(2);
-    let far = comparison.wrong_pixels().iter().filter(|one| least <= one.largest_difference());
-    let mut far: Vec<_> = far.collect();
-    let middle = far.len() / 2;
-    let (_, pixel, _) =
-        far.select_nth_unstable_by_key(middle, |pixel| (pixel.place.1, pixel.place.0));
-    let computed =
-        comparison.drawing.map_or(String::new(), |one| computed_values(one, &pixel.ray, pixel.hit));
-    let [a, b] = [pixel.yours, pixel.ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
-    let (i, j) = pixel.place;
+/// The wrong pixel that differs most: its colours, and what ours computes there.
+pub(crate) fn describe_wrong_pixel(Comparison { drawing, farthest, .. }: &Comparison) -> String {
+    let Pixel { place: (i, j), ray, hit, yours, ours } = farthest;
+    let computed = drawing.map_or(String::new(), |one| computed_values(one, ray, *hit));
+    let [a, b] = [yours, ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
 }
 

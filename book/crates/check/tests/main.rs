@@ -8,11 +8,11 @@ mod pictures;
 mod program;
 
 use check::{Answer, check_png, read_locked_picture};
-use course::{Step, camera, named_scene, workspace};
+use course::{camera, named_scene, workspace};
 use glam::DVec3;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{DynamicImage, Rgb, RgbImage};
-use insta::{Settings, assert_snapshot};
+use insta::{assert_snapshot, with_settings};
 use std::fs;
 use std::path::PathBuf;
 use step01_rays::{Ray, render};
@@ -37,20 +37,16 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-fn draw_step(step: Step) -> RgbImage {
-    (step.picture())(&camera(), 1)
-}
-
 /// The picture of the scene of a name.
 fn draw_scene(name: &str) -> RgbImage {
     let scene = named_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
 }
 
-/// A picture as a PNG file, uncompressed, as that is soon done.
+/// A picture as a PNG file, which is made fast.
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
     let mut png = vec![];
-    let (size, filter) = (CompressionType::Uncompressed, FilterType::NoFilter);
+    let (size, filter) = (CompressionType::Fast, FilterType::NoFilter);
     let encoder = PngEncoder::new_with_quality(&mut png, size, filter);
     picture.into().write_with_encoder(encoder).expect("a picture");
     png
@@ -72,10 +68,9 @@ fn format_answer(Answer { verdict, text, causes, .. }: Answer) -> String {
 fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
     let answers = answers.into_iter();
     let text = answers.map(|(title, text)| format!("## {title}\n{}\n\n", text.trim_end()));
-    let mut settings = Settings::clone_current();
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| assert_snapshot!(name, text.collect::<String>()));
+    with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+        assert_snapshot!(name, text.collect::<String>());
+    });
 }
 
 fn create_empty_folder(test: &str) -> PathBuf {
