@@ -31,7 +31,7 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
         let rows = j.saturating_sub(1)..=j + 1;
         let mut around = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
         around.any(|(i, j)| {
-            let colour = comparison.ours.get_pixel_checked(i, j);
+            let colour = comparison.target.picture.get_pixel_checked(i, j);
             colour.is_some_and(|colour| colour.0 == one.yours)
         })
     });
@@ -44,13 +44,13 @@ pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
     let black = comparison.wrong.iter().filter(|one| one.yours == [0; 3]);
     let columns: BTreeSet<_> = black.clone().map(|one| one.place.0).collect();
     let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
-    let (count, (width, height)) = (black.count(), comparison.ours.dimensions());
+    let (count, (width, height)) = (black.count(), comparison.target.picture.dimensions());
     let is_whole = columns.len() == width as usize || rows.len() == height as usize;
     if count != columns.len() * rows.len() || !is_whole && count < RECTANGLE_PIXELS {
         return None;
     }
     let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";
-    let file = if comparison.drawing.is_some() { file } else { "" };
+    let file = if comparison.target.drawing.is_some() { file } else { "" };
     let (columns, rows) = (format_numbers("column", &columns)?, format_numbers("row", &rows)?);
     Some(format!("{count} pixels are black, as if never drawn: {columns} of {rows}.{file}"))
 }

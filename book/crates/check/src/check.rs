@@ -19,11 +19,12 @@ pub fn check_png(
     locked_picture: fn(&str) -> Result<RgbImage, String>,
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
-        let (yours, names) = (&picture.rgb, locked_names().into_iter());
-        let name = expected_name.or_else(|| find_name_in_file_name(file_name, names));
-        let name = name.or_else(|| find_equal(yours));
+        let yours = &picture.rgb;
         let mistakes = || find_mistakes_with_hash(hash_picture(yours));
-        let name = name.or_else(|| mistakes().first().map(|(_, name)| *name));
+        let name = expected_name
+            .or_else(|| find_name_in_file_name(file_name, locked_names().into_iter()))
+            .or_else(|| find_equal(yours))
+            .or_else(|| mistakes().first().map(|(_, name)| *name));
         let unknown = "no name tells which picture it should be, such as step02_sphere";
         let Some(name) = name else { return Answer::error(unknown) };
         match locked_picture(name).map(|ours| Target::of_locked(name, ours)) {

@@ -1,4 +1,4 @@
-use crate::drawing::{Drawing, ObjectHit};
+use crate::drawing::ObjectHit;
 use crate::target::Target;
 use course::{camera_with_size, largest_channel_difference};
 use image::{Rgb, RgbImage};
@@ -7,9 +7,7 @@ use step01_rays::Ray;
 
 /// A reader's picture beside ours of the same size.
 pub(crate) struct Comparison<'a> {
-    /// The drawing of ours; None of an exercise.
-    pub drawing: Option<&'a Drawing>,
-    pub ours: &'a RgbImage,
+    pub target: &'a Target,
     /// Pixels that are wrong, at least one, scattered over the picture.
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
@@ -40,7 +38,7 @@ impl Pixel {
 impl<'a> Comparison<'a> {
     /// Compares a picture with a target; None where their sizes differ, or no pixel does.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
-        let (drawing, ours) = (target.drawing.as_ref(), &target.picture);
+        let Target { drawing, picture: ours, .. } = target;
         let (columns, rows) = ours.dimensions();
         if yours.dimensions() != (columns, rows) {
             return None;
@@ -48,14 +46,14 @@ impl<'a> Comparison<'a> {
         let camera = camera_with_size(columns, rows);
         let pixel = |(i, j): (u32, u32)| {
             let ray = camera.ray(i.into(), j.into());
-            let hit = drawing.and_then(|drawing| drawing.visible_hit(&ray));
+            let hit = drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
             Pixel { place: (i, j), ray, hit, yours, ours }
         };
         let pixels = scattered_places((columns, rows)).map(pixel);
         let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|one| one.yours == one.ours);
         let farthest = *wrong.iter().max_by_key(|one| one.largest_difference())?;
-        Some(Self { drawing, ours, wrong, right, farthest })
+        Some(Self { target, wrong, right, farthest })
     }
 
     /// All pixels, first those that are wrong, so that what doesn't give them fails soon.

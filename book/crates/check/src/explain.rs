@@ -39,7 +39,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     }
     explanation += &tell_causes(&causes);
     let details = match &comparison {
-        Some(comparison) => details(comparison, target, &causes, explanation.is_empty()),
+        Some(comparison) => details(comparison, &causes, explanation.is_empty()),
         None if explanation.is_empty() => {
             let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
             format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
@@ -54,7 +54,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
 /// All numbers and cameras that we know and that give the whole picture; none where not all
 /// could be tried.
 fn find_changes(comparison: &Comparison) -> Vec<Cause> {
-    let Some(drawing) = comparison.drawing else { return vec![] };
+    let Some(drawing) = &comparison.target.drawing else { return vec![] };
     let budget = RayBudget::new(RAYS);
     let numbers = find_changed_numbers(comparison, drawing, &budget).into_iter();
     let cameras = find_cameras(comparison, drawing, &budget).into_iter();
@@ -76,8 +76,8 @@ fn tell_causes(causes: &[Cause]) -> String {
 
 /// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
 /// the tests by hand, from the first step that may be wrong; one pixel.
-fn details(comparison: &Comparison, target: &Target, causes: &[Cause], has_facts: bool) -> String {
-    let Comparison { wrong, right, farthest, .. } = comparison;
+fn details(comparison: &Comparison, causes: &[Cause], has_facts: bool) -> String {
+    let Comparison { target, wrong, right, farthest } = comparison;
     let mut text = format!(
         "{} of {} pixels {} from {}, by up to {} of 255.\n",
         wrong.len(),

@@ -10,7 +10,7 @@ const MOST_FACTS: usize = 3;
 /// Sentences that are true of the wrong pixels, the strongest first; then one on where they are.
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     let (mut facts, mut places) = (vec![], None);
-    if let Some(drawing) = comparison.drawing {
+    if let Some(drawing) = &comparison.target.drawing {
         let (wrong, regions) = (&comparison.wrong, count_regions(comparison, drawing));
         facts.extend(byte_curve(comparison, drawing));
         facts.extend(hidden_sentence(&regions));
@@ -48,18 +48,17 @@ fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
     // Without all of them, it would be black.
     let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
     choices.sort_by_key(|choice| choice.count_ones());
-    for Pixel { ray, hit, yours, .. } in wrong {
-        let lights = &drawing.own.scene.lights;
-        let hit = (*hit)?;
-        let [warm, cool] = [0, 1].map(|k| drawing.terms_at_hit(ray, hit, &lights[k..=k]));
-        let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
-        choices.retain(|choice| {
+    let lights = &drawing.own.scene.lights;
+    let choice = choices.into_iter().find(|choice| {
+        wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
+            let Some(hit) = *hit else { return false };
+            let [warm, cool] = [0, 1].map(|k| drawing.terms_at_hit(ray, hit, &lights[k..=k]));
+            let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
             let kept = (0..count).filter(|k| !is_left_out(*choice, *k));
             rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
-        });
-        choices.first()?;
-    }
-    let names = (0..count).filter(|k| is_left_out(choices[0], *k)).map(|k| &*names[k]);
+        })
+    })?;
+    let names = (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]);
     let names = names.collect::<Vec<_>>().join(" and ");
     Some(format!("Each wrong pixel is ours without {names}."))
 }

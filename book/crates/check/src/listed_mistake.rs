@@ -9,40 +9,30 @@ use step01_rays::rgb8;
 /// The most lines of a diff that is told.
 const LINES: usize = 4;
 
-/// The listed mistakes that give a picture: those drawn for the target, or else for a picture
-/// of another name.
+/// The listed mistakes that give a picture: by its hash, and with the scene of a name as far as
+/// they are drawn anew.
 pub(crate) fn find_listed_mistakes(
     yours: &RgbImage,
     target: &Target,
     comparison: Option<&Comparison>,
 ) -> Vec<Cause> {
-    if let Some(expected) = &target.name {
-        let mut all = find_mistakes_with_hash(hash_picture(yours));
-        if all.iter().any(|(_, name)| name == expected) {
-            all.retain(|(_, name)| name == expected);
-        }
-        // Of those that give it for several other names, the first is enough.
-        all.dedup_by(|(one, _), (other, _)| one.title == other.title);
-        let drawn_for = |name: &str| match name == expected {
-            true => String::new(),
-            false => format!(", drawn for {name}"),
-        };
-        return all.iter().map(|(mistake, name)| cause(mistake, &drawn_for(name))).collect();
+    let mut all: Vec<_> = find_mistakes_with_hash(hash_picture(yours))
+        .into_iter()
+        .filter(|(_, name)| target.name.as_deref() == Some(name))
+        .map(|(mistake, _)| mistake)
+        .collect();
+    if let (None, Some(comparison), Some(drawing)) = (&target.name, comparison, &target.drawing) {
+        all.extend(mistakes().into_iter().filter(|mistake| {
+            let colour = |ray| colour_with_mistake(mistake.title, &drawing.own.scene, ray);
+            comparison.pixels().all(|pixel| rgb8(colour(&pixel.ray)).0 == pixel.yours)
+        }));
     }
-    let Some((comparison, drawing)) = comparison.zip(target.drawing.as_ref()) else {
-        return vec![];
-    };
-    let gives_all = |mistake: &Mistake| {
-        let colour = |ray| colour_with_mistake(mistake.title, &drawing.own.scene, ray);
-        comparison.pixels().all(|pixel| rgb8(colour(&pixel.ray)).0 == pixel.yours)
-    };
-    let all = mistakes().into_iter().filter(gives_all);
-    all.map(|mistake| cause(&mistake, "")).collect()
+    all.iter().map(cause).collect()
 }
 
 /// A listed mistake as a cause: its diff, if it is short, and, if the book shows it, why it is
 /// wrong, and where.
-fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
+fn cause(mistake: &Mistake) -> Cause {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}\n")).collect();
     if LINES < lines.len() {
@@ -53,6 +43,6 @@ fn cause(mistake: &Mistake, drawn_for: &str) -> Cause {
     if !reason.is_empty() {
         lines.push(format!("{reason}\nSee step {}, \"{section}\".\n", step.number()));
     }
-    let words = format!("{}{drawn_for}", mistake.title);
+    let words = mistake.title.to_owned();
     Cause { words, step: Some(step), file: Some(mistake.file.clone()), details: lines.concat() }
 }

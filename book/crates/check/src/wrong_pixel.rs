@@ -5,11 +5,11 @@ use glam::DVec3;
 use step05_phong::{Ray, normal};
 
 /// The wrong pixel that differs most: its colours, and what ours computes there.
-pub(crate) fn describe_wrong_pixel(Comparison { drawing, farthest, .. }: &Comparison) -> String {
+pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Comparison) -> String {
     let Pixel { place: (i, j), ray, hit, yours, ours } = farthest;
-    let computed = drawing.map_or(String::new(), |one| computed_values(one, ray, *hit));
+    let computed = target.drawing.as_ref().map(|drawing| computed_values(drawing, ray, *hit));
     let [a, b] = [yours, ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
-    format!("Column {i}, row {j}: yours is {a}, ours {b}{computed}.\n")
+    format!("Column {i}, row {j}: yours is {a}, ours {b}{}.\n", computed.unwrap_or_default())
 }
 
 /// The values that our program computes for one ray, in the book's letters, after a colon.

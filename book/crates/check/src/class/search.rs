@@ -19,7 +19,7 @@ const MOST_BYTES: u64 = 1 << 28;
 /// pictures, and what a Mac adds; links aren't followed.
 pub(crate) fn find_files(folder: &Path, most_folders: usize) -> Result<Vec<FoundFile>, String> {
     let mut search = Search { most_folders, files: vec![], bytes_left: MOST_BYTES };
-    let is_file = is_archive(&folder.to_string_lossy()) && folder.is_file();
+    let is_file = has_extension(&folder.to_string_lossy(), &["zip"]) && folder.is_file();
     let result = match is_file.then(|| read_file_of_at_most(folder, MOST_BYTES)) {
         Some(bytes) => search.add_archive(&bytes?, ""),
         None => search.add_folder(folder, ""),
@@ -73,7 +73,7 @@ impl Search {
                 self.add(path, Content::Unreadable("is a link, which isn't followed".into()));
             } else if on_disk.is_dir() {
                 self.enter(&inside, |search| search.add_folder(&on_disk, &inside));
-            } else if is_archive(&path) {
+            } else if has_extension(&path, &["zip"]) {
                 self.enter(&inside, |search| {
                     search.add_archive(&read_file_of_at_most(&on_disk, MOST_BYTES)?, &inside)
                 });
@@ -101,7 +101,7 @@ impl Search {
             let path = format!("{folder}{}", names.join("/"));
             let is_source_or_picture =
                 has_extension(&path, &["rs"]) || picture_in_name(&path).is_some();
-            if is_archive(&path) {
+            if has_extension(&path, &["zip"]) {
                 let bytes = unpack(&archive, &entry, &mut self.bytes_left);
                 let inside = path + "/";
                 self.enter(&inside, |search| search.add_archive(&bytes?, &inside));
@@ -142,10 +142,6 @@ fn unpack(
         });
     }
     Ok(bytes)
-}
-
-fn is_archive(name: &str) -> bool {
-    has_extension(name, &["zip"])
 }
 
 fn is_left_out(name: &str) -> bool {
