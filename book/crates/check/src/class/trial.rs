@@ -10,8 +10,8 @@ use course::{
     workspace,
 };
 use std::env::consts::EXE_EXTENSION;
+use std::error::Error;
 use std::fs::{self, File};
-use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
@@ -51,8 +51,8 @@ fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String>
     let mut starts = files.iter().filter_map(|file| file.path.strip_suffix(LAST_CRATE));
     let start = starts.next().ok_or("there aren't the five crates")?;
     let _ = fs::remove_dir_all(folder);
-    copy_sources(files, start, &folder.join("steps"))?;
-    make_workspace(scene, folder).map_err(|error| format!("can't be copied: {error}"))?;
+    make_workspace(files, start, scene, folder)
+        .map_err(|error| format!("can't be copied: {error}"))?;
     let log = folder.join("errors.txt");
     let mut cargo = Command::new("cargo");
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
@@ -70,39 +70,36 @@ fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String>
     read_bounded_file(&folder.join(NAMED_SCENE_EXAMPLE).with_extension("png"))
 }
 
-/// Copies the Rust files of the five crates in the folder `start`. Each is as new as its copy, so
-/// that Cargo takes none for one that it has compiled.
-fn copy_sources(files: &[FoundFile], start: &str, steps: &Path) -> Result<(), String> {
-    for file in files {
-        let path = file.path.strip_prefix(start).filter(|path| path.ends_with(".rs"));
-        let is_source =
-            |path: &&str| Step::NAMES.iter().any(|name| path.starts_with(&format!("{name}/src/")));
-        let Some(path) = path.filter(is_source) else { continue };
-        let (bytes, copy) = (file.read()?, steps.join(path));
-        let result = fs::create_dir_all(copy.parent().unwrap_or(steps));
-        let result = result.and_then(|()| fs::write(&copy, bytes));
-        result.map_err(|error| format!("{path} can't be copied: {error}"))?;
-    }
-    Ok(())
-}
-
-/// Makes a workspace around copied sources, with the manifests of the course and a scene.
-fn make_workspace(scene: &str, folder: &Path) -> io::Result<()> {
-    let course = workspace();
+/// Makes a workspace of the Rust files of the five crates in the folder `start`, the manifests of
+/// the course, and a scene as a program. Each file is as new as its copy, so that Cargo takes none
+/// for one that it has compiled.
+fn make_workspace(
+    files: &[FoundFile],
+    start: &str,
+    scene: &str,
+    folder: &Path,
+) -> Result<(), Box<dyn Error>> {
+    let write = |path: &str, bytes: &[u8]| {
+        let path = folder.join("steps").join(path);
+        fs::create_dir_all(path.parent().unwrap_or(folder))?;
+        fs::write(path, bytes)
+    };
     for name in Step::NAMES {
-        let path = Path::new("steps").join(name).join("Cargo.toml");
-        let manifest = fs::read_to_string(course.join(&path))?;
+        let manifest = fs::read_to_string(workspace().join(format!("steps/{name}/Cargo.toml")))?;
         // What only tests and benchmarks need isn't there.
         let end = manifest.find("[dev-dependencies]").unwrap_or(manifest.len());
-        fs::create_dir_all(folder.join("steps").join(name))?;
-        fs::write(folder.join(path), &manifest[..end])?;
+        write(&format!("{name}/Cargo.toml"), &manifest.as_bytes()[..end])?;
+        let sources = format!("{start}{name}/src/");
+        let is_source = |path: &str| path.starts_with(&sources) && path.ends_with(".rs");
+        for file in files.iter().filter(|file| is_source(&file.path)) {
+            write(&file.path[start.len()..], &file.read()?)?;
+        }
     }
-    let examples = folder.join("steps").join(Step::Phong.name()).join("examples");
-    fs::create_dir_all(&examples)?;
     let program = format_scene_program(&OwnScene::new(named_scene(scene)));
-    fs::write(examples.join(NAMED_SCENE_EXAMPLE).with_extension("rs"), program)?;
-    fs::copy(course.join("book/reader/Cargo.toml"), folder.join("Cargo.toml"))?;
-    fs::copy(course.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    let path = format!("{}/examples/{NAMED_SCENE_EXAMPLE}.rs", Step::Phong.name());
+    write(&path, program.as_bytes())?;
+    fs::copy(workspace().join("book/reader/Cargo.toml"), folder.join("Cargo.toml"))?;
+    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
     Ok(())
 }
 
