@@ -9,23 +9,22 @@ const MOST_FACTS: usize = 3;
 
 /// Sentences that are true of the wrong pixels, the strongest first; then one on where they are.
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
-    let (mut facts, mut places) = (vec![], None);
-    if let Some(drawing) = &comparison.target.drawing {
-        let (wrong, regions) = (&comparison.wrong, count_regions(comparison, drawing));
-        facts.extend(byte_curve(comparison, drawing));
-        facts.extend(hidden_sentence(&regions));
-        if are_above_1(wrong, drawing) {
-            facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
+    let drawing = comparison.target.drawing.as_ref();
+    let regions = drawing.map(|drawing| count_regions(comparison, drawing));
+    let mut facts: Vec<_> = black_block(comparison).into_iter().collect();
+    if facts.is_empty() {
+        if let (Some(drawing), Some(regions)) = (drawing, &regions) {
+            facts.extend(byte_curve(comparison, drawing));
+            facts.extend(hidden_sentence(regions));
+            if are_above_1(&comparison.wrong, drawing) {
+                facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
+            }
+            facts.extend(missing_light(&comparison.wrong, drawing));
         }
-        facts.extend(missing_light(wrong, drawing));
-        places = Some(region_sentence(regions));
+        facts.extend(byte_facts(comparison));
+        facts.truncate(MOST_FACTS);
     }
-    facts.extend(byte_facts(comparison));
-    facts.truncate(MOST_FACTS);
-    if let Some(block) = black_block(comparison) {
-        facts = vec![block];
-    }
-    facts.extend(places);
+    facts.extend(regions.map(region_sentence));
     facts
 }
 

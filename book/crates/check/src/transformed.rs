@@ -85,12 +85,14 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
+    if !(LEAST_PIXELS..whole.pixels().len()).contains(&part.pixels().len()) {
+        return None;
+    }
     let mut places: Vec<_> = scattered_places((w, h)).collect();
     let budget = RayBudget::new(PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
-    let corner = corners.find(|(i, j)| {
+    corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
         budget.all(&mut places, 1, is_there)
-    });
-    corner.filter(|_| LEAST_PIXELS <= places.len())
+    })
 }
