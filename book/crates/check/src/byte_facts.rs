@@ -9,9 +9,8 @@ const CURVE_VALUES: usize = 16;
 /// How many pixels are asked for a curve before all are.
 const FIRST_PIXELS: usize = 500;
 
-/// The least black pixels that count as a rectangle which nothing draws, if it has no whole
-/// rows or columns.
-const RECTANGLE_PIXELS: usize = 1000;
+/// The least black pixels that count as rows, columns or a rectangle which nothing draws.
+const BLACK_PIXELS: usize = 100;
 
 /// Sentences about the bytes of each wrong pixel.
 pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
@@ -44,9 +43,8 @@ pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
     let black = comparison.wrong.iter().filter(|one| one.yours == [0; 3]);
     let columns: BTreeSet<_> = black.clone().map(|one| one.place.0).collect();
     let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
-    let (count, (width, height)) = (black.count(), comparison.target.picture.dimensions());
-    let is_whole = columns.len() == width as usize || rows.len() == height as usize;
-    if count != columns.len() * rows.len() || !is_whole && count < RECTANGLE_PIXELS {
+    let count = black.count();
+    if count != columns.len() * rows.len() || count < BLACK_PIXELS {
         return None;
     }
     let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";

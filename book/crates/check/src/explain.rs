@@ -56,13 +56,14 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
 fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     let Some(drawing) = &comparison.target.drawing else { return vec![] };
     let budget = RayBudget::new(RAYS);
-    let numbers = find_changed_numbers(comparison, drawing, &budget).into_iter();
-    let cameras = find_cameras(comparison, drawing, &budget).into_iter();
-    let all = numbers.map(|words| (words, None));
-    let all = all.chain(cameras.map(|words| (words, Some(Step::Rays))));
-    let causes = all.map(|(words, step)| Cause { words, step, file: None, details: String::new() });
-    let causes = causes.collect();
-    if budget.is_spent() { vec![] } else { causes }
+    let causes = |all: Vec<String>, step| {
+        let causes = all.into_iter();
+        causes.map(move |words| Cause { words, step, file: None, details: String::new() })
+    };
+    let numbers = causes(find_changed_numbers(comparison, drawing, &budget), None);
+    let cameras = causes(find_cameras(comparison, drawing, &budget), Some(Step::Rays));
+    let all = numbers.chain(cameras).collect();
+    if budget.is_spent() { vec![] } else { all }
 }
 
 /// Lines about causes: all of them as far as there is room, and the first in full.
