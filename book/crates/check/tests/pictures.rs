@@ -7,7 +7,9 @@ use crate::{
 use check::check_scene_png;
 use course::{Step, camera, ungated_colour};
 use glam::DVec3;
-use image::imageops::{crop_imm, flip_vertical, rotate90, thumbnail};
+use image::imageops::{
+    crop_imm, flip_horizontal, flip_vertical, rotate90, rotate180, rotate270, thumbnail,
+};
 use image::{Rgb, RgbImage};
 use step01_rays::{Camera, Ray, direction_colour};
 use step02_sphere::Sphere;
@@ -31,7 +33,7 @@ fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
 
 #[test]
 fn answers_about_whole_pictures_are_as_locked() {
-    let ours = locked_picture(PHONG);
+    let (ours, depth) = (locked_picture(PHONG), locked_picture("depth"));
     let other_options = Camera::new(100, 75, 75.5_f64.to_radians());
     let twice_the_angle = Camera::new(640, 360, 120_f64.to_radians());
     let twice = RgbImage::from_fn(1280, 720, |i, j| ours[(i / 2, j / 2)]);
@@ -43,7 +45,10 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("upside down", PHONG, flip_vertical(&ours)),
-            ("a quarter", "depth", rotate90(&locked_picture("depth"))),
+            ("mirrored", "depth", flip_horizontal(&depth)),
+            ("half a turn", "depth", rotate180(&depth)),
+            ("a quarter", "depth", rotate90(&depth)),
+            ("three quarters", "depth", rotate270(&depth)),
             ("blue for red", PHONG, map_locked(PHONG, |_, _, [r, g, b]| [b, g, r])),
             ("grey", PHONG, map_locked(PHONG, |_, _, [_, g, _]| [g; 3])),
             ("black", PHONG, RgbImage::new(640, 360)),
