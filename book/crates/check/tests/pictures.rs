@@ -95,6 +95,7 @@ fn answers_about_pixels_are_as_locked() {
         [
             ("rows exchanged in pairs", RAYS, map_locked(RAYS, |i, j, _| rays[(i, j ^ 1)].0)),
             ("every other row is never drawn", PHONG, black(|_, j| j % 2 == 1)),
+            ("a black triangle", PHONG, black(|i, j| i < j)),
             ("a ninth in the middle", PHONG, black(|i, j| i / 213 == 1 && j / 120 == 1)),
         ],
     );
