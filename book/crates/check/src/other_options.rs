@@ -40,13 +40,11 @@ pub(crate) fn describe_other_options(
             let compared = places.len().min((RAYS / rays) as usize);
             let is_equal = |place: &_| largest_difference(*place, sub_pixels) == 0;
             if budget.all(&mut places[..compared], rays, is_equal) {
-                let options = format!(
-                    "{columns}×{rows} pixels, {fov_degrees}° and {side}×{side} rays per pixel"
-                );
                 let all = yours.pixels().len();
                 return Some(format!(
                     "As with other options: {compared} of {all} pixels were compared, and are \
-                     those of {title} at {options}.\n\
+                     those of {title} at {columns}×{rows} pixels, {fov_degrees}° and {side}×{side} \
+                     rays per pixel.\n\
                      Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
                      --samples 1."
                 ));
