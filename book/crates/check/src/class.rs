@@ -8,7 +8,7 @@ mod search;
 mod student;
 mod trial;
 
-pub use scene_sheet::{format_sheet, read_names, write_sheet, write_sheets};
+pub use scene_sheet::{format_sheet, read_names, write_sheets};
 pub use trial::report_on_workspaces;
 
 use crate::class::found_file::{FoundFile, has_extension, picture_names, unchecked_clause};

@@ -3,7 +3,7 @@
 use check::{
     Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet,
     read_bounded_file, read_locked_picture, read_names, report_on_folder, report_on_workspaces,
-    write_sheet, write_sheets,
+    write_sheets,
 };
 use clap::Parser;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
@@ -43,8 +43,8 @@ struct Arguments {
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene
     #[arg(long, value_name = "FILE", group = "sheet", conflicts_with = "file")]
     names: Option<PathBuf>,
-    /// Where to write a sheet, in UTF-8; with --names, a folder
-    #[arg(long, value_name = "PATH", requires = "sheet", conflicts_with_all = ["file", "folder"])]
+    /// The folder to write sheets into, in UTF-8, each as its name and .md
+    #[arg(long, value_name = "FOLDER", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     out: Option<PathBuf>,
     /// Writes the answers to the problems as well
     #[arg(long, requires = "out")]
@@ -82,23 +82,21 @@ fn main() -> ExitCode {
 }
 
 fn answer(arguments: Arguments) -> Result<Answer, String> {
+    let mut names = arguments.names.as_deref().map_or(Ok(vec![]), read_names)?;
     match arguments {
         Arguments { file: Some(file), name, scene, .. } => {
             check_file(&file, name.as_deref(), scene.as_deref())
         }
-        Arguments { names: Some(list), out: Some(folder), answers, .. } => {
-            write_sheets(&read_names(&list)?, answers, &folder).map(sheet_answer)
-        }
-        Arguments { scene: Some(scene), out: Some(file), answers, .. } => {
-            write_sheet(&scene, answers, &file).map(sheet_answer)
+        Arguments { scene, out: Some(folder), answers, .. } => {
+            names.extend(scene);
+            write_sheets(&names, answers, &folder).map(sheet_answer)
         }
         Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
             report_on_workspaces(&folder, &scene, csv)
         }
         Arguments { scene: Some(scene), .. } => Ok(sheet_answer(format_sheet(&scene, false))),
-        Arguments { folder, names, require, csv, .. } => {
+        Arguments { folder, require, csv, .. } => {
             let folder = folder.unwrap_or_else(|| ".".into());
-            let names = names.map_or(Ok(vec![]), |list| read_names(&list))?;
             report_on_folder(&folder, &names, &require, csv)
         }
     }

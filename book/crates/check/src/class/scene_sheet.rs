@@ -93,22 +93,17 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
     Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
 }
 
-/// Writes the sheet of a name, and tells where.
-pub fn write_sheet(name: &str, has_answers: bool, file: &Path) -> Result<String, String> {
-    let path = escape_for_terminal(&file.display().to_string());
-    let written = fs::write(file, format_sheet(name, has_answers));
-    written.map_err(|error| format!("{path} can't be written: {error}"))?;
-    Ok(format!("{}: {path}\n", escape_for_terminal(name)))
-}
-
-/// Writes the sheet of each name, into a file of this name.
+/// Writes the sheet of each name into a file of this name, and tells where.
 pub fn write_sheets(names: &[String], has_answers: bool, folder: &Path) -> Result<String, String> {
-    fs::create_dir_all(folder)
-        .map_err(|error| format!("{} can't be made: {error}", folder.display()))?;
+    let unwritten = |path: &Path, error| format!("{} can't be written: {error}", path.display());
+    fs::create_dir_all(folder).map_err(|error| unwritten(folder, error))?;
     let sheets = names.iter().map(|name| {
         let is_odd = |c: char| c.is_control() || "./\\:*?\"<>|".contains(c);
         let file = folder.join(format!("{}.md", name.replace(is_odd, "_")));
-        write_sheet(name, has_answers, &file)
+        let written = fs::write(&file, format_sheet(name, has_answers));
+        written.map_err(|error| unwritten(&file, error))?;
+        let line = format!("{name}: {}", file.display());
+        Ok(escape_for_terminal(&line) + "\n")
     });
     sheets.collect()
 }
