@@ -10,10 +10,10 @@ mod program;
 use check::{Answer, check_png, read_locked_picture};
 use course::{camera, named_scene, workspace};
 use glam::DVec3;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{DynamicImage, Rgb, RgbImage};
+use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use insta::{assert_snapshot, with_settings};
 use std::fs;
+use std::io::Cursor;
 use std::path::PathBuf;
 use step01_rays::{Ray, render};
 
@@ -43,13 +43,10 @@ fn draw_scene(name: &str) -> RgbImage {
     draw(|ray| step05_phong::colour(&scene, ray))
 }
 
-/// A picture as a PNG file, which is made fast.
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
-    let mut png = vec![];
-    let (size, filter) = (CompressionType::Fast, FilterType::NoFilter);
-    let encoder = PngEncoder::new_with_quality(&mut png, size, filter);
-    picture.into().write_with_encoder(encoder).expect("a picture");
-    png
+    let mut png = Cursor::new(vec![]);
+    picture.into().write_to(&mut png, ImageFormat::Png).expect("a picture");
+    png.into_inner()
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
