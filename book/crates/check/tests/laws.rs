@@ -23,16 +23,13 @@ fn damaged_files_give_answers_without_panic() {
 #[test]
 fn only_equal_pictures_are_right() {
     let mut random = Rng::with_seed(0x5EED);
-    for (n, name) in locked_names().into_iter().enumerate() {
+    for name in locked_names().into_iter().step_by(11) {
         let answer = check_png(&locked_file(name), "my.png", Some(name), read_locked_picture);
         assert_eq!(answer.verdict, Verdict::Right, "{name}");
-        if n % 12 == 0 {
-            let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
-            let change =
-                |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
-            let answer = check(map_locked(name, change), name);
-            assert_eq!(answer.verdict, Verdict::NotRight, "{name} in {place:?}");
-        }
+        let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
+        let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
+        let answer = check(map_locked(name, change), name);
+        assert_eq!(answer.verdict, Verdict::NotRight, "{name} in {place:?}");
     }
 }
 
