@@ -64,7 +64,7 @@ pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     {
         let count: usize = right.iter().map(|region| region.all).sum();
         return format!(
-            "All {count} pixels of the objects are right; only the sky's colours differ."
+            "All {count} pixels of the objects are right; in each wrong pixel, ours shows the sky."
         );
     }
     let told = wrong
