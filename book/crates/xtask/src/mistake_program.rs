@@ -27,8 +27,10 @@ rayon = "*"
 const MAIN: &str = "#![allow(warnings)]
 fn main() {
     std::panic::set_hook(Box::new(|_| {}));
-    for draw in PICTURES {
-        let _ = std::thread::spawn(draw).join();
+    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
+    for pictures in PICTURES.chunks(threads) {
+        let threads: Vec<_> = pictures.iter().map(|draw| std::thread::spawn(draw)).collect();
+        threads.into_iter().for_each(|thread| drop(thread.join()));
     }
 }
 ";
@@ -41,6 +43,9 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(["run", "--quiet", "--offline", "--message-format", "short"]);
     cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
+    // Each copy of `render` would compile a part of rayon.
+    let one_thread = workspace().join("book/crates/page/one_thread");
+    cargo.args(["--config", &format!("patch.crates-io.rayon.path = {one_thread:?}")]);
     let output = cargo.current_dir(&folder).output()?;
     if !output.status.success() {
         let text = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();
