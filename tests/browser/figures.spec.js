@@ -45,7 +45,8 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    for (const control of controls) {
+    // A scene of one's own has 19, most of them alike.
+    for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({
         checkbox: 'Space', range: value === min ? 'End' : 'Home', text: value === min ? 'ArrowUp' : 'ArrowDown',
