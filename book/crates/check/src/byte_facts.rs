@@ -75,6 +75,8 @@ pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<S
     curve.retain(|(_, yours, ours)| yours != ours);
     let points = [1, 3, 5].map(|part| curve[part * curve.len() / 6]);
     let points = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
+    let mut points = points.to_vec();
+    points.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
     // In steps 1 and 2 other colours of the directions look the same.
     let is_file_known = CURVE_VALUES <= values.len() && Step::Sphere < drawing.step;

@@ -129,6 +129,7 @@ fn answers_about_colours_are_as_locked() {
     assert_rows_locked(
         "colours",
         [
+            ("at most 254", RAYS, map_locked(RAYS, |_, _, ours| ours.map(|byte| byte.min(254)))),
             ("a white to blue sky", RAYS, draw(white_to_blue)),
             ("a white to blue sky", NEAREST, below_sky),
             ("255.99·I cut off", NEAREST, encoded(|i| (255.99 * i) as u8)),

@@ -1,5 +1,5 @@
-//! Stands in for `rayon` in the modules of the pages, which have one thread: what the steps and
-//! the checker call of it, for a seventh of a module less.
+//! Stands in for `rayon` in the modules of the pages, which have one thread, and in the programs
+//! that draw mistakes: what the steps and the checker call of it. A module is a seventh smaller.
 
 /// The methods of lists, under the names of `rayon`.
 pub mod prelude {

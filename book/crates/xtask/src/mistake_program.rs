@@ -27,8 +27,8 @@ rayon = "*"
 const MAIN: &str = "#![allow(warnings)]
 fn main() {
     std::panic::set_hook(Box::new(|_| {}));
-    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
-    for pictures in PICTURES.chunks(threads) {
+    let count = std::thread::available_parallelism().map_or(1, |count| count.get());
+    for pictures in PICTURES.chunks(count) {
         let threads: Vec<_> = pictures.iter().map(|draw| std::thread::spawn(draw)).collect();
         threads.into_iter().for_each(|thread| drop(thread.join()));
     }
