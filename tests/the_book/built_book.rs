@@ -3,10 +3,10 @@ use builder::{Files, Site};
 use course::{target_folder, workspace};
 use std::env;
 use std::fs::{self, File};
-use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::sync::LazyLock;
 
-/// The book, or the fault for which it can't be built; one test reads it at a time.
-static BOOK: LazyLock<Result<Mutex<Site>>> = LazyLock::new(|| build_or_read().map(Mutex::new));
+/// The book, or the fault for which it can't be built.
+static BOOK: LazyLock<Result<Site>> = LazyLock::new(build_or_read);
 
 #[test]
 fn book_is_built() {
@@ -16,9 +16,8 @@ fn book_is_built() {
 }
 
 /// The book as its reader opens it.
-pub fn built_book() -> MutexGuard<'static, Site> {
-    let book = BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"));
-    book.lock().unwrap_or_else(PoisonError::into_inner)
+pub fn built_book() -> &'static Site {
+    BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"))
 }
 
 /// Builds the book. nextest gives each test a process of its own, of which the first builds it for

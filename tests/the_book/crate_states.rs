@@ -27,7 +27,7 @@ fn crates_compile_at_each_heading_and_command() -> Result<()> {
     let book = built_book();
     for step in Step::NAMES {
         let (mut files, mut is_new) = (TypedFiles::new(), false);
-        for item in pages_of_step(&book, step).flat_map(page_items) {
+        for item in pages_of_step(book, step).flat_map(page_items) {
             if let PageItem::Listing(path, code) = item {
                 let file = path.strip_prefix(&format!("steps/{step}/src/"));
                 if let Some(file) = file.filter(|file| *file != "main.rs") {

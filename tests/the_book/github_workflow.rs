@@ -52,7 +52,7 @@ fn type_first_step(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
     let book = built_book();
-    for (path, text) in typed_files(pages_of_step(&book, "step01_rays")) {
+    for (path, text) in typed_files(pages_of_step(book, "step01_rays")) {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
         fs::write(folder.join(path), text)?;
     }

@@ -1,4 +1,4 @@
-use builder::{Page, inner_text, select_all};
+use builder::Page;
 use std::collections::BTreeMap;
 
 /// The texts of the files that were typed so far, by path.
@@ -40,7 +40,7 @@ pub struct PageCommand {
 /// for a folder of the course itself.
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
-    for element in page.select_all("h1, h2, h3, .listing, .console") {
+    for element in &page.elements {
         let exit_code = match element.attr("data-folder") {
             Some("ours") => continue,
             // Invalid arguments, and a test that fails.
@@ -48,18 +48,19 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
             Some("yours fails") => 101,
             _ => 0,
         };
-        match element.attr("class") {
-            Some("listing") => {
+        let code = || page.inside(element).iter().find(|inner| inner.tag == "code").expect("code");
+        match (&*element.tag, element.attr("class")) {
+            (_, Some("listing")) => {
                 let path = element.attr("data-path").expect("the path of a listing");
-                let code = select_all(element, "code")[0];
+                let code = code();
                 // mdBook ends the last line of all code but Rust.
                 let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
                 let end = if is_rust { "\n" } else { "" };
-                items.push(PageItem::Listing(path, inner_text(code) + end));
+                items.push(PageItem::Listing(path, page.text(code).to_owned() + end));
             }
-            Some("console") => {
+            (_, Some("console")) => {
                 let location = page.address_for_fault(element);
-                for command in inner_text(select_all(element, "code")[0]).split("$ ").skip(1) {
+                for command in page.text(code()).split("$ ").skip(1) {
                     let (line, output) = command.split_once('\n').unwrap_or((command, ""));
                     items.push(PageItem::Command(PageCommand {
                         location: location.clone(),
@@ -69,7 +70,8 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
                     }));
                 }
             }
-            _ => items.push(PageItem::Heading),
+            ("h1" | "h2" | "h3", _) => items.push(PageItem::Heading),
+            _ => {}
         }
     }
     items

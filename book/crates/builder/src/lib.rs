@@ -61,6 +61,6 @@ mod tests;
 
 pub use build::build;
 pub use files::Files;
-pub use page::{Page, Site, inner_text, select_all};
+pub use page::{Element, Page, Site};
 pub use preprocessor::Course;
 pub use sources::Sources;

@@ -2,24 +2,24 @@
 //! fetched from elsewhere.
 
 use crate::files::resolve_path;
+use crate::page::Element;
 use crate::{Page, Site};
 use figures::{find, parse_address};
-use scraper::ElementRef;
 use std::collections::BTreeSet;
 
 /// Each link that leads nowhere, and all that would be fetched from elsewhere. The pages that repeat
 /// the chapters are left out.
 pub fn find_faults(site: &Site) -> Vec<String> {
     let with_id = site.pages.values().flat_map(|page| {
-        page.select_all("[id]").into_iter().map(|one| (page.name.as_str(), one.attr("id")))
+        page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
     });
     let ids = with_id.collect();
     let mut faults = vec![];
     let is_copy = |page: &&Page| ["index.html", "print.html"].contains(&&*page.name);
     for page in site.pages.values().filter(|page| !is_copy(page)) {
-        for element in page.html.root_element().descendent_elements() {
-            for (attribute, address) in addresses_in(element) {
-                let is_link = (element.value().name(), attribute) == ("a", "href");
+        for element in &page.elements {
+            for (attribute, address) in addresses_in(page, element) {
+                let is_link = (&*element.tag, attribute) == ("a", "href");
                 if is_link && is_outside_book(address) {
                     continue;
                 }
@@ -34,22 +34,21 @@ pub fn find_faults(site: &Site) -> Vec<String> {
 
 /// Everything that an element leads to or loads, with the attribute that says so; a style
 /// has none.
-fn addresses_in(element: ElementRef<'_>) -> Vec<(&str, &str)> {
-    let mut addresses = vec![];
-    for (name, value) in element.value().attrs() {
-        match name {
+fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
+    let mut addresses: Vec<(&str, &str)> = vec![];
+    for (name, value) in &element.attributes {
+        match &**name {
             // Says where the book is, and fetches nothing.
-            "href" if element.value().name() == "base" => {}
+            "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
             // Words for readers.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),
-            _ => addresses.extend(style_urls(value).map(|address| (name, address))),
+            _ => addresses.extend(style_urls(value).map(|address| (&**name, address))),
         }
     }
-    if element.value().name() == "style" {
-        let urls = element.text().flat_map(style_urls);
-        addresses.extend(urls.map(|address| ("", address)));
+    if element.tag == "style" {
+        addresses.extend(style_urls(page.text(element)).map(|address| ("", address)));
     }
     addresses
 }
@@ -91,16 +90,17 @@ fn find_address_fault(
 /// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
 fn is_answered(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
-        Some(("pixel", _)) => !page.select_all("[data-panel]").is_empty(),
+        Some(("pixel", _)) => page.values_of("data-panel").next().is_some(),
         Some(("line", words)) => {
             let place = format!("{}:", words.split(':').next().unwrap_or_default());
-            let listings = page.select_all("[data-places]").into_iter();
-            let mut places = listings.filter_map(|listing| listing.attr("data-places"));
-            places.any(|places| places.split(' ').any(|one| one.starts_with(&place)))
+            page.values_of("data-places")
+                .any(|places| places.split(' ').any(|one| one.starts_with(&place)))
         }
         Some(("scene", address)) => {
-            let live = page.select_all("[data-live=own_scene]").first().and(find("own_scene"));
-            live.is_some_and(|live| parse_address(live, address).is_ok())
+            let is_here = page.values_of("data-live").any(|name| name == "own_scene");
+            find("own_scene")
+                .filter(|_| is_here)
+                .is_some_and(|live| parse_address(live, address).is_ok())
         }
         _ => false,
     }

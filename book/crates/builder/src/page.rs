@@ -1,8 +1,15 @@
 use crate::Files;
 use anyhow::Result;
+use html5ever::tendril::StrTendril;
+use html5ever::tokenizer::states::RawKind;
+use html5ever::tokenizer::{
+    BufferQueue, TagKind, Token, TokenSink, TokenSinkResult, Tokenizer, TokenizerOpts,
+};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use scraper::{ElementRef, Html, Selector};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::iter;
+use std::ops::Range;
 use std::path::Path;
 
 /// The book as a reader gets it.
@@ -28,50 +35,153 @@ impl Site {
     ///
     /// `index.html` is not one of them: it is the first page again.
     pub fn chapters_in_order(&self) -> Vec<&Page> {
-        let contents = self.pages["index.html"].select_all("#contents a");
-        let names = contents.iter().filter_map(|link| link.attr("href"));
+        let page = &self.pages["index.html"];
+        let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
+        let links = page.inside(contents.expect("a list of contents")).iter();
+        let names = links.filter_map(|link| link.attr("href"));
         names.filter_map(|name| self.pages.get(name)).collect()
     }
 }
 
-/// A page of the book, as a browser reads it.
+/// A page of the book: its elements, and its text.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// File name, such as `step01_rays.html`.
     pub name: String,
-    /// Parsed tree of elements.
-    pub html: Html,
+    /// Each before those inside it.
+    pub elements: Vec<Element>,
+    /// With that of scripts and styles.
+    text: String,
+}
+
+/// An element of a page.
+#[derive(Clone, Debug)]
+pub struct Element {
+    /// What kind it is, such as `figure`.
+    pub tag: String,
+    /// Names and values.
+    pub attributes: Vec<(String, String)>,
+    /// The indices of the elements inside it.
+    inside: Range<usize>,
+    /// Where its text is in that of the page, in bytes.
+    text: Range<usize>,
+}
+
+impl Element {
+    /// The value of an attribute.
+    pub fn attr(&self, name: &str) -> Option<&str> {
+        let value = self.attributes.iter().find(|(other, _)| other == name);
+        value.map(|(_, value)| &**value)
+    }
 }
 
 impl Page {
-    /// Reads the HTML of the page `name`.
+    /// Reads the HTML of the page `name`. An element that has no end tag has nothing inside.
     pub fn parse(name: &str, html: &str) -> Self {
-        Self { name: name.to_owned(), html: Html::parse_document(html) }
+        let mut elements: Vec<Element> = vec![];
+        let mut text = String::new();
+        let mut open: Vec<usize> = vec![];
+        for token in tokens(html) {
+            match token {
+                Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
+                    open.push(elements.len());
+                    let inside = elements.len() + 1;
+                    let attributes = tag.attrs.into_iter();
+                    elements.push(Element {
+                        tag: tag.name.to_string(),
+                        attributes: attributes
+                            .map(|attr| (attr.name.local.to_string(), attr.value.to_string()))
+                            .collect(),
+                        inside: inside..inside,
+                        text: text.len()..text.len(),
+                    });
+                }
+                Token::TagToken(tag) => {
+                    let is_start = |&index: &usize| elements[index].tag == *tag.name;
+                    if let Some(place) = open.iter().rposition(is_start) {
+                        let end = elements.len();
+                        let element = &mut elements[open[place]];
+                        (element.inside.end, element.text.end) = (end, text.len());
+                        open.truncate(place);
+                    }
+                }
+                Token::CharacterTokens(characters) => text += &characters,
+                _ => {}
+            }
+        }
+        Self { name: name.to_owned(), elements, text }
     }
 
-    /// Every element that a CSS selector names, from top to bottom.
-    pub fn select_all(&self, selector: &str) -> Vec<ElementRef<'_>> {
-        select_all(self.html.root_element(), selector)
+    /// The values of an attribute, wherever it stands.
+    pub fn values_of(&self, attribute: &str) -> impl Iterator<Item = &str> {
+        self.elements.iter().filter_map(move |element| element.attr(attribute))
+    }
+
+    /// All elements inside another.
+    pub fn inside(&self, element: &Element) -> &[Element] {
+        &self.elements[element.inside.clone()]
+    }
+
+    /// The elements inside another that are in none between.
+    pub fn children(&self, element: &Element) -> impl Iterator<Item = &Element> {
+        let mut rest = element.inside.clone();
+        iter::from_fn(move || {
+            let child = &self.elements[rest.next()?];
+            rest.start = child.inside.end;
+            Some(child)
+        })
+    }
+
+    /// The text of an element, with that of the elements in it.
+    pub fn text(&self, element: &Element) -> &str {
+        &self.text[element.text.clone()]
+    }
+
+    /// The text of an element without that of some in it.
+    pub fn text_without(
+        &self,
+        element: &Element,
+        is_left_out: impl Fn(&Element) -> bool,
+    ) -> String {
+        let mut text = String::new();
+        let mut start = element.text.start;
+        let around = iter::once(element).chain(self.inside(element));
+        for left_out in around.filter(|element| is_left_out(element)) {
+            text += self.text.get(start..left_out.text.start).unwrap_or_default();
+            start = start.max(left_out.text.end);
+        }
+        text + &self.text[start..element.text.end]
     }
 
     /// Address of an element, for the sentence about a fault: its page, and the last id
     /// before it.
-    pub fn address_for_fault(&self, element: ElementRef) -> String {
-        let around = std::iter::once(*element).chain(element.ancestors());
-        let mut ids_before = around
-            .flat_map(|node| std::iter::once(node).chain(node.prev_siblings()))
-            .filter_map(|node| node.value().as_element()?.id());
-        ids_before.next().map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
+    pub fn address_for_fault(&self, element: &Element) -> String {
+        let mut before = self.elements[..element.inside.start].iter().rev();
+        let id = before.find_map(|element| element.attr("id"));
+        id.map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
 }
 
-/// Every element in another that a CSS selector names, from top to bottom.
-pub fn select_all<'a>(element: ElementRef<'a>, selector: &str) -> Vec<ElementRef<'a>> {
-    let selector = Selector::parse(selector).expect("a CSS selector");
-    element.select(&selector).collect()
+/// The tags and texts of a page.
+fn tokens(html: &str) -> Vec<Token> {
+    let queue = BufferQueue::default();
+    queue.push_back(StrTendril::from(html));
+    let tokenizer = Tokenizer::new(Tokens::default(), TokenizerOpts::default());
+    let _ = tokenizer.feed(&queue);
+    tokenizer.end();
+    tokenizer.sink.0.take()
 }
 
-/// The text of an element, with that of the elements in it.
-pub fn inner_text(element: ElementRef) -> String {
-    element.text().collect()
+#[derive(Default)]
+struct Tokens(RefCell<Vec<Token>>);
+
+impl TokenSink for Tokens {
+    type Handle = ();
+
+    fn process_token(&self, token: Token, _line: u64) -> TokenSinkResult<()> {
+        let is_raw = matches!(&token, Token::TagToken(tag)
+            if tag.kind == TagKind::StartTag && matches!(&*tag.name, "script" | "style"));
+        self.0.borrow_mut().push(token);
+        if is_raw { TokenSinkResult::RawData(RawKind::Rawtext) } else { TokenSinkResult::Continue }
+    }
 }

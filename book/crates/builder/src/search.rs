@@ -1,7 +1,6 @@
-use crate::{Page, Site, inner_text};
+use crate::page::Element;
+use crate::{Page, Site};
 use anyhow::Result;
-use scraper::ElementRef;
-use scraper::node::Element;
 
 /// The name of the script of the search.
 pub const INDEX: &str = "search-index.js";
@@ -21,29 +20,28 @@ pub fn index_script(site: &Site) -> Result<String> {
 /// The id, the title, the prose and the listings of each section of a page.
 fn sections(page: &Page) -> Vec<[String; 4]> {
     let mut sections: Vec<[String; 4]> = vec![];
-    for part in page.select_all("main > :not(.cover), .cover > *") {
-        if let ("h1" | "h2" | "h3", Some(id)) = (part.value().name(), part.attr("id")) {
-            sections.push([id.to_owned(), inner_text(part), String::new(), String::new()]);
+    let main = page.elements.iter().filter(|element| element.tag == "main");
+    let parts = main.flat_map(|main| page.children(main)).flat_map(|part| {
+        let is_cover = part.attr("class") == Some("cover");
+        if is_cover { page.children(part).collect() } else { vec![part] }
+    });
+    for part in parts {
+        if let ("h1" | "h2" | "h3", Some(id)) = (&*part.tag, part.attr("id")) {
+            let title = page.text(part).to_owned();
+            sections.push([id.to_owned(), title, String::new(), String::new()]);
         } else if let Some([_, _, prose, listings]) = sections.last_mut() {
             let is_listing = part.attr("data-path").is_some();
-            *(if is_listing { listings } else { prose }) += &visible_text(part);
+            let text = page.text_without(part, is_hidden) + " ";
+            *(if is_listing { listings } else { prose }) += &text;
         }
     }
     let join_words = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
     sections.iter().map(|texts| texts.each_ref().map(join_words)).collect()
 }
 
-/// The text of an element without what is hidden or drawn in it, and without answers and
-/// hints, which a search would give away.
-fn visible_text(element: ElementRef) -> String {
-    let is_hidden = |element: &Element| {
-        let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
-        is_answer || element.attr("hidden").is_some() || element.name() == "svg"
-    };
-    let texts = element.descendants().filter(|node| {
-        let mut around = node.ancestors().filter_map(|node| node.value().as_element());
-        !around.any(is_hidden)
-    });
-    let texts = texts.filter_map(|node| Some(&**node.value().as_text()?));
-    texts.chain([" "]).collect()
+/// Whether an element isn't seen, is drawn, or is an answer or a hint, which a search would give
+/// away.
+fn is_hidden(element: &Element) -> bool {
+    let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
+    is_answer || element.attr("hidden").is_some() || element.tag == "svg"
 }
