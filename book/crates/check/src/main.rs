@@ -1,12 +1,12 @@
 //! Tells whether a picture is right and, if it is not, what happened.
 
 use check::{
-    Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet,
+    Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet, normalize_name,
     read_bounded_file, read_locked_picture, read_names, report_on_folder, report_on_workspaces,
     write_sheets,
 };
 use clap::Parser;
-use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
+use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use course::{NAMED_SCENE_EXAMPLE, locked_names};
 use image::RgbImage;
 use std::fs;
@@ -37,7 +37,7 @@ struct Arguments {
     /// five crates of each workspace in the folder and compares it: what is in these crates runs
     /// as you, so do that in a container
     #[arg(long, value_name = "NAME", group = "sheet", conflicts_with = "name")]
-    #[arg(value_parser = NonEmptyStringValueParser::new())]
+    #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| normalize_name(&name)))]
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the sheet of each; with --in,
     /// gives those who handed in nothing a row, and each name as Canvas joins it its scene

@@ -60,7 +60,7 @@ fn reports_on_folders_are_as_locked() {
                     ("submissions/cleo_4713_96_my.zip", &two_pictures),
                 ]),
             ),
-            ("names.txt", "\u{feff}Ada L\u{f6}velace\r\n\n../Zo\u{eb}".as_bytes().to_vec()),
+            ("names.txt", "\u{feff}Ada Lo\u{308}velace\r\n\n../Zo\u{eb}".as_bytes().to_vec()),
             ("own/glass.png", locked_file("glass")),
             ("own/sun.png", locked_file("plane")),
             ("own/Plane (1).PNG", locked_file("plane")),
@@ -76,7 +76,8 @@ fn reports_on_folders_are_as_locked() {
         ],
     );
     let required = "step01_rays,step02_sphere,scene";
-    let runs: [&[&str]; 10] = [
+    let dora = "moodle/A1/Do\u{308}ra_475_assignsubmission_file/scene_of_me.png";
+    let runs: [&[&str]; 11] = [
         &["--in", "own"],
         &["--in", "own", "--require", "plane,glass", "--json"],
         &["--in", "moodle", "--require", required],
@@ -87,6 +88,7 @@ fn reports_on_folders_are_as_locked() {
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
         &["--in", "github", "--scene", "a secret"],
         &["--names", "names.txt", "--out", "sheets", "--answers"],
+        &["--scene", "Do\u{308}ra", dora],
     ];
     assert_locked("folders", runs.map(|arguments| run_check(&folder, arguments)));
     let sheet = fs::read_to_string(folder.join("sheets/___Zo\u{eb}.md"));

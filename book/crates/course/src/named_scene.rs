@@ -1,8 +1,6 @@
 use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
-#[cfg(not(target_arch = "wasm32"))]
-use unicode_normalization::UnicodeNormalization;
 
 /// The example of step 5 that draws the scene of a name. No example of the course has this name,
 /// so no other program draws a picture of it.
@@ -16,9 +14,10 @@ const NAMES: [&str; OBJECTS.len()] =
 /// light, chosen by a hash of the name.
 ///
 /// Each sphere lies inside the one of the course and on the same ground, so none meet.
-/// Blanks around the name, and how many there are between its words, make no difference.
+/// Blanks around the name, and how many there are between its words, make no difference. Each
+/// letter is expected as one character (NFC).
 pub fn named_scene(name: &str) -> Scene<Material, Light> {
-    let name = join_words(name);
+    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;
     let mut choose = |count: usize| {
         choices += 1;
@@ -52,12 +51,4 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
     scene.lights[0].point_light.diffuse = tints[choose(4)].into();
     scene
-}
-
-/// The words of a name, with one blank between them, each letter as one character: a Mac writes
-/// "ü" as two in the names of files. In a browser, the page joins them.
-fn join_words(name: &str) -> String {
-    #[cfg(not(target_arch = "wasm32"))]
-    let name = &*name.nfc().collect::<String>();
-    name.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -3,6 +3,7 @@
 
 use crate::changed_number::{format_numbers, owner_names};
 use crate::class::report::align;
+use crate::class::student::normalize_name;
 use crate::comparison::scattered_places;
 use crate::drawing::{Drawing, ObjectHit};
 use crate::wrong_pixel::{computed_values, format_number, format_vector};
@@ -90,7 +91,7 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
     let text = String::from_utf8(read_bounded_file(list)?);
     let text = text.map_err(|_| format!("{} is not in UTF-8", list.display()))?;
     let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
-    Ok(names.filter(|name| !name.is_empty()).map(str::to_owned).collect())
+    Ok(names.filter(|name| !name.is_empty()).map(normalize_name).collect())
 }
 
 /// Writes the sheet of each name into a file of this name, and tells where.

@@ -36,7 +36,7 @@ pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<
     let names: Vec<_> = groups.keys().cloned().collect();
     let prefix = common_prefix(&names);
     let students = groups.into_iter().flat_map(|(name, ids)| {
-        let name: String = name[prefix..].nfc().collect();
+        let name = normalize_name(&name[prefix..]);
         let is_shared = 1 < ids.len();
         ids.into_iter().map(move |(id, files)| {
             let key = if is_shared { format!("{name}_{id}") } else { name.clone() };
@@ -46,11 +46,17 @@ pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<
     (students.collect(), stray)
 }
 
+/// A name with each letter as one character: a Mac writes "ü" as two in the names of files. In a
+/// browser, the page does that.
+pub fn normalize_name(name: &str) -> String {
+    name.nfc().collect()
+}
+
 /// Gives students the names in a list that have the same letters in any order, as Canvas joins
 /// them; adds those of the list who have handed in nothing.
 pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
     let letters = |name: &str| {
-        let letters = name.nfc().flat_map(char::to_lowercase).filter(|c| c.is_alphanumeric());
+        let letters = name.chars().flat_map(char::to_lowercase).filter(|c| c.is_alphanumeric());
         let mut letters: Vec<_> = letters.collect();
         letters.sort_unstable();
         letters
