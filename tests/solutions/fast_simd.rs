@@ -1,6 +1,6 @@
 //! `fast` draws the same bytes as `render` with `colour`.
 
-use super::fast_example::draw;
+use super::fast::draw;
 use course::examples::look_at::look_at;
 use course::{camera_with_size, named_scene};
 use fearless_simd::Level;

@@ -62,11 +62,6 @@ examples! {
     mirror: "../../../../steps/step05_phong/examples/mirror.rs" => mirror::picture,
     own_scene: "../../../../steps/step05_phong/examples/own_scene.rs",
     row: "../../../../steps/step01_rays/examples/row.rs",
-    step01_starter: "../../../../steps/step01_rays/examples/step01_starter.rs",
-    step02_starter: "../../../../steps/step02_sphere/examples/step02_starter.rs",
-    step03_starter: "../../../../steps/step03_nearest/examples/step03_starter.rs",
-    step04_starter: "../../../../steps/step04_diffuse/examples/step04_starter.rs",
-    step05_starter: "../../../../steps/step05_phong/examples/step05_starter.rs",
     terms: "../../../../steps/step05_phong/examples/terms.rs",
 }
 

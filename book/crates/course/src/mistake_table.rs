@@ -6,6 +6,7 @@ use crate::mistake_files::mistake_texts;
 use crate::{Mistake, Step, mistakes};
 use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 fn table_lines() -> std::str::Lines<'static> {
@@ -91,7 +92,8 @@ pub fn read_small_pictures(
     let right = format!("= {} ", step.name());
     let lines = table_lines().skip_while(|line| !line.starts_with(&right)).skip(1);
     let names = lines.map_while(|line| line.strip_prefix("! "));
-    let all = image::open(small_pictures_path(workspace, step))?.into_rgb8();
+    let file = fs::read(small_pictures_path(workspace, step))?;
+    let all = image::load_from_memory(&file)?.into_rgb8();
     let [columns, rows] = SMALL_SIZE;
     let tops = (0..all.height()).step_by(rows as usize);
     let pictures = tops.map(|top| crop_imm(&all, 0, top, columns, rows).to_image());
