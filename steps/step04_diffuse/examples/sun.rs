@@ -23,7 +23,7 @@ pub const SUN: Sun = Sun {
 };
 
 impl Sun {
-    /// I_d = R_d · max(l·n, 0) · L_d: l is the same everywhere, and there is no d.
+    /// I_d = R_d · max(n·l, 0) · L_d: l is the same everywhere, and there is no d.
     pub fn diffuse(&self, n: DVec3, material: &Matte) -> DVec3 {
         let l = self.direction.normalize();
         material.diffuse * l.dot(n).max(0.0) * self.diffuse

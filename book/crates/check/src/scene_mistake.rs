@@ -30,7 +30,7 @@ pub(crate) fn colour_with_mistake(title: &str, scene: &Scene, ray: &Ray) -> DVec
         let (l, d) = light.point_light.direction_from(p);
         let divisor = light.point_light.attenuation.divisor(d);
         let cosine = match (title, n.dot(l)) {
-            ("l·n may be below 0", cosine) => cosine,
+            ("n·l may be below 0", cosine) => cosine,
             ("|n·l| is taken for max(n·l, 0)", cosine) => cosine.abs(),
             (_, cosine) => cosine.max(0.0),
         };
