@@ -8,7 +8,7 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
     let mut scene_field = "";
     let (name, words) = match name {
         "" => {
-            scene_field = "<label>If it is the scene of a name, the name: \
+            scene_field = "<label>If your teacher gave you a scene, the name on its sheet: \
                            <input name=\"scene\" autocomplete=\"off\"></label>";
             let words = "Drop the picture of a step or an exercise here, or choose its file, \
                          whose name tells which it should be.";
