@@ -39,8 +39,9 @@ impl Sources {
             let wrong = course::read_small_pictures(workspace, step);
             let wrong = wrong.with_context(|| step.name())?.into_iter();
             let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
-            let right = image::load_from_memory(&files[&format!("{}.png", step.name())])?;
-            let right = course::shrink(&right.into_rgb8());
+            let right = files.get(&format!("{}.png", step.name()));
+            let right = right.with_context(|| format!("{} has no locked picture", step.name()))?;
+            let right = course::shrink(&image::load_from_memory(right)?.into_rgb8());
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
                 let png = read_or_encode_png(&old.join(&name), &picture);
                 files.insert(name, png);
