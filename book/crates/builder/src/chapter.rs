@@ -141,8 +141,8 @@ impl<'a> Chapter<'a> {
 
     /// Finds a $ in the `source` at this position, which is text or HTML.
     fn find_lone_dollar(&mut self, source: &str, start: usize) {
-        let Some(position) = source.find('$').map(|position| start + position) else { return };
-        if !self.text[..position].ends_with(['\\', '$']) {
+        let mut positions = source.match_indices('$').map(|(index, _)| start + index);
+        if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
             self.add_fault(
                 position,
                 "a $ that is no formula is written \\$, and a formula has its end, pairs of \
