@@ -50,7 +50,7 @@ class Figure {
         this.numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
         this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
         this.panel = document.querySelector(`[data-panel="${name}"]`);
-        this.code = document.querySelector(`[data-code="${name}:rust"] code`);
+        this.code = document.querySelector(`[data-code="${name}"] code`);
         this.companion = document.querySelector(`[data-companion="${name}"]`);
     }
 

@@ -1,5 +1,5 @@
-use crate::Sources;
 use crate::files::{CHAPTERS, resolve_path};
+use crate::{Sources, values};
 use course::{Place, Step};
 use figures::escape;
 use std::fs;
@@ -15,11 +15,11 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 ///
 /// A path is relative to the chapters; what is in `book/reader` and `book/typed` is of the
 /// reader's own folder. The first listing of a file on a page has an id for links to it, such
-/// as `listing-step01_rays-src-ray.rs`; `ids` holds those. A file that is a number of a picture,
-/// such as `own_scene:rust`, moves with it.
+/// as `listing-step01_rays-src-ray.rs`; `ids` holds those. In a fence `rust,own_scene` the
+/// file is the number `rust` of that picture, and moves with it.
 pub fn html(
     language: &str,
-    number_name: &str,
+    live: &str,
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
@@ -46,12 +46,12 @@ pub fn html(
     let code = lines[range].join("\n");
     let old = file_of_step_before(path, &sources.workspace);
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
-    let places = places_attribute(path, &code);
-    let number = match number_name {
-        "" => String::new(),
-        name => format!(" data-code=\"{}\"", escape(name)),
-    };
-    let attributes = format!("{number}{places}");
+    let mut attributes = places_attribute(path, &code);
+    if !live.is_empty() {
+        let rust = values::value_text(&format!("{live}:rust"));
+        rust.map_err(|_| format!("nothing called {live:?} has Rust that moves"))?;
+        attributes += &format!(" data-code=\"{live}\"");
+    }
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
 }
 
