@@ -6,7 +6,7 @@ pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
     let caption = match folder {
         "yours" | "yours,refused" | "yours,fails" => "in your folder",
         "ours" => "in <a href=\"how.html#two-folders\">our folder</a>",
-        _ => return Err("a console is console,yours or console,ours".to_string()),
+        _ => return Err("a console is ours or yours, or yours,refused or yours,fails".to_string()),
     };
     let folder = folder.replace(',', " ");
     // A prompt is not a part of a command that is copied.

@@ -8,7 +8,9 @@
 //! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
 //!
 //! - a *listing* is a file of a step or a part of it (`include` in a fence); it says where a
-//!   reader may edit it (`course::Place`);
+//!   reader may edit it (`course::Place`), and as `rust,own_scene` it moves with that picture;
+//! - a *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
+//!   reader's, and `console,yours,refused` or `console,yours,fails` where a test expects that;
 //! - a *value* is computed by the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made

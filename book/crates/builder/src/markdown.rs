@@ -20,9 +20,7 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
         events.push(match event {
-            Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => {
-                continue;
-            }
+            Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => continue,
             Event::InlineMath(latex) | Event::DisplayMath(latex) => {
                 Event::InlineHtml(formula::formula_html(&latex, false)?.into())
             }
@@ -32,7 +30,7 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
     if text.contains('$') {
-        return Err("a lone $ in the caption".to_string());
+        return Err("a lone $: a formula has two".to_string());
     }
     numbers::fill_in_text(&text.replace('\n', " "))
 }
