@@ -19,7 +19,7 @@ pub fn figure() -> Figure {
     Figure {
         title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.",
         caption: "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
-                  The ball on the right is {{#number eggs:angle}}° from the axis, and its image {{#number eggs:times}} times as long as it's wide. \
+                  The ball on the right is {{#number ball-outlines:angle}}° from the axis, and its image {{#number ball-outlines:times}} times as long as it's wide. \
                   A dotted ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
                   <span class='move'>Drag the ball further to the side.</span>",
         parameters: vec![Parameter::new(["α", "angle of the ball", "°"], 40.0, [18.0, 48.0], 1.0)],
@@ -36,7 +36,7 @@ pub fn figure() -> Figure {
                 ("times", format_rounded(half.x / half.y, 1)),
             ])
         },
-        ..Figure::new("eggs", draw)
+        ..Figure::new("ball-outlines", draw)
     }
 }
 

@@ -22,7 +22,7 @@ pub fn figure() -> Figure {
                   every root on what is drawn of its line. $V_z$ is $-1$, so $t$ is the depth.",
         followed: Some("step03_nearest"),
         parameters: step03::figure().parameters,
-        ..Figure::new("from-above", draw)
+        ..Figure::new("scene-from-above", draw)
     }
 }
 
