@@ -1,6 +1,7 @@
-//! The mathematics of the exercises' solutions.
+//! The mathematics of the exercises' solutions, and the scenes of names.
 
 mod fast_simd;
+mod named_scene;
 mod step01;
 mod step02;
 mod step03;

@@ -1,11 +1,9 @@
 //! A scene of one's own: the Rust program that a page writes for it draws its picture.
 
 use super::reader_workspace::ReaderWorkspace;
-use course::{describe_difference, named_scene};
+use course::describe_difference;
 use figures::{Output, find, parse_address};
 use image::RgbImage;
-use std::collections::HashSet;
-use tests::primary_rays;
 
 /// Scenes of the page, by their addresses.
 const ADDRESSES: [&str; 5] = [
@@ -41,35 +39,4 @@ fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbIm
     let program_picture =
         image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
     assert_eq!(describe_difference(picture, &program_picture.to_rgb8()), None, "{program}");
-}
-
-#[test]
-fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
-    for name in ["ada", "bob", ""] {
-        let objects = named_scene(name).objects;
-        // They touch the ground, as in the course's scene, to two digits.
-        for (k, a) in objects.iter().enumerate() {
-            for b in &objects[..k] {
-                let distance = a.sphere.centre.distance(b.sphere.centre);
-                let radii = a.sphere.radius + b.sphere.radius;
-                assert!(-0.01 < distance - radii, "{name}: {}, {}", a.name, b.name);
-            }
-        }
-        for ray in primary_rays() {
-            for object in &objects {
-                let (a, b, c) = object.sphere.coefficients(&ray);
-                let margin = (b * b - 4.0 * a * c).abs() / (b * b + 4.0 * a * c.abs());
-                assert!(1e-12 < margin, "{name}: {}, {ray:?}", object.name);
-            }
-        }
-    }
-}
-
-#[test]
-fn names_have_scenes_of_their_own() {
-    let scene_text = |name: &str| format!("{:?}", named_scene(name));
-    let names = (0..1000).map(|k| format!("student {k}"));
-    let scenes: HashSet<_> = names.map(|name| scene_text(&name)).collect();
-    assert_eq!(scenes.len(), 1000);
-    assert_eq!(scene_text("student 7"), scene_text(" student  7\n"));
 }
