@@ -3,9 +3,6 @@ use figures::{FIGURES, Output};
 use std::fs;
 use std::path::Path;
 
-/// The width of an empty strip beside a drawing.
-const MARGIN: f64 = 24.0;
-
 /// All drawings at their defaults as SVG files such as `figure-row.svg`, for slides: each has
 /// the style of the theme inside, with its light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
@@ -16,11 +13,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let files = figures.filter_map(|figure| {
         let Output::Drawing(drawing) = figure.default_output() else { return None };
         let svg = drawing.html(figure.title);
-        let (_, width) = svg.split_once("viewBox=\"0 0 ")?;
-        let (width, _) = width.split_once(' ')?;
         // Room at both sides for letters that are wider than ours.
-        let wide = format!("\"-{MARGIN} 0 {}", width.parse::<f64>().ok()? + 2.0 * MARGIN);
-        let svg = svg.replacen(&format!("\"0 0 {width}"), &wide, 1);
+        let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
         let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
         let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
         Some((format!("figure-{}.svg", figure.name), svg.into_bytes()))
@@ -33,10 +27,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();
-    for line in variables.lines() {
-        let Some((name, value)) = line.trim().trim_end_matches(';').split_once(": ") else {
-            continue;
-        };
+    let lines = variables.lines().map(str::trim);
+    for (name, value) in lines.filter_map(|line| line.strip_suffix(';')?.split_once(": ")) {
         let light = value.strip_prefix("light-dark(").and_then(|both| both.split(", ").next());
         style = style.replace(&format!("var({name})"), light.unwrap_or(value));
     }

@@ -3,6 +3,7 @@
 use crate::chapter::expand_directives;
 use crate::{Files, Page, Site, Sources, links, problem};
 use course::workspace;
+use figures::FIGURES;
 use std::sync::LazyLock;
 
 static SOURCES: LazyLock<Sources> =
@@ -30,8 +31,11 @@ fn each_fault_is_told_with_its_line() {
 /// What few programs but browsers know.
 #[test]
 fn files_of_figures_have_a_plain_style() {
-    for (name, svg) in SOURCES.generated.texts_with_suffix(".svg") {
-        let (_, style) = svg.split_once("<style>").expect(name);
+    let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
+    assert_eq!(files.len(), FIGURES.iter().filter(|figure| !figure.title.is_empty()).count());
+    for (name, svg) in files {
+        let (start, style) = svg.split_once("<style>").expect(name);
+        assert!(start.contains("viewBox=\"-24 0 528 "), "{name} has {start}");
         for words in ["var(", "light-dark(", ":is(", "transform"] {
             assert!(!style.contains(words), "{name} has {words}");
         }

@@ -1,20 +1,20 @@
 use crate::View;
 use crate::text_markup::{escape, symbol_spans};
-use glam::{DVec2, dvec2};
+use glam::DVec2;
 
-/// A drawing in SVG: x runs right and y down, and a line of text is about 20 high.
+/// A drawing in SVG: x runs right to 480 and y down, and a line of text is about 20 high.
 ///
 /// Every element has a class, and gets its colours from the style sheet of the theme.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    size: DVec2,
+    height: f64,
     body: String,
 }
 
 impl Drawing {
-    /// An empty drawing; one 480 wide fills the column of text.
-    pub fn new(width: f64, height: f64) -> Self {
-        Self { size: dvec2(width, height), body: String::new() }
+    /// An empty drawing, as wide as the column of text.
+    pub fn new(height: f64) -> Self {
+        Self { height, body: String::new() }
     }
 
     /// A straight line.
@@ -85,10 +85,10 @@ impl Drawing {
 
     /// The drawing as an element of HTML, with a `title` for those who can't see it.
     pub fn html(&self, title: &str) -> String {
-        let Self { size: DVec2 { x, y }, body } = self;
+        let Self { height, body } = self;
         let title = escape(title);
         format!(
-            r#"<svg role="img" viewBox="0 0 {x} {y}" width="{x}" height="{y}"><title>{title}</title><g>{body}</g></svg>"#
+            r#"<svg role="img" viewBox="0 0 480 {height}" width="480" height="{height}"><title>{title}</title><g>{body}</g></svg>"#
         )
     }
 }

@@ -34,7 +34,7 @@ fn attenuation(values: &[f64]) -> Attenuation {
 fn draw(values: &[f64]) -> Output {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(22.0, 100.0) };
     let place = |d: f64, share: f64| view.xy_to_drawing(d, share);
-    let mut drawing = Drawing::new(480.0, 280.0);
+    let mut drawing = Drawing::new(280.0);
     for share in [0.5, 1.0, 1.5, 2.0] {
         drawing.line("grid", place(0.0, share), place(14.0, share));
         drawing.label("quiet end", place(0.0, share) + dvec2(-8.0, 5.0), &share.to_string());

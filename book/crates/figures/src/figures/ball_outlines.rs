@@ -81,7 +81,7 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
 
 fn draw(values: &[f64]) -> Output {
     let c = ABOVE.origin;
-    let mut drawing = Drawing::new(480.0, 352.0);
+    let mut drawing = Drawing::new(352.0);
     let corners = [(-0.45, -0.27), (1.75, -0.27), (1.75, 0.27), (-0.45, 0.27)];
     drawing.area("plane", corners.map(|(x, y)| PICTURE.xy_to_drawing(x, y)));
     drawing.line("plane", ABOVE.xy_to_drawing(-0.45, 1.0), ABOVE.xy_to_drawing(1.75, 1.0));

@@ -109,7 +109,7 @@ fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
 fn draw(values: &[f64]) -> Output {
     let figure = CameraFigure::new(values);
     let c = figure.project(DVec3::ZERO);
-    let mut drawing = Drawing::new(480.0, 310.0);
+    let mut drawing = Drawing::new(310.0);
     figure.draw_pyramid(&mut drawing);
     figure.draw_steps(&mut drawing);
     drawing.dot("eye", c);

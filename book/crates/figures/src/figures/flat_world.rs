@@ -89,7 +89,7 @@ fn draw(values: &[f64]) -> Output {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();
     let place = |point: DVec3| VIEW.to_drawing(point.truncate());
-    let mut drawing = Drawing::new(480.0, 300.0);
+    let mut drawing = Drawing::new(300.0);
     for Object { sphere, material, .. } in &world.balls {
         let is_seen = hits.iter().any(|hit| hit.point.material == material);
         let class = if is_seen { "object seen" } else { "object" };

@@ -56,7 +56,7 @@ fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
 
 fn draw(values: &[f64]) -> Output {
     let (planes, sides) = (array(values), sides());
-    let mut drawing = Drawing::new(480.0, 334.0);
+    let mut drawing = Drawing::new(334.0);
     let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
     drawing.area("plane", [near[0], far[0], far[1], near[1]]);
     for ray in sides {

@@ -32,7 +32,7 @@ fn draw(values: &[f64]) -> Output {
     let objects: Vec<_> = objects.collect();
     let place = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
     let nearest_hit = nearest(&objects, &ray);
-    let mut drawing = Drawing::new(480.0, 244.0);
+    let mut drawing = Drawing::new(244.0);
     for Object { sphere, material: k, .. } in &objects {
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.material == *k);
         let class = if is_hit { "object seen" } else { "object" };

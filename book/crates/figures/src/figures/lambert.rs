@@ -31,7 +31,7 @@ pub fn figure() -> Figure {
 }
 
 fn draw(values: &[f64]) -> Output {
-    let mut drawing = Drawing::new(480.0, 300.0);
+    let mut drawing = Drawing::new(300.0);
     draw_beam(&mut drawing, dvec2(106.0, 210.0), 0.0);
     draw_beam(&mut drawing, VIEW.origin, values[0]);
     Output::Drawing(drawing)

@@ -25,7 +25,7 @@ fn draw(values: &[f64]) -> Output {
     let reader_n = reader_n as i32;
     // It is right of n by the angle of the light.
     let r = DVec2::from_angle((90.0 - light_angle).to_radians());
-    let mut drawing = Drawing::new(480.0, 300.0);
+    let mut drawing = Drawing::new(300.0);
     drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
     for n in [1, 10, 40, reader_n] {

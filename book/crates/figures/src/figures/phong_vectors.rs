@@ -20,7 +20,7 @@ pub fn figure() -> Figure {
 }
 
 fn draw(values: &[f64]) -> Output {
-    let mut drawing = Drawing::new(480.0, 320.0);
+    let mut drawing = Drawing::new(320.0);
     let p = VIEW.origin;
     drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
     let [n, l, v] = [0.0, values[0], -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));

@@ -18,7 +18,7 @@ fn draw(_: &[f64]) -> Output {
     let place = |ray: &Ray, t: f64| view.to_drawing(ray.at(t).truncate());
     let (film, plane, object) = (-1.0, 1.0, 2.3);
     let at_t = |t: f64, y: f64| view.xy_to_drawing(t, 0.0).with_y(y);
-    let mut drawing = Drawing::new(480.0, 236.0);
+    let mut drawing = Drawing::new(236.0);
     for t in [film, plane] {
         drawing.line("plane", at_t(t, 16.0), at_t(t, 172.0));
     }

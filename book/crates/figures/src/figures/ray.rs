@@ -64,7 +64,7 @@ fn is_in_drawing(place: DVec2) -> bool {
 fn draw(values: &[f64]) -> Output {
     let place = |t: f64| place(values, t);
     let (s, v) = (place(0.0), place(1.0) - place(0.0));
-    let mut drawing = Drawing::new(SIZE.x, SIZE.y);
+    let mut drawing = Drawing::new(SIZE.y);
     let steps = (0..).map(|k| 0.1 * f64::from(k));
     let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
     drawing.line("guide", s - 90.0 * v.normalize(), s);

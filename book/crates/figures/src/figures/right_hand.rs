@@ -16,7 +16,7 @@ fn draw(_: &[f64]) -> Output {
     // The z axis, towards the reader, runs to the lower left.
     let project = |p: DVec3| view.to_drawing(p.truncate() + p.z * dvec2(-0.55, -0.42));
     let c = view.origin;
-    let mut drawing = Drawing::new(480.0, 208.0);
+    let mut drawing = Drawing::new(208.0);
     let ahead = project(1.25 * Camera::new(3, 3, 1.0).ray(1.0, 1.0).direction);
     drawing.line("guide", c, ahead);
     drawing.label("quiet start", ahead + dvec2(8.0, 0.0), "the camera looks this way");

@@ -52,7 +52,7 @@ fn draw(values: &[f64]) -> Output {
     let tips: Vec<DVec2> = directions.iter().map(|&v| view.to_drawing(v)).collect();
     let tan = -v_0.x;
     let side = (1.02 * tan).max(0.86);
-    let mut drawing = Drawing::new(480.0, 332.0);
+    let mut drawing = Drawing::new(332.0);
     drawing.line("plane", view.xy_to_drawing(-side, 1.0), view.xy_to_drawing(side, 1.0));
     drawing.line("guide", c, view.xy_to_drawing(0.0, 1.0));
     for (i, &v) in directions.iter().enumerate() {

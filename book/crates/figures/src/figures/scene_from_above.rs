@@ -45,7 +45,7 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
 fn draw(values: &[f64]) -> Output {
     let ray = probe_ray(values);
     let nearest_hit = nearest(&OBJECTS, &ray);
-    let mut drawing = Drawing::new(480.0, 330.0);
+    let mut drawing = Drawing::new(330.0);
     for t in [0.0, 5.0, 10.0] {
         let [left, right] = [-SIDE, SIDE].map(|x| VIEW.xy_to_drawing(x, t));
         drawing.line("grid", left, right);

@@ -32,7 +32,7 @@ fn circle_view(case: usize) -> View {
 }
 
 fn draw(values: &[f64]) -> Output {
-    let mut drawing = Drawing::new(480.0, 346.0);
+    let mut drawing = Drawing::new(346.0);
     for (case, start) in values.chunks_exact(2).map(DVec2::from_slice).enumerate() {
         let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
         draw_case(&mut drawing, &ray, circle_view(case));
