@@ -121,6 +121,7 @@ fn replies_to_addresses_are_as_locked() {
         "camera-field-of-view:NaN",
         "red-sphere-radius:2,ground-radius:",
         "moon-radius:1",
+        "-columns:2",
         // The camera is at its own target.
         "camera-position-backwards:-1",
     ];

@@ -50,7 +50,6 @@ pub fn figure() -> Figure {
 /// The part of an address that keeps a scene: the values that differ from the defaults, such as
 /// `red-sphere-radius:2,camera-field-of-view:45`.
 fn format_address(values: &[f64]) -> String {
-    // The first is the columns of the picture, which no address has.
     let pairs = PARAMETERS.iter().map(|(_, parameter)| parameter).zip(values).skip(1);
     let different = pairs.filter(|(parameter, value)| parameter.default != **value);
     let parts = different.map(|(parameter, value)| format!("{}:{value}", key(parameter)));
@@ -62,11 +61,11 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String>
     let mut values = figure.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
-        let index = figure.parameters.iter().position(|parameter| key(parameter) == name);
-        let index = index.ok_or_else(|| {
+        let mut parameters = figure.parameters.iter().enumerate().skip(1);
+        let (index, parameter) = parameters.find(|(_, one)| key(one) == name).ok_or_else(|| {
             format!("The address speaks of “{name}”, and nothing here is called so.")
         })?;
-        let [min, max] = figure.parameters[index].range;
+        let [min, max] = parameter.range;
         let number = value.parse().ok().filter(|number| (min..=max).contains(number));
         values[index] = number.ok_or_else(|| {
             format!("The address says “{value}” for {name}; allowed are {min} to {max}.")
@@ -75,7 +74,7 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String>
     figure.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
 }
 
-/// The name of a parameter in an address.
+/// The name of a parameter in an address, which has all but the first, the columns.
 fn key(parameter: &Parameter) -> String {
     format!("{} {}", parameter.group, parameter.words).replace(' ', "-")
 }
