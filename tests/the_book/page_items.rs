@@ -48,7 +48,8 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
             Some("yours fails") => 101,
             _ => 0,
         };
-        let code = || page.inside(element).iter().find(|inner| inner.tag == "code").expect("code");
+        let code =
+            || page.descendants(element).iter().find(|inner| inner.tag == "code").expect("code");
         match (&*element.tag, element.attr("class")) {
             (_, Some("listing")) => {
                 let path = element.attr("data-path").expect("the path of a listing");

@@ -90,14 +90,14 @@ fn find_address_fault(
 /// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
 fn is_answered(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
-        Some(("pixel", _)) => page.values_of("data-panel").next().is_some(),
+        Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
         Some(("line", words)) => {
             let place = format!("{}:", words.split(':').next().unwrap_or_default());
-            page.values_of("data-places")
+            page.attribute_values("data-places")
                 .any(|places| places.split(' ').any(|one| one.starts_with(&place)))
         }
         Some(("scene", address)) => {
-            let is_here = page.values_of("data-live").any(|name| name == "own_scene");
+            let is_here = page.attribute_values("data-live").any(|name| name == "own_scene");
             find("own_scene")
                 .filter(|_| is_here)
                 .is_some_and(|live| parse_address(live, address).is_ok())

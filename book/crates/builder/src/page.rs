@@ -37,7 +37,7 @@ impl Site {
     pub fn chapters_in_order(&self) -> Vec<&Page> {
         let page = &self.pages["index.html"];
         let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
-        let links = page.inside(contents.expect("a list of contents")).iter();
+        let links = page.descendants(contents.expect("a list of contents")).iter();
         let names = links.filter_map(|link| link.attr("href"));
         names.filter_map(|name| self.pages.get(name)).collect()
     }
@@ -62,7 +62,7 @@ pub struct Element {
     /// Names and values.
     pub attributes: Vec<(String, String)>,
     /// The indices of the elements inside it.
-    inside: Range<usize>,
+    descendants: Range<usize>,
     /// Where its text is in that of the page, in bytes.
     text: Range<usize>,
 }
@@ -85,14 +85,14 @@ impl Page {
             match token {
                 Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
                     open.push(elements.len());
-                    let inside = elements.len() + 1;
+                    let next = elements.len() + 1;
                     let attributes = tag.attrs.into_iter();
                     elements.push(Element {
                         tag: tag.name.to_string(),
                         attributes: attributes
                             .map(|attr| (attr.name.local.to_string(), attr.value.to_string()))
                             .collect(),
-                        inside: inside..inside,
+                        descendants: next..next,
                         text: text.len()..text.len(),
                     });
                 }
@@ -101,7 +101,7 @@ impl Page {
                     if let Some(place) = open.iter().rposition(is_start) {
                         let end = elements.len();
                         let element = &mut elements[open[place]];
-                        (element.inside.end, element.text.end) = (end, text.len());
+                        (element.descendants.end, element.text.end) = (end, text.len());
                         open.truncate(place);
                     }
                 }
@@ -113,21 +113,21 @@ impl Page {
     }
 
     /// The values of an attribute, wherever it stands.
-    pub fn values_of(&self, attribute: &str) -> impl Iterator<Item = &str> {
+    pub fn attribute_values(&self, attribute: &str) -> impl Iterator<Item = &str> {
         self.elements.iter().filter_map(move |element| element.attr(attribute))
     }
 
-    /// All elements inside another.
-    pub fn inside(&self, element: &Element) -> &[Element] {
-        &self.elements[element.inside.clone()]
+    /// All elements inside another, from top to bottom.
+    pub fn descendants(&self, element: &Element) -> &[Element] {
+        &self.elements[element.descendants.clone()]
     }
 
     /// The elements inside another that are in none between.
     pub fn children(&self, element: &Element) -> impl Iterator<Item = &Element> {
-        let mut rest = element.inside.clone();
+        let mut rest = element.descendants.clone();
         iter::from_fn(move || {
             let child = &self.elements[rest.next()?];
-            rest.start = child.inside.end;
+            rest.start = child.descendants.end;
             Some(child)
         })
     }
@@ -145,7 +145,7 @@ impl Page {
     ) -> String {
         let mut text = String::new();
         let mut start = element.text.start;
-        let around = iter::once(element).chain(self.inside(element));
+        let around = iter::once(element).chain(self.descendants(element));
         for left_out in around.filter(|element| is_left_out(element)) {
             text += self.text.get(start..left_out.text.start).unwrap_or_default();
             start = start.max(left_out.text.end);
@@ -156,7 +156,7 @@ impl Page {
     /// Address of an element, for the sentence about a fault: its page, and the last id
     /// before it.
     pub fn address_for_fault(&self, element: &Element) -> String {
-        let mut before = self.elements[..element.inside.start].iter().rev();
+        let mut before = self.elements[..element.descendants.start].iter().rev();
         let id = before.find_map(|element| element.attr("id"));
         id.map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
