@@ -57,8 +57,9 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
     let pictures = marked('!').map(|picture| {
-        let (name, drawn) = picture.split_once(' ').unwrap_or((picture, ""));
-        (name, Step::from_name(drawn).unwrap_or(step))
+        let (name, drawn) = picture.split_once(' ').unwrap_or((picture, step.name()));
+        // A word that is no step stays a part of the name, which no name may have.
+        Step::from_name(drawn).map_or((picture, step), |drawn| (name, drawn))
     });
     Some(Mistake {
         title,

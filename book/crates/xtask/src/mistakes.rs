@@ -43,12 +43,15 @@ pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
     Ok(table.write()?)
 }
 
-/// A hash of what decides about a mistake's pictures: its code, and what is right.
-fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
+/// A hash of what decides about a mistake's pictures: its code, what is right, and the names and
+/// steps of those that the book shows.
+pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
-    Ok(hash_texts(right.chain([code_lines(&text_with_mistake(mistake)?)])) as u32)
+    let shown = mistake.pictures.iter().map(|(name, step)| format!("{name} {}", step.name()));
+    let code = code_lines(&text_with_mistake(mistake)?);
+    Ok(hash_texts(right.chain(shown).chain([code])) as u32)
 }
 
 impl Table {
@@ -87,6 +90,7 @@ impl Table {
         }
         self.rows.insert(key, hashes);
         for (name, shown_step) in &mistake.pictures {
+            self.small_pictures.remove(name);
             let picture = pictures.iter().find(|(step, _)| step == shown_step);
             if let Some((_, Some(picture))) = picture {
                 self.small_pictures.insert(name, shrink(picture));

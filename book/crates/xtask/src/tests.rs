@@ -1,9 +1,9 @@
 //! What is checked in and made from the code is what the code says today.
 
 use crate::mistake_program::title_and_file;
-use crate::mistakes::Table;
+use crate::mistakes::{Table, key};
 use crate::modules;
-use course::mistake_texts;
+use course::{Step, mistake_texts, mistakes};
 use std::env;
 use std::io::{Write, stderr};
 
@@ -25,4 +25,22 @@ fn the_table_knows_each_mistake_and_what_is_right() {
     assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
     let [.., text] = mistake_texts();
     assert!(table.text() == text, "the table is another: `cargo xtask` writes it anew");
+}
+
+#[test]
+fn picture_of_another_name_or_step_is_drawn_again() {
+    let mut mistake = mistakes().remove(0);
+    let known = key(&mistake, &[]).ok();
+    for picture in [("degrees", Step::Phong), ("another", Step::Rays)] {
+        mistake.pictures = vec![picture];
+        assert_ne!(known, key(&mistake, &[]).ok(), "{picture:?}");
+    }
+}
+
+#[test]
+fn each_picture_is_of_a_step_with_the_mistake() {
+    for mistake in mistakes() {
+        let is_of_step = |(name, step): &(&str, _)| !name.contains(' ') && mistake.step <= *step;
+        assert!(mistake.pictures.iter().all(is_of_step), "{:?}", mistake.pictures);
+    }
 }
