@@ -2,7 +2,7 @@
 //! each. They are checked in, so that nobody needs a second target to build the book; modules.txt
 //! has a hash of what they were made from, and the compiler.
 
-use crate::source_hash::{code_lines, hash_texts, source_texts};
+use crate::source_hash::source_hash;
 use course::{target_folder, workspace};
 use std::error::Error;
 use std::path::PathBuf;
@@ -41,16 +41,6 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
     let version = Command::new(rustc).arg("--version").output()?.stdout;
     let text = format!("{hash} {}", String::from_utf8_lossy(&version));
     Ok(fs::write(page_folder().join("modules.txt"), text)?)
-}
-
-/// The hash of all that the modules are made from.
-fn source_hash() -> io::Result<String> {
-    let mut texts = source_texts()?;
-    let manifest = fs::read_to_string(workspace().join("Cargo.toml"))?;
-    let profiles = manifest.split("\n[").filter(|table| table.starts_with("profile.wasm"));
-    texts.extend(profiles.map(code_lines));
-    texts.push(code_lines(&fs::read_to_string(workspace().join("Cargo.lock"))?));
-    Ok(format!("{:016x}", hash_texts(texts)))
 }
 
 fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {

@@ -1,5 +1,5 @@
-//! Hashes of source text. What draws nothing doesn't count: lines of comments and documentation,
-//! blank lines, indentation, line ends.
+//! Hashes of source text. What a page neither draws nor shows doesn't count: lines of comments and
+//! documentation, blank lines, indentation.
 
 use course::{fnv_1a, workspace};
 use std::path::{Path, PathBuf};
@@ -13,6 +13,27 @@ const FOLDERS: [&str; 5] =
 /// and tests.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
+/// What a page shows as it is, and lets a reader copy: there comments and indentation count, too.
+const SHOWN: [&str; 3] =
+    ["examples/own_scene.rs", "examples/look_at.rs", "course/src/scene_program.rs"];
+
+/// The hash of what the modules are made from: the code of all sources and manifests, and what a
+/// page shows.
+pub fn source_hash() -> io::Result<String> {
+    let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
+    for folder in FOLDERS {
+        push_files(&workspace().join(folder), &mut files)?;
+    }
+    files.sort();
+    let source_text = |path: &PathBuf| {
+        let text = fs::read_to_string(path)?;
+        let is_shown = SHOWN.iter().any(|end| path.ends_with(end));
+        Ok(if is_shown { text } else { code_lines(&text) })
+    };
+    let texts: io::Result<Vec<_>> = files.iter().map(source_text).collect();
+    Ok(format!("{:016x}", hash_texts(texts?)))
+}
+
 /// The hash of texts, one after the other.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
@@ -23,16 +44,6 @@ pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.collect::<Vec<_>>().join("\n")
-}
-
-/// The code of all sources and manifests.
-pub fn source_texts() -> io::Result<Vec<String>> {
-    let mut files = vec![];
-    for folder in FOLDERS {
-        push_files(&workspace().join(folder), &mut files)?;
-    }
-    files.sort();
-    files.iter().map(|path| Ok(code_lines(&fs::read_to_string(path)?))).collect()
 }
 
 fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
