@@ -1,6 +1,6 @@
 //! The programs of the five steps draw; step 1, whose code they all run, says what its options are.
 
-use course::{Step, describe_difference, target_folder, workspace};
+use course::{Step, cargo_command, describe_difference, target_folder, workspace};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Once;
@@ -108,9 +108,9 @@ fn run(step: &str, folder: &Path, arguments: &str) -> Output {
 ///
 /// `--workspace` gives them the features with which everything else is built.
 fn build_programs() {
-    let mut cargo = Command::new(env!("CARGO"));
+    let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());
     cargo.args(Step::NAMES.iter().flat_map(|name| ["--bin", name]));
-    let status = cargo.env_remove("CARGO_BUILD_TARGET").current_dir(workspace()).status();
+    let status = cargo.current_dir(workspace()).status();
     assert!(status.is_ok_and(|status| status.success()), "the programs do not compile");
 }

@@ -8,7 +8,7 @@
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - Two pictures *compared*, in a sentence and side by side, and a picture as a PNG file.
 //! - The source of a crate as that of a *module*.
-//! - The folders of the *workspace*, and JSON.
+//! - The folders of the *workspace*, a command of Cargo, and JSON.
 
 mod step;
 pub use step::{
@@ -54,6 +54,6 @@ pub use encode_png::encode_png;
 pub use panels::draw_panels;
 
 mod workspace;
-pub use workspace::{target_folder, workspace};
+pub use workspace::{cargo_command, target_folder, workspace};
 
 pub mod json;

@@ -1,5 +1,6 @@
 use std::env;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The folder of the course, even if it was moved since this program was built.
 ///
@@ -22,4 +23,12 @@ pub fn target_folder() -> PathBuf {
     let mut around = program.ancestors();
     let target = around.find(|folder| folder.join("CACHEDIR.TAG").is_file());
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
+}
+
+/// A command of Cargo, the one that runs this program if there is one. It compiles for this
+/// machine, so that the programs are in the folder `debug` itself.
+pub fn cargo_command() -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    command.env_remove("CARGO_BUILD_TARGET");
+    command
 }

@@ -1,11 +1,10 @@
 //! Many mistakes in one program: each is a module, a copy of the steps from its own on with the
 //! mistake in it. What it does not touch is that of the course.
 
-use course::{Mistake, Step, crate_as_module, target_folder, workspace};
+use course::{Mistake, Step, cargo_command, crate_as_module, target_folder, workspace};
 use image::RgbImage;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{env, fs, io};
+use std::{fs, io};
 
 /// The pictures that a mistake may spoil, each with its step; None where it panics.
 pub type Pictures = Vec<(Step, Option<RgbImage>)>;
@@ -40,9 +39,8 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
     let folder = package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
     write_package(mistakes)?;
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["run", "--quiet", "--offline", "--message-format", "short"]);
-    cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
+    let mut cargo = cargo_command();
+    cargo.args(["run", "--quiet", "--offline", "--message-format=short", "--target-dir=target"]);
     // Each copy of `render` would compile a part of rayon.
     let one_thread = workspace().join("book/crates/page/one_thread");
     cargo.args(["--config", &format!("patch.crates-io.rayon.path = {one_thread:?}")]);

@@ -3,7 +3,7 @@
 //! has a hash of what they were made from, and the compiler.
 
 use crate::source_hash::source_hash;
-use course::{target_folder, workspace};
+use course::{cargo_command, target_folder, workspace};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::Command;
@@ -50,7 +50,7 @@ fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     let folder = target_folder().join("wasm");
     let lock_path = workspace().join("Cargo.lock");
     let lock = fs::read(&lock_path)?;
-    let status = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()))
+    let status = cargo_command()
         .args(["rustc", "--package", "page", "--lib", "--profile", "wasm"])
         .args(["--no-default-features", "--features", name, "--config", ONE_THREAD])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])

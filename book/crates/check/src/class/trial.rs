@@ -6,10 +6,10 @@ use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::group_by_student;
 use crate::{Answer, check_scene_png, read_bounded_file};
 use course::{
-    NAMED_SCENE_EXAMPLE, OwnScene, Step, format_scene_program, named_scene, target_folder,
-    workspace,
+    NAMED_SCENE_EXAMPLE, OwnScene, Step, cargo_command, format_scene_program, named_scene,
+    target_folder, workspace,
 };
-use std::env::consts::EXE_EXTENSION;
+use std::env::consts::EXE_SUFFIX;
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
@@ -43,8 +43,8 @@ pub fn report_on_workspaces(folder: &Path, scene: &str, is_csv: bool) -> Result<
 }
 
 /// The bytes of the picture that the crates among some files draw of a scene, or why there is
-/// none. They are copied into a folder that is emptied first, so that nobody finds there what
-/// another's have drawn.
+/// none. They are copied into a folder that is emptied first, and the last program is removed, so
+/// that nobody gets what another's have drawn.
 fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String> {
     let trial = target_folder().join("trial");
     let (folder, target) = (&trial.join("workspace"), trial.join("target"));
@@ -54,7 +54,9 @@ fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String>
     make_workspace(files, start, scene, folder)
         .map_err(|error| format!("can't be copied: {error}"))?;
     let log = folder.join("errors.txt");
-    let mut cargo = Command::new("cargo");
+    let program = target.join(format!("debug/examples/{NAMED_SCENE_EXAMPLE}{EXE_SUFFIX}"));
+    let _ = fs::remove_file(&program);
+    let mut cargo = cargo_command();
     cargo.args(["build", "--offline", "--quiet", "-p", Step::Phong.name()]);
     cargo.args(["--example", NAMED_SCENE_EXAMPLE]).env("CARGO_TARGET_DIR", &target);
     if !run_within(cargo.current_dir(folder), &log, COMPILE_TIME)? {
@@ -62,9 +64,7 @@ fn draw_with_crates(files: &[FoundFile], scene: &str) -> Result<Vec<u8>, String>
         let error = text.lines().find(|line| line.starts_with("error")).unwrap_or_default();
         return Err(format!("the crates don't compile: {error}"));
     }
-    let program = target.join("debug/examples").join(NAMED_SCENE_EXAMPLE);
-    let mut program = Command::new(program.with_extension(EXE_EXTENSION));
-    if !run_within(program.current_dir(folder), &log, DRAW_TIME)? {
+    if !run_within(Command::new(program).current_dir(folder), &log, DRAW_TIME)? {
         return Err("the program ends with an error".into());
     }
     read_bounded_file(&folder.join(NAMED_SCENE_EXAMPLE).with_extension("png"))

@@ -1,11 +1,11 @@
 //! A thousand made lines: what rustc refuses, or what stops in a development build, is refused,
 //! and what is drawn is equal to the last bit.
 
-use course::{Place, target_folder, workspace};
+use course::{Place, cargo_command, target_folder, workspace};
 use fastrand::Rng;
 use glam::dvec3;
 use page::expressions::{Value, parse_expression};
-use std::{collections::BTreeSet, env, fs, process::Command};
+use std::{collections::BTreeSet, fs};
 
 const PARAMETERS: &str = "d: f64, e: f64, n: DVec3, l: DVec3, k: i32, yes: bool";
 
@@ -60,9 +60,8 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         let names: String = names.collect();
         let source = format!("{PROGRAM}{functions}const ALL: &[{KIND}] = &[{names}];");
         fs::write(folder.join("src/main.rs"), source).expect("a file");
-        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-        cargo.args(["run", "-q", "--offline", "--message-format", "short"]);
-        cargo.args(["--target-dir", "target"]).env_remove("CARGO_BUILD_TARGET");
+        let mut cargo = cargo_command();
+        cargo.args(["run", "-q", "--offline", "--message-format=short", "--target-dir=target"]);
         let output = cargo.current_dir(&folder).output().expect("cargo");
         let read = |bytes| String::from_utf8(bytes).expect("a text");
         let [text, errors] = [output.stdout, output.stderr].map(read);
