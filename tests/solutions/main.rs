@@ -8,10 +8,10 @@ mod step03;
 mod step04;
 mod step05;
 
-use course::{Picture, describe_difference};
+use course::{Picture, describe_difference, read_locked_picture};
 use glam::DMat3;
 use step01_rays::Camera;
-use tests::{camera, locked_pictures, read_snapshot};
+use tests::{camera, locked_pictures};
 
 /// Declares programs as modules, which rustfmt leaves alone: it finds none in a macro.
 macro_rules! programs {
@@ -40,7 +40,8 @@ fn starters_and_fast_draw_the_pictures_of_their_steps() {
         ("step05_phong", fast::picture),
     ];
     for (name, draw) in pictures {
-        assert_eq!(describe_difference(&read_snapshot(name), &draw(&camera(), 1)), None, "{name}");
+        let locked = read_locked_picture(name).expect("a locked picture");
+        assert_eq!(describe_difference(&locked, &draw(&camera(), 1)), None, "{name}");
     }
 }
 

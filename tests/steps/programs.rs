@@ -1,11 +1,12 @@
 //! The programs of the five steps draw; step 1, whose code they all run, says what its options are.
 
-use course::{Step, cargo_command, describe_difference, target_folder, workspace};
+use course::{
+    Step, cargo_command, describe_difference, read_locked_picture, target_folder, workspace,
+};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Once;
 use std::{env, fs};
-use tests::read_snapshot;
 
 /// Arguments at the limits of what is allowed.
 const ALLOWED: [&str; 6] = [
@@ -48,7 +49,8 @@ fn programs_draw_the_locked_pictures() {
         assert!(status.success() && stderr.is_empty() && is_line && text.lines().count() == 1);
         assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
         let picture = image::open(folder.join(&file)).expect("a PNG").to_rgb8();
-        assert_eq!(describe_difference(&read_snapshot(step), &picture), None, "{file}");
+        let locked = read_locked_picture(step).expect("a locked picture");
+        assert_eq!(describe_difference(&locked, &picture), None, "{file}");
     }
 }
 

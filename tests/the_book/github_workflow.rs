@@ -5,7 +5,7 @@ use super::built_book::built_book;
 use super::page_items::typed_files;
 use super::reader_workspace::{folder_command, pages_of_step};
 use anyhow::{Result, ensure};
-use course::{target_folder, workspace};
+use course::{locked_picture_path, target_folder, workspace};
 use std::path::Path;
 use std::process::{self, Output};
 use std::{env, fs};
@@ -84,8 +84,7 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     run(&class.join("job/student"), "cargo test -p locked")?;
     // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
     // folder of the name that the workflow draws in, and beside code that can't be compiled.
-    let picture = workspace().join("tests/snapshots/step01_rays.snap.png");
-    fs::copy(picture, folder.join("step01_rays.png"))?;
+    fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     let attacks = [
         "echo 'fn main() {}' > steps/step01_rays/src/main.rs",
         r#"echo '[target."cfg(all())"]' >> .cargo/config.toml

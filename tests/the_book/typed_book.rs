@@ -4,12 +4,11 @@
 use super::built_book::built_book;
 use super::page_items::{PageCommand, PageItem, TypedFiles, page_items};
 use super::reader_workspace::ReaderWorkspace;
-use anyhow::{Result, ensure};
-use course::{PICTURES, describe_difference, workspace};
+use anyhow::{Error, Result, ensure};
+use course::{PICTURES, describe_difference, locked_picture_path, read_locked_picture};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
-use tests::read_snapshot;
 
 /// What a page asks to change before a command, in words: the end of the command, a file, what
 /// is there, and what is written instead. The next listings that are typed change it back.
@@ -83,9 +82,10 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
     let is_another_size = command.line.contains("--width") && !command.line.contains("--output");
     for path in picture_paths(reader)?.into_iter().filter(|_| !is_another_size) {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        if workspace().join(format!("tests/snapshots/{name}.snap")).is_file() {
+        if locked_picture_path(&name).is_file() {
             let picture = image::open(path)?.to_rgb8();
-            let difference = describe_difference(&read_snapshot(&name), &picture);
+            let locked = read_locked_picture(&name).map_err(Error::msg)?;
+            let difference = describe_difference(&locked, &picture);
             ensure!(difference.is_none(), "{place} draws another {name}: {difference:?}");
             names.push(name);
         }

@@ -16,8 +16,8 @@ use crate::class::found_file::{FoundFile, has_extension, picture_names, unchecke
 use crate::class::report::{Row, count_right, report_answer};
 use crate::class::search::{MOST_FOLDERS, find_files};
 use crate::class::student::{Student, add_names, group_by_student, split_key};
-use crate::{Answer, Verdict, check_png, check_scene_png, read_locked_picture};
-use course::NAMED_SCENE_EXAMPLE;
+use crate::{Answer, Verdict, check_png, check_scene_png};
+use course::{NAMED_SCENE_EXAMPLE, read_locked_picture};
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::path::Path;

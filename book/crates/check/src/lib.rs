@@ -48,4 +48,3 @@ pub use class::{
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 use target::find_name_in_file_name;
-pub use target::read_locked_picture;

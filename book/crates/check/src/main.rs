@@ -2,12 +2,11 @@
 
 use check::{
     Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet, normalize_name,
-    read_bounded_file, read_locked_picture, read_names, report_on_folder, report_on_workspaces,
-    write_sheets,
+    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_sheets,
 };
 use clap::Parser;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
-use course::{NAMED_SCENE_EXAMPLE, locked_names};
+use course::{NAMED_SCENE_EXAMPLE, locked_names, read_locked_picture};
 use image::RgbImage;
 use std::fs;
 use std::io::{self, Write};

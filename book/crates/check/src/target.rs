@@ -1,6 +1,6 @@
 use crate::drawing::Drawing;
-use crate::{escape_for_terminal, read_bounded_file, read_png};
-use course::{Step, camera, hash_picture, locked_hashes, workspace};
+use crate::escape_for_terminal;
+use course::{Step, camera, hash_picture, locked_hashes};
 use image::RgbImage;
 use step01_rays::render;
 
@@ -34,13 +34,6 @@ impl Target {
 /// A title such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
-}
-
-/// The locked picture of a name, from the folder of the course, or why it can't be read.
-pub fn read_locked_picture(name: &str) -> Result<RgbImage, String> {
-    let path = format!("tests/snapshots/{name}.snap.png");
-    let png = read_bounded_file(&workspace().join(&path))?;
-    Ok(read_png(&png).map_err(|what| format!("{path} {what}"))?.rgb)
 }
 
 /// The one of `names` that a file's own name tells: `step03_nearest.png`,

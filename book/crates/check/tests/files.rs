@@ -1,7 +1,8 @@
 //! Answers about files: other formats, damaged ones, what is left out.
 
 use crate::{assert_locked, encode, format_answer, locked_picture};
-use check::{check_png, read_locked_picture};
+use check::check_png;
+use course::read_locked_picture;
 use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 

@@ -1,8 +1,8 @@
 //! What holds of all pictures, all bytes and all mistakes.
 
 use crate::{check, encode, locked_file, map_locked};
-use check::{Verdict, check_png, read_locked_picture};
-use course::{Step, camera_with_size, locked_names, mistakes, workspace};
+use check::{Verdict, check_png};
+use course::{Step, camera_with_size, locked_names, mistakes, read_locked_picture, workspace};
 use fastrand::Rng;
 use std::{collections::HashSet, fs};
 

@@ -7,8 +7,8 @@ mod laws;
 mod pictures;
 mod program;
 
-use check::{Answer, check_png, read_locked_picture};
-use course::{camera, named_scene, workspace};
+use check::{Answer, check_png};
+use course::{camera, locked_picture_path, named_scene, read_locked_picture};
 use glam::DVec3;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use insta::{assert_snapshot, with_settings};
@@ -18,8 +18,7 @@ use std::path::PathBuf;
 use step01_rays::{Ray, render};
 
 fn locked_file(name: &str) -> Vec<u8> {
-    let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
-    fs::read(path).expect("a locked picture")
+    fs::read(locked_picture_path(name)).expect("a locked picture")
 }
 
 fn locked_picture(name: &str) -> RgbImage {

@@ -6,7 +6,7 @@
 //!   pictures that they give, with the small ones that the book shows; the *places* of the
 //!   listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
-//! - Two pictures *compared*, in a sentence and side by side, and a picture as a PNG file.
+//! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
 //! - The source of a crate as that of a *module*.
 //! - The folders of the *workspace*, a command of Cargo, and JSON.
 
@@ -48,9 +48,11 @@ pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
 
 mod difference;
 mod encode_png;
+mod locked_picture;
 mod panels;
 pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
+pub use locked_picture::{locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;
 
 mod workspace;

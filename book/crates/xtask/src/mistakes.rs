@@ -3,11 +3,11 @@
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes, read_small_pictures,
-    shrink, small_pictures_path, table_rows, workspace,
+    Mistake, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes, read_locked_picture,
+    read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
 };
+use image::RgbImage;
 use image::imageops::replace;
-use image::{ImageResult, RgbImage};
 use std::collections::HashMap;
 use std::error::Error;
 use std::{fs, io};
@@ -56,11 +56,10 @@ pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
 
 impl Table {
     /// Reads the list, the right pictures, and what was made from both.
-    pub fn read() -> ImageResult<Self> {
+    pub fn read() -> Result<Self, Box<dyn Error>> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
-            let path = workspace().join(format!("tests/snapshots/{name}.snap.png"));
-            right.push((*name, hash_picture(&image::open(path)?.into_rgb8())));
+            right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in mistakes() {
             all.push((key(&mistake, &right)?, mistake));

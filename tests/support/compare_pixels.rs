@@ -1,17 +1,13 @@
-use course::{describe_difference, draw_panels, encode_png, target_folder, workspace};
+use course::{
+    describe_difference, draw_panels, encode_png, locked_picture_path, read_locked_picture,
+    target_folder, workspace,
+};
 use image::RgbImage;
 use insta::Settings;
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// Reads the locked picture `name` from its snapshot.
-pub fn read_snapshot(name: &str) -> RgbImage {
-    let path = snapshot_path(name, "snap.png");
-    let picture = image::open(&path);
-    picture.unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgb8()
-}
-
-/// Compares `picture` with the snapshot `name`, pixel by pixel, as another encoder may write the
+/// Compares `picture` with the locked picture, pixel by pixel, as another encoder may write the
 /// same ones otherwise: `assert` hands the PNG file that it is given to insta, the locked file
 /// where the pixels are equal.
 ///
@@ -37,23 +33,23 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
         // insta would delete a picture that waits for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
-    let locked_png = fs::read(snapshot_path(name, "snap.png")).ok();
+    let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
     if insta_update() == "always" {
         // insta leaves half of what waited, and the picture is accepted now.
-        let _ = fs::remove_file(snapshot_path(name, "snap.new"));
+        let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
 
 /// How a picture differs from the locked one, or that there is none; None if it does not. Writes
 /// the panels of a difference.
 fn describe_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
-    let [text, png] = ["snap", "snap.png"].map(|extension| snapshot_path(name, extension));
-    let Some(locked) = image::open(&png).ok().filter(|_| text.exists()) else {
-        return Some(format!("no picture {}, with its .snap beside it.", png.display()));
+    let path = locked_picture_path(name);
+    let has_text = path.with_extension("").exists();
+    let Some(locked) = read_locked_picture(name).ok().filter(|_| has_text) else {
+        return Some(format!("no picture {}, with its .snap beside it.", path.display()));
     };
-    let locked = locked.into_rgb8();
     let difference = describe_difference(&locked, picture)?;
     let path = panels_path(name);
     let _ = fs::create_dir_all(path.with_file_name(""));
@@ -62,10 +58,6 @@ fn describe_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
         Err(_) => "The difference can't be written to",
     };
     Some(format!("{difference}.\n{caption} {}", path.display()))
-}
-
-fn snapshot_path(name: &str, extension: &str) -> PathBuf {
-    workspace().join(format!("tests/snapshots/{name}.{extension}"))
 }
 
 fn panels_path(name: &str) -> PathBuf {
