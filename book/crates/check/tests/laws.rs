@@ -1,10 +1,9 @@
-//! What holds of all pictures, all bytes and all mistakes.
+//! What holds of all pictures and all bytes.
 
 use crate::{check, encode, locked_file, map_locked};
 use check::{Verdict, check_png};
-use course::{Step, camera_with_size, locked_names, mistakes, read_locked_picture, workspace};
+use course::{Step, camera_with_size, locked_names, read_locked_picture};
 use fastrand::Rng;
-use std::{collections::HashSet, fs};
 
 #[test]
 fn damaged_files_give_answers_without_panic() {
@@ -30,17 +29,5 @@ fn only_equal_pictures_are_right() {
         let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
         let answer = check(map_locked(name, change), name);
         assert_eq!(answer.verdict, Verdict::NotRight, "{name} in {place:?}");
-    }
-}
-
-#[test]
-fn each_listed_mistake_applies_once_and_is_unique() {
-    let mut changes = HashSet::new();
-    for mistake in mistakes() {
-        let text = fs::read_to_string(workspace().join(&mistake.file)).unwrap_or_default();
-        let applied = mistake.apply_and_unindent(&text);
-        let is_change = mistake.old != mistake.new;
-        let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
-        assert!(applied.is_some() && is_change && is_new, "{}: {}", mistake.file, mistake.title);
     }
 }

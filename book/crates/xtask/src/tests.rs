@@ -4,6 +4,7 @@ use crate::mistake_program::title_and_file;
 use crate::mistakes::{Table, key};
 use crate::modules;
 use course::{Step, mistake_texts, mistakes};
+use std::collections::HashSet;
 use std::env;
 use std::io::{Write, stderr};
 
@@ -38,9 +39,14 @@ fn picture_of_another_name_or_step_is_drawn_again() {
 }
 
 #[test]
-fn each_picture_is_of_a_step_with_the_mistake() {
+fn each_mistake_is_a_change_and_listed_once() {
+    let mut changes = HashSet::new();
     for mistake in mistakes() {
+        let title = title_and_file(&mistake);
+        assert_ne!(mistake.old, mistake.new, "{title}");
         let is_of_step = |(name, step): &(&str, _)| !name.contains(' ') && mistake.step <= *step;
-        assert!(mistake.pictures.iter().all(is_of_step), "{:?}", mistake.pictures);
+        assert!(mistake.pictures.iter().all(is_of_step), "{title}: {:?}", mistake.pictures);
+        let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
+        assert!(is_new, "{title} is listed twice");
     }
 }
