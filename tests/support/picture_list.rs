@@ -19,7 +19,7 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
     let gate = crop_camera(camera(), [585.0, 150.0], [40, 30]);
     let white_sphere = crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360]);
     pictures.extend([
-        ("slide_matrix", course::slide_matrix(), step05_phong::picture as Picture),
+        ("slide_matrix", course::slide_camera(), step05_phong::picture as Picture),
         ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
         ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
         ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),

@@ -1,6 +1,6 @@
 //! What all crates of the book share.
 //!
-//! - The five *steps* as a list, with the course's camera; the *examples* of the steps as a
+//! - The five *steps* as a list; the *camera* of their pictures; the *examples* of the steps as a
 //!   library, and a list of the pictures that they draw.
 //! - The list of *mistakes* that readers make, each a diff, and the *table* of hashes of the
 //!   pictures that they give, with the small ones that the book shows; the *places* of the
@@ -10,10 +10,10 @@
 //! - The source of a crate as that of a *module*.
 //! - The folders of the *workspace*, a command of Cargo, and JSON.
 
+mod camera;
 mod step;
-pub use step::{
-    Step, camera, camera_with_fov, camera_with_size, primary_rays, slide_matrix, ungated_colour,
-};
+pub use camera::{camera, camera_with_fov, camera_with_size, primary_rays, slide_camera};
+pub use step::Step;
 
 pub mod examples;
 pub use examples::{PICTURES, Picture, find_picture};
@@ -41,10 +41,12 @@ mod named_scene;
 mod own_scene;
 mod scene_program;
 mod scene_quantity;
+mod ungated_colour;
 pub use named_scene::{NAMED_SCENE_EXAMPLE, named_scene};
 pub use own_scene::OwnScene;
 pub use scene_program::format_scene_program;
 pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
+pub use ungated_colour::ungated_colour;
 
 mod difference;
 mod encode_png;
