@@ -1,7 +1,7 @@
 //! The camera that a sky tells: where nothing is hit, red is 0.7 + 0.3 V_x and green 0.7 +
 //! 0.3 V_y, and V is D_u i + D_v j + V_0. Each byte bounds a number of these.
 
-use crate::comparison::{Comparison, Pixel, RayBudget};
+use crate::comparison::{Budget, Comparison, Pixel};
 use crate::drawing::Drawing;
 use course::{Step, camera};
 use std::mem::replace;
@@ -10,7 +10,7 @@ use std::mem::replace;
 pub(crate) fn find_cameras(
     comparison: &Comparison,
     drawing: &Drawing,
-    budget: &RayBudget,
+    budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
     let mut words = vec![];

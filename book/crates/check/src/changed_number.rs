@@ -1,4 +1,4 @@
-use crate::comparison::{Comparison, RayBudget};
+use crate::comparison::{Budget, Comparison};
 use crate::drawing::Drawing;
 use course::{OwnScene, Owner, QUANTITIES, Typed};
 
@@ -7,7 +7,7 @@ use course::{OwnScene, Owner, QUANTITIES, Typed};
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     drawing: &Drawing,
-    budget: &RayBudget,
+    budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
     let own = OwnScene::new(drawing.own.scene.clone());

@@ -71,26 +71,26 @@ pub(crate) fn scattered_places(size: (u32, u32)) -> impl Iterator<Item = (u32, u
     (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
 }
 
-/// Rays that may still be computed to try something: the bound of its time, the same on every
-/// machine.
-pub(crate) struct RayBudget(Cell<u32>);
+/// Rays that may still be computed, or pixels compared, to try something: the bound of its time,
+/// the same on every machine.
+pub(crate) struct Budget(Cell<u32>);
 
-impl RayBudget {
-    pub fn new(rays: u32) -> Self {
-        Self(Cell::new(rays))
+impl Budget {
+    pub fn new(count: u32) -> Self {
+        Self(Cell::new(count))
     }
 
     pub fn is_spent(&self) -> bool {
         self.0.get() == 0
     }
 
-    /// Whether something is so of all items, each of which costs so many rays; false where the
-    /// budget doesn't suffice. What refutes it is asked first the next time.
-    pub fn all<T>(&self, items: &mut [T], rays: u32, is_so: impl Fn(&T) -> bool) -> bool {
+    /// Whether something is so of all items, each of which has this cost; false where the budget
+    /// doesn't suffice. What refutes it is asked first the next time.
+    pub fn all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| {
-            let rays_left = self.0.get().checked_sub(rays);
-            self.0.set(rays_left.unwrap_or(0));
-            rays_left.is_none() || !is_so(item)
+            let rest = self.0.get().checked_sub(cost);
+            self.0.set(rest.unwrap_or(0));
+            rest.is_none() || !is_so(item)
         });
         if let Some(k) = refuting {
             items[..=k].rotate_right(1);

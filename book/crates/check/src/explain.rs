@@ -1,7 +1,7 @@
 use crate::answer::{Cause, common_part, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
-use crate::comparison::{Comparison, RayBudget};
+use crate::comparison::{Budget, Comparison};
 use crate::facts::{are_above_1, tell_facts};
 use crate::listed_mistake::find_listed_mistakes;
 use crate::other_options::describe_other_options;
@@ -55,7 +55,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
 /// could be tried.
 fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     let Some(drawing) = &comparison.target.drawing else { return vec![] };
-    let budget = RayBudget::new(RAYS);
+    let budget = Budget::new(RAYS);
     let causes = |all: Vec<String>, step| {
         let causes = all.into_iter();
         causes.map(move |words| Cause { words, step, file: None, details: String::new() })

@@ -17,7 +17,7 @@
 //!
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
 //! draw a scene that they don't know (`class::trial`), and each name has a sheet with the numbers
-//! of its scene (`class::scene_sheet`). What is tried is bounded by a `RayBudget`, the same on
+//! of its scene (`class::scene_sheet`). What is tried is bounded by a `Budget`, the same on
 //! every machine, and what is read of a file by a number of bytes.
 
 mod answer;

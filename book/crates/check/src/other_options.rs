@@ -1,4 +1,4 @@
-use crate::comparison::{RayBudget, scattered_places};
+use crate::comparison::{Budget, scattered_places};
 use crate::drawing::Drawing;
 use course::largest_channel_difference;
 use image::RgbImage;
@@ -20,7 +20,7 @@ pub(crate) fn describe_other_options(
         return None;
     }
     let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
-    let budget = RayBudget::new(2 * RAYS);
+    let budget = Budget::new(2 * RAYS);
     let mut places: Vec<_> = scattered_places((columns, rows)).take(RAYS as usize).collect();
     // First that of the locked pictures.
     for tenths in [600].into_iter().chain(10..1800) {

@@ -1,4 +1,4 @@
-use crate::comparison::{RayBudget, scattered_places};
+use crate::comparison::{Budget, scattered_places};
 use image::RgbImage;
 
 /// How many pixels may be compared to find a part, and the least that a part has.
@@ -89,7 +89,7 @@ fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
         return None;
     }
     let mut places: Vec<_> = scattered_places((w, h)).collect();
-    let budget = RayBudget::new(PIXELS);
+    let budget = Budget::new(PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
     corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
