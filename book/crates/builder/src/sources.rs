@@ -1,7 +1,7 @@
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::{Step, encode_png};
+use course::{MODULES, Step, encode_png};
 use image::{ImageReader, RgbImage};
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,10 +10,6 @@ use std::path::{Path, PathBuf};
 
 /// The folder, beside the chapters, of what a build makes for them.
 pub const GENERATED: &str = "generated/";
-
-/// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
-/// line of the reader's.
-const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// What the chapters show.
 #[derive(Debug)]

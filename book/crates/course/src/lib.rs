@@ -8,7 +8,7 @@
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
 //! - The source of a crate as that of a *module*.
-//! - The folders of the *workspace*, a command of Cargo, and JSON.
+//! - The folders of the *workspace*, its modules, a command of Cargo, and JSON.
 
 mod camera;
 mod step;
@@ -58,6 +58,6 @@ pub use locked_picture::{locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;
 
 mod workspace;
-pub use workspace::{cargo_command, target_folder, workspace};
+pub use workspace::{MODULES, cargo_command, target_folder, workspace};
 
 pub mod json;

@@ -2,6 +2,10 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
+/// line of the reader's.
+pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
+
 /// The folder of the course, even if it was moved since this program was built.
 ///
 /// Searched upwards from the package that Cargo runs, then from the current

@@ -3,15 +3,13 @@
 //! has a hash of what they were made from, and the compiler.
 
 use crate::source_hash::source_hash;
-use course::{cargo_command, target_folder, workspace};
+use course::{MODULES, cargo_command, target_folder, workspace};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
-
-const NAMES: [&str; 3] = ["live", "check", "expressions"];
 
 /// One thread needs no `rayon`.
 const ONE_THREAD: &str = "patch.crates-io.rayon.path = 'book/crates/page/one_thread'";
@@ -31,7 +29,7 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let hash = source_hash()?;
-    for name in NAMES {
+    for name in MODULES {
         let mut module = compile(name)?;
         hide_paths(&mut module).map_err(|path| format!("{name}.wasm has the path {path}"))?;
         println!("{name}.wasm: {} bytes", module.len());
