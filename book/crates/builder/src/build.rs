@@ -4,7 +4,6 @@ use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
 use anyhow::{Context, Error, Result};
 use mdbook_driver::MDBook;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
@@ -40,8 +39,7 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
     let folder = book.build_dir_for("html");
     sources.generated.write(&folder.join(GENERATED))?;
     let files = Files::read(&folder)?;
-    let pages: Vec<_> = files.texts_with_suffix(".html").collect();
-    pages.into_par_iter().try_for_each(|(name, html)| {
+    for (name, html) in files.texts_with_suffix(".html") {
         let mut html = inline_stylesheets(html, &files)
             .map_err(Error::msg)
             .with_context(|| name.to_owned())?;
@@ -49,8 +47,8 @@ fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<
             // A picture that waits to be seen would not be on paper.
             html = html.replace(picture::LAZY, "");
         }
-        fs::write(folder.join(name), html).with_context(|| name.to_owned())
-    })?;
+        fs::write(folder.join(name), html).with_context(|| name.to_owned())?;
+    }
     let site = Site::read(&folder)?;
     fs::write(folder.join(search::INDEX), search::index_script(&site)?)?;
     fail_with_faults(&links::find_faults(&site))?;

@@ -5,7 +5,6 @@ use html5ever::tokenizer::states::RawKind;
 use html5ever::tokenizer::{
     BufferQueue, TagKind, Token, TokenSink, TokenSinkResult, Tokenizer, TokenizerOpts,
 };
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::iter;
@@ -25,9 +24,8 @@ impl Site {
     /// Reads a book that was built into a folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let files = Files::read(folder)?;
-        let texts: Vec<_> = files.texts_with_suffix(".html").collect();
-        let pages = texts.into_par_iter();
-        let pages = pages.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
+        let texts = files.texts_with_suffix(".html");
+        let pages = texts.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
         Ok(Self { files, pages })
     }
 
