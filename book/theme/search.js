@@ -31,7 +31,8 @@
     let sections = [], index;
     async function makeIndex() {
         await Promise.all([load("theme/minisearch.min.js"), load("search-index.js")]);
-        sections = (window.searchIndex ?? []).flatMap(([page, chapter, parts]) =>
+        if (!window.MiniSearch || !window.searchIndex) return write(status, "The search did not load. Close it and try again.");
+        sections = searchIndex.flatMap(([page, chapter, parts]) =>
             parts.map(([hash, title, prose, listings]) => ({ page, hash, chapter, title, prose, listings })));
         index = new MiniSearch({
             fields: ["title", "chapter", "prose", "listings"], tokenize: findWords, processTerm: findTerms,

@@ -11,14 +11,20 @@ async function findFigure(page, address) {
   return figure;
 }
 
-test('a module that fails to load is loaded again', async ({ browser, home }) => {
+test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
   // A page of its own: here the browser has to complain of the first load.
   const page = await browser.newPage();
-  await page.route('**/live-module.js', route => route.abort(), { times: 1 });
+  for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
   await expect(figure.locator('.refused')).toHaveText(/did not load/);
   await expect(figure).toHaveAttribute('data-ready', '', { timeout: 20_000 });
   await expect(figure.locator('.refused')).toBeEmpty();
+  for (const words of [/did not load/, /sections$/]) {
+    await page.keyboard.press('s');
+    await page.keyboard.type('sphere');
+    await expect(page.locator('#search-status')).toHaveText(words);
+    await page.keyboard.press('Escape');
+  }
 });
 
 test('without WebAssembly a figure says what is missing', async ({ page, home }) => {
