@@ -124,6 +124,7 @@
         hand = line.ariaCurrent = line.ariaInvalid = null;
         setText(line, readText(line));
         panel.remove();
+        document.documentElement.style.scrollPaddingBottom = "";
         const code = line.closest("code");
         if (!code.matches(".hljs")) colour(code);
     }

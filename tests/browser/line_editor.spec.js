@@ -52,6 +52,7 @@ test('an edit is drawn, a mistake is marked, Escape brings the line back, and un
   await expect(line).toHaveText(NORMAL);
   await listing.getByRole('button', { name: 'Close' }).click();
   await expect(listing.locator('canvas')).toHaveCount(0);
+  await expect(page.locator('html')).toHaveCSS('scroll-padding-bottom', 'auto');
 });
 
 test('lines of an address, and lines that are let go, stay in the picture, the address and the history', async ({ page, home }) => {
