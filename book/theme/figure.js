@@ -7,6 +7,9 @@
 // whole after a rest.
 const FRAME = 60, REST = 150;
 
+// What the module says of a request to which it has no answer.
+class Refusal extends Error {}
+
 class Figure {
     constructor(root, module, controls, fault) {
         Object.assign(this, { root, module, controls, fault, name: root.dataset.live });
@@ -24,10 +27,10 @@ class Figure {
         this.selectGroup(this.handles[0]?.group);
     }
 
-    // The answer of the module to a request; it throws what the module says of one to which there is none.
+    // The answer of the module to a request; it throws a refusal of one to which there is none.
     ask(verb, ...words) {
         const answer = ask(this.module, [verb, this.name, ...words].join(" "));
-        if (answer.error) throw new Error(answer.error);
+        if (answer.error) throw new Refusal(answer.error);
         return answer;
     }
 
@@ -144,9 +147,10 @@ class Figure {
             clearTimeout(this.restTimer);
             this.wholeTime = (performance.now() - start) * divisor ** 2;
             if (1 < divisor) this.restTimer = setTimeout(() => this.draw(), REST);
-        } catch {
+        } catch (error) {
             this.values = this.answer.values;
             this.showControls();
+            if (!(error instanceof Refusal)) throw error;
             this.fault.textContent = "There is nothing to show at that number.";
         }
     }

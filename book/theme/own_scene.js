@@ -68,8 +68,9 @@ function followAddress(figure, keepState) {
         try {
             figure.show(figure.ask("open", address));
             figure.root.scrollIntoView({ block: "nearest" });
-        } catch ({ message }) {
-            figure.fault.textContent = `${message} Nothing has changed.`;
+        } catch (error) {
+            if (!(error instanceof Refusal)) throw error;
+            figure.fault.textContent = `${error.message} Nothing has changed.`;
         }
     };
     addEventListener("hashchange", openScene);
