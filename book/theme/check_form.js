@@ -33,6 +33,7 @@
         let worker;
         const show = (exitCode, ...children) => {
             worker?.terminate();
+            worker = null;
             form.dataset.exitCode = exitCode;
             output.replaceChildren(...children);
             reset.disabled = children.length === 0;
@@ -41,8 +42,10 @@
             if (!file) return show(2, "That isn't a file. Save the picture first, then drop the file.");
             show("", "Looking …");
             const asked = worker = new Worker(address);
-            asked.onmessage = ({ data }) => show(data.code, ...makeReport(data));
-            asked.onerror = () => show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+            // What comes after Reset, or after a newer file, is dropped.
+            const answer = (...parts) => asked === worker && show(...parts);
+            asked.onmessage = ({ data }) => answer(data.code, ...makeReport(data));
+            asked.onerror = () => answer(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
             const scene = form.elements.scene?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`;
             // A larger file is too large, whatever follows.
