@@ -241,10 +241,10 @@
         requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
     }
 
-    // What is as the book has it is closed by a click elsewhere.
+    // What is as the book has it is closed by a click elsewhere. Undo takes another line only after this.
     addEventListener("click", event => {
         if (hand && isBook(hand) && !event.composedPath().includes(hand.closest("figure"))) release();
-    });
+    }, { capture: true });
     panel.addEventListener("toggle", keepInView, true);
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.

@@ -78,6 +78,9 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   await other.focus();
   await page.keyboard.press('ControlOrMeta+Z');
   await expect(other).toHaveText('(1.0');
+  await line.click(); // Undo then leads to another listing.
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(listing.locator('canvas')).toBeInViewport();
 });
 
 for (const [width, height] of [[390, 508], [640, 400]]) {
