@@ -219,14 +219,10 @@ class Figure {
         Object.assign(this.panel, { hidden: false, open: isWide });
         this.stage.classList.add("has-probe");
         this.stage.addEventListener("click", event => {
-            if (event.target === this.output) this.askPixel(event);
+            if (event.target !== this.output) return;
+            this.drawNextFrame("drag", this.handles.indexOf(this.probe), ...this.placeOfPointer(event));
+            this.probe.focus({ preventScroll: true });
         });
-    }
-
-    askPixel(event) {
-        const place = this.placeOfPointer(event);
-        this.drawNextFrame("drag", this.handles.indexOf(this.probe), ...place);
-        this.probe.focus({ preventScroll: true });
     }
 
     // The place of a pointer in the coordinates of the output.
