@@ -241,7 +241,7 @@ async function activateFigure(root) {
         const figure = new Figure(root, await wasmModules.get("live"), controls, fault);
         fault.textContent = "";
         root.figure = figure;
-        if (figure.probe) openPixel();
+        if (figure.probe) openPixel({ isLate: true });
         if (figure.answer.numbers.address !== undefined) followScene(figure);
         Object.assign(controls, { hidden: false, inert: false });
         root.dataset.ready = "";
@@ -254,13 +254,13 @@ async function activateFigure(root) {
 whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
 
 // A link that names a pixel, such as #pixel=470,120, brings the picture near whose pixels can be asked;
-// once it answers, the pixel is.
-function openPixel() {
+// once it answers, the pixel is, wherever the reader has gone meanwhile.
+function openPixel({ isLate }) {
     const [, ...place] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
     const panel = place.length && document.querySelector("[data-panel]");
     const root = panel && document.querySelector(`figure[data-live="${panel.dataset.panel}"]`);
     if (!root) return;
-    root.scrollIntoView({ block: "center" });
+    if (!isLate) root.scrollIntoView({ block: "center" });
     if (!root.figure) return;
     const { figure } = root;
     figure.probe.about.parameters.forEach((parameter, k) => figure.setValue(parameter, Number(place[k])));
@@ -268,4 +268,4 @@ function openPixel() {
     figure.probe.focus({ preventScroll: true });
 }
 addEventListener("hashchange", openPixel);
-openPixel();
+openPixel({});
