@@ -121,7 +121,7 @@
         const line = hand;
         clearLine();
         record();
-        hand = line.ariaCurrent = line.ariaInvalid = null;
+        hand = line.ariaCurrent = null;
         setText(line, readText(line));
         panel.remove();
         document.documentElement.style.scrollPaddingBottom = "";
@@ -175,9 +175,10 @@
             const module = await wasmModules.get("expressions");
             if (line !== hand) return;
             answer = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
-        } catch {
+        } catch ({ message }) {
             wasmModules.drop("expressions");
-            tell("This page can't draw that, or a part of it did not load. Press Enter to try again.");
+            panel.classList.add("old");
+            tell(`This page can't draw that. Press Enter to try again. (${message})`);
             return;
         }
         reset.disabled = isBook(line);
@@ -190,7 +191,6 @@
         if (columns !== LARGE) return;
         record();
         const wrong = answer.line && find(answer.line);
-        line.ariaInvalid = wrong === line;
         mark(wrong, answer.from, answer.to);
         if (wrong) {
             tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
@@ -223,9 +223,9 @@
 
     // Marks a part of a line as wrong, or nothing.
     function mark(line, from, to) {
+        hand.ariaInvalid = line === hand;
         window.CSS.highlights?.delete("wrong");
-        if (!line) return;
-        window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
+        if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
 
     // Opens the edits that are in the address, and takes the first in hand.
