@@ -13,10 +13,10 @@ function followScene(figure) {
         button.addEventListener("click", act);
         return button;
     };
-    followAddress(figure, addHistory(figure, addTool));
+    const writeAddress = followAddress(figure, addHistory(figure, addTool));
     addSphereButton(figure, addTool);
     addColourField(figure, tools);
-    addCopies(figure, addTool);
+    addCopies(figure, addTool, writeAddress);
     dragObjects(figure);
 }
 
@@ -24,7 +24,12 @@ function followScene(figure) {
 function addHistory(figure, addTool) {
     const states = [figure.values];
     let now = 0;
+    const keepState = () => {
+        if (figure.values.some((value, k) => value !== states[now][k])) states.splice(now += 1, Infinity, figure.values);
+        [undo.disabled, redo.disabled] = [now === 0, now === states.length - 1];
+    };
     const showState = step => {
+        keepState();
         if (!states[now + step]) return;
         now += step;
         figure.values = states[now];
@@ -41,13 +46,10 @@ function addHistory(figure, addTool) {
     figure.reset.addEventListener("click", event => {
         if (!confirm("Begin again with the scene of step 5? Undo brings yours back.")) event.stopImmediatePropagation();
     }, { capture: true });
-    return () => {
-        if (figure.values.some((value, k) => value !== states[now][k])) states.splice(now += 1, Infinity, figure.values);
-        [undo.disabled, redo.disabled] = [now === 0, now === states.length - 1];
-    };
+    return keepState;
 }
 
-// The address of the page holds the scene, once a gesture has come to rest.
+// The address of the page holds the scene, once a gesture has come to rest. Returns what writes it at once.
 function followAddress(figure, keepState) {
     let restTimer = 0;
     const writeAddress = () => {
@@ -75,6 +77,7 @@ function followAddress(figure, keepState) {
     };
     addEventListener("hashchange", openScene);
     openScene();
+    return writeAddress;
 }
 
 // The next sphere that is not there comes into the scene; its switch is before its x.
@@ -113,8 +116,11 @@ function addColourField(figure, tools) {
     figure.afterControls();
 }
 
-function addCopies(figure, addTool) {
-    const link = addTool("Copy link", () => copyBy(link, location.href));
+function addCopies(figure, addTool, writeAddress) {
+    const link = addTool("Copy link", () => {
+        writeAddress();
+        copyBy(link, location.href);
+    });
     const rust = addTool("Copy Rust", () => copyBy(rust, figure.answer.numbers.rust));
     addTool("Download PNG", () => {
         const large = make("canvas", {}), kept = make("canvas", {});

@@ -13,8 +13,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await page.mouse.down();
   await move(250, 200);
   await page.mouse.up();
-  await expect(page).toHaveURL(/#scene=red-sphere-upwards:/);
-  await page.keyboard.press('ControlOrMeta+z');
+  await page.keyboard.press('ControlOrMeta+z'); // Before the address is written.
   await expect(page).not.toHaveURL(/#scene/);
   await press('Redo');
   await page.locator('.tools input').fill('#00ff00');
