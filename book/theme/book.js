@@ -95,8 +95,11 @@ const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
 // Code: colours, when it comes near the view, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
 const colour = code => load("highlight.js").then(() => setTimeout(() => {
-    // A line that is being edited stays as it is.
-    if (!code.querySelector("[data-book]")) hljs.highlightBlock(code);
+    // A line that is being edited stays as it is, and one that has the focus keeps it.
+    if (code.querySelector("[data-book]")) return;
+    const name = code.querySelector(":focus")?.dataset.line;
+    hljs.highlightBlock(code);
+    code.querySelector(`[data-line="${name}"]`)?.focus({ preventScroll: true });
 }));
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     const caption = code.closest(".listing")?.querySelector("figcaption");
