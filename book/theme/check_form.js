@@ -19,10 +19,10 @@
         const [verdict, ...lines] = text.split("\n");
         const report = make("span", { class: "report" }, make("b", {}, verdict), lines.join("\n"));
         if (!size) return [report];
-        const [width, height] = [size[0] / 3, size[1]];
+        const width = size[0] / 3;
         const panels = LABELS.map((label, k) => {
-            const canvas = make("canvas", { "aria-hidden": "true", width, height });
-            paint(canvas, { pixels, size }, k * width);
+            const canvas = make("canvas", { "aria-hidden": "true" });
+            paint(canvas, { pixels, size }, k * width, width);
             return make("span", {}, canvas, label);
         });
         return [report, make("span", { class: "panels" }, ...panels)];

@@ -171,12 +171,10 @@ class Figure {
 
     showOutput({ size, pixels, drawing }) {
         if (size) {
-            const [width, height] = size;
             if (this.output === this.printed) {
                 this.output = make("canvas", { role: "img", "aria-label": this.printed.alt });
                 this.printed.replaceWith(this.output);
             }
-            Object.assign(this.output, { width, height });
             paint(this.output, { pixels, size });
         } else if (drawing !== undefined) {
             this.printed.querySelector("g").innerHTML = drawing;

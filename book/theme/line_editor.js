@@ -183,11 +183,7 @@
         }
         reset.disabled = isBook(line);
         panel.classList.toggle("old", Boolean(answer.mistake));
-        if (answer.size) {
-            const [width, height] = answer.size;
-            Object.assign(canvas, { width, height });
-            paint(canvas, answer);
-        }
+        if (answer.size) paint(canvas, answer);
         if (columns !== LARGE) return;
         record();
         const wrong = answer.line && find(answer.line);

@@ -126,7 +126,6 @@ function addCopies(figure, addTool, writeAddress) {
         const large = make("canvas", {}), kept = make("canvas", {});
         const values = figure.values.map((value, k) => k === figure.about.columns ? 2 * KEPT_COLUMNS : value);
         const answer = figure.ask("show", ...values);
-        [large.width, large.height] = answer.size;
         paint(large, answer);
         [kept.width, kept.height] = answer.size.map(side => side / 2);
         kept.getContext("2d").drawImage(large, 0, 0, kept.width, kept.height);

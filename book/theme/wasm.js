@@ -46,7 +46,8 @@ function ask(module, request, file) {
     return answer;
 }
 
-// Puts the pixels of an answer on a canvas, from a column on.
-function paint(canvas, { pixels, size: [width, height] }, column = 0) {
+// Puts the pixels of an answer on a canvas: all, or so many columns from one on.
+function paint(canvas, { pixels, size: [width, height] }, column = 0, columns = width) {
+    Object.assign(canvas, { width: columns, height });
     canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), -column, 0);
 }
