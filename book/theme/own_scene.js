@@ -117,10 +117,7 @@ function addColourField(figure, tools) {
 }
 
 function addCopies(figure, addTool, writeAddress) {
-    const link = addTool("Copy link", () => {
-        writeAddress();
-        copyBy(link, location.href);
-    });
+    const link = addTool("Copy link", () => { writeAddress(); copyBy(link, location.href); });
     const rust = addTool("Copy Rust", () => copyBy(rust, figure.answer.numbers.rust));
     addTool("Download PNG", () => {
         const large = make("canvas", {}), kept = make("canvas", {});
