@@ -94,8 +94,8 @@ fn draw(values: &[f64]) -> Output {
         let is_seen = hits.iter().any(|hit| hit.point.material == material);
         let class = if is_seen { "object seen" } else { "object" };
         drawing.circle(class, place(sphere.centre), VIEW.scale.x * sphere.radius);
-        // Beside the handle.
-        let label = place(sphere.centre) + dvec2(21.0, 5.0);
+        // Beside the handle, which is large on a phone.
+        let label = place(sphere.centre) + dvec2(25.0, 5.0);
         drawing.label("over", label, &material.to_string());
     }
     // A ray that meets nothing leaves the drawing.
@@ -112,13 +112,13 @@ fn draw(values: &[f64]) -> Output {
     drawing.arrow("ray", place(s), place(v));
     drawing.dot("eye", place(s));
     drawing.circle("light head", place(q), 7.0);
-    let above = |point: DVec3| point + 0.4 * DVec3::Y;
+    let above = |point: DVec3| point + 0.6 * DVec3::Y;
     let mut names = vec![(above(s), "$S$"), (above(v), "$V$"), (above(q), "$q$")];
     if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }
     for (point, name) in names {
-        drawing.label("strong over", place(point) + dvec2(0.0, 5.0), name);
+        drawing.label("strong over", place(point).max(DVec2::Y * 11.0) + DVec2::Y * 5.0, name);
     }
     Output::Drawing(drawing)
 }

@@ -76,7 +76,7 @@ fn draw(values: &[f64]) -> Output {
         let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
         // On the side away from the other rays.
-        let below = if 0.0 < sphere.centre.y { -radius - 10.0 } else { radius + 30.0 };
+        let below = if 0.0 < sphere.centre.y { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
