@@ -244,8 +244,8 @@ async function activateFigure(root) {
         Object.assign(controls, { hidden: false, inert: false });
         root.dataset.ready = "";
     } catch (error) {
-        wasmModules.drop("live");
         fault.textContent = `This doesn't answer here. ${error.message}`;
+        wasmModules.drop("live");
         if (!root.querySelector(".stage")) setTimeout(whenNear, 5000, [root], activateFigure);
     }
 }

@@ -176,9 +176,9 @@
             if (line !== hand) return;
             answer = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
         } catch ({ message }) {
-            wasmModules.drop("expressions");
             panel.classList.add("old");
             tell(`This page can't draw that. Press Enter to try again. (${message})`);
+            wasmModules.drop("expressions");
             return;
         }
         reset.disabled = isBook(line);
