@@ -62,7 +62,7 @@ pub struct Element {
     /// The indices of the elements inside it.
     descendants: Range<usize>,
     /// Where its text is in that of the page, in bytes.
-    text: Range<usize>,
+    pub text: Range<usize>,
 }
 
 impl Element {
@@ -118,16 +118,6 @@ impl Page {
     /// All elements inside another, from top to bottom.
     pub fn descendants(&self, element: &Element) -> &[Element] {
         &self.elements[element.descendants.clone()]
-    }
-
-    /// The elements inside another that are in none between.
-    pub fn children(&self, element: &Element) -> impl Iterator<Item = &Element> {
-        let mut rest = element.descendants.clone();
-        iter::from_fn(move || {
-            let child = &self.elements[rest.next()?];
-            rest.start = child.descendants.end;
-            Some(child)
-        })
     }
 
     /// The text of an element, with that of the elements in it.

@@ -20,12 +20,14 @@ pub fn index_script(site: &Site) -> Result<String> {
 /// The id, the title, the prose and the listings of each section of a page.
 fn sections(page: &Page) -> Vec<[String; 4]> {
     let mut sections: Vec<[String; 4]> = vec![];
-    let main = page.elements.iter().filter(|element| element.tag == "main");
-    let parts = main.flat_map(|main| page.children(main)).flat_map(|part| {
-        let is_cover = part.attr("class") == Some("cover");
-        if is_cover { page.children(part).collect() } else { vec![part] }
-    });
-    for part in parts {
+    let main = page.elements.iter().find(|element| element.tag == "main");
+    let mut end = 0;
+    for part in main.into_iter().flat_map(|main| page.descendants(main)) {
+        // The text of what is inside a part was taken with it; the cover is a frame around parts.
+        if part.text.start < end || part.attr("class") == Some("cover") {
+            continue;
+        }
+        end = part.text.end;
         if let ("h1" | "h2" | "h3", Some(id)) = (&*part.tag, part.attr("id")) {
             let title = page.text(part).to_owned();
             sections.push([id.to_owned(), title, String::new(), String::new()]);
