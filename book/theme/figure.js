@@ -266,4 +266,6 @@ function openPixel({ isLate }) {
     figure.probe.focus({ preventScroll: true });
 }
 addEventListener("hashchange", openPixel);
+// The same link once more, which leaves the address as it is.
+addEventListener("click", ({ target }) => target.closest("a")?.hash === location.hash && openPixel({}));
 openPixel({});

@@ -16,6 +16,9 @@ test('a link that names a pixel asks it, and Back leads to where one was', async
   await expect(figure.locator('.hint')).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\)$/);
   await expect(figure.locator('.handle-probe')).toHaveAttribute('aria-valuetext', /^column 195, row 237: red, t = /);
   await expect(page.locator('[data-panel] tr.hit')).toHaveCount(1);
+  await figure.locator('.handle-probe').press('ArrowRight');
+  await link.click();
+  await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
   await page.evaluate(() => history.back());
   // What is told below the picture may be a line longer than before.
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
