@@ -10,8 +10,8 @@ const read = name => readFileSync(join(folder, name), 'utf8');
 // 404.html is for a server's root, toc.html for browsers without scripts.
 export const pages = readdirSync(folder).filter(name => /\.html$/.test(name) && !/^(404|toc)\./.test(name));
 
-// All but the page for paper, which holds the others once more.
-export const chapters = pages.filter(name => name !== 'print.html');
+// All but the first page and the page for paper, which are others once more.
+export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 
 // [page, what the attribute is, which of its kind on the page it is].
 const named = pattern => chapters.flatMap(page => [...read(page).matchAll(pattern)].map(([, name], k) => [page, name, k]));
