@@ -16,7 +16,7 @@ pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a
 /// A workspace with the files that the book shows, and nothing else.
 pub struct ReaderWorkspace {
     pub folder: PathBuf,
-    /// Makes other processes wait until this one no longer uses the folder.
+    /// Makes other tests wait until this one no longer uses the folder.
     _lock: File,
 }
 
@@ -27,7 +27,7 @@ impl ReaderWorkspace {
         let folder = target_folder().join("typed");
         fs::create_dir_all(&folder).expect("a folder in the target folder");
         let lock = File::create(folder.join("lock")).expect("a file there");
-        lock.lock().expect("other processes end");
+        lock.lock().expect("other tests end");
         Self { folder, _lock: lock }
     }
 

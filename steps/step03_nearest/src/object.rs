@@ -3,7 +3,7 @@ use crate::Sphere;
 /// A thing to see; `M` is a flat colour here, and something else in later steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<M> {
-    /// Its name, which tells people which one it is.
+    /// Its name, which tells it from the others.
     pub name: &'static str,
     /// Its place and its size.
     pub sphere: Sphere,

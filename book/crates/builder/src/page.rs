@@ -55,13 +55,13 @@ pub struct Page {
 /// An element of a page.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// What kind it is, such as `figure`.
+    /// Name of its tag, such as `figure`.
     pub tag: String,
     /// Names and values.
     pub attributes: Vec<(String, String)>,
     /// The indices of the elements inside it.
     descendants: Range<usize>,
-    /// Where its text is in that of the page, in bytes.
+    /// Range of its text in that of the page, in bytes.
     pub text: Range<usize>,
 }
 
@@ -144,8 +144,8 @@ impl Page {
     /// Address of an element, for the sentence about a fault: its page, and the last id
     /// before it.
     pub fn address_for_fault(&self, element: &Element) -> String {
-        let mut before = self.elements[..element.descendants.start].iter().rev();
-        let id = before.find_map(|element| element.attr("id"));
+        let mut elements = self.elements[..element.descendants.start].iter().rev();
+        let id = elements.find_map(|element| element.attr("id"));
         id.map_or(self.name.clone(), |id| format!("{}#{id}", self.name))
     }
 }
