@@ -80,6 +80,10 @@ impl Page {
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for token in tokens(html) {
+            // What is before it and what is behind are no one word.
+            if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
+                text.push(' ');
+            }
             match token {
                 Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
                     open.push(elements.len());

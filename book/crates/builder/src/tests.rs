@@ -1,7 +1,7 @@
 //! What a chapter may hold, what its author is told, and what is done to a page.
 
 use crate::chapter::expand_directives;
-use crate::{Files, Page, Site, Sources, links, problem};
+use crate::{Files, Page, Site, Sources, links, problem, search};
 use course::workspace;
 use figures::FIGURES;
 use std::sync::LazyLock;
@@ -88,4 +88,12 @@ fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
     let files = Files([("a.html".to_owned(), vec![])].into());
     let site = Site { files, pages: [("a.html".to_owned(), page)].into() };
     insta::assert_snapshot!(links::find_faults(&site).join("\n"));
+}
+
+#[test]
+fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+    let html = include_str!("tests/sections.html");
+    let pages = ["a.html", "index.html"].map(|name| (name.to_owned(), Page::parse(name, html)));
+    let site = Site { files: Files([].into()), pages: pages.into() };
+    insta::assert_snapshot!(search::index_script(&site).expect("a script"));
 }
