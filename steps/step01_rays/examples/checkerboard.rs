@@ -21,7 +21,7 @@ pub fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of the ray through the centre of each pixel.
 pub fn picture(camera: &Camera) -> RgbImage {
-    draw_pixels(camera, |i, j| rgb8(colour(&camera.ray(i, j))))
+    draw_pixels(camera, &|i, j| rgb8(colour(&camera.ray(i, j))))
 }
 
 fn main() -> ImageResult<()> {

@@ -6,5 +6,5 @@ use step01_rays::{Camera, direction_colour, draw_pixels, rgb8};
 fn main() -> ImageResult<()> {
     let camera = Camera::new(640, 360, 60_f64.to_radians());
     let pixel = |i, j| rgb8(direction_colour(&camera.ray(i, j)));
-    draw_pixels(&camera, pixel).save("step01_rays.png")
+    draw_pixels(&camera, &pixel).save("step01_rays.png")
 }

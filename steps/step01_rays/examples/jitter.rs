@@ -36,7 +36,7 @@ fn colour(ray: &Ray) -> DVec3 {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let side = samples.max(4);
     let centres = sub_pixels(side);
-    draw_pixels(camera, |i, j| {
+    draw_pixels(camera, &|i, j| {
         rgb8(mean(&centres, |u, v| {
             let (i, j) = (i + u, j + v);
             let ray = camera.ray(i, j);

@@ -38,7 +38,7 @@ fn colour(v: DVec3) -> DVec3 {
 /// The picture: the whole cube around the eye.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let centres = sub_pixels(samples);
-    draw_pixels(camera, |i, j| {
+    draw_pixels(camera, &|i, j| {
         rgb8(mean(&centres, |u, v| colour(panoramic(camera, i + u, j + v))))
     })
 }

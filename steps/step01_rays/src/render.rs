@@ -33,7 +33,7 @@ pub fn render(
     colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> RgbImage {
     let centres = sub_pixels(samples);
-    draw_pixels(camera, |i, j| {
+    draw_pixels(camera, &|i, j| {
         rgb8(mean(&centres, |u, v| colour(&camera.ray(i + u, j + v))))
     })
 }

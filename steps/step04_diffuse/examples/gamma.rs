@@ -20,7 +20,7 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     let centres = sub_pixels(samples);
-    draw_pixels(camera, |i, j| {
+    draw_pixels(camera, &|i, j| {
         let ray = |u, v| camera.ray(i + u, j + v);
         rgb8(mean(&centres, |u, v| colour(&scene, &ray(u, v))))
     })
