@@ -41,9 +41,6 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
     write_package(mistakes)?;
     let mut cargo = cargo_command();
     cargo.args(["run", "--quiet", "--offline", "--message-format=short", "--target-dir=target"]);
-    // Each copy of `render` would compile a part of rayon.
-    let one_thread = workspace().join("book/crates/page/one_thread");
-    cargo.args(["--config", &format!("patch.crates-io.rayon.path = {one_thread:?}")]);
     let output = cargo.current_dir(&folder).output()?;
     if !output.status.success() {
         let text = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();

@@ -11,9 +11,6 @@ use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// One thread needs no `rayon`.
-const ONE_THREAD: &str = "patch.crates-io.rayon.path = 'book/crates/page/one_thread'";
-
 /// The roots of paths on machines: no module has one in it.
 const ROOTS: [&str; 7] = ["/rustc/", "/rust/", "/usr/", "/home/", "/root/", "/Users/", "/tmp/"];
 
@@ -46,19 +43,15 @@ fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     let folder = target_folder().join("wasm");
-    let lock_path = workspace().join("Cargo.lock");
-    let lock = fs::read(&lock_path)?;
     let status = cargo_command()
-        .args(["rustc", "--package", "page", "--lib", "--profile", "wasm"])
-        .args(["--no-default-features", "--features", name, "--config", ONE_THREAD])
+        .args(["rustc", "--locked", "--package", "page", "--lib", "--profile", "wasm"])
+        .args(["--no-default-features", "--features", name])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
         .arg(&folder)
         .args(["--", "-C", "strip=symbols", "-C", "link-arg=--compress-relocations"])
         .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
         .current_dir(workspace())
         .status()?;
-    // Without rayon's own crates it would be another.
-    fs::write(lock_path, lock)?;
     if !status.success() {
         return Err(format!("the module {name} does not compile").into());
     }
