@@ -24,13 +24,11 @@ rayon = "*"
 
 /// The program, up to its modules and the list of what it draws.
 const MAIN: &str = "#![allow(warnings)]
+use rayon::prelude::*;
+
 fn main() {
     std::panic::set_hook(Box::new(|_| {}));
-    let count = std::thread::available_parallelism().map_or(1, |count| count.get());
-    for pictures in PICTURES.chunks(count) {
-        let threads: Vec<_> = pictures.iter().map(|draw| std::thread::spawn(draw)).collect();
-        threads.into_iter().for_each(|thread| drop(thread.join()));
-    }
+    PICTURES.par_iter().for_each(|draw| drop(std::panic::catch_unwind(draw)));
 }
 ";
 
