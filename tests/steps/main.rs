@@ -3,5 +3,4 @@
 mod programs;
 mod step01_rays;
 mod step02_sphere;
-mod step03_nearest;
 mod step05_phong;

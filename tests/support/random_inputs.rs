@@ -1,6 +1,5 @@
 use fastrand::Rng;
 use glam::DVec3;
-use step02_sphere::{Ray, Sphere};
 
 /// Random inputs, the same in each run.
 pub struct RandomInputs(Rng);
@@ -30,19 +29,5 @@ impl RandomInputs {
     /// A vector of length 1.
     pub fn unit_vector(&mut self) -> DVec3 {
         self.point().normalize_or(DVec3::X)
-    }
-
-    /// A sphere of radius 0.1 to 4 around a random point.
-    pub fn sphere(&mut self) -> Sphere {
-        Sphere { centre: self.point(), radius: self.number(0.1, 4.0) }
-    }
-
-    /// A sphere, and a ray of any length from a random point; about half of the rays hit their
-    /// sphere.
-    pub fn sphere_and_ray(&mut self) -> (Sphere, Ray) {
-        let (sphere, start, unit_vector) = (self.sphere(), self.point(), self.unit_vector());
-        let target = sphere.centre + self.number(0.0, 2.0) * sphere.radius * unit_vector;
-        let direction = (target - start).normalize_or(unit_vector) * self.number(0.1, 5.0);
-        (sphere, Ray { start, direction })
     }
 }
