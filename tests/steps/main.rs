@@ -3,4 +3,3 @@
 mod programs;
 mod step01_rays;
 mod step02_sphere;
-mod step05_phong;
