@@ -21,17 +21,17 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let draft = around.join("book.draft");
     // What a build with a fault left, or a killed one.
     let _ = fs::remove_dir_all(&draft);
-    let site = write_and_check_pages(workspace, folder, &draft)?;
+    let site = write_and_check_pages(workspace, &draft)?;
     let _ = fs::remove_dir_all(folder);
     fs::rename(&draft, folder)
         .with_context(|| format!("{} can't be replaced", folder.display()))?;
     Ok(site)
 }
 
-/// Writes all pages into `folder`, with the help of the `old` ones. A fault in a chapter stops
-/// it before any page is written; a link that leads nowhere is found when all are.
-fn write_and_check_pages(workspace: &Path, old: &Path, folder: &Path) -> Result<Site> {
-    let sources = Arc::new(Sources::read(workspace, &old.join(GENERATED))?);
+/// Writes all pages into `folder`. A fault in a chapter stops it before any page is written; a
+/// link that leads nowhere is found when all are.
+fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
+    let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;
     book.config.build.build_dir = folder.to_owned();
     book.with_preprocessor(Course(sources.clone()));

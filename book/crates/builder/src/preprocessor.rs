@@ -15,7 +15,7 @@ impl Course {
     /// from there.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
-        let sources = Sources::read(workspace, &folder)?;
+        let sources = Sources::read(workspace)?;
         sources.generated.write(&folder)?;
         Ok(Self(sources.into()))
     }

@@ -2,7 +2,7 @@ use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use course::{MODULES, Step, encode_png};
-use image::{ImageReader, RgbImage};
+use image::ImageReader;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Cursor;
@@ -22,8 +22,8 @@ pub struct Sources {
 
 impl Sources {
     /// Takes the locked snapshots as they are, the pictures of the mistakes, the figures, and the
-    /// modules. A smaller picture is taken from the folder `old`, if it is there.
-    pub fn read(workspace: &Path, old: &Path) -> Result<Self> {
+    /// modules.
+    pub fn read(workspace: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
         for (name, bytes) in Files::read(&workspace.join("tests/snapshots"))?.0 {
@@ -39,8 +39,7 @@ impl Sources {
             let right = right.with_context(|| format!("{} has no locked picture", step.name()))?;
             let right = course::shrink(&image::load_from_memory(right)?.into_rgb8());
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
-                let png = read_or_encode_png(&old.join(&name), &picture);
-                files.insert(name, png);
+                files.insert(name, encode_png(&picture));
             }
         }
         for name in MODULES {
@@ -72,11 +71,4 @@ fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");
     files.insert(format!("{name}.js"), script.into_bytes());
-}
-
-/// A PNG file of the picture: the `old` file if it has this picture, as encoding takes seconds.
-fn read_or_encode_png(old: &Path, picture: &RgbImage) -> Vec<u8> {
-    let old = fs::read(old).unwrap_or_default();
-    let is_same = image::load_from_memory(&old).is_ok_and(|old| old.into_rgb8() == *picture);
-    if is_same { old } else { encode_png(picture) }
 }

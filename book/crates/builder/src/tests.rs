@@ -7,7 +7,7 @@ use figures::FIGURES;
 use std::sync::LazyLock;
 
 static SOURCES: LazyLock<Sources> =
-    LazyLock::new(|| Sources::read(&workspace(), &workspace()).expect("the sources"));
+    LazyLock::new(|| Sources::read(&workspace()).expect("the sources"));
 
 fn expand_and_list_faults(chapter: &str) -> (String, String) {
     let (markdown, faults) = expand_directives(chapter, &SOURCES, "The sheet.\n");
