@@ -50,7 +50,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
         fs::write(folder.join(name), html).with_context(|| name.to_owned())?;
     }
     let site = Site::read(&folder)?;
-    fs::write(folder.join(search::INDEX), search::index_script(&site)?)?;
+    fs::write(folder.join("search-index.js"), search::index_script(&site)?)?;
     fail_with_faults(&links::find_faults(&site))?;
     Ok(site)
 }

@@ -2,9 +2,6 @@ use crate::page::Element;
 use crate::{Page, Site};
 use anyhow::Result;
 
-/// The name of the script of the search.
-pub const INDEX: &str = "search-index.js";
-
 /// The script from which the search has the text of the book: for each page its name, its
 /// title, and the id, the title, the prose and the listings of each section.
 pub fn index_script(site: &Site) -> Result<String> {
