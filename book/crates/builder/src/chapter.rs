@@ -182,7 +182,10 @@ impl<'a> Chapter<'a> {
             ("figure", name) => figure::html(name),
             ("check", name) => check_form::html(name, self.sources),
             ("mistakes", step) => mistake_gallery::html(step, self.sources),
-            ("by-hand", test) => Ok(console::by_hand_note_html(test)),
+            ("by-hand", test) => {
+                let name = markdown::code_with_break_hints(test);
+                Ok(format!("<p class=\"by-hand\">Test: {name}</p>\n"))
+            }
             ("rust", words) => markdown::inline_html(words)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.or(self.open_box).is_some() => {

@@ -1,4 +1,3 @@
-use crate::markdown;
 use figures::escape;
 
 /// Commands, under a caption that says in which folder they are meant, the reader's or ours.
@@ -17,10 +16,4 @@ pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
          <pre><code>{}</code></pre>\n\n</figure>\n",
         commands.trim_start()
     ))
-}
-
-/// The name of the test of what was worked out right above, for `{{#by-hand name}}`.
-pub fn by_hand_note_html(test: &str) -> String {
-    let name = markdown::code_with_break_hints(test);
-    format!("<p class=\"by-hand\">Test: {name}</p>\n")
 }
