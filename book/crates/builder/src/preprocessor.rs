@@ -29,8 +29,11 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        let url = context.config.get::<String>("output.html.git-repository-url")?;
-        let our_folder = our_folder_markdown(&self.0.workspace, url.as_deref());
+        // A book that is published has a link to our folder, one that is built at home was built in it.
+        let our_folder = match context.config.get::<String>("output.html.git-repository-url")? {
+            Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
+            None => format!("where this book was built: `{}`", self.0.workspace.display()),
+        };
         expand_chapters(&mut book, &self.0, &our_folder)?;
         Ok(book)
     }
@@ -56,15 +59,6 @@ fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Resu
         faults.extend(sheet_faults.iter().map(|(_, what)| format!("the problem sheet: {what}")));
     }
     fail_with_faults(&faults)
-}
-
-/// The place of our folder, for a sentence: a book that is published has a link to it, one
-/// that is built at home was built in it.
-fn our_folder_markdown(workspace: &Path, url: Option<&str>) -> String {
-    match url {
-        Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
-        None => format!("where this book was built: `{}`", workspace.display()),
-    }
 }
 
 /// An error that tells all faults at once, if there are any; it stops the build.
