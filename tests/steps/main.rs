@@ -1,4 +1,4 @@
-//! The five steps: what their programs do, and the mathematics as laws.
+//! The five steps: what their programs do, and what no number by hand and no picture holds.
 
 mod programs;
 mod step01_rays;
