@@ -3,7 +3,7 @@ use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
 /// Draws a picture of the camera's size, with `pixel(i, j)` in column i and row j.
-/// All processors draw at once, a row each. With `dyn`, this is compiled only once.
+/// All processors draw at once, each a row at a time.
 pub fn draw_pixels(
     camera: &Camera,
     pixel: &(dyn Fn(f64, f64) -> Rgb<u8> + Sync),
