@@ -27,11 +27,11 @@ for (const name of pages) {
   });
 }
 
-// They are made of what is on the pages of step 4 and the others, too, so axe looks at them where it is THOROUGH.
-const REPEATING = /^(step0[1235]|way_back|mistakes)/;
+// They are made of what the pages of step 4 and the others have: axe looks at them by THOROUGH=1 alone.
+const THOROUGH_PAGES = /^(step0[1235]|way_back|mistakes)/;
 
 for (const name of chapters) {
-  test(`${name} is accessible`, { tag: REPEATING.test(name) ? '@thorough' : [] }, async ({ page, home, browserName }) => {
+  test(`${name} is accessible`, { tag: THOROUGH_PAGES.test(name) ? '@thorough' : [] }, async ({ page, home, browserName }) => {
     test.skip(browserName !== 'chromium', 'what axe looks at is the same in all browsers');
     await openAll(page, home + name);
     // Little depends on the colours, and on the width.

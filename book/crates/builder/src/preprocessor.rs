@@ -29,7 +29,7 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A book that is published has a link to our folder, one that is built at home was built in it.
+        // A book that is published has a link to our folder, one built at home was built in it.
         let our_folder = match context.config.get::<String>("output.html.git-repository-url")? {
             Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
             None => format!("where this book was built: `{}`", self.0.workspace.display()),
