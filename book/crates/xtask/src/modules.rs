@@ -11,9 +11,6 @@ use std::{env, fs, io};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The roots of paths on machines: no module has one in it.
-const ROOTS: [&str; 7] = ["/rustc/", "/rust/", "/usr/", "/home/", "/root/", "/Users/", "/tmp/"];
-
 /// Whether the modules were made from other sources than those of today.
 pub fn are_stale() -> io::Result<bool> {
     let text = fs::read_to_string(page_folder().join("modules.txt")).unwrap_or_default();
@@ -27,8 +24,11 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
     }
     let hash = source_hash()?;
     for name in MODULES {
-        let mut module = compile(name)?;
-        hide_paths(&mut module).map_err(|path| format!("{name}.wasm has the path {path}"))?;
+        let module = compile(name)?;
+        if let Some(folder) = folder_in(&module) {
+            let folder = folder.display();
+            return Err(format!("{name}.wasm contains the path {folder} of this machine").into());
+        }
         println!("{name}.wasm: {} bytes", module.len());
         fs::write(page_folder().join(format!("{name}.wasm")), module)?;
     }
@@ -58,28 +58,41 @@ fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(fs::read(folder.join(TARGET).join("wasm/page.wasm"))?)
 }
 
-/// Writes over where the compiler's own library was compiled: no option changes that. Any other
-/// path of a machine is an error.
-fn hide_paths(module: &mut [u8]) -> Result<(), String> {
-    for start in 0..module.len() {
-        if ROOTS.iter().any(|root| module[start..].starts_with(root.as_bytes())) {
-            let path = &mut module[start..];
-            let end = path.windows(9).take(100).position(|part| part == b"/library/");
-            let end = end.ok_or_else(|| path[..path.len().min(20)].escape_ascii().to_string())?;
-            path[..end].fill(b'-');
-        }
-    }
-    Ok(())
+/// The first of this machine's folders whose path is in the module: the workspace, the target
+/// folder, or Cargo's home. A module that contains one would differ from machine to machine.
+/// The paths of the standard library's own sources may stay, since they come with the compiler.
+fn folder_in(module: &[u8]) -> Option<PathBuf> {
+    let folders = [workspace(), target_folder(), cargo_home()];
+    folders.into_iter().find(|folder| {
+        let path = folder.as_os_str().as_encoded_bytes();
+        module.windows(path.len()).any(|part| part == path)
+    })
 }
 
 fn page_folder() -> PathBuf {
     workspace().join("book/crates/page")
 }
 
+fn cargo_home() -> PathBuf {
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    home.unwrap_or_else(|| env::home_dir().unwrap_or_default().join(".cargo"))
+}
+
 /// The folders of the packages' sources, one for each registry.
 fn registry_source_folders() -> Vec<PathBuf> {
-    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
-    let default = || env::home_dir().unwrap_or_default().join(".cargo");
-    let folders = fs::read_dir(home.unwrap_or_else(default).join("registry/src"));
+    let folders = fs::read_dir(cargo_home().join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_with_a_path_of_this_machine_is_found() {
+        assert_eq!(folder_in(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
+        let path = workspace().join("steps/step01_rays/src/lib.rs");
+        let module = [b"\0asm ", path.as_os_str().as_encoded_bytes(), b" expect"].concat();
+        assert_eq!(folder_in(&module), Some(workspace()));
+    }
 }
