@@ -19,7 +19,7 @@ const ALLOWED: [&str; 6] = [
 ];
 
 /// Arguments with which a program draws nothing: what it prints is locked.
-const REFUSED: [&str; 16] = [
+const REFUSED: [&str; 17] = [
     "--help",
     "--width 0",
     "--width -3",
@@ -36,6 +36,7 @@ const REFUSED: [&str; 16] = [
     "--output old.jpg",
     "--output nowhere/a.png",
     "--output folder.png",
+    "--output unwritable.png",
 ];
 
 #[test]
@@ -66,9 +67,11 @@ fn program_accepts_the_limits_of_its_options() {
 #[test]
 fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     let folder = empty_folder("refused");
-    let old_files = ["step01_rays.png", "old.jpg"].map(|file| folder.join(file));
+    let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
     old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
     fs::create_dir(folder.join("folder.png")).expect("a folder");
+    // A picture is written to this name first, so the old one is safe where that fails.
+    fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
         assert!(status.success() || stdout.is_empty(), "errors are on stderr");
@@ -83,7 +86,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
         _ => format!("{line}\n"),
     });
     insta::assert_snapshot!("program_texts", lines.collect::<String>());
-    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 3);
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 5);
     assert!(old_files.iter().all(|file| fs::read(file).is_ok_and(|bytes| bytes == b"old")));
 }
 

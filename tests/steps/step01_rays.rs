@@ -1,6 +1,6 @@
 //! Step 1: rays and the camera.
 
-use course::examples::row::Row;
+use course::examples::{directions, row::Row};
 use glam::DVec3;
 use step01_rays::{Camera, render};
 use tests::camera;
@@ -21,7 +21,7 @@ fn angle_between_outermost_rays_is_the_field_of_view() {
         assert!(nearly_equal(angle.to_degrees(), degrees));
         let (first, last) = (v(0.0, 0.0), v(100.0, 74.0));
         assert!(first.distance(-last.with_z(1.0)) < 1e-12, "{first} {last}");
-        assert!(first.x < 0.0 && 0.0 < first.y && first.z == -1.0);
+        assert!(first.x < 0.0 && first.y > 0.0 && first.z == -1.0);
     }
 }
 
@@ -33,6 +33,13 @@ fn middle_row_of_the_camera_is_the_row_in_2d() {
             let (v, v_in_2d) = (camera.ray(i, 2.0).direction, row.direction(i));
             assert!(nearly_equal(v.x, v_in_2d.x) && v.y.abs() < 1e-12 && v.z == -v_in_2d.y);
         }
+    }
+}
+
+#[test]
+fn plain_loops_draw_what_all_processors_draw() {
+    for camera in [camera(), Camera::new(2, 1, 1.0), Camera::new(37, 53, 2.0)] {
+        assert_eq!(directions::picture(&camera), step01_rays::picture(&camera, 1));
     }
 }
 

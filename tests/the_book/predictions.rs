@@ -37,11 +37,11 @@ fn each_ball_that_mirrors_shows_the_green_sphere() {
     let mut names: Vec<_> = primary_rays()
         .filter_map(|ray| {
             let point = step05_phong::visible_point(&objects, &ray)?;
-            let name = nearest(&objects, &ray)?.object.name;
+            let name = point.hit.object.name;
             let direction = step05_phong::reflect(point.n, -ray.direction);
             let start = point.p + course::examples::mirror::OFFSET * point.n;
             let mirrored = nearest(&objects, &Ray { start, direction })?;
-            let is_mirror = 0.0 < point.material.k && name != "ground";
+            let is_mirror = point.material().k > 0.0 && name != "ground";
             (is_mirror && mirrored.object.name == "green sphere").then_some(name)
         })
         .collect();
@@ -56,6 +56,6 @@ fn sphere_behind_the_eye_is_on_the_lines_of_the_lower_left_rays() {
     let Object { sphere: green, .. } = OBJECTS[4];
     let rays = primary_rays().filter(|ray| green.intersect(ray) != Roots::Zero);
     let direction_sum: DVec3 = rays.map(|ray| ray.direction).sum();
-    assert!(0.0 < green.centre.x && 0.0 < green.centre.y);
+    assert!(green.centre.x > 0.0 && green.centre.y > 0.0);
     assert!(direction_sum.x < 0.0 && direction_sum.y < 0.0);
 }

@@ -7,7 +7,7 @@ use step01_rays::{Camera, Ray, direction_colour, draw_pixels, rgb8};
 /// The colour that `ray` sees: a tile of the floor, 1.5 below the eye, or the sky.
 pub fn colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
-    if 0.0 <= v.y {
+    if v.y >= 0.0 {
         return direction_colour(ray);
     }
     let p = ray.at(-1.5 / v.y);
@@ -21,7 +21,7 @@ pub fn colour(ray: &Ray) -> DVec3 {
 
 /// The picture: the colour of the ray through the centre of each pixel.
 pub fn picture(camera: &Camera) -> RgbImage {
-    draw_pixels(camera, &|i, j| rgb8(colour(&camera.ray(i, j))))
+    draw_pixels(camera, |i, j| rgb8(colour(&camera.ray(i, j))))
 }
 
 fn main() -> ImageResult<()> {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step01_rays::{Camera, Ray, direction_colour, render, run};
+use step01_rays::{Camera, Ray, direction_colour, draw_and_save, render};
 
 /// The angle from one line to the next.
 const SPACING: f64 = 5_f64.to_radians();
@@ -30,5 +30,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -3,7 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step01_rays::{
-    Camera, Ray, direction_colour, draw_pixels, mean, rgb8, run, sub_pixels,
+    Camera, Ray, direction_colour, draw_and_save, draw_pixels, mean_colour, rgb8,
+    sub_pixel_offsets,
 };
 
 /// Two numbers from 0 to 1 that look random, the same for the same `x` and `y`.
@@ -35,9 +36,9 @@ fn colour(ray: &Ray) -> DVec3 {
 /// The picture: rays on a grid on the left, random ones on the right; at least 4×4.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let side = samples.max(4);
-    let centres = sub_pixels(side);
-    draw_pixels(camera, &|i, j| {
-        rgb8(mean(&centres, |u, v| {
+    let centres = sub_pixel_offsets(side);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean_colour(&centres, |u, v| {
             let (i, j) = (i + u, j + v);
             let ray = camera.ray(i, j);
             let is_left = ray.direction.x < 0.0;
@@ -47,5 +48,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

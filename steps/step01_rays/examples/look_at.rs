@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use step01_rays::{Camera, Ray, direction_colour, render, run};
+use step01_rays::{Camera, Ray, direction_colour, draw_and_save, render};
 
 /// `camera` moved to `position` and turned to `target`, then rolled by an angle.
 ///
@@ -22,11 +22,11 @@ pub fn look_at(
     Camera { centre: position, matrix: basis * camera.matrix, ..*camera }
 }
 
-/// How close `ray` comes to the point `p`, or None where `p` is behind its start.
+/// How close `ray` comes to the point `p`, or None if `p` is behind its start.
 pub fn passes(ray: &Ray, p: DVec3) -> Option<f64> {
     let v = ray.direction;
     let t = (p - ray.start).dot(v) / v.dot(v);
-    (0.0 < t).then(|| ray.at(t).distance(p))
+    (t > 0.0).then(|| ray.at(t).distance(p))
 }
 
 /// The beads along the edges of a cube around the origin, nine to an edge.
@@ -38,7 +38,7 @@ fn beads() -> Vec<DVec3> {
         for &y in &along {
             for &z in &along {
                 // On an edge, two of the three coordinates are at an end.
-                if 2 <= ends(x) + ends(y) + ends(z) {
+                if ends(x) + ends(y) + ends(z) >= 2 {
                     beads.push(DVec3::new(x, y, z));
                 }
             }
@@ -70,5 +70,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -3,7 +3,9 @@
 use glam::DVec3;
 use image::RgbImage;
 use std::f64::consts::{PI, TAU};
-use step01_rays::{Camera, draw_pixels, mean, rgb8, run, sub_pixels};
+use step01_rays::{
+    Camera, draw_and_save, draw_pixels, mean_colour, rgb8, sub_pixel_offsets,
+};
 
 /// The unit vector at a longitude and a latitude; both are 0 ahead, along −z.
 pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
@@ -37,12 +39,12 @@ fn colour(v: DVec3) -> DVec3 {
 
 /// The picture: the whole cube around the eye.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let centres = sub_pixels(samples);
-    draw_pixels(camera, &|i, j| {
-        rgb8(mean(&centres, |u, v| colour(panoramic(camera, i + u, j + v))))
+    let centres = sub_pixel_offsets(samples);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean_colour(&centres, |u, v| colour(panoramic(camera, i + u, j + v))))
     })
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

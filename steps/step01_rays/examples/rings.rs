@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step01_rays::{Camera, Ray, direction_colour, render, run};
+use step01_rays::{Camera, Ray, direction_colour, draw_and_save, render};
 
 /// The number of rings over which the length of V grows by 1.
 const RINGS: f64 = 50.0;
@@ -21,5 +21,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

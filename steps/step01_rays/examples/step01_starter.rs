@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step01_rays::{Camera, Ray, render, run};
+use step01_rays::{Camera, Ray, draw_and_save, render};
 
 /// The colour that `ray` sees: its direction.
 fn colour(ray: &Ray) -> DVec3 {
@@ -16,5 +16,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -20,12 +20,12 @@ pub struct Camera {
 
 impl Camera {
     /// A camera at the origin that looks along −z with y up; its pixels are square.
-    /// The centres of its outermost columns enclose the angle `field_of_view`, θ, in
-    /// radians, above 0 and below π: at π, the picture would be endlessly wide.
+    /// The rays through its outermost columns enclose the angle `field_of_view`, θ, in
+    /// radians; 0 < θ < π. At π, the picture would be infinitely wide.
     /// # Panics
     /// If there are fewer than two columns, or no rows.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
-        assert!(2 <= h_res && 1 <= v_res, "{h_res}×{v_res} is not 2×1 or more");
+        assert!(h_res >= 2 && v_res >= 1, "{h_res}×{v_res} is not 2×1 or more");
         let tan = (field_of_view / 2.0).tan();
         let (columns, rows) = (f64::from(h_res - 1), f64::from(v_res - 1));
         let d_u = DVec3::new(2.0 * tan / columns, 0.0, 0.0);

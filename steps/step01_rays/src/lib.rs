@@ -1,6 +1,6 @@
 //! Step 1, stage 1 of the lecture "Ray Casting": generate the rays from the eye.
 //!
-//! A [`Camera`] gives the [`Ray`] through any place (i, j) of a picture, from C along
+//! A [`Camera`] gives the [`Ray`] through any point (i, j) of a picture, from C along
 //! [D_u D_v V_0] (i, j, 1)ᵀ. [`render`] draws any function from rays to colours.
 
 mod ray;
@@ -12,14 +12,14 @@ pub use camera::Camera;
 mod rgb8;
 pub use rgb8::rgb8;
 
-mod draw_pixels;
-pub use draw_pixels::draw_pixels;
-
 mod direction_colour;
 pub use direction_colour::direction_colour;
 
+mod draw_pixels;
+pub use draw_pixels::draw_pixels;
+
 mod render;
-pub use render::{mean, render, sub_pixels};
+pub use render::{mean_colour, render, sub_pixel_offsets};
 
 mod picture;
 pub use picture::picture;
@@ -28,4 +28,4 @@ mod aspect_ratio;
 pub use aspect_ratio::AspectRatio;
 
 mod program;
-pub use program::run;
+pub use program::draw_and_save;

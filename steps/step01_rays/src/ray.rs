@@ -10,12 +10,12 @@ use glam::DVec3;
 pub struct Ray {
     /// S, the point where the ray starts.
     pub start: DVec3,
-    /// V, its direction: of any length but 0, not normalised.
+    /// V, its direction. It may have any length except 0, and is not normalised.
     pub direction: DVec3,
 }
 
 impl Ray {
-    /// The point r(t) = S + tV; t counts in lengths of V, not in units.
+    /// The point r(t) = S + tV. The unit of `t` is the length of V.
     pub fn at(&self, t: f64) -> DVec3 {
         self.start + t * self.direction
     }

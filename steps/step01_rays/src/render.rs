@@ -2,22 +2,29 @@ use crate::{Camera, Ray, draw_pixels, rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The centres of `samples` × `samples` sub-pixels, row by row: how far each is to the
-/// right of the pixel's own centre, and how far below.
+/// The centres of the `samples` × `samples` sub-pixels of a pixel, row by row: how far
+/// each is to the right of the centre of the pixel, and how far below it.
 /// # Panics
-/// Where `samples` is 0: a pixel without a ray has no colour.
-pub fn sub_pixels(samples: u32) -> Vec<(f64, f64)> {
-    assert!(0 < samples, "a pixel needs a ray");
-    let side = f64::from(samples);
-    let offset = |k: u32| (f64::from(k) + 0.5) / side - 0.5;
-    let place = |k: u32| (offset(k % samples), offset(k / samples));
-    (0..samples * samples).map(place).collect()
+/// If `samples` is 0, since a pixel without a ray has no colour.
+pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {
+    assert!(samples > 0, "a pixel needs a ray");
+    let offset = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
+    let mut offsets = vec![];
+    for row in 0..samples {
+        for column in 0..samples {
+            offsets.push((offset(column), offset(row)));
+        }
+    }
+    offsets
 }
 
-/// The mean of `colour(u, v)` over all (u, v) of a list like that of `sub_pixels`.
-pub fn mean(places: &[(f64, f64)], colour: impl Fn(f64, f64) -> DVec3) -> DVec3 {
-    let sum: DVec3 = places.iter().map(|&(u, v)| colour(u, v)).sum();
-    sum / places.len() as f64
+/// The mean of `colour(u, v)` over all offsets (u, v) of a list.
+pub fn mean_colour(
+    offsets: &[(f64, f64)],
+    colour: impl Fn(f64, f64) -> DVec3,
+) -> DVec3 {
+    let sum: DVec3 = offsets.iter().map(|&(u, v)| colour(u, v)).sum();
+    sum / offsets.len() as f64
 }
 
 /// Draws the picture in which each pixel has the mean `colour` of the rays through it,
@@ -32,8 +39,8 @@ pub fn render(
     samples: u32,
     colour: impl Fn(&Ray) -> DVec3 + Sync,
 ) -> RgbImage {
-    let centres = sub_pixels(samples);
-    draw_pixels(camera, &|i, j| {
-        rgb8(mean(&centres, |u, v| colour(&camera.ray(i + u, j + v))))
+    let offsets = sub_pixel_offsets(samples);
+    draw_pixels(camera, |i, j| {
+        rgb8(mean_colour(&offsets, |u, v| colour(&camera.ray(i + u, j + v))))
     })
 }

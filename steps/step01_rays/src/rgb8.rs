@@ -3,6 +3,6 @@ use image::Rgb;
 
 /// The 8-bit colour of an intensity I, round(255 · clamp(I, 0, 1)) in each channel.
 pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
-    // `as` cuts off the fraction, hence + 0.5; it clamps to 0 and 255.
+    // `as` cuts off the fraction, so add 0.5 to round. It also clamps to 0 and 255.
     Rgb((255.0 * intensity + 0.5).to_array().map(|channel| channel as u8))
 }

@@ -31,12 +31,12 @@ fn rgb8_of_intensities() {
 }
 
 #[test]
-fn render_of_places() {
+fn render_of_offsets() {
     let camera = Camera { matrix: DMat3::IDENTITY, ..Camera::new(3, 2, 1.0) };
     let image = render(&camera, 2, |ray| {
         let v = ray.direction;
         assert_eq!((v - v.round()).abs(), DVec3::new(0.25, 0.25, 0.0));
-        let lamp = if 2.0 < v.x && 1.0 < v.y { 2.0 } else { 0.0 };
+        let lamp = if v.x > 2.0 && v.y > 1.0 { 2.0 } else { 0.0 };
         DVec3::new(0.2 * v.x, 0.4 * v.y, lamp)
     });
     assert_eq!(image[(1, 0)].0, [51, 0, 0]);
@@ -54,12 +54,12 @@ fn picture_of_a_pixel() {
 
 #[test]
 fn v_res_of_a_film() {
-    let film: AspectRatio = "2.35:1".parse().unwrap();
+    let film = AspectRatio { width: 2.35, height: 1.0 };
     assert_eq!(film.v_res(640), 272);
 }
 
 #[test]
-fn run_with_options() {
+fn draw_and_save_with_options() {
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/small.png");
     let options = "--width 32 --aspect 4:3 --fov 90 --samples 2 --output";
     let mut program = Command::new(env!("CARGO_BIN_EXE_step01_rays"));

@@ -6,7 +6,7 @@ use step02_sphere::{Camera, Roots, Sphere, direction_colour, render};
 
 /// The picture: red, or the colour of the direction.
 pub fn picture(camera: &Camera) -> RgbImage {
-    let sphere = Sphere { centre: DVec3::new(0.0, 0.0, 5.0), radius: 1.0 };
+    let sphere = Sphere::new([0.0, 0.0, 5.0], 1.0);
     render(camera, 1, |ray| match sphere.intersect(ray) {
         Roots::Zero => direction_colour(ray),
         Roots::One(_) | Roots::Two(..) => DVec3::new(0.91, 0.34, 0.28),

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step02_sphere::{Camera, Ray, Roots, Sphere, direction_colour, render, run};
+use step02_sphere::{
+    Camera, Ray, Roots, Sphere, direction_colour, draw_and_save, render,
+};
 
 /// A piece of a ray: all t from where it enters a solid to where it leaves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,10 +43,8 @@ pub fn inside_all(spheres: &[Sphere], ray: &Ray) -> Option<Interval> {
 }
 
 /// The two spheres.
-pub const SPHERES: [Sphere; 2] = [
-    Sphere { centre: DVec3::new(-0.75, -0.15, -5.4), radius: 1.5 },
-    Sphere { centre: DVec3::new(0.75, 0.15, -4.6), radius: 1.5 },
-];
+pub const SPHERES: [Sphere; 2] =
+    [Sphere::new([-0.75, -0.15, -5.4], 1.5), Sphere::new([0.75, 0.15, -4.6], 1.5)];
 
 /// The colour `behind`, seen through coloured glass where all `spheres` overlap: the
 /// longer the way through it, the less of `behind` is left.
@@ -69,5 +69,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step02_sphere::{Camera, Ray, SPHERE, Sphere, direction_colour, render, run};
+use step02_sphere::{
+    Camera, Ray, SPHERE, Sphere, direction_colour, draw_and_save, render,
+};
 
 /// A plane, the points p with n·(p − q) = 0.
 pub struct Plane {
@@ -20,7 +22,7 @@ impl Plane {
             return None;
         }
         let t = self.normal.dot(self.point - ray.start) / along;
-        (0.0 < t).then_some(t)
+        (t > 0.0).then_some(t)
     }
 }
 
@@ -62,5 +64,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

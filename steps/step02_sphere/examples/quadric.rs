@@ -2,7 +2,9 @@
 
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use step02_sphere::{Camera, Ray, Roots, direction_colour, quadratic, render, run};
+use step02_sphere::{
+    Camera, Ray, Roots, direction_colour, draw_and_save, quadratic, render,
+};
 
 /// A quadric, the points p with p·Qp + 2u·p + w = 0.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +47,7 @@ impl Quadric {
     /// The first hit at a height y between `bottom` and `top`.
     pub fn first_between(&self, ray: &Ray, bottom: f64, top: f64) -> Option<f64> {
         let between = |t| (bottom..=top).contains(&ray.at(t).y);
-        self.intersect(ray).iter().find(|&t| 0.0 < t && between(t))
+        self.intersect(ray).into_iter().find(|&t| t > 0.0 && between(t))
     }
 
     /// The gradient of the left side at `p`, which points from inside to outside.
@@ -79,7 +81,7 @@ fn colour(scene: &[(Quadric, DVec3)], ray: &Ray) -> DVec3 {
         if t < nearest.0 {
             let p = ray.at(t);
             let ring = if p.y.rem_euclid(0.25) < 0.125 { 1.0 } else { 0.85 };
-            let inside = 0.0 < quadric.gradient(p).dot(ray.direction);
+            let inside = quadric.gradient(p).dot(ray.direction) > 0.0;
             nearest = (t, colour * ring * if inside { 0.55 } else { 1.0 });
         }
     }
@@ -99,5 +101,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step02_sphere::{Camera, Ray, Sphere, direction_colour, render, run};
+use step02_sphere::{Camera, Ray, Sphere, direction_colour, draw_and_save, render};
 
 /// The one sphere.
 const SPHERE: Sphere = Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
@@ -21,5 +21,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -1,10 +1,11 @@
 //! Step 2, stage 2 of the lecture "Ray Casting": where a ray meets a sphere.
 //!
-//! A [`Sphere`] makes at² + bt + c = 0 of a [`Ray`], and [`quadratic`] finds its
-//! [`Roots`], of which the smallest above 0 is the hit.
+//! A [`Sphere`] and a [`Ray`] make a quadratic equation, at² + bt + c = 0. The function
+//! [`quadratic`] finds its [`Roots`], and the smallest root above 0 is the hit.
 
 pub use step01_rays::{
-    Camera, Ray, direction_colour, draw_pixels, mean, render, rgb8, run, sub_pixels,
+    Camera, Ray, direction_colour, draw_and_save, draw_pixels, mean_colour, render,
+    rgb8, sub_pixel_offsets,
 };
 
 mod quadratic;

@@ -1,27 +1,30 @@
-/// The real roots of a quadratic: three cases, told apart by D = b² − 4ac.
+use std::array;
+use std::iter::Flatten;
+
+/// The real roots of a quadratic equation: three cases, told apart by D = b² − 4ac.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
-    /// D < 0: no root; the line misses.
+    /// D < 0: no root. The line misses.
     Zero,
-    /// D = 0: one; the line touches.
+    /// D = 0: one root. The line touches.
     One(f64),
-    /// D > 0: two, the smaller first; the line goes in and comes out.
+    /// D > 0: two roots, the smaller first. The line goes in and comes out.
     Two(f64, f64),
 }
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// Where b² is much larger than 4ac, −b and √D nearly cancel in one root, and digits
-/// are lost. Careful libraries compute only the other root, and divide the product of
-/// the two, c/a, by it. With 64 bits, the lecture's form gives the same picture.
+/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
+/// digits are lost. Careful libraries compute only the other root, and divide c/a, the
+/// product of the two, by it. With 64 bits, the lecture's form gives the same picture.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
 /// ```
 /// # Panics
-/// Where a is not above 0, in a build with debug assertions.
+/// If a is not above 0, in a build with debug assertions.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
-    debug_assert!(0.0 < a, "a is not above 0");
+    debug_assert!(a > 0.0, "a is not above 0");
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
         Roots::Zero
@@ -33,23 +36,28 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 }
 
 impl Roots {
-    /// The roots, one after the other, the smaller first.
-    pub fn iter(self) -> impl Iterator<Item = f64> {
-        let (first, second) = match self {
-            Roots::Zero => (None, None),
-            Roots::One(t) => (Some(t), None),
-            Roots::Two(t, u) => (Some(t), Some(u)),
-        };
-        first.into_iter().chain(second)
-    }
-
-    /// The smallest t above 0: where a ray first meets the surface.
-    /// Below 0 a root lies behind the ray; 0 is the starting point, and no hit.
+    /// The smallest t above 0, where a ray first meets the surface.
+    /// A root below 0 lies behind the ray. At 0 the ray only starts, which is no hit.
     pub fn first_hit(self) -> Option<f64> {
         match self {
-            Roots::One(t) | Roots::Two(t, _) if 0.0 < t => Some(t),
-            Roots::Two(_, t) if 0.0 < t => Some(t),
+            Roots::One(t) | Roots::Two(t, _) if t > 0.0 => Some(t),
+            Roots::Two(_, t) if t > 0.0 => Some(t),
             _ => None,
         }
+    }
+}
+
+impl IntoIterator for Roots {
+    type Item = f64;
+    type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
+
+    /// Iterates over the roots, the smaller first.
+    fn into_iter(self) -> Self::IntoIter {
+        let roots = match self {
+            Roots::Zero => [None, None],
+            Roots::One(t) => [Some(t), None],
+            Roots::Two(t, u) => [Some(t), Some(u)],
+        };
+        roots.into_iter().flatten()
     }
 }

@@ -1,11 +1,11 @@
 use crate::{Ray, Roots, quadratic};
 use glam::DVec3;
 
-/// A sphere, all points at the same distance from its centre (slide "The Sphere").
+/// A sphere: all points at the same distance from its centre (slide "The Sphere").
 /// ```
 /// use {glam::DVec3, step02_sphere::{Ray, Sphere}};
 /// let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
-/// let sphere = Sphere { centre: DVec3::new(4.0, 0.0, 0.0), radius: 1.0 };
+/// let sphere = Sphere::new([4.0, 0.0, 0.0], 1.0);
 /// assert_eq!(sphere.coefficients(&ray), (1.0, -8.0, 15.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +17,13 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The a, b and c of at² + bt + c = 0, whose roots are where `ray` meets it.
-    /// The lecture's sphere is at the origin; here S is measured from the centre.
+    /// The sphere around `centre`, (x₀, y₀, z₀), with this radius, above 0.
+    pub const fn new(centre: [f64; 3], radius: f64) -> Self {
+        Self { centre: DVec3::from_array(centre), radius }
+    }
+
+    /// The a, b and c of at² + bt + c = 0. Its roots are where `ray` meets the sphere.
+    /// The lecture's sphere is at the origin, so here S is measured from the centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

@@ -76,7 +76,7 @@ fn picture_of_a_disc() {
 }
 
 #[test]
-fn run_with_samples() {
+fn draw_and_save_with_samples() {
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/smooth.png");
     let mut program = Command::new(env!("CARGO_BIN_EXE_step02_sphere"));
     program.args("--width 64 --samples 2 --output".split(' ')).arg(file);

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, OBJECTS, Object, Ray, direction_colour, render, run};
+use step03_nearest::{
+    Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, render,
+};
 
 /// The mean colour of all objects that `ray` hits, or else its own direction.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
@@ -22,5 +24,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

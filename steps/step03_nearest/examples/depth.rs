@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, OBJECTS, Object, Ray, nearest, render, run};
+use step03_nearest::{
+    Camera, OBJECTS, Object, Ray, draw_and_save, nearest, render,
+};
 
 /// The distance from the start of `ray` to its nearest hit, t |V|.
 pub fn distance(objects: &[Object<DVec3>], ray: &Ray) -> Option<f64> {
@@ -22,5 +24,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -4,8 +4,8 @@ use glam::{DMat3, DVec3};
 use image::RgbImage;
 use std::f64::consts::PI;
 use step03_nearest::{
-    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, nearest, render,
-    run,
+    Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, draw_and_save,
+    nearest, render,
 };
 
 /// A box whose sides are along the axes.
@@ -142,5 +142,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

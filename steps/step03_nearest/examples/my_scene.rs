@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use image::RgbImage;
-use step03_nearest::{Camera, Object, Sphere, colour, render, run};
+use step03_nearest::{Camera, Object, Sphere, colour, draw_and_save, render};
 
 /// A ball of one flat colour.
 pub fn ball(
@@ -11,7 +11,7 @@ pub fn ball(
     radius: f64,
     colour: [f64; 3],
 ) -> Object<DVec3> {
-    let sphere = Sphere { centre: centre.into(), radius };
+    let sphere = Sphere::new(centre, radius);
     Object { name, sphere, material: colour.into() }
 }
 
@@ -47,5 +47,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

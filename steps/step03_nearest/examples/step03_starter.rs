@@ -3,7 +3,7 @@
 use glam::DVec3;
 use image::RgbImage;
 use step03_nearest::{
-    Camera, OBJECTS, Object, Ray, direction_colour, nearest, render, run,
+    Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, nearest, render,
 };
 
 /// The colour that `ray` sees: the nearest object's, or else its own direction.
@@ -20,5 +20,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -4,8 +4,8 @@
 //! finds the [`Hit`] with the smallest t.
 
 pub use step02_sphere::{
-    Camera, Ray, Sphere, direction_colour, draw_pixels, mean, render, rgb8, run,
-    sub_pixels,
+    Camera, Ray, Sphere, direction_colour, draw_and_save, draw_pixels, mean_colour,
+    render, rgb8, sub_pixel_offsets,
 };
 
 mod object;

@@ -1,25 +1,25 @@
 use crate::{Object, Ray};
 
-/// Where a ray first meets an object, and which object it is.
+/// Where a ray first meets an object, and which object that is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<'a, M> {
     /// t in r(t) = S + tV; above 0.
     pub t: f64,
-    /// The object, from the list that was searched.
+    /// The object, which is in the list that was searched.
     pub object: &'a Object<M>,
 }
 
-/// The hit with the smallest t above 0, or None where `ray` misses all `objects`.
+/// The hit with the smallest t above 0, or None if `ray` misses all `objects`.
 /// ```
 /// use step03_nearest::{Camera, OBJECTS, nearest};
-/// let golden = Camera::new(640, 360, 60_f64.to_radians()).ray(362.0, 286.0);
-/// assert_eq!(nearest(&OBJECTS, &golden).unwrap().object.name, "golden sphere");
+/// let ray = Camera::new(640, 360, 60_f64.to_radians()).ray(362.0, 286.0);
+/// assert_eq!(nearest(&OBJECTS, &ray).unwrap().object.name, "golden sphere");
 /// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
     let mut best: Option<Hit<M>> = None;
     for object in objects {
         if let Some(t) = object.sphere.intersect(ray).first_hit()
-            && t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)
+            && best.as_ref().is_none_or(|best| t < best.t)
         {
             best = Some(Hit { t, object });
         }

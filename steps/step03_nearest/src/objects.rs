@@ -20,6 +20,6 @@ const fn object(
     radius: f64,
     colour: [f64; 3],
 ) -> Object<DVec3> {
-    let sphere = Sphere { centre: DVec3::from_array(centre), radius };
+    let sphere = Sphere::new(centre, radius);
     Object { name, sphere, material: DVec3::from_array(colour) }
 }

@@ -2,7 +2,10 @@
 
 use glam::DVec3;
 use image::{Rgb, RgbImage};
-use step04_diffuse::{Camera, colour, draw_pixels, mean, run, scene, sub_pixels};
+use step04_diffuse::{
+    Camera, colour, draw_and_save, draw_pixels, mean_colour, scene,
+    sub_pixel_offsets,
+};
 
 /// The sRGB value of a linear intensity I, both from 0 to 1: a straight line near
 /// black, a power above.
@@ -19,13 +22,13 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
 /// The picture: as `render` draws it, with the curve after each pixel's mean.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
-    let centres = sub_pixels(samples);
-    draw_pixels(camera, &|i, j| {
+    let centres = sub_pixel_offsets(samples);
+    draw_pixels(camera, |i, j| {
         let ray = |u, v| camera.ray(i + u, j + v);
-        rgb8(mean(&centres, |u, v| colour(&scene, &ray(u, v))))
+        rgb8(mean_colour(&centres, |u, v| colour(&scene, &ray(u, v))))
     })
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

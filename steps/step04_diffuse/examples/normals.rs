@@ -2,7 +2,7 @@
 
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, OBJECTS, direction_colour, render, run, visible_point,
+    Camera, OBJECTS, direction_colour, draw_and_save, render, visible_point,
 };
 
 /// The picture: 0.5 + 0.5 n, or the sky where a ray sees no point.
@@ -14,5 +14,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -1,7 +1,9 @@
 //! The scene of step 4 in plaster: a first try at its light.
 
 use image::RgbImage;
-use step04_diffuse::{Camera, direction_colour, render, run, scene, visible_point};
+use step04_diffuse::{
+    Camera, direction_colour, draw_and_save, render, scene, visible_point,
+};
 
 /// The picture: the light that reaches each point, as white plaster shows it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
@@ -21,5 +23,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

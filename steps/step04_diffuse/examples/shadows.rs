@@ -5,7 +5,8 @@ use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
     Camera, Matte, Object, PointLight, Ray, Scene, Sphere, SurfacePoint, ambient,
-    diffuse, direction_colour, nearest, render, run, scene, visible_point,
+    diffuse_at, direction_colour, draw_and_save, nearest, render, scene,
+    visible_point,
 };
 
 /// How far above the surface a ray to a light starts.
@@ -34,13 +35,11 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material, scene.ambient_light);
+    let mut intensity = ambient(point.material(), scene.ambient_light);
     for light in &scene.lights {
-        if hidden(&scene.objects, &point, light.position, OFFSET) {
-            continue;
+        if !hidden(&scene.objects, &point, light.position, OFFSET) {
+            intensity += diffuse_at(point.p, point.n, point.material(), light);
         }
-        let (l, d) = light.direction_from(point.p);
-        intensity += diffuse(point.n, l, d, point.material, light);
     }
     intensity
 }
@@ -48,12 +47,12 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
 /// The picture: the colour of every ray. There is a moon behind the cool light.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let mut scene = scene();
-    let sphere = Sphere { centre: DVec3::new(6.4, 3.4, -15.5), radius: 1.3 };
+    let sphere = Sphere::new([6.4, 3.4, -15.5], 1.3);
     let material = Matte::of(DVec3::new(0.76, 0.66, 0.5));
     scene.objects.push(Object { name: "moon", sphere, material });
     render(camera, samples, |ray| colour(&scene, ray))
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

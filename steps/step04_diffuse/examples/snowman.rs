@@ -8,7 +8,7 @@ use glam::DVec3;
 use image::RgbImage;
 use my_scene::{ball, objects};
 use step04_diffuse::{
-    Attenuation, Camera, Matte, PointLight, Scene, colour, render, run,
+    Attenuation, Camera, Matte, PointLight, Scene, colour, draw_and_save, render,
 };
 
 /// The scene: the objects, the light of the sky, a low sun, and a lantern.
@@ -41,5 +41,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Attenuation, Camera, Matte, PointLight, Ray, Scene, SurfacePoint, ambient,
-    diffuse, direction_colour, render, run, scene, visible_point,
+    Attenuation, Camera, Matte, PointLight, Ray, Scene, ambient, diffuse_at,
+    direction_colour, draw_and_save, render, scene, visible_point,
 };
 
 /// A point light that shines into a cone only.
@@ -54,14 +54,14 @@ fn spot(position: [f64; 3], target: [f64; 3], diffuse: [f64; 3]) -> SpotLight {
 
 /// The colour that `ray` sees.
 fn colour(scene: &Scene<Matte, SpotLight>, ray: &Ray) -> DVec3 {
-    let Some(SurfacePoint { p, n, material }) = visible_point(&scene.objects, ray)
-    else {
+    let Some(point) = visible_point(&scene.objects, ray) else {
         return NIGHT * direction_colour(ray);
     };
+    let (p, n, material) = (point.p, point.n, point.material());
     let mut intensity = ambient(material, scene.ambient_light);
     for light in &scene.lights {
-        let (l, d) = light.point_light.direction_from(p);
-        intensity += light.cone(l) * diffuse(n, l, d, material, &light.point_light);
+        let (l, _) = light.point_light.direction_from(p);
+        intensity += light.cone(l) * diffuse_at(p, n, material, &light.point_light);
     }
     intensity
 }
@@ -73,5 +73,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

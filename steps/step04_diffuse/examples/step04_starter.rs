@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse, direction_colour,
-    render, run, scene, visible_point,
+    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse_at, direction_colour,
+    draw_and_save, render, scene, visible_point,
 };
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
@@ -12,10 +12,9 @@ fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material, scene.ambient_light);
+    let mut intensity = ambient(point.material(), scene.ambient_light);
     for light in &scene.lights {
-        let (l, d) = light.direction_from(point.p);
-        intensity += diffuse(point.n, l, d, point.material, light);
+        intensity += diffuse_at(point.p, point.n, point.material(), light);
     }
     intensity
 }
@@ -27,5 +26,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

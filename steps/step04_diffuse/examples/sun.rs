@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step04_diffuse::{
-    COOL, Camera, Matte, PointLight, Ray, Scene, ambient, diffuse,
-    direction_colour, render, run, scene, visible_point,
+    COOL_LIGHT, Camera, Matte, PointLight, Ray, Scene, ambient, diffuse_at,
+    direction_colour, draw_and_save, render, scene, visible_point,
 };
 
 /// A light so far away that its direction and brightness are the same everywhere.
@@ -35,21 +35,20 @@ fn colour(scene: &Scene<Matte, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material, scene.ambient_light);
-    intensity += sun.diffuse(point.n, point.material);
+    let mut intensity = ambient(point.material(), scene.ambient_light);
+    intensity += sun.diffuse(point.n, point.material());
     for light in &scene.lights {
-        let (l, d) = light.direction_from(point.p);
-        intensity += diffuse(point.n, l, d, point.material, light);
+        intensity += diffuse_at(point.p, point.n, point.material(), light);
     }
     intensity
 }
 
 /// The picture: the cool light stays, and the sun is new.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
-    let scene = Scene { lights: vec![COOL], ..scene() };
+    let scene = Scene { lights: vec![COOL_LIGHT], ..scene() };
     render(camera, samples, |ray| colour(&scene, &SUN, ray))
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -2,7 +2,7 @@ use crate::{Matte, PointLight};
 use glam::DVec3;
 
 /// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
-/// `n` points outwards, `l` to the light, which is `d` away; both are unit vectors.
+/// `n` points outwards, `l` to the light, which is `d` away. Both are unit vectors.
 pub fn diffuse(
     n: DVec3,
     l: DVec3,
@@ -13,4 +13,15 @@ pub fn diffuse(
     material.diffuse / light.attenuation.divisor(d)
         * n.dot(l).max(0.0)
         * light.diffuse
+}
+
+/// I_d of one light at the point `p` of a surface, where its unit normal is `n`.
+pub fn diffuse_at(
+    p: DVec3,
+    n: DVec3,
+    material: &Matte,
+    light: &PointLight,
+) -> DVec3 {
+    let (l, d) = light.direction_from(p);
+    diffuse(n, l, d, material, light)
 }

@@ -1,22 +1,22 @@
 use glam::DVec3;
 
-/// How light fades with distance: it is divided by a + bd + cd².
+/// How light fades with the distance d: it is divided by a + bd + cd².
 /// ```
-/// let fades = step04_diffuse::Attenuation { a: 1.0, b: 0.0, c: 0.25 };
-/// assert_eq!(fades.divisor(2.0), 2.0);
+/// let attenuation = step04_diffuse::Attenuation { a: 1.0, b: 0.0, c: 0.25 };
+/// assert_eq!(attenuation.divisor(2.0), 2.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation {
     /// The part that does not change with distance.
     pub a: f64,
-    /// The part that grows with the distance d.
+    /// The part that grows with d.
     pub b: f64,
-    /// The part that grows with its square.
+    /// The part that grows with d².
     pub c: f64,
 }
 
 impl Attenuation {
-    /// a + bd + cd², what light is divided by at the distance `d`; above 0.
+    /// a + bd + cd², by which the light is divided at the distance `d`; above 0.
     pub fn divisor(&self, d: f64) -> f64 {
         self.a + self.b * d + self.c * d * d
     }
@@ -27,15 +27,15 @@ impl Attenuation {
 pub struct PointLight {
     /// Where it is.
     pub position: DVec3,
-    /// L_d, its intensity in red, green and blue; 0 or more.
+    /// L_d, its intensity in red, green and blue, each at least 0.
     pub diffuse: DVec3,
-    /// a, b and c, chosen by taste: how it fades.
+    /// How it fades: a, b and c, chosen by eye.
     pub attenuation: Attenuation,
 }
 
 impl PointLight {
     /// The unit vector l from the point `p` to the light, and the distance d.
-    /// At the light itself, where there's no direction, d is 0 and l is (1, 0, 0).
+    /// At the light itself there is no direction, so l is (1, 0, 0), and d is 0.
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

@@ -1,19 +1,18 @@
 use crate::{
-    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse, direction_colour,
+    Camera, Matte, PointLight, Ray, Scene, ambient, diffuse_at, direction_colour,
     render, scene, visible_point,
 };
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: the lit point, or else its own direction.
+/// The colour that `ray` sees: that of the lit point, or else its direction.
 pub fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut intensity = ambient(point.material, scene.ambient_light);
+    let mut intensity = ambient(point.material(), scene.ambient_light);
     for light in &scene.lights {
-        let (l, d) = light.direction_from(point.p);
-        intensity += diffuse(point.n, l, d, point.material, light);
+        intensity += diffuse_at(point.p, point.n, point.material(), light);
     }
     intensity
 }

@@ -1,40 +1,40 @@
 use crate::{Attenuation, Matte, OBJECTS, Object, PointLight};
 use glam::DVec3;
 
-/// What there is to see, and the light to see it in.
+/// Everything there is to see, and the light to see it in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<M, L> {
-    /// The objects, of material `M`.
+    /// The objects, whose materials have the type `M`.
     pub objects: Vec<Object<M>>,
     /// L_a, the ambient light, the same everywhere.
     pub ambient_light: DVec3,
-    /// The lights that have a place, of the kind `L`.
+    /// The lamps, of type `L`.
     pub lights: Vec<L>,
 }
 
 /// L_a of the book's scene, a little blue.
-pub const AMBIENT: DVec3 = DVec3::new(0.32, 0.32, 0.42);
+pub const AMBIENT_LIGHT: DVec3 = DVec3::new(0.32, 0.32, 0.42);
 
 /// The warm light, up on the left, in front of the objects.
-pub const WARM: PointLight = PointLight {
+pub const WARM_LIGHT: PointLight = PointLight {
     position: DVec3::new(-4.0, 5.0, -2.0),
     diffuse: DVec3::new(1.0, 0.84, 0.64),
     attenuation: Attenuation { a: 0.7, b: 0.02, c: 0.005 },
 };
 
 /// The cool light, behind the objects on the right.
-pub const COOL: PointLight = PointLight {
+pub const COOL_LIGHT: PointLight = PointLight {
     position: DVec3::new(5.5, 2.2, -11.5),
     diffuse: DVec3::new(0.45, 0.6, 1.0),
     attenuation: Attenuation { a: 0.5, b: 0.0, c: 0.02 },
 };
 
-/// The objects of step 3 in matte materials of their colours, and two lamps.
+/// The objects of step 3, each in a matte material of its colour, and two lamps.
 pub fn scene() -> Scene<Matte, PointLight> {
     let matte = |flat: Object<DVec3>| flat.with_material(Matte::of(flat.material));
     Scene {
         objects: OBJECTS.map(matte).into(),
-        ambient_light: AMBIENT,
-        lights: vec![WARM, COOL],
+        ambient_light: AMBIENT_LIGHT,
+        lights: vec![WARM_LIGHT, COOL_LIGHT],
     }
 }

@@ -1,15 +1,21 @@
-use crate::{Object, Ray, Sphere, nearest};
+use crate::{Hit, Object, Ray, Sphere, nearest};
 use glam::DVec3;
 
-/// A point on the surface of an object, with all that its light depends on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The point of a surface that a ray sees.
 pub struct SurfacePoint<'a, M> {
-    /// p, where it is.
+    /// The hit: t, and the object whose surface it is.
+    pub hit: Hit<'a, M>,
+    /// p = r(t), where the point is.
     pub p: DVec3,
     /// n, the unit normal there.
     pub n: DVec3,
-    /// What the object is made of.
-    pub material: &'a M,
+}
+
+impl<'a, M> SurfacePoint<'a, M> {
+    /// The material of the object.
+    pub fn material(&self) -> &'a M {
+        &self.hit.object.material
+    }
 }
 
 /// n, the unit normal of `sphere` at a point `p` on it; it points outwards.
@@ -17,7 +23,7 @@ pub fn normal(sphere: &Sphere, p: DVec3) -> DVec3 {
     (p - sphere.centre) / sphere.radius
 }
 
-/// The point at which `ray` meets the nearest object, None where it misses all.
+/// The point at which `ray` meets the nearest object, or None if it misses all.
 pub fn visible_point<'a, M>(
     objects: &'a [Object<M>],
     ray: &Ray,
@@ -25,5 +31,5 @@ pub fn visible_point<'a, M>(
     let hit = nearest(objects, ray)?;
     let p = ray.at(hit.t);
     let n = normal(&hit.object.sphere, p);
-    Some(SurfacePoint { p, n, material: &hit.object.material })
+    Some(SurfacePoint { hit, p, n })
 }

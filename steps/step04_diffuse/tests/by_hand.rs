@@ -29,23 +29,30 @@ fn visible_point_of_a_pixel() {
 fn diffuse_from_behind() {
     let scene = scene();
     let point = visible_point(&scene.objects, &ray(380, 136)).unwrap();
-    let (l, d) = COOL.direction_from(point.p);
-    assert_eq!(diffuse(point.n, l, d, point.material, &COOL), DVec3::ZERO);
+    let (p, n, material) = (point.p, point.n, point.material());
+    assert_eq!(diffuse_at(p, n, material, &COOL_LIGHT), DVec3::ZERO);
 }
 
 #[test]
 fn lights_of_a_pixel() {
     let scene = scene();
     let point = visible_point(&scene.objects, &ray(470, 120)).unwrap();
-    let SurfacePoint { p, n, material } = point;
-    let (l, d) = WARM.direction_from(p);
+    let (p, n, material) = (point.p, point.n, point.material());
+    let (l, d) = WARM_LIGHT.direction_from(p);
     near(l, [-0.6076, 0.3612, 0.7074]);
-    near([d, WARM.attenuation.divisor(d), n.dot(l)], [10.9438, 1.5177, 0.1863]);
-    near(diffuse(n, l, d, material, &WARM), [0.1179, 0.0681, 0.044]);
-    let (l, d) = COOL.direction_from(p);
+    near(
+        [d, WARM_LIGHT.attenuation.divisor(d), n.dot(l)],
+        [10.9438, 1.5177, 0.1863],
+    );
+    near(diffuse(n, l, d, material, &WARM_LIGHT), [0.1179, 0.0681, 0.044]);
+    near(diffuse_at(p, n, material, &WARM_LIGHT), [0.1179, 0.0681, 0.044]);
+    let (l, d) = COOL_LIGHT.direction_from(p);
     near(l, [0.8048, 0.3254, -0.4964]);
-    near([d, COOL.attenuation.divisor(d), n.dot(l)], [3.5422, 0.7509, 0.3414]);
-    near(diffuse(n, l, d, material, &COOL), [0.1964, 0.18, 0.2546]);
+    near(
+        [d, COOL_LIGHT.attenuation.divisor(d), n.dot(l)],
+        [3.5422, 0.7509, 0.3414],
+    );
+    near(diffuse(n, l, d, material, &COOL_LIGHT), [0.1964, 0.18, 0.2546]);
 }
 
 #[test]

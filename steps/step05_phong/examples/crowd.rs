@@ -7,13 +7,13 @@ mod mirror;
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use mirror::{Mirror, OFFSET, colour, mirrors};
-use step05_phong::{Camera, Light, Object, Scene, Sphere, render, run};
+use step05_phong::{Camera, Light, Object, Scene, Sphere, draw_and_save, render};
 
 /// The centre of a ball of this radius that lies on `ground`, at the x and z of `place`.
 fn on_top(ground: &Sphere, place: DVec3, radius: f64) -> Option<DVec3> {
     let aside = (place - ground.centre).with_y(0.0);
     let squared = (ground.radius + radius).powi(2) - aside.length_squared();
-    (0.0 < squared).then(|| place.with_y(ground.centre.y + squared.sqrt()))
+    (squared > 0.0).then(|| place.with_y(ground.centre.y + squared.sqrt()))
 }
 
 /// Says whether two balls overlap. Two that only touch don't: 1e-6 is for rounding.
@@ -58,5 +58,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

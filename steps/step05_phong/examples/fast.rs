@@ -6,7 +6,9 @@ use image::RgbImage;
 use many::{Content, Tree};
 use rayon::prelude::*;
 use std::array::from_fn;
-use step05_phong::{Camera, Light, Material, Object, Scene, ambient, run, scene};
+use step05_phong::{
+    Camera, Light, Material, Object, Scene, ambient, draw_and_save, scene,
+};
 
 #[allow(dead_code)]
 #[path = "../../step03_nearest/examples/many.rs"]
@@ -219,5 +221,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -11,14 +11,14 @@ use mirror::{OFFSET, hidden, shadowed_phong};
 use std::slice;
 use step05_phong::{
     Camera, Light, Material, Object, Ray, Scene, SurfacePoint, direction_colour,
-    reflect, render, run, scene, visible_point,
+    draw_and_save, reflect, render, scene, visible_point,
 };
 
 /// A material that may be glass.
 pub struct Glass {
     /// Its material, of which glass has the highlights only.
     pub material: Material,
-    /// The refractive index; None where it isn't glass.
+    /// The refractive index, or None if it isn't glass.
     pub index: Option<f64>,
 }
 
@@ -33,14 +33,14 @@ pub fn glasses(index: f64) -> Scene<Glass, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// `v` of any length, bent by Snell's law where it meets a surface whose unit normal
-/// `n` faces it; or None where all of it is mirrored.
+/// `v`, of any length, bent by Snell's law where it meets a surface whose unit normal
+/// `n` faces it, or None if all of it is mirrored.
 ///
 /// `ratio` is η, the refractive index that the ray leaves over the one it enters.
 pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {
     let s = ratio * (v - v.dot(n) * n);
     let rest = v.dot(v) - s.dot(s);
-    (0.0 <= rest).then(|| s - rest.sqrt() * n)
+    (rest >= 0.0).then(|| s - rest.sqrt() * n)
 }
 
 /// The part of unpolarised light that the surface mirrors where `refract` bends `v`
@@ -72,10 +72,8 @@ pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let is_hidden = |light: &Light| {
         hidden_by_opaque(&scene.objects, &point, light.point_light.position)
     };
-    let SurfacePoint { p, n, material: Glass { material, index } } = point;
-    let lit = SurfacePoint { p, n, material };
-    let (l_a, lights) = (scene.ambient_light, &scene.lights);
-    let terms = shadowed_phong(&lit, ray, l_a, lights, is_hidden);
+    let Glass { material, index } = point.material();
+    let terms = shadowed_phong(&point, ray, material, scene, is_hidden);
     let Some(index) = *index else { return terms.sum() };
     if depth == 0 {
         return DVec3::ZERO;
@@ -109,5 +107,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -4,8 +4,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
-    Camera, Light, Material, Ray, Scene, direction_colour, phong, render, run,
-    scene, visible_point,
+    Camera, Light, Material, Ray, Scene, Terms, ambient, diffuse, direction_colour,
+    draw_and_save, render, scene, visible_point,
 };
 
 /// h, the unit vector halfway between the unit vectors `l` and `v`, which are not
@@ -31,18 +31,22 @@ pub fn specular(
         * light.specular
 }
 
-/// The colour that `ray` sees: this step's, but for the highlights.
+/// The colour that `ray` sees: as in this step, except for the highlights.
 fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
     };
-    let mut terms = phong(&point, ray, scene.ambient_light, &scene.lights);
-    terms.specular = DVec3::ZERO;
+    let (n, material) = (point.n, point.material());
+    let v = -ray.direction.normalize();
+    let mut terms = Terms {
+        ambient: ambient(&material.matte, scene.ambient_light),
+        ..Terms::default()
+    };
     for light in &scene.lights {
         let (l, d) = light.point_light.direction_from(point.p);
-        if 0.0 < point.n.dot(l) {
-            let h = halfway(l, -ray.direction.normalize());
-            terms.specular += specular(point.n, h, d, point.material, light);
+        terms.diffuse += diffuse(n, l, d, &material.matte, &light.point_light);
+        if n.dot(l) > 0.0 {
+            terms.specular += specular(n, halfway(l, v), d, material, light);
         }
     }
     terms.sum()
@@ -55,5 +59,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

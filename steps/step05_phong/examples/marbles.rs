@@ -8,7 +8,8 @@ use glam::DVec3;
 use image::RgbImage;
 use my_scene::{ball, objects};
 use step05_phong::{
-    Camera, Light, Material, Matte, Object, Scene, colour, render, run, scene,
+    Camera, Light, Material, Matte, Object, Scene, colour, draw_and_save, render,
+    scene,
 };
 
 /// R_s and n, what makes the same paint look like another material.
@@ -67,5 +68,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

@@ -9,24 +9,28 @@ use glam::DVec3;
 use image::RgbImage;
 pub use shadows::{OFFSET, hidden};
 use step05_phong::{
-    Camera, Light, Material, Phong, Ray, Scene, SurfacePoint, direction_colour,
-    phong, reflect, render, run, scene, visible_point,
+    Camera, Light, Material, Ray, Scene, SurfacePoint, Terms, ambient,
+    direction_colour, draw_and_save, light_terms, reflect, render, scene,
+    visible_point,
 };
 
-/// The terms at `point`, without the light of the lamps that are hidden from it.
-pub fn shadowed_phong(
-    point: &SurfacePoint<Material>,
+/// The terms at `point`, made of `material`, as `phong` has them, but without the light
+/// of the lamps that are hidden from it.
+pub fn shadowed_phong<M>(
+    point: &SurfacePoint<M>,
     ray: &Ray,
-    ambient_light: DVec3,
-    lights: &[Light],
+    material: &Material,
+    scene: &Scene<M, Light>,
     is_hidden: impl Fn(&Light) -> bool,
-) -> Phong {
-    let mut terms = phong(point, ray, ambient_light, &[]);
-    for light in lights {
+) -> Terms {
+    let v = -ray.direction.normalize();
+    let mut terms = Terms {
+        ambient: ambient(&material.matte, scene.ambient_light),
+        ..Terms::default()
+    };
+    for light in &scene.lights {
         if !is_hidden(light) {
-            let added = phong(point, ray, DVec3::ZERO, &[*light]);
-            terms.diffuse += added.diffuse;
-            terms.specular += added.specular;
+            terms += light_terms(point.p, point.n, v, material, light);
         }
     }
     terms
@@ -72,18 +76,18 @@ pub fn colour(
     let is_hidden = |light: &Light| {
         hidden(&scene.objects, &point, light.point_light.position, offset)
     };
-    let SurfacePoint { p, n, material: Mirror { material, k } } = point;
-    let point = SurfacePoint { p, n, material };
-    let (l_a, lights) = (scene.ambient_light, &scene.lights);
-    let terms = shadowed_phong(&point, ray, l_a, lights, is_hidden);
-    if 0.0 < *k && 0 < depth {
-        let direction = reflect(n, -ray.direction);
-        let mirrored = Ray { start: p + offset * n, direction };
-        return (1.0 - k) * (terms.ambient + terms.diffuse)
-            + k * colour(scene, &mirrored, depth - 1, offset)
-            + terms.specular;
+    let Mirror { material, k } = point.material();
+    let terms = shadowed_phong(&point, ray, material, scene, is_hidden);
+    if *k == 0.0 || depth == 0 {
+        return terms.sum();
     }
-    terms.sum()
+    let mirrored = Ray {
+        start: point.p + offset * point.n,
+        direction: reflect(point.n, -ray.direction),
+    };
+    (1.0 - k) * (terms.ambient + terms.diffuse)
+        + k * colour(scene, &mirrored, depth - 1, offset)
+        + terms.specular
 }
 
 /// The picture: a ray may meet ten mirrors, one after the other.
@@ -93,5 +97,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

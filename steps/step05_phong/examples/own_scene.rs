@@ -5,7 +5,7 @@ use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
     Attenuation, Camera, Light, Material, Matte, Object, PointLight, Scene, Sphere,
-    render, run,
+    draw_and_save, render,
 };
 
 /// A ball of one colour that mirrors `r_s` of the light; `n` is its shininess.
@@ -20,7 +20,7 @@ pub fn ball(
 ) -> Object<Material> {
     let (matte, specular) = (Matte::of(colour.into()), DVec3::splat(r_s));
     let material = Material { matte, specular, shininess: n };
-    Object { name, sphere: Sphere { centre: centre.into(), radius }, material }
+    Object { name, sphere: Sphere::new(centre, radius), material }
 }
 
 /// A lamp: where it is, L_d, L_s, and a, b and c.
@@ -83,5 +83,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

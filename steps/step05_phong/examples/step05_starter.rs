@@ -3,8 +3,8 @@
 use glam::DVec3;
 use image::RgbImage;
 use step05_phong::{
-    Camera, Light, Material, Ray, Scene, direction_colour, phong, render, run,
-    scene, visible_point,
+    Camera, Light, Material, Ray, Scene, direction_colour, draw_and_save, phong,
+    render, scene, visible_point,
 };
 
 /// The colour that `ray` sees: the lit point, or else its own direction.
@@ -22,5 +22,5 @@ pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
 }
 
 fn main() {
-    run(env!("CARGO_CRATE_NAME"), picture);
+    draw_and_save(env!("CARGO_CRATE_NAME"), picture);
 }

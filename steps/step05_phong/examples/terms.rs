@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 use image::{ImageResult, RgbImage};
-use step05_phong::{Camera, Phong, direction_colour, render, scene, terms};
+use step05_phong::{Camera, Terms, direction_colour, render, scene, terms};
 
 /// The scene in the one term of the sum that `term` takes out.
-pub fn picture(camera: &Camera, term: fn(Phong) -> DVec3) -> RgbImage {
+pub fn picture(camera: &Camera, term: fn(Terms) -> DVec3) -> RgbImage {
     let scene = scene();
     render(camera, 1, |ray| match terms(&scene, ray) {
         Some(terms) => term(terms),

@@ -2,20 +2,21 @@
 //! Here is all that the five crates offer, step by step:
 //!
 //! 1. [`Camera`] and [`Ray`]; [`render`] draws a function from rays to colours, and
-//!    [`draw_pixels`], [`sub_pixels`], [`mean`] and [`rgb8`] are its parts;
-//!    [`direction_colour`] is the sky, and [`run`] the program around a picture.
+//!    [`draw_pixels`], [`sub_pixel_offsets`], [`mean_colour`] and [`rgb8`] are its
+//!    parts; [`direction_colour`] is the sky, and [`draw_and_save`] the program.
 //! 2. [`Sphere`], and where a ray meets it.
 //! 3. [`Object`], [`nearest`] and its [`Hit`]; [`OBJECTS`] are the nine of the book.
 //! 4. [`SurfacePoint`], found by [`visible_point`]; [`Matte`] and [`PointLight`];
 //!    [`ambient`] and [`diffuse`]; a [`Scene`] of any materials and lights.
-//! 5. [`Material`] and [`Light`]; [`reflect`] and [`specular`]; [`phong`], the sum;
-//!    [`colour`] is what a ray sees of a scene, such as the book's [`scene`].
+//! 5. [`Material`] and [`Light`]; [`reflect`] and [`specular`]; [`light_terms`] of one
+//!    light, and [`phong`], the sum; [`colour`] is what a ray sees of a scene, such as
+//!    the book's [`scene`].
 
 pub use step04_diffuse::{
-    AMBIENT, Attenuation, COOL, Camera, Hit, Matte, OBJECTS, Object, PointLight,
-    Ray, Scene, Sphere, SurfacePoint, WARM, ambient, diffuse, direction_colour,
-    draw_pixels, mean, nearest, normal, render, rgb8, run, sub_pixels,
-    visible_point,
+    AMBIENT_LIGHT, Attenuation, COOL_LIGHT, Camera, Hit, Matte, OBJECTS, Object,
+    PointLight, Ray, Scene, Sphere, SurfacePoint, WARM_LIGHT, ambient, diffuse,
+    direction_colour, draw_and_save, draw_pixels, mean_colour, nearest, normal,
+    render, rgb8, sub_pixel_offsets, visible_point,
 };
 
 mod reflect;
@@ -29,7 +30,7 @@ pub use material::Material;
 pub use specular::specular;
 
 mod phong;
-pub use phong::{Phong, phong};
+pub use phong::{Terms, light_terms, phong};
 
 mod picture;
 mod scene;

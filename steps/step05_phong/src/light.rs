@@ -6,6 +6,6 @@ use glam::DVec3;
 pub struct Light {
     /// Its position, L_d and attenuation.
     pub point_light: PointLight,
-    /// L_s, its intensity in highlights; 0 or more each for red, green and blue.
+    /// L_s, its intensity in highlights: red, green and blue, each at least 0.
     pub specular: DVec3,
 }

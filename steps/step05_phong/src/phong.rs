@@ -2,46 +2,72 @@ use crate::{
     Light, Material, Ray, SurfacePoint, ambient, diffuse, reflect, specular,
 };
 use glam::DVec3;
+use std::ops::AddAssign;
 
-/// The terms of the light that leaves a point; I_d and I_s are sums over all lights.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phong {
-    /// I_a, of the light that is the same everywhere.
+/// The three terms of the light that leaves a point towards the eye.
+#[derive(Default)]
+pub struct Terms {
+    /// I_a, from the light that is the same everywhere.
     pub ambient: DVec3,
-    /// I_d, scattered all around.
+    /// I_d, scattered in all directions.
     pub diffuse: DVec3,
     /// I_s, mirrored.
     pub specular: DVec3,
 }
 
-impl Phong {
+impl Terms {
     /// I = I_a + I_d + I_s.
     pub fn sum(&self) -> DVec3 {
         self.ambient + self.diffuse + self.specular
     }
 }
 
-/// The light that comes back along `ray` from `point` (slide "Phong Lighting").
+impl AddAssign for Terms {
+    fn add_assign(&mut self, other: Self) {
+        self.ambient += other.ambient;
+        self.diffuse += other.diffuse;
+        self.specular += other.specular;
+    }
+}
+
+/// I_d and I_s of one light at the point `p` of a surface. `n` is the unit normal, and
+/// `v` the unit vector to the eye. I_a is 0, since it is of no lamp.
 /// A light behind the surface gives no highlight; the slide has no such rule.
+pub fn light_terms(
+    p: DVec3,
+    n: DVec3,
+    v: DVec3,
+    material: &Material,
+    light: &Light,
+) -> Terms {
+    let (l, d) = light.point_light.direction_from(p);
+    let mut terms = Terms {
+        diffuse: diffuse(n, l, d, &material.matte, &light.point_light),
+        ..Terms::default()
+    };
+    if n.dot(l) > 0.0 {
+        terms.specular = specular(reflect(n, l), v, d, material, light);
+    }
+    terms
+}
+
+/// The light that comes back along `ray` from `point` (slide "Phong Lighting"): I_a
+/// once, and the terms of each light.
 pub fn phong(
     point: &SurfacePoint<Material>,
     ray: &Ray,
     ambient_light: DVec3,
     lights: &[Light],
-) -> Phong {
-    let SurfacePoint { p, n, material } = *point;
+) -> Terms {
+    let SurfacePoint { p, n, .. } = *point;
     let v = -ray.direction.normalize();
-    let mut terms = Phong {
+    let material = point.material();
+    let mut terms = Terms {
         ambient: ambient(&material.matte, ambient_light),
-        diffuse: DVec3::ZERO,
-        specular: DVec3::ZERO,
+        ..Terms::default()
     };
     for light in lights {
-        let (l, d) = light.point_light.direction_from(p);
-        terms.diffuse += diffuse(n, l, d, &material.matte, &light.point_light);
-        if 0.0 < n.dot(l) {
-            terms.specular += specular(reflect(n, l), v, d, material, light);
-        }
+        terms += light_terms(p, n, v, material, light);
     }
     terms
 }

@@ -1,21 +1,21 @@
 use crate::{
-    Camera, Light, Material, Phong, Ray, Scene, direction_colour, phong, render,
+    Camera, Light, Material, Ray, Scene, Terms, direction_colour, phong, render,
     scene, visible_point,
 };
 use glam::DVec3;
 use image::RgbImage;
 
-/// The terms of the light that comes back along `ray`, None where it meets nothing.
-pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Phong> {
+/// The terms of the light that comes back along `ray`, or None if it meets nothing.
+pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Terms> {
     let point = visible_point(&scene.objects, ray)?;
     Some(phong(&point, ray, scene.ambient_light, &scene.lights))
 }
 
-/// The colour that `ray` sees: the sum of the terms, or else its own direction.
+/// The colour that `ray` sees: the sum of the terms, or else its direction.
 /// ```
 /// use step05_phong::{Camera, colour, render, scene};
 /// let (mut scene, camera) = (scene(), Camera::new(64, 36, 60_f64.to_radians()));
-/// scene.lights.truncate(1); // keeps the warm one
+/// scene.lights.truncate(1); // keeps the warm light
 /// let image = render(&camera, 1, |ray| colour(&scene, ray));
 /// # assert_ne!(image, step05_phong::picture(&camera, 1));
 /// ```

@@ -1,4 +1,7 @@
-use crate::{AMBIENT, COOL, Light, Material, Matte, OBJECTS, Object, Scene, WARM};
+use crate::{
+    AMBIENT_LIGHT, COOL_LIGHT, Light, Material, Matte, OBJECTS, Object, Scene,
+    WARM_LIGHT,
+};
 use glam::DVec3;
 
 /// The scene of step 4, polished: R_s and n for each object, L_s for each light.
@@ -16,10 +19,10 @@ pub fn scene() -> Scene<Material, Light> {
             polished(salmon, 0.5, 40),
             polished(cream, 0.4, 20),
         ],
-        ambient_light: AMBIENT,
+        ambient_light: AMBIENT_LIGHT,
         lights: vec![
-            Light { point_light: WARM, specular: DVec3::new(1.0, 0.9, 0.8) },
-            Light { point_light: COOL, specular: DVec3::new(0.5, 0.7, 1.0) },
+            Light { point_light: WARM_LIGHT, specular: DVec3::new(1.0, 0.9, 0.8) },
+            Light { point_light: COOL_LIGHT, specular: DVec3::new(0.5, 0.7, 1.0) },
         ],
     }
 }

@@ -7,10 +7,10 @@ fn camera() -> Camera {
     Camera::new(640, 360, 60_f64.to_radians())
 }
 
-fn terms_at(i: u32, j: u32) -> Phong {
+fn terms_at(i: u32, j: u32) -> Terms {
     let ray = camera().ray(i.into(), j.into());
     let mut scene = scene();
-    scene.lights.reverse(); // a sum has no order
+    scene.lights.reverse(); // the order of the lights makes no difference
     terms(&scene, &ray).unwrap()
 }
 
@@ -23,8 +23,8 @@ fn near(found: DVec3, printed: [f64; 3]) {
 fn reflect_at_a_pixel() {
     let ray = camera().ray(470.0, 120.0);
     let SurfacePoint { p, n, .. } = visible_point(&OBJECTS, &ray).unwrap();
-    near(reflect(n, WARM.direction_from(p).0), [0.8559, -0.2195, -0.4683]);
-    near(reflect(n, COOL.direction_from(p).0), [-0.3498, -0.0657, 0.9345]);
+    near(reflect(n, WARM_LIGHT.direction_from(p).0), [0.8559, -0.2195, -0.4683]);
+    near(reflect(n, COOL_LIGHT.direction_from(p).0), [-0.3498, -0.0657, 0.9345]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 use course::{OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
-use step05_phong::{Light, Material, Phong, Ray, SurfacePoint, direction_colour, normal, phong};
+use step05_phong::{Light, Material, Ray, Terms, ambient, direction_colour, light_terms, normal};
 
 /// A scene of step 5. The steps before it have less of the same numbers.
 pub(crate) type Scene = step05_phong::Scene<Material, Light>;
@@ -82,19 +82,36 @@ impl Drawing {
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
             true => self.own.scene.objects[hit.object].material.matte.diffuse,
-            false => self.terms_at_hit(ray, hit, &self.own.scene.lights).sum(),
+            false => self.terms_at_hit(ray, hit).sum(),
         }
     }
 
-    /// The terms of some lights at a hit, whatever hides it there.
-    pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit, lights: &[Light]) -> Phong {
+    /// The terms of the whole sum at a hit, even if another object hides it.
+    pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
+        let ambient = self.ambient_at_hit(hit);
+        let mut terms = Terms { ambient, ..Terms::default() };
+        for light in &self.own.scene.lights {
+            terms += self.light_terms_at_hit(ray, hit, light);
+        }
+        terms
+    }
+
+    /// I_a at a hit.
+    pub fn ambient_at_hit(&self, hit: ObjectHit) -> DVec3 {
+        let scene = &self.own.scene;
+        ambient(&scene.objects[hit.object].material.matte, scene.ambient_light)
+    }
+
+    /// The terms of one light at a hit, even if another object hides it. There is no specular
+    /// term before step 5.
+    pub fn light_terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: &Light) -> Terms {
         let object = &self.own.scene.objects[hit.object];
         let p = ray.at(hit.t);
-        let point = SurfacePoint { p, n: normal(&object.sphere, p), material: &object.material };
-        let terms = phong(&point, ray, self.own.scene.ambient_light, lights);
+        let v = -ray.direction.normalize();
+        let terms = light_terms(p, normal(&object.sphere, p), v, &object.material, light);
         match self.step {
             Step::Phong => terms,
-            _ => Phong { specular: DVec3::ZERO, ..terms },
+            _ => Terms { specular: DVec3::ZERO, ..terms },
         }
     }
 }

@@ -51,8 +51,9 @@ fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
     let choice = choices.into_iter().find(|choice| {
         wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
             let Some(hit) = *hit else { return false };
-            let [warm, cool] = [0, 1].map(|k| drawing.terms_at_hit(ray, hit, &lights[k..=k]));
-            let terms = [warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
+            let ambient = drawing.ambient_at_hit(hit);
+            let [warm, cool] = [0, 1].map(|k| drawing.light_terms_at_hit(ray, hit, &lights[k]));
+            let terms = [ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
             let kept = (0..count).filter(|k| !is_left_out(*choice, *k));
             rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
         })

@@ -28,7 +28,7 @@ pub(crate) fn computed_values(drawing: &Drawing, ray: &Ray, hit: Option<ObjectHi
         let (l, d) = light.point_light.direction_from(p);
         text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
     }
-    let terms = drawing.terms_at_hit(ray, hit, &drawing.own.scene.lights);
+    let terms = drawing.terms_at_hit(ray, hit);
     text += &format!(
         ";\n  I_a = {}, I_d = {}",
         format_vector(terms.ambient),

@@ -33,6 +33,7 @@ macro_rules! examples {
 // The name of an example, its path, and what draws its picture, if it has one of its own.
 examples! {
     gradient: "../../../../steps/step01_rays/examples/gradient.rs" => |_, _| gradient::picture(),
+    directions: "../../../../steps/step01_rays/examples/directions.rs",
     checkerboard: "../../../../steps/step01_rays/examples/checkerboard.rs" => |camera, _| checkerboard::picture(camera),
     graticule: "../../../../steps/step01_rays/examples/graticule.rs" => graticule::picture,
     jitter: "../../../../steps/step01_rays/examples/jitter.rs" => jitter::picture,

@@ -91,7 +91,7 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
             write_step(&folder.join("src"), mistake, step.name(), &format!("m{k}"))?;
             modules += &format!("pub mod {};\n", step.name());
             let (path, name) = (format!("m{k}::{}", step.name()), picture_name(k, step));
-            pictures += &format!("|| {path}::run({name:?}, {path}::picture),\n");
+            pictures += &format!("|| {path}::draw_and_save({name:?}, {path}::picture),\n");
         }
         modules += "}\n";
     }

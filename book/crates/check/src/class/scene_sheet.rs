@@ -79,7 +79,7 @@ fn find_lit_pixel(drawing: &Drawing, skipped: usize) -> Option<((u32, u32), Ray,
         let hit = drawing.visible_hit(&ray)?;
         let object = &scene.objects[hit.object];
         let (a, b, c) = object.sphere.coefficients(&ray);
-        let light = drawing.terms_at_hit(&ray, hit, &scene.lights[..1]);
+        let light = drawing.light_terms_at_hit(&ray, hit, &scene.lights[0]);
         let is_lit = 0.1 < light.diffuse.x && 0.01 < light.specular.x;
         let is_found = object.name != "ground" && 1.0 < b * b - 4.0 * a * c && is_lit;
         is_found.then_some(((i, j), ray, hit))

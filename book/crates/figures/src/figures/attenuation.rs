@@ -1,10 +1,10 @@
 use super::*;
 use glam::dvec2;
-use step04_diffuse::{Attenuation, WARM};
+use step04_diffuse::{Attenuation, WARM_LIGHT};
 
 /// The light at each distance, for an a, b and c that the reader sets.
 pub fn figure() -> Figure {
-    let Attenuation { a, b, c } = WARM.attenuation;
+    let Attenuation { a, b, c } = WARM_LIGHT.attenuation;
     let words = "of your curve";
     Figure {
         title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.",
@@ -46,7 +46,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.arrow("axis", view.origin, place(0.0, 2.16));
     let from_1 = |b, c| Attenuation { a: 1.0, b, c };
     let yours = attenuation(values);
-    let name = if yours == WARM.attenuation { "the warm light" } else { "your curve" };
+    let name = if yours == WARM_LIGHT.attenuation { "the warm light" } else { "your curve" };
     let mut curves = [
         ("curve curve-1", from_1(0.0, 0.0), "$a$ = 1"),
         ("curve curve-2", from_1(0.2, 0.0), "$a$ = 1, $b$ = 0.2"),

@@ -1,6 +1,6 @@
 use super::*;
 use course::examples::shadows::{OFFSET, hidden};
-use step05_phong::{Object, Ray, Sphere, SurfacePoint, nearest, reflect, visible_point};
+use step05_phong::{Object, Ray, Sphere, SurfacePoint, reflect, visible_point};
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
@@ -50,10 +50,10 @@ struct FlatWorld {
     balls: Vec<Object<usize>>,
 }
 
-/// A hit on the way of a ray.
-struct Hit<'a> {
-    t: f64,
+/// A point that the ray, or one of the mirrored rays, sees.
+struct LitPoint<'a> {
     point: SurfacePoint<'a, usize>,
+    /// Whether the light reaches it.
     is_lit: bool,
 }
 
@@ -71,15 +71,14 @@ impl FlatWorld {
 
     /// The first three hits of the ray from the eye and the mirrored ones, and the ray that
     /// meets nothing, if there is one.
-    fn trace(&self) -> (Vec<Hit<'_>>, Option<Ray>) {
+    fn trace(&self) -> (Vec<LitPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
-            let hit = nearest(&self.balls, &ray).zip(visible_point(&self.balls, &ray));
-            let Some((hit, point)) = hit else { return (hits, Some(ray)) };
+            let Some(point) = visible_point(&self.balls, &ray) else { return (hits, Some(ray)) };
             let start = point.p + OFFSET * point.n;
             ray = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_lit = !hidden(&self.balls, &point, self.q, OFFSET);
-            hits.push(Hit { t: hit.t, point, is_lit });
+            hits.push(LitPoint { point, is_lit });
         }
         (hits, None)
     }
@@ -91,7 +90,7 @@ fn draw(values: &[f64]) -> Output {
     let place = |point: DVec3| VIEW.to_drawing(point.truncate());
     let mut drawing = Drawing::new(300.0);
     for Object { sphere, material, .. } in &world.balls {
-        let is_seen = hits.iter().any(|hit| hit.point.material == material);
+        let is_seen = hits.iter().any(|hit| hit.point.material() == material);
         let class = if is_seen { "object seen" } else { "object" };
         drawing.circle(class, place(sphere.centre), VIEW.scale.x * sphere.radius);
         // Beside the handle, which is large on a phone.
@@ -102,7 +101,7 @@ fn draw(values: &[f64]) -> Output {
     let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
     let corners = hits.iter().map(|hit| hit.point.p).chain(end);
     drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(place));
-    for Hit { point: SurfacePoint { p, n, .. }, is_lit, .. } in &hits {
+    for LitPoint { point: SurfacePoint { p, n, .. }, is_lit } in &hits {
         let class = if *is_lit { "light" } else { "guide" };
         drawing.line(class, place(*p), place(world.q));
         drawing.arrow("second", place(*p), place(p + 0.7 * n));
@@ -114,7 +113,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.circle("light head", place(q), 7.0);
     let above = |point: DVec3| point + 0.6 * DVec3::Y;
     let mut names = vec![(above(s), "$S$"), (above(v), "$V$"), (above(q), "$q$")];
-    if let Some(SurfacePoint { p, n, .. }) = hits.first().map(|hit| hit.point) {
+    if let Some(LitPoint { point: SurfacePoint { p, n, .. }, .. }) = hits.first() {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }
     for (point, name) in names {
@@ -127,9 +126,9 @@ fn draw(values: &[f64]) -> Output {
 fn numbers(values: &[f64]) -> Numbers {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();
-    let words = hits.iter().map(|Hit { t, point, is_lit }| {
+    let words = hits.iter().map(|LitPoint { point, is_lit }| {
         let place = if *is_lit { "in the light" } else { "in shadow" };
-        format!("ball {} at t = {}, {place}", point.material, format_rounded(*t, 2))
+        format!("ball {} at t = {}, {place}", point.material(), format_rounded(point.hit.t, 2))
     });
     let words = words.chain(leaving.map(|_| "nothing".into()));
     collect_numbers([("path", words.collect::<Vec<_>>().join("; then "))])

@@ -49,7 +49,7 @@ fn draw(values: &[f64]) -> Output {
     for Object { sphere, material: k, .. } in &objects {
         // A row for each sphere; the two numbers stand apart, however near they are.
         let y = 190.0 + 20.0 * *k as f64;
-        for (t, anchor) in sphere.intersect(&ray).iter().zip(["end", "start"]) {
+        for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {
                 Some(hit) if hit.t == t => ("hit", "hit"),
                 _ if t < 0.0 => ("behind", "quiet"),

@@ -66,7 +66,7 @@ fn draw(values: &[f64]) -> Output {
     drawing.line("guide", place(T_RANGE[0]), place(0.0));
     drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
     drawing.dot("eye", place(0.0));
-    let roots = OBJECTS.iter().flat_map(|o| o.sphere.intersect(&ray).iter());
+    let roots = OBJECTS.iter().flat_map(|object| object.sphere.intersect(&ray));
     for t in roots.filter(|t| (T_RANGE[0]..T_RANGE[1]).contains(t)) {
         drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
     }

@@ -65,7 +65,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     });
     drawing.path("curve", curve);
     let roots = SPHERE.intersect(ray);
-    for t in roots.iter() {
+    for t in roots {
         let class = match roots.first_hit() {
             Some(hit) if hit == t => "hit",
             _ if t <= 0.0 => "behind",
@@ -78,7 +78,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let format = |number: f64| format_rounded(number, 2);
     let discriminant = format!("$D$ = {}", format(discriminant(&SPHERE, ray)));
     drawing.label("strong", dvec2(x, 20.0), &discriminant);
-    let words = roots.iter().map(format).collect::<Vec<_>>().join(" or ");
+    let words = roots.into_iter().map(format).collect::<Vec<_>>().join(" or ");
     let words = if words.is_empty() { "no root".into() } else { format!("$t$ = {words}") };
     drawing.label("quiet", dvec2(x, 40.0), &words);
 }

@@ -5,7 +5,7 @@ use crate::{
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
-use step05_phong::{Hit, Light, Ray, Scene, SurfacePoint, nearest, reflect, rgb8, visible_point};
+use step05_phong::{Light, Ray, Scene, reflect, rgb8, visible_point};
 
 /// The offsets, written as in the listing.
 const OFFSETS: &[&str] = &[
@@ -61,15 +61,15 @@ impl Mirrors {
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
-        let hit = nearest(objects, ray).zip(visible_point(objects, ray));
-        let Some((Hit { object, t }, SurfacePoint { p, n, material })) = hit else {
+        let Some(point) = visible_point(objects, ray) else {
             return (["sky".into(), String::new(), String::new(), intensity], None);
         };
-        let k = if depth == 0 { 0.0 } else { material.k };
-        let row = [short_name(object.name).into(), format_number(t), format_number(k), intensity];
-        let start = p + self.offset * n;
-        let mirrored = Ray { start, direction: reflect(n, -ray.direction) };
-        (row, (0.0 < k).then_some(mirrored))
+        let k = if depth == 0 { 0.0 } else { point.material().k };
+        let object = short_name(point.hit.object.name).into();
+        let row = [object, format_number(point.hit.t), format_number(k), intensity];
+        let start = point.p + self.offset * point.n;
+        let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
+        (row, (k > 0.0).then_some(mirrored))
     }
 }
 

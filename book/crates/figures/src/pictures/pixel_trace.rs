@@ -6,7 +6,7 @@ use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step02_sphere::Sphere;
 use step05_phong::{
-    Hit, Light, Material, Object, Scene, SurfacePoint, nearest, phong, reflect, visible_point,
+    Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
 
 /// b² − 4ac of a ray and a sphere.
@@ -40,8 +40,8 @@ pub fn trace_pixel<M>(
             ("b", format_number(b)),
             ("c", format_number(c)),
             ("D", format_number(d)),
-            ("near", format_root(roots.iter().next())),
-            ("far", format_root(roots.iter().last())),
+            ("near", format_root(roots.into_iter().next())),
+            ("far", format_root(roots.into_iter().last())),
         ];
         numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
@@ -61,7 +61,7 @@ pub fn trace_pixel<M>(
 pub fn trace_shading(values: &[f64], scene: &Scene<Material, Light>) -> Numbers {
     let ray = &probe_ray(values);
     let Some(point) = visible_point(&scene.objects, ray) else { return Numbers::new() };
-    let SurfacePoint { p, n, material } = point;
+    let (p, n, material) = (point.p, point.n, point.material());
     let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
     let v = -ray.direction.normalize();
     let mut numbers = collect_numbers([
@@ -77,7 +77,7 @@ pub fn trace_shading(values: &[f64], scene: &Scene<Material, Light>) -> Numbers 
         let r = reflect(n, l);
         let power = r.dot(v).max(0.0).powi(material.shininess);
         let divisor = light.point_light.attenuation.divisor(d);
-        let terms = phong(&point, ray, DVec3::ZERO, &[*light]);
+        let terms = light_terms(p, n, v, material, light);
         let column = [
             ("l", format_vector(l)),
             ("d", format_number(d)),

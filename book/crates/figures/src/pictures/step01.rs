@@ -1,7 +1,7 @@
 use crate::{Figure, Output, Parameter, array};
 use step01_rays::{AspectRatio, Camera, direction_colour, render};
 
-/// The lecture's four aspect ratios.
+/// The lecture's four aspect ratios, as the control shows them.
 const ASPECT_RATIOS: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
 /// The picture of step 1, with its camera to set.
@@ -24,6 +24,13 @@ pub fn aspect_ratio_parameter() -> Parameter {
 pub fn camera(values: &[f64]) -> Camera {
     let [fov_degrees, choice, columns] = array(values);
     let h_res = columns as u32;
-    let aspect_ratio: AspectRatio = ASPECT_RATIOS[choice as usize].parse().expect("it is W:H");
-    Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
+    let v_res = aspect_ratio(ASPECT_RATIOS[choice as usize]).v_res(h_res);
+    Camera::new(h_res, v_res, fov_degrees.to_radians())
+}
+
+/// The aspect ratio that is written W:H.
+fn aspect_ratio(text: &str) -> AspectRatio {
+    let numbers: Vec<f64> = text.split(':').filter_map(|number| number.parse().ok()).collect();
+    let [width, height] = array(&numbers);
+    AspectRatio { width, height }
 }

@@ -3,15 +3,15 @@ use crate::probe::{draw_picture, probed_picture};
 use crate::{Figure, Handle, Mark, Numbers, Parameter};
 use glam::DVec3;
 use std::iter::zip;
-use step04_diffuse::{COOL, Matte, PointLight, Scene, WARM, colour};
+use step04_diffuse::{COOL_LIGHT, Matte, PointLight, Scene, WARM_LIGHT, colour};
 use step05_phong::{Light, Material};
 
 /// The picture of step 4: its lights to move, and a probe.
 pub fn figure() -> Figure {
     let lights = [
-        ("of the warm light", WARM.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
+        ("of the warm light", WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
         // Everywhere in these ranges, it is in the picture.
-        ("of the cool light", COOL.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
+        ("of the cool light", COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
     ];
     let parameters = lights.iter().flat_map(|&(words, position, ranges)| {
         let coordinates = zip(["x", "y", "z"], zip(position.to_array(), ranges));

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use syn::{BinOp, Expr, ExprBinary};
 
 /// Places whose value has a method called later, so that it can't be a number of an open type.
-const PLACES_WITH_METHODS: [&str; 2] = ["discriminant", "cosine"];
+const PLACES_WITH_METHODS: [&str; 1] = ["discriminant"];
 
 const STOP: &str = "Here your program would stop: there is no result, or none that fits its type.";
 
