@@ -12,8 +12,8 @@ fn from_line(angle: f64) -> f64 {
     (angle - (angle / SPACING).round() * SPACING).abs()
 }
 
-/// The colour that `ray` sees: lines over the colour of its direction, two pixels
-/// wide, where a pixel is the angle `pixel` wide.
+/// The colour that `ray` sees: the colour of its direction, with lines over it that
+/// are two pixels wide. `pixel` is the angle that a pixel covers.
 fn colour(ray: &Ray, pixel: f64) -> DVec3 {
     let v = ray.direction.normalize();
     let (longitude, latitude) = (v.x.atan2(-v.z), v.y.asin());

@@ -1,4 +1,4 @@
-//! A first sphere: red where its equation has a root.
+//! A first sphere: red wherever its equation has a root.
 
 use glam::DVec3;
 use image::{ImageResult, RgbImage};

@@ -1,4 +1,4 @@
-//! A lens: what two spheres have in common.
+//! A lens: the part that two spheres share.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -19,7 +19,7 @@ pub struct Interval {
 pub const RAY: Interval = Interval { enter: 0.0, leave: f64::INFINITY };
 
 impl Interval {
-    /// The piece of `ray` inside `sphere`, even where it is behind the start.
+    /// The piece of `ray` inside `sphere`, even if it is behind the start.
     pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
         match sphere.intersect(ray) {
             Roots::Two(enter, leave) => Some(Self { enter, leave }),
@@ -27,7 +27,7 @@ impl Interval {
         }
     }
 
-    /// What both have in common: from the later beginning to the earlier end.
+    /// The part that both share: from the later beginning to the earlier end.
     pub fn overlap(self, other: Self) -> Option<Self> {
         let enter = self.enter.max(other.enter);
         let leave = self.leave.min(other.leave);
@@ -46,8 +46,8 @@ pub fn inside_all(spheres: &[Sphere], ray: &Ray) -> Option<Interval> {
 pub const SPHERES: [Sphere; 2] =
     [Sphere::new([-0.75, -0.15, -5.4], 1.5), Sphere::new([0.75, 0.15, -4.6], 1.5)];
 
-/// The colour `behind`, seen through coloured glass where all `spheres` overlap: the
-/// longer the way through it, the less of `behind` is left.
+/// The colour `behind`, seen through coloured glass that fills what all `spheres`
+/// share. The longer the way through it, the less of `behind` is left.
 fn through(spheres: &[Sphere], glass: DVec3, behind: DVec3, ray: &Ray) -> DVec3 {
     let Some(piece) = inside_all(spheres, ray) else { return behind };
     let length = (piece.leave - piece.enter) * ray.direction.length();

@@ -6,7 +6,7 @@ use step03_nearest::{
     Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, nearest, render,
 };
 
-/// The colour that `ray` sees: the nearest object's, or else its own direction.
+/// The colour that `ray` sees: that of the nearest object, or else its direction.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     match nearest(objects, ray) {
         Some(hit) => hit.object.material,

@@ -53,7 +53,7 @@ fn nearest_in_a_crowd() {
 fn nearest_of_three_fronts() {
     let ball = |centre: f64, radius| Object {
         name: "ball",
-        sphere: Sphere { centre: DVec3::new(0.0, 0.0, -centre), radius },
+        sphere: Sphere::new([0.0, 0.0, -centre], radius),
         material: centre,
     };
     let ahead = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };

@@ -1,5 +1,5 @@
-//! The scene of step 4 with a moon, and with shadows: a light counts only where
-//! nothing is in its way.
+//! The scene of step 4 with a moon, and with shadows: a light counts only if nothing
+//! is in its way.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -15,7 +15,7 @@ use step04_diffuse::{
 /// surface that `p` lies on.
 pub const OFFSET: f64 = 1e-9;
 
-/// Says whether one of the `objects` stands between `point` and a light at `q`.
+/// Whether one of the `objects` is between `point` and a light at `q`.
 ///
 /// The ray starts `offset` above the surface. V leads from the start to the light, so
 /// the light is at t = 1.

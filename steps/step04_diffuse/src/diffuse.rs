@@ -15,7 +15,7 @@ pub fn diffuse(
         * light.diffuse
 }
 
-/// I_d of one light at the point `p` of a surface, where its unit normal is `n`.
+/// I_d of one light at a point `p` with the unit normal `n`.
 pub fn diffuse_at(
     p: DVec3,
     n: DVec3,

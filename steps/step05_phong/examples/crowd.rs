@@ -9,14 +9,15 @@ use image::RgbImage;
 use mirror::{Mirror, OFFSET, colour, mirrors};
 use step05_phong::{Camera, Light, Object, Scene, Sphere, draw_and_save, render};
 
-/// The centre of a ball of this radius that lies on `ground`, at the x and z of `place`.
+/// The centre of a ball of this radius that lies on `ground`, at the x and z of
+/// `place`, or None if the ground does not reach that far.
 fn on_top(ground: &Sphere, place: DVec3, radius: f64) -> Option<DVec3> {
     let aside = (place - ground.centre).with_y(0.0);
     let squared = (ground.radius + radius).powi(2) - aside.length_squared();
     (squared > 0.0).then(|| place.with_y(ground.centre.y + squared.sqrt()))
 }
 
-/// Says whether two balls overlap. Two that only touch don't: 1e-6 is for rounding.
+/// Whether two balls overlap. Two that only touch don't: the 1e-6 allows for rounding.
 fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }

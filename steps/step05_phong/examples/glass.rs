@@ -43,8 +43,8 @@ pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {
     (rest >= 0.0).then(|| s - rest.sqrt() * n)
 }
 
-/// The part of unpolarised light that the surface mirrors where `refract` bends `v`
-/// to `bent`, by Fresnel's equations; 0 to 1.
+/// The part of unpolarised light that the surface mirrors if `refract` bends `v` to
+/// `bent`: from 0 to 1, by Fresnel's equations.
 pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     let (c_1, c_2) = (-v.dot(n), -bent.dot(n));
     // For light that swings across the plane of v and n, and within it.
@@ -53,7 +53,7 @@ pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     (across * across + within * within) / 2.0
 }
 
-/// Says whether anything but glass stands between `point` and a light at `q`.
+/// Whether anything except glass is between `point` and a light at `q`.
 pub fn hidden_by_opaque(
     objects: &[Object<Glass>],
     point: &SurfacePoint<Glass>,
@@ -64,7 +64,7 @@ pub fn hidden_by_opaque(
     opaque.any(|object| hidden(slice::from_ref(object), point, q, OFFSET))
 }
 
-/// The colour that `ray` sees via at most `depth` surfaces of glass.
+/// The colour that `ray` sees after meeting at most `depth` surfaces of glass.
 pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
@@ -82,8 +82,8 @@ pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     terms.specular + through_glass(ray, &point, index, next)
 }
 
-/// What `ray` sees in the surface of glass at `point`, where `next` is the colour
-/// that a ray from there sees.
+/// The colour that `ray` sees in the surface of glass at `point`. `next` gives the
+/// colour that a ray from there sees.
 pub fn through_glass<M>(
     ray: &Ray,
     point: &SurfacePoint<M>,

@@ -17,7 +17,7 @@ pub fn halfway(l: DVec3, v: DVec3) -> DVec3 {
 /// The specular term with the cosine between n and h:
 /// I_s = R_s / (a + bd + cd²) · max(n·h, 0)⁴ⁿ · L_s.
 ///
-/// Where light and eye are on nearly the same side, h is half as far from n as v is
+/// If light and eye are on nearly the same side, h is half as far from n as v is
 /// from r, so the exponent is four times the shininess.
 pub fn specular(
     n: DVec3,

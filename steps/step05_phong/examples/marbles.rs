@@ -12,7 +12,7 @@ use step05_phong::{
     scene,
 };
 
-/// R_s and n, what makes the same paint look like another material.
+/// R_s and n. They make the same paint look like a different material.
 type Polish = ([f64; 3], i32);
 
 const STONE: Polish = ([0.4; 3], 10);
@@ -20,7 +20,7 @@ const MARBLE: Polish = ([0.6; 3], 60);
 const GLASS: Polish = ([1.0; 3], 200);
 const GOLD: Polish = ([1.0, 0.75, 0.35], 20);
 
-/// The object in another paint, polished.
+/// The object in this paint, polished.
 fn polished(
     object: Object<DVec3>,
     paint: [f64; 3],

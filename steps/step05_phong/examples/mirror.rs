@@ -14,8 +14,8 @@ use step05_phong::{
     visible_point,
 };
 
-/// The terms at `point`, made of `material`, as `phong` has them, but without the light
-/// of the lamps that are hidden from it.
+/// The terms at `point` in this material, as `phong` has them, but without the light of
+/// the lamps that are hidden from it.
 pub fn shadowed_phong<M>(
     point: &SurfacePoint<M>,
     ray: &Ray,
@@ -62,7 +62,7 @@ pub fn mirrors() -> Scene<Mirror, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// The colour that `ray` sees by way of at most `depth` mirrors. New rays start
+/// The colour that `ray` sees after meeting at most `depth` mirrors. New rays start
 /// `offset` above a surface.
 pub fn colour(
     scene: &Scene<Mirror, Light>,

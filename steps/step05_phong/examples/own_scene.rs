@@ -23,7 +23,7 @@ pub fn ball(
     Object { name, sphere: Sphere::new(centre, radius), material }
 }
 
-/// A lamp: where it is, L_d, L_s, and a, b and c.
+/// A lamp: its position, L_d, L_s, and a, b and c of its attenuation.
 #[allow(dead_code, reason = "there may be no lamp")]
 pub fn lamp(
     position: [f64; 3],

@@ -30,8 +30,8 @@ impl AddAssign for Terms {
     }
 }
 
-/// I_d and I_s of one light at the point `p` of a surface. `n` is the unit normal, and
-/// `v` the unit vector to the eye. I_a is 0, since it is of no lamp.
+/// I_d and I_s of one light at a point `p` with the unit normal `n`, seen along the unit
+/// vector `v` to the eye. I_a is 0 here, since it belongs to no lamp.
 /// A light behind the surface gives no highlight; the slide has no such rule.
 pub fn light_terms(
     p: DVec3,
