@@ -9,8 +9,9 @@ use std::sync::Once;
 use std::{env, fs};
 
 /// Arguments at the limits of what is allowed.
-const ALLOWED: [&str; 6] = [
+const ALLOWED: [&str; 7] = [
     "--width 8192 --aspect 1e9:1",
+    "--width 8192 --aspect 16:9",
     "--width 2 --aspect 1:4 --fov 0.001",
     "--width 2 --samples 16 --fov 179.999",
     "--width 20 --output UPPER.PNG",
@@ -19,7 +20,7 @@ const ALLOWED: [&str; 6] = [
 ];
 
 /// Arguments with which a program draws nothing: what it prints is locked.
-const REFUSED: [&str; 17] = [
+const REFUSED: [&str; 18] = [
     "--help",
     "--width 0",
     "--width -3",
@@ -30,6 +31,7 @@ const REFUSED: [&str; 17] = [
     "--aspect 1\n\n2",
     "--aspect 1:4.1",
     "--aspect nan:1",
+    "--width 8192 --aspect 16:9.01",
     "--fov 0",
     "--fov nan",
     "--samples 0",

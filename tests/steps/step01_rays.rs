@@ -44,7 +44,7 @@ fn plain_loops_draw_what_all_processors_draw() {
 }
 
 #[test]
-#[should_panic(expected = "1×1 is not 2×1 or more")]
+#[should_panic(expected = "a picture has at least 2×1 pixels, not 1×1")]
 fn camera_panics_with_one_column() {
     Camera::new(1, 1, 1.0);
 }

@@ -9,7 +9,7 @@ pub fn picture(camera: &Camera) -> RgbImage {
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     for j in 0..camera.v_res {
         for i in 0..camera.h_res {
-            image.put_pixel(i, j, pixel(i.into(), j.into()));
+            image.put_pixel(i, j, pixel(f64::from(i), f64::from(j)));
         }
     }
     image

@@ -3,15 +3,16 @@ use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
 /// Draws a picture of the camera's size, with `pixel(i, j)` in column i and row j.
-/// All processors share the work: each takes a row, and comes back for another.
+/// All processors share the rows, so several of them call `pixel` at the same time.
 pub fn draw_pixels(
     camera: &Camera,
     pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync,
 ) -> RgbImage {
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
-    image.enumerate_rows_mut().par_bridge().for_each(|(_, row)| {
+    let rows = image.enumerate_rows_mut();
+    rows.par_bridge().for_each(|(_j, row)| {
         for (i, j, rgb) in row {
-            *rgb = pixel(i.into(), j.into());
+            *rgb = pixel(f64::from(i), f64::from(j));
         }
     });
     image

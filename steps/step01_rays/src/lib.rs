@@ -1,7 +1,7 @@
 //! Step 1, stage 1 of the lecture "Ray Casting": generate the rays from the eye.
 //!
-//! A [`Camera`] gives the [`Ray`] through any point (i, j) of a picture, from C along
-//! [D_u D_v V_0] (i, j, 1)ᵀ. [`render`] draws any function from rays to colours.
+//! A [`Camera`] gives the [`Ray`] from the eye through any point of a picture, and
+//! [`render`] draws any function from rays to colours.
 
 mod ray;
 pub use ray::Ray;
@@ -28,4 +28,4 @@ mod aspect_ratio;
 pub use aspect_ratio::AspectRatio;
 
 mod program;
-pub use program::draw_and_save;
+pub use program::{MOST_PIXELS, draw_and_save};

@@ -2,12 +2,13 @@ use crate::{Camera, Ray, draw_pixels, rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The centres of the `samples` × `samples` sub-pixels of a pixel, row by row: how far
-/// each is to the right of the centre of the pixel, and how far below it.
+/// Splits a pixel into `samples` × `samples` sub-pixels. Returns their centres, row by
+/// row, as offsets from the centre of the pixel: to the right and down, in pixels.
 /// # Panics
 /// If `samples` is 0, since a pixel without a ray has no colour.
 pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {
     assert!(samples > 0, "a pixel needs a ray");
+    // For one sample 0, for two −0.25 and 0.25.
     let offset = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
     let mut offsets = vec![];
     for row in 0..samples {
@@ -18,7 +19,7 @@ pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {
     offsets
 }
 
-/// The mean of `colour(u, v)` over all offsets (u, v) of a list.
+/// The mean of `colour(u, v)` over all the offsets (u, v).
 pub fn mean_colour(
     offsets: &[(f64, f64)],
     colour: impl Fn(f64, f64) -> DVec3,
@@ -27,8 +28,8 @@ pub fn mean_colour(
     sum / offsets.len() as f64
 }
 
-/// Draws the picture in which each pixel has the mean `colour` of the rays through it,
-/// one through the centre of each of its `samples` × `samples` sub-pixels.
+/// Draws a picture. Each pixel is split into `samples` × `samples` sub-pixels, and gets
+/// the mean of the colours that the rays through their centres see.
 /// ```
 /// let camera = step01_rays::Camera::new(4, 3, 1.0);
 /// let red = step01_rays::render(&camera, 1, |_ray| glam::DVec3::X);
@@ -41,6 +42,7 @@ pub fn render(
 ) -> RgbImage {
     let offsets = sub_pixel_offsets(samples);
     draw_pixels(camera, |i, j| {
-        rgb8(mean_colour(&offsets, |u, v| colour(&camera.ray(i + u, j + v))))
+        let mean = mean_colour(&offsets, |u, v| colour(&camera.ray(i + u, j + v)));
+        rgb8(mean)
     })
 }

@@ -7,7 +7,7 @@ use step02_sphere::{Camera, Ray, Sphere, direction_colour, draw_and_save, render
 /// The one sphere.
 const SPHERE: Sphere = Sphere::new([0.0, 0.0, -5.0], 1.0);
 
-/// The colour that `ray` sees: red for the sphere, or else its direction.
+/// The colour that `ray` sees: red for the sphere, or else that of the sky.
 fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
     match sphere.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),

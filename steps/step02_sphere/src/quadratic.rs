@@ -14,9 +14,10 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
-/// digits are lost. Careful libraries compute only the other root, and divide c/a, the
-/// product of the two, by it. With 64 bits, the lecture's form gives the same picture.
+/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the two roots, and
+/// digits are lost. Careful libraries compute only the other root by this formula, and
+/// get that one from it, since the product of both is c/a. With 64 bits, the pictures of
+/// this course are the same either way.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
@@ -35,20 +36,9 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
     }
 }
 
-impl Roots {
-    /// The smallest t above 0, where a ray first meets the surface.
-    /// A root below 0 lies behind the ray. At 0 the ray only starts, which is no hit.
-    pub fn first_hit(self) -> Option<f64> {
-        match self {
-            Roots::One(t) | Roots::Two(t, _) if t > 0.0 => Some(t),
-            Roots::Two(_, t) if t > 0.0 => Some(t),
-            _ => None,
-        }
-    }
-}
-
 impl IntoIterator for Roots {
     type Item = f64;
+    // The type of `roots.into_iter().flatten()` below.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
@@ -59,5 +49,14 @@ impl IntoIterator for Roots {
             Roots::Two(t, u) => [Some(t), Some(u)],
         };
         roots.into_iter().flatten()
+    }
+}
+
+impl Roots {
+    /// The smallest root above 0: the t at which a ray first meets the surface.
+    /// A root below 0 is behind the start of the ray. A root of 0 is the start itself,
+    /// and doesn't count as a hit.
+    pub fn first_hit(self) -> Option<f64> {
+        self.into_iter().find(|&t| t > 0.0)
     }
 }

@@ -17,13 +17,14 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The sphere around `centre`, (x₀, y₀, z₀), with this radius, above 0.
+    /// A sphere with this centre and this radius, which has to be above 0.
     pub const fn new(centre: [f64; 3], radius: f64) -> Self {
         Self { centre: DVec3::from_array(centre), radius }
     }
 
-    /// The a, b and c of at² + bt + c = 0. Its roots are where `ray` meets the sphere.
-    /// The lecture's sphere is at the origin, so here S is measured from the centre.
+    /// The a, b and c of at² + bt + c = 0, which holds where the line of `ray` meets the
+    /// sphere. The lecture's sphere is at the origin. This one may be anywhere, so S is
+    /// measured from its centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

@@ -6,7 +6,7 @@ use step03_nearest::{
     Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, render,
 };
 
-/// The mean colour of all objects that `ray` hits, or else its direction.
+/// The mean colour of all objects that `ray` hits, or else the colour of the sky.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     let hits = objects
         .iter()

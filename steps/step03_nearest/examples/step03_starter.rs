@@ -6,7 +6,7 @@ use step03_nearest::{
     Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, nearest, render,
 };
 
-/// The colour that `ray` sees: that of the nearest object, or else its direction.
+/// The colour that `ray` sees: that of the nearest object, or else that of the sky.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     match nearest(objects, ray) {
         Some(hit) => hit.object.material,

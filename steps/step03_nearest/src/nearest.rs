@@ -5,7 +5,7 @@ use crate::{Object, Ray};
 pub struct Hit<'a, M> {
     /// t in r(t) = S + tV; above 0.
     pub t: f64,
-    /// The object, which is in the list that was searched.
+    /// The object that was hit, borrowed from the list.
     pub object: &'a Object<M>,
 }
 
@@ -16,10 +16,11 @@ pub struct Hit<'a, M> {
 /// assert_eq!(nearest(&OBJECTS, &ray).unwrap().object.name, "golden sphere");
 /// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
+    // The nearest hit so far, once there is one.
     let mut best: Option<Hit<M>> = None;
     for object in objects {
         if let Some(t) = object.sphere.intersect(ray).first_hit()
-            && best.as_ref().is_none_or(|best| t < best.t)
+            && best.as_ref().is_none_or(|hit| t < hit.t)
         {
             best = Some(Hit { t, object });
         }

@@ -1,11 +1,11 @@
 use crate::Sphere;
 
-/// A thing to see. Its material `M` is a flat colour here, and more in later steps.
+/// An object to be seen. Its material `M` is a flat colour here, and more later on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<M> {
-    /// What we call it when we speak of it. Several objects may have the same name.
+    /// Its name, for messages and tests. Several objects may have the same one.
     pub name: &'static str,
-    /// Its shape: where it is, and how large.
+    /// Where it is, and how large.
     pub sphere: Sphere,
     /// What it is made of.
     pub material: M,

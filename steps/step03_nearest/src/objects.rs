@@ -1,7 +1,7 @@
 use crate::{Object, Sphere};
 use glam::DVec3;
 
-/// The objects of the book's scene, each in its flat colour.
+/// The objects of the scene: name, centre, radius and colour.
 pub const OBJECTS: [Object<DVec3>; 9] = [
     object("red sphere", [-0.65, -0.16, -7.4], 1.2, [0.91, 0.34, 0.28]),
     object("ground", [0.0, -41.2, -11.0], 40.0, [0.80, 0.76, 0.82]),

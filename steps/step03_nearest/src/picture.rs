@@ -2,7 +2,7 @@ use crate::{Camera, OBJECTS, Object, Ray, direction_colour, nearest, render};
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: that of the nearest object, or else its direction.
+/// The colour that `ray` sees: that of the nearest object, or else that of the sky.
 pub fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     match nearest(objects, ray) {
         Some(hit) => hit.object.material,

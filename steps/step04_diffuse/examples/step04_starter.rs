@@ -7,7 +7,7 @@ use step04_diffuse::{
     draw_and_save, render, scene, visible_point,
 };
 
-/// The colour that `ray` sees: that of the lit point, or else its direction.
+/// The colour that `ray` sees: that of the lit point, or else that of the sky.
 fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

@@ -7,16 +7,17 @@ use glam::DVec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation {
-    /// The part that does not change with distance.
+    /// The part that is the same at any distance.
     pub a: f64,
-    /// The part that grows with d.
+    /// The coefficient of d.
     pub b: f64,
-    /// The part that grows with d².
+    /// The coefficient of d².
     pub c: f64,
 }
 
 impl Attenuation {
-    /// a + bd + cd², by which the light is divided at the distance `d`; above 0.
+    /// a + bd + cd², by which light is divided at the distance `d`. The result has to
+    /// be above 0.
     pub fn divisor(&self, d: f64) -> f64 {
         self.a + self.b * d + self.c * d * d
     }
@@ -35,7 +36,7 @@ pub struct PointLight {
 
 impl PointLight {
     /// The unit vector l from the point `p` to the light, and the distance d.
-    /// At the light itself there is no direction, so l is (1, 0, 0), and d is 0.
+    /// At the light itself there is no direction; glam then gives (1, 0, 0), and 0.
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

@@ -5,7 +5,7 @@ use crate::{
 use glam::DVec3;
 use image::RgbImage;
 
-/// The colour that `ray` sees: that of the lit point, or else its direction.
+/// The colour that `ray` sees: that of the lit point, or else that of the sky.
 pub fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

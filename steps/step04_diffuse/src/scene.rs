@@ -1,14 +1,14 @@
 use crate::{Attenuation, Matte, OBJECTS, Object, PointLight};
 use glam::DVec3;
 
-/// Everything there is to see, and the light to see it in.
+/// Objects, and the light to see them in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<M, L> {
     /// The objects, whose materials have the type `M`.
     pub objects: Vec<Object<M>>,
     /// L_a, the ambient light, the same everywhere.
     pub ambient_light: DVec3,
-    /// The lamps, of type `L`.
+    /// The lamps, which have the type `L`.
     pub lights: Vec<L>,
 }
 
@@ -22,7 +22,7 @@ pub const WARM_LIGHT: PointLight = PointLight {
     attenuation: Attenuation { a: 0.7, b: 0.02, c: 0.005 },
 };
 
-/// The cool light, behind the objects on the right.
+/// The cool light, on the right, behind the objects.
 pub const COOL_LIGHT: PointLight = PointLight {
     position: DVec3::new(5.5, 2.2, -11.5),
     diffuse: DVec3::new(0.45, 0.6, 1.0),
@@ -31,9 +31,12 @@ pub const COOL_LIGHT: PointLight = PointLight {
 
 /// The objects of step 3, each in a matte material of its colour, and two lamps.
 pub fn scene() -> Scene<Matte, PointLight> {
-    let matte = |flat: Object<DVec3>| flat.with_material(Matte::of(flat.material));
+    let matte = |object: Object<DVec3>| {
+        let material = Matte::of(object.material);
+        object.with_material(material)
+    };
     Scene {
-        objects: OBJECTS.map(matte).into(),
+        objects: OBJECTS.map(matte).to_vec(),
         ambient_light: AMBIENT_LIGHT,
         lights: vec![WARM_LIGHT, COOL_LIGHT],
     }

@@ -1,9 +1,9 @@
 use crate::{Hit, Object, Ray, Sphere, nearest};
 use glam::DVec3;
 
-/// The point of a surface that a ray sees.
+/// A point of a surface, seen by a ray.
 pub struct SurfacePoint<'a, M> {
-    /// The hit: t, and the object whose surface it is.
+    /// The hit: its t, and the object.
     pub hit: Hit<'a, M>,
     /// p = r(t), where the point is.
     pub p: DVec3,
@@ -18,7 +18,7 @@ impl<'a, M> SurfacePoint<'a, M> {
     }
 }
 
-/// n, the unit normal of `sphere` at a point `p` on it; it points outwards.
+/// n, the unit normal of `sphere` at a point `p` on it. It points outwards.
 pub fn normal(sphere: &Sphere, p: DVec3) -> DVec3 {
     (p - sphere.centre) / sphere.radius
 }

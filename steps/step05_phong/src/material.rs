@@ -1,13 +1,15 @@
 use crate::Matte;
 use glam::DVec3;
 
-/// A material that shines.
+/// A shiny material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// R_a and R_d.
     pub matte: Matte,
-    /// R_s, the part of a lamp's light that it mirrors: 0 to 1 in red, green and blue.
+    /// R_s, the part of the light from a lamp that it mirrors: red, green and blue, each
+    /// 0 to 1.
     pub specular: DVec3,
-    /// n, the shininess, above 0. The larger it is, the smaller the highlight.
+    /// The shininess, above 0. The slide calls it n, too, but it is not the normal. The
+    /// larger it is, the smaller the highlight.
     pub shininess: i32,
 }

@@ -4,7 +4,7 @@ use crate::{
 use glam::DVec3;
 use std::ops::AddAssign;
 
-/// The three terms of the light that leaves a point towards the eye.
+/// The three terms of the light that goes from a point to the eye.
 #[derive(Default)]
 pub struct Terms {
     /// I_a, from the light that is the same everywhere.
@@ -30,9 +30,10 @@ impl AddAssign for Terms {
     }
 }
 
-/// I_d and I_s of one light at a point `p` with the unit normal `n`, seen along the unit
-/// vector `v` to the eye. I_a is 0 here, since it belongs to no lamp.
-/// A light behind the surface gives no highlight; the slide has no such rule.
+/// The terms of one light at a point `p` with the unit normal `n`. The unit vector `v`
+/// points from there to the eye. I_a belongs to no light, so it is 0 here.
+/// A light behind the surface gives nothing, not even a highlight. The slide has no such
+/// rule.
 pub fn light_terms(
     p: DVec3,
     n: DVec3,
@@ -41,27 +42,24 @@ pub fn light_terms(
     light: &Light,
 ) -> Terms {
     let (l, d) = light.point_light.direction_from(p);
-    let mut terms = Terms {
-        diffuse: diffuse(n, l, d, &material.matte, &light.point_light),
-        ..Terms::default()
-    };
+    let mut terms = Terms::default();
     if n.dot(l) > 0.0 {
+        terms.diffuse = diffuse(n, l, d, &material.matte, &light.point_light);
         terms.specular = specular(reflect(n, l), v, d, material, light);
     }
     terms
 }
 
-/// The light that comes back along `ray` from `point` (slide "Phong Lighting"): I_a
-/// once, and the terms of each light.
+/// The terms of the light that comes back along `ray` from `point` (slide "Phong
+/// Lighting"): I_a once, and I_d and I_s of each light.
 pub fn phong(
     point: &SurfacePoint<Material>,
     ray: &Ray,
     ambient_light: DVec3,
     lights: &[Light],
 ) -> Terms {
-    let SurfacePoint { p, n, .. } = *point;
+    let (p, n, material) = (point.p, point.n, point.material());
     let v = -ray.direction.normalize();
-    let material = point.material();
     let mut terms = Terms {
         ambient: ambient(&material.matte, ambient_light),
         ..Terms::default()

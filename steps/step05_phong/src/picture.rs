@@ -11,13 +11,14 @@ pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Terms> {
     Some(phong(&point, ray, scene.ambient_light, &scene.lights))
 }
 
-/// The colour that `ray` sees: the sum of the terms, or else its direction.
+/// The colour that `ray` sees: the sum of the terms, or else that of the sky.
 /// ```
 /// use step05_phong::{Camera, colour, render, scene};
-/// let (mut scene, camera) = (scene(), Camera::new(64, 36, 60_f64.to_radians()));
-/// scene.lights.truncate(1); // keeps the warm light
-/// let image = render(&camera, 1, |ray| colour(&scene, ray));
-/// # assert_ne!(image, step05_phong::picture(&camera, 1));
+/// let camera = Camera::new(64, 36, 60_f64.to_radians());
+/// let mut warm_scene = scene();
+/// warm_scene.lights.truncate(1); // Only the first light is left, the warm one.
+/// let image = render(&camera, 1, |ray| colour(&warm_scene, ray));
+/// assert_ne!(image, step05_phong::picture(&camera, 1));
 /// ```
 pub fn colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     match terms(scene, ray) {

@@ -4,7 +4,8 @@ use crate::{
 };
 use glam::DVec3;
 
-/// The scene of step 4, polished: R_s and n for each object, L_s for each light.
+/// The scene of step 4, polished. Each object gets its R_s and its shininess, and each
+/// light its L_s.
 pub fn scene() -> Scene<Material, Light> {
     let [red, ground, golden, blue, green, teal, white, salmon, cream] = OBJECTS;
     Scene {
@@ -27,7 +28,8 @@ pub fn scene() -> Scene<Material, Light> {
     }
 }
 
-fn polished(object: Object<DVec3>, r_s: f64, n: i32) -> Object<Material> {
-    let (matte, specular) = (Matte::of(object.material), DVec3::splat(r_s));
-    object.with_material(Material { matte, specular, shininess: n })
+fn polished(object: Object<DVec3>, r_s: f64, shininess: i32) -> Object<Material> {
+    let matte = Matte::of(object.material);
+    let specular = DVec3::splat(r_s);
+    object.with_material(Material { matte, specular, shininess })
 }

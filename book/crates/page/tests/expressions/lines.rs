@@ -44,7 +44,7 @@ fn too_long_text_is_refused() {
 fn answer_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
-        ("nearer t < best.as_ref().map_or(f64::INFINITY, |best| best.t)", "Not one pixel differs"),
+        ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
         ("byte intensity + 0.5", "\"known\":\"\""),
