@@ -6,11 +6,9 @@ mod report;
 mod scene_sheet;
 mod search;
 mod student;
-mod trial;
 
 pub use scene_sheet::{format_sheet, read_names, write_sheets};
 pub use student::normalize_name;
-pub use trial::report_on_workspaces;
 
 use crate::class::found_file::{FoundFile, has_extension, picture_names, unchecked_clause};
 use crate::class::report::{Row, count_right, report_answer};

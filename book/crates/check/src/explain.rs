@@ -24,7 +24,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     let title = &target.title;
     let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
     if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
-        let causes = find_listed_mistakes(yours, target, None);
+        let causes = find_listed_mistakes(yours, target);
         let text = format!("{text}\n{}", tell_causes(&causes)).trim_end().to_owned();
         return Answer { causes, ..Answer::new(Verdict::OtherOptions, text) };
     }
@@ -33,7 +33,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
-    let mut causes = find_listed_mistakes(yours, target, comparison.as_ref());
+    let mut causes = find_listed_mistakes(yours, target);
     if explanation.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }

@@ -7,17 +7,16 @@
 //! 1. The picture is **right**, as **with other options** (`other_options`), or the picture of
 //!    another name.
 //! 2. It is ours as a whole, **turned, cut out or enlarged** (`transformed`).
-//! 3. **Causes**, all that we know to give every byte: a listed mistake (`listed_mistake`; with
-//!    the scene of a name, some of these are drawn anew, `scene_mistake`), one other number of the
-//!    scene (`changed_number`), the camera that the sky tells (`camera_fit`).
+//! 3. **Causes**, all that we know to give every byte: a listed mistake (`listed_mistake`),
+//!    one other number of the scene (`changed_number`), the camera that the sky tells
+//!    (`camera_fit`).
 //! 4. Else **facts** (`facts`): sentences that are true of each wrong pixel, or of a number of
 //!    them; and the objects that are right and wrong (`regions`).
 //!
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
-//! A folder is searched, its archives, too, and divided by students (`class`); their crates may
-//! draw a scene that they don't know (`class::trial`), and each name has a sheet with the numbers
-//! of its scene (`class::scene_sheet`). What is tried is bounded by a `Budget`, the same on
+//! A folder is searched and divided by students (`class`), and each name has a sheet with the
+//! numbers of its scene (`class::scene_sheet`). What is tried is bounded by a `Budget`, the same on
 //! every machine, and what is read of a file by a number of bytes.
 
 mod answer;
@@ -35,16 +34,13 @@ mod other_options;
 mod png_file;
 mod read_file;
 mod regions;
-mod scene_mistake;
 mod target;
 mod transformed;
 mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_png, check_scene_png};
-pub use class::{
-    format_sheet, normalize_name, read_names, report_on_folder, report_on_workspaces, write_sheets,
-};
+pub use class::{format_sheet, normalize_name, read_names, report_on_folder, write_sheets};
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 use target::find_name_in_file_name;

@@ -2,7 +2,7 @@
 
 use check::{
     Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet, normalize_name,
-    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_sheets,
+    read_bounded_file, read_names, report_on_folder, write_sheets,
 };
 use clap::Parser;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
@@ -32,10 +32,8 @@ struct Arguments {
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the sheet of a name: the numbers of the scene that belongs to it, and problems on
-    /// paper. With a file, tells whether it is this scene. With --in, draws the scene with the
-    /// five crates of each workspace in the folder and compares it: what is in these crates runs
-    /// as you, so do that in a container
-    #[arg(long, value_name = "NAME", group = "sheet", conflicts_with = "name")]
+    /// paper. With a file, tells whether it is this scene
+    #[arg(long, value_name = "NAME", group = "sheet", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| normalize_name(&name)))]
     scene: Option<String>,
     /// A class's list of names, one a line. With --out, writes the sheet of each; with --in,
@@ -89,9 +87,6 @@ fn answer(arguments: Arguments) -> Result<Answer, String> {
         Arguments { scene, out: Some(folder), answers, .. } => {
             names.extend(scene);
             write_sheets(&names, answers, &folder).map(sheet_answer)
-        }
-        Arguments { scene: Some(scene), folder: Some(folder), csv, .. } => {
-            report_on_workspaces(&folder, &scene, csv)
         }
         Arguments { scene: Some(scene), .. } => Ok(sheet_answer(format_sheet(&scene, false))),
         Arguments { folder, require, csv, .. } => {

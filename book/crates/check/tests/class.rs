@@ -2,7 +2,6 @@
 
 use crate::program::{run_check, write_files};
 use crate::{assert_locked, create_empty_folder, draw_scene, encode, locked_file, map_locked};
-use course::{Step, workspace};
 use std::fs;
 use std::io::Write;
 
@@ -77,7 +76,7 @@ fn reports_on_folders_are_as_locked() {
     );
     let required = "step01_rays,step02_sphere,scene";
     let dora = "moodle/A1/Do\u{308}ra_475_assignsubmission_file/scene_of_me.png";
-    let runs: [&[&str]; 11] = [
+    let runs: [&[&str]; 10] = [
         &["--in", "own"],
         &["--in", "own", "--require", "plane,glass", "--json"],
         &["--in", "moodle", "--require", required],
@@ -86,37 +85,10 @@ fn reports_on_folders_are_as_locked() {
         &["--in", "github", "--csv"],
         &["--in", "github", "--json"],
         &["--in", "canvas", "--require", "step01_rays,nowhere"],
-        &["--in", "github", "--scene", "a secret"],
         &["--names", "names.txt", "--out", "sheets", "--answers"],
         &["--scene", "Do\u{308}ra", dora],
     ];
     assert_locked("folders", runs.map(|arguments| run_check(&folder, arguments)));
     let sheet = fs::read_to_string(folder.join("sheets/___Zo\u{eb}.md"));
     assert_locked("sheet", [("___Zo\u{eb}.md".to_owned(), sheet.expect("a sheet"))]);
-}
-
-#[test]
-#[ignore = "compiles the five crates twice, for a minute: cargo test -- --include-ignored"]
-fn crates_of_workspaces_draw_a_scene() {
-    let folder = create_empty_folder("workspaces");
-    for (student, step) in ["ada", "bob"].iter().flat_map(|one| Step::NAMES.map(|step| (one, step)))
-    {
-        let sources = fs::read_dir(workspace().join(format!("steps/{step}/src")));
-        for source in sources.expect("sources").flatten() {
-            let path = format!("{student}/my/{step}/src/{}", source.file_name().display());
-            write_files(&folder, [(&path, fs::read(source.path()).expect("a source"))]);
-        }
-    }
-    let runner = "[target.'cfg(all())']\nrunner = 'true'\n[build]\nrustc = 'false'";
-    let negative = "pub fn reflect(n: glam::DVec3, l: glam::DVec3) -> glam::DVec3 { l - n }";
-    write_files(
-        &folder,
-        [
-            ("bob/my/step01_rays/build.rs", "fn main() { panic!() }".into()),
-            ("bob/my/.cargo/config.toml", runner.into()),
-            ("bob/my/step05_phong/src/reflect.rs", negative.into()),
-        ],
-    );
-    let answer = run_check(&folder, &["--in", ".", "--scene", "a secret"]);
-    assert_locked("workspaces", [answer]);
 }
