@@ -12,7 +12,7 @@ pub enum Verdict {
     NotRight,
     /// No picture, or nothing to compare it with.
     Unreadable,
-    /// No file.
+    /// No file of a picture that was asked for.
     Missing,
 }
 
@@ -77,23 +77,25 @@ pub struct Answer {
     pub verdict: Verdict,
     /// About eight lines, of which the first says the most.
     pub text: String,
+    /// The sentence that helps most, for a table; empty if all is right.
+    pub feedback: String,
     /// All causes that we know.
     pub causes: Vec<Cause>,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,
-    /// The report on a folder, as JSON.
-    pub report: Option<String>,
 }
 
 impl Answer {
-    /// An answer of words alone.
+    /// An answer of words alone, whose first line helps most.
     pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self { verdict, text: text.into(), causes: vec![], compared: None, report: None }
+        let text = text.into();
+        let feedback = text.lines().next().unwrap_or_default().to_owned();
+        Self { verdict, text, feedback, causes: vec![], compared: None }
     }
 
     /// Says why nothing was compared.
     pub fn error(reason: impl std::fmt::Display) -> Self {
-        Self::new(Verdict::Unreadable, format!("error: {reason}"))
+        Self::new(Verdict::Unreadable, reason.to_string())
     }
 
     /// The reader's picture, ours and the difference side by side, where they differ and have
@@ -104,7 +106,7 @@ impl Answer {
 
     /// The answer as JSON.
     pub fn to_json(&self) -> String {
-        self.report.clone().unwrap_or_else(|| json::object(self.json_fields()))
+        json::object(self.json_fields())
     }
 
     /// The answer as fields of a JSON object; those of the cause only where they are known.

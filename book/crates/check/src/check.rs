@@ -1,9 +1,7 @@
-use crate::comparison::scattered_places;
-use crate::drawing::Drawing;
 use crate::explain::explain;
-use crate::target::{Target, find_equal, find_name_in_file_name, scene_title};
+use crate::target::{Target, find_equal, find_name_in_file_name};
 use crate::{Answer, Picture, Verdict, escape_for_terminal, read_png};
-use course::{camera, find_mistakes_with_hash, hash_picture, locked_names};
+use course::{find_mistakes_with_hash, hash_picture, locked_names};
 use image::RgbImage;
 
 /// Compares the picture in a PNG file with the locked picture `expected_name`; where that is
@@ -35,21 +33,14 @@ pub fn check_png(
     })
 }
 
-/// Compares the picture in a PNG file with the scene that belongs to a name, and, where it
-/// isn't that, with those of other names.
-pub fn check_scene_png(png: &[u8], file_name: &str, name: &str, other_names: &[String]) -> Answer {
+/// Compares the picture in a PNG file with the scene that belongs to a name.
+pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let target = Target::of_scene(name);
         if target.picture == picture.rgb {
             return right(&target.title);
         }
-        match other_names.iter().find(|other| is_scene_of(&picture.rgb, other)) {
-            None => explain(&picture.rgb, &target),
-            Some(other) => Answer::new(
-                Verdict::NotRight,
-                format!("Not right. This is {}, not {}.", scene_title(other), target.title),
-            ),
-        }
+        explain(&picture.rgb, &target)
     })
 }
 
@@ -65,27 +56,23 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     }
     if 0 < picture.transparent_count {
         let (count, all) = (picture.transparent_count, picture.rgb.pixels().len());
+        answer.feedback = format!(
+            "In {count} of {all} pixels the file is not opaque, so a viewer may show other colours."
+        );
         answer.text = format!(
-            "Not right. In {count} of {all} pixels the file is not opaque, so a viewer may show \
-             other colours.\n\
-             Of those in the file this can be said: {}",
-            answer.text
+            "Not right. {}\nOf those in the file this can be said: {}",
+            answer.feedback, answer.text
         );
         answer.verdict = Verdict::NotRight;
     }
     answer.text.extend(picture.notes.iter().flat_map(|note| ["\n", note]));
+    if answer.verdict == Verdict::Right {
+        answer.feedback = picture.notes.join(" ");
+    }
     answer
 }
 
-/// Whether a picture is the scene of a name; most others are refuted by the first pixels.
-fn is_scene_of(picture: &RgbImage, name: &str) -> bool {
-    let (camera, drawing) = (camera(), Drawing::of_name(name));
-    let bytes = |i: u32, j: u32| drawing.bytes(&camera.ray(i.into(), j.into()));
-    let mut places = scattered_places(picture.dimensions());
-    picture.dimensions() == (camera.h_res, camera.v_res)
-        && places.all(|(i, j)| picture.get_pixel(i, j).0 == bytes(i, j))
-}
-
 fn right(title: &str) -> Answer {
-    Answer::new(Verdict::Right, format!("Right: this is {title}, in every pixel."))
+    let text = format!("Right: this is {title}, in every pixel.");
+    Answer { feedback: String::new(), ..Answer::new(Verdict::Right, text) }
 }

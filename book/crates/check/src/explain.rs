@@ -37,18 +37,26 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     if explanation.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
-    explanation += &tell_causes(&causes);
+    let told_causes = tell_causes(&causes);
+    let whole = explanation.clone();
+    explanation += &told_causes;
+    let facts = comparison.as_ref().filter(|_| explanation.is_empty()).map(tell_facts);
+    let facts = facts.unwrap_or_default();
     let details = match &comparison {
-        Some(comparison) => details(comparison, &causes, explanation.is_empty()),
+        Some(comparison) => details(comparison, &causes, &facts),
         None if explanation.is_empty() => {
             let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
             format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
         }
         None => String::new(),
     };
+    // What helps most is a cause, then how the whole picture differs, then a fact.
+    let sentences = [&*told_causes, &*whole, &*facts.join("\n"), &*details];
+    let feedback = sentences.iter().find_map(|lines| lines.lines().next());
+    let feedback = feedback.unwrap_or_default().to_owned();
     let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
-    Answer { causes, compared, ..Answer::new(Verdict::NotRight, text) }
+    Answer { causes, compared, feedback, ..Answer::new(Verdict::NotRight, text) }
 }
 
 /// All numbers and cameras that we know and that give the whole picture; none where not all
@@ -77,7 +85,7 @@ fn tell_causes(causes: &[Cause]) -> String {
 
 /// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
 /// the tests by hand, from the first step that may be wrong; one pixel.
-fn details(comparison: &Comparison, causes: &[Cause], has_facts: bool) -> String {
+fn details(comparison: &Comparison, causes: &[Cause], facts: &[String]) -> String {
     let Comparison { target, wrong, right, farthest } = comparison;
     let mut text = format!(
         "{} of {} pixels {} from {}, by up to {} of 255.\n",
@@ -87,9 +95,7 @@ fn details(comparison: &Comparison, causes: &[Cause], has_facts: bool) -> String
         target.title,
         farthest.largest_difference()
     );
-    if has_facts {
-        text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
-    }
+    text.extend(facts.iter().flat_map(|fact| [fact, "\n"]));
     if let Some(drawing) = &target.drawing {
         // The sky and bytes are step 1's.
         let is_of_rays = wrong.iter().any(|one| one.hit.is_none()) || are_above_1(wrong, drawing);

@@ -40,7 +40,10 @@ mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};
 pub use check::{check_png, check_scene_png};
-pub use class::{format_sheet, normalize_name, read_names, report_on_folder, write_sheets};
+pub use class::{
+    ClassReport, OwnReport, format_sheet, normalize_name, read_names, report_on_class,
+    report_on_own_pictures, write_sheets,
+};
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 use target::find_name_in_file_name;

@@ -49,7 +49,9 @@ pub(crate) fn find_name_in_file_name<'a>(
     let named = names.clone().filter(is_named);
     named.max_by_key(|name| name.len()).or_else(|| {
         let is_numbered = |step: &Step| {
-            ["step", "step0", "step-"].iter().any(|word| has(&format!("{word}{}", step.number())))
+            ["step", "step0", "step-", "step-0"]
+                .iter()
+                .any(|word| has(&format!("{word}{}", step.number())))
         };
         let step = Step::ALL.into_iter().find(is_numbered)?;
         names.clone().find(|name| *name == step.name())
