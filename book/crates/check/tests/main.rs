@@ -2,6 +2,8 @@
 //! read as a reader does.
 
 mod class;
+#[cfg(unix)]
+mod downloads;
 mod files;
 mod laws;
 mod pictures;
