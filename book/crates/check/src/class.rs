@@ -4,6 +4,7 @@
 mod feedback;
 mod folder;
 mod names;
+mod not_looked_at;
 mod report;
 mod scene_sheet;
 mod student;
@@ -14,7 +15,9 @@ pub use names::{normalize_name, read_names};
 pub use report::{ClassReport, OwnReport};
 pub use scene_sheet::{format_sheet, write_sheets};
 
-use crate::class::folder::{read_class_folder, read_own_folder};
+use crate::class::folder::{
+    StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
+};
 use crate::class::names::{Doubles, NamedFolders};
 use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
@@ -30,8 +33,9 @@ pub fn report_on_class(
     let class = read_class_folder(folder)?;
     let doubles = Doubles::new(&class.students);
     let named = names.map(|names| NamedFolders::new(names, &class.students));
-    let check = |student| {
-        let mut report = check_student(student, required);
+    let check = |student: &StudentFolder| {
+        let name = printable_name(&student.name);
+        let mut report = check_student(name, find_files(student), required);
         report.notes.extend(doubles.note(student));
         report.notes.extend(named.as_ref().and_then(|named| named.note(student)));
         report
@@ -48,5 +52,5 @@ pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
 ) -> Result<OwnReport, String> {
-    Ok(OwnReport(check_student(&read_own_folder(folder)?, required)))
+    Ok(OwnReport(check_student(String::new(), find_own_pictures(folder)?, required)))
 }

@@ -1,11 +1,10 @@
-//! The files in a folder, and what in it isn't looked at, and why. Links aren't followed, and a
-//! folder is read within bounds of its entries and of its depth.
+//! The folders of a class, and the files in a student's. Links aren't followed, and a folder is
+//! read within bounds of its entries and of its depth.
 
-use crate::answer::join_first;
+use crate::class::not_looked_at::{NotLookedAt, SkipReason};
 use crate::escape_for_terminal;
 use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
-use std::fmt::{self, Display, Formatter};
 use std::fs::{self, DirEntry};
 use std::path::{Path, PathBuf};
 
@@ -14,9 +13,6 @@ pub(crate) const MOST_ENTRIES: usize = 10_000;
 
 /// The most folders in each other, the student's own among them.
 const MOST_FOLDERS: usize = 8;
-
-/// The most names of files in a clause.
-const MOST_NAMES: usize = 8;
 
 /// Folders that Git and Cargo fill, and that hold nothing to look at.
 const TOOL_FOLDERS: [&str; 2] = [".git", "target"];
@@ -31,15 +27,21 @@ const PICTURE_EXTENSIONS: [&str; 14] = [
 pub(crate) struct ClassFolder {
     pub students: Vec<StudentFolder>,
     /// What lies beside the students' folders.
-    pub not_looked_at: Vec<Skipped>,
+    pub not_looked_at: NotLookedAt,
 }
 
 /// A student's folder.
 pub(crate) struct StudentFolder {
     pub name: OsString,
+    pub path: PathBuf,
+}
+
+/// What is in a student's folder.
+#[derive(Default)]
+pub(crate) struct Contents {
     /// The files in it and below, those with fewest folders around them first.
     pub files: Vec<FoundFile>,
-    pub not_looked_at: Vec<Skipped>,
+    pub not_looked_at: NotLookedAt,
 }
 
 /// A file in a student's folder.
@@ -62,123 +64,93 @@ impl FoundFile {
     }
 }
 
-/// Something that isn't looked at.
-#[derive(Clone)]
-pub(crate) struct Skipped {
-    pub printable_path: String,
-    pub reason: SkipReason,
-}
-
-/// Why something isn't looked at.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SkipReason {
-    /// The name of a file isn't that of a picture.
-    OtherName,
-    /// A file or a link lies beside the students' folders.
-    BesideFolders,
-    Link,
-    ToolFolder,
-    TooDeep,
-    TooManyEntries,
-    TooManyFilesOfPicture,
-    Unreadable,
-}
-
-impl Display for Skipped {
-    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
-        let reason = match self.reason {
-            SkipReason::OtherName | SkipReason::BesideFolders => "",
-            SkipReason::Link => " (a link)",
-            SkipReason::ToolFolder => " (a folder of Git or Cargo)",
-            SkipReason::TooDeep => " (in too many folders)",
-            SkipReason::TooManyEntries => " (too many files)",
-            SkipReason::TooManyFilesOfPicture => " (too many files of this picture)",
-            SkipReason::Unreadable => " (can't be read)",
-        };
-        write!(formatter, "{}{reason}", self.printable_path)
-    }
-}
-
-/// A clause with the first of what wasn't looked at, and how much more there is. What has a reason
-/// comes first.
-pub(crate) fn not_looked_at_clause(skipped: &[Skipped]) -> Option<String> {
-    let mut sorted: Vec<_> = skipped.iter().collect();
-    sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);
-    let names = sorted.iter().map(ToString::to_string).collect();
-    let clause = || format!("not looked at: {}", join_first(names, MOST_NAMES, ", "));
-    (!skipped.is_empty()).then(clause)
-}
-
 /// Reads the folder of a class, in which each folder is a student's.
 pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
-    let mut class = ClassFolder { students: vec![], not_looked_at: vec![] };
+    let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
     for entry in read_top_folder(folder)? {
-        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            class.students.push(read_student_folder(entry.file_name(), entry.path()));
-        } else {
-            let printable_path = printable_name(&entry.file_name());
-            class.not_looked_at.push(Skipped { printable_path, reason: SkipReason::BesideFolders });
+        let (name, path, kind) = (entry.file_name(), entry.path(), entry.file_type());
+        let mut skip = |reason| class.not_looked_at.add(printable_name(&name), reason);
+        match kind {
+            Ok(kind) if kind.is_dir() => class.students.push(StudentFolder { name, path }),
+            Ok(kind) if kind.is_symlink() => skip(SkipReason::Link),
+            Ok(_) => skip(SkipReason::BesideFolders),
+            Err(_) => skip(SkipReason::Unreadable),
         }
     }
     if class.students.is_empty() {
         let folder = printable_name(folder.as_os_str());
-        let clause = not_looked_at_clause(&class.not_looked_at);
+        let clause = class.not_looked_at.clause();
         let clause = clause.map(|clause| format!("; {clause}")).unwrap_or_default();
         return Err(format!("{folder} has no folders, one for each student{clause}"));
     }
     Ok(class)
 }
 
-/// Reads the folder of somebody's own pictures; what is below it isn't looked at.
-pub(crate) fn read_own_folder(folder: &Path) -> Result<StudentFolder, String> {
-    let mut own = StudentFolder { name: OsString::new(), files: vec![], not_looked_at: vec![] };
+/// Finds somebody's own pictures in a folder; what is below it isn't looked at.
+pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, String> {
+    let mut contents = Contents::default();
     for entry in read_top_folder(folder)? {
         let (path, printable_path) = (entry.path(), printable_name(&entry.file_name()));
         let file = FoundFile { path, printable_path };
         if file.may_be_picture() && !file.path.is_dir() {
-            own.files.push(file);
+            contents.files.push(file);
         }
     }
-    Ok(own)
+    Ok(contents)
 }
 
-/// Reads a student's folder and all below it, breadth first, so that the bound cuts off what lies
-/// deepest.
-fn read_student_folder(name: OsString, path: PathBuf) -> StudentFolder {
-    let mut student = StudentFolder { name, files: vec![], not_looked_at: vec![] };
+/// A folder that is still to be read.
+struct UnreadFolder {
+    path: PathBuf,
+    /// The path below the student's folder, with a `/` at its end, or empty for that itself.
+    printable_path: String,
+    /// How many folders are around its files, the student's own among them.
+    depth: usize,
+}
+
+/// Finds the files in a student's folder and below, breadth first, so that the bound cuts off what
+/// lies deepest.
+pub(crate) fn find_files(student: &StudentFolder) -> Contents {
+    let Contents { mut files, mut not_looked_at } = Contents::default();
     let mut entries_left = MOST_ENTRIES;
-    let mut unread = VecDeque::from([(path, String::new(), 1)]);
-    while let Some((folder, printable_folder, depth)) = unread.pop_front() {
-        let mut skip = |printable_path: String, reason| {
-            student.not_looked_at.push(Skipped { printable_path, reason });
-        };
-        let entries = match read_entries(&folder, entries_left) {
+    let top = student.path.clone();
+    let top = UnreadFolder { path: top, printable_path: String::new(), depth: 1 };
+    let mut unread = VecDeque::from([top]);
+    while let Some(folder) = unread.pop_front() {
+        let entries = match read_entries(&folder.path, entries_left) {
             Ok(entries) => entries,
             Err(reason) => {
-                let is_top = printable_folder.is_empty();
-                skip(if is_top { "the folder".to_owned() } else { printable_folder }, reason);
+                let is_top = folder.printable_path.is_empty();
+                let name = if is_top { "the folder".to_owned() } else { folder.printable_path };
+                not_looked_at.add(name, reason);
                 continue;
             }
         };
         entries_left -= entries.len();
         for entry in entries {
             let (path, name) = (entry.path(), entry.file_name());
-            let printable_path = format!("{printable_folder}{}", printable_name(&name));
+            let printable_path = format!("{}{}", folder.printable_path, printable_name(&name));
+            let is_tool_folder = TOOL_FOLDERS.iter().any(|tool| name == *tool);
             match entry.file_type() {
-                Err(_) => skip(printable_path, SkipReason::Unreadable),
-                Ok(kind) if kind.is_symlink() => skip(printable_path, SkipReason::Link),
-                Ok(kind) if !kind.is_dir() => {
-                    student.files.push(FoundFile { path, printable_path });
+                Err(_) => not_looked_at.add(printable_path, SkipReason::Unreadable),
+                Ok(kind) if kind.is_symlink() => {
+                    not_looked_at.add(printable_path, SkipReason::Link);
                 }
-                Ok(_) if TOOL_FOLDERS.iter().any(|tool| name == *tool) => {
-                    skip(printable_path + "/", SkipReason::ToolFolder);
+                Ok(kind) if !kind.is_dir() => files.push(FoundFile { path, printable_path }),
+                Ok(_) if is_tool_folder => {
+                    not_looked_at.add(printable_path + "/", SkipReason::ToolFolder);
                 }
-                Ok(_) if depth == MOST_FOLDERS => skip(printable_path + "/", SkipReason::TooDeep),
-                Ok(_) => unread.push_back((path, printable_path + "/", depth + 1)),
+                Ok(_) if folder.depth == MOST_FOLDERS => {
+                    not_looked_at.add(printable_path + "/", SkipReason::TooDeep);
+                }
+                Ok(_) => {
+                    let (printable_path, depth) = (printable_path + "/", folder.depth + 1);
+                    unread.push_back(UnreadFolder { path, printable_path, depth });
+                }
             }
         }
     }
-    student
+    Contents { files, not_looked_at }
 }
 
 /// The entries of the folder that somebody names.

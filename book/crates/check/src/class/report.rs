@@ -2,7 +2,7 @@
 //! spreadsheet, and as JSON.
 
 use crate::Verdict;
-use crate::class::folder::{Skipped, not_looked_at_clause};
+use crate::class::not_looked_at::NotLookedAt;
 use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
 use crate::class::table::align;
 use course::json;
@@ -11,7 +11,7 @@ use course::json;
 pub struct ClassReport {
     pub(crate) students: Vec<StudentReport>,
     /// What lies beside the students' folders.
-    pub(crate) not_looked_at: Vec<Skipped>,
+    pub(crate) not_looked_at: NotLookedAt,
 }
 
 /// The report on somebody's own pictures.
@@ -41,7 +41,7 @@ impl ClassReport {
                 vec![String::new(), String::new(), row.picture, row.verdict, feedback]
             }));
         }
-        let beside = not_looked_at_clause(&self.not_looked_at);
+        let beside = self.not_looked_at.clause();
         let beside = beside.map(|clause| format!("\nBeside the students' folders, {clause}\n"));
         align(&rows) + &beside.unwrap_or_default()
     }
@@ -68,7 +68,7 @@ impl ClassReport {
                 ..CsvRow::default()
             }));
         }
-        rows.extend(not_looked_at_clause(&self.not_looked_at).map(|clause| CsvRow {
+        rows.extend(self.not_looked_at.clause().map(|clause| CsvRow {
             feedback: format!("beside the students' folders, {clause}"),
             ..CsvRow::default()
         }));
@@ -89,14 +89,14 @@ impl ClassReport {
                         "notes",
                         json::list(student.notes.iter().map(|one| json::quote(&one.words())))
                     ),
-                    ("not_looked_at", skipped_json(&student.not_looked_at)),
+                    ("not_looked_at", not_looked_at_json(&student.not_looked_at)),
                     ("pictures", pictures_json(student)),
                 ])
             )
         });
         json::object([
             ("students", json::list(students)),
-            ("not_looked_at", skipped_json(&self.not_looked_at)),
+            ("not_looked_at", not_looked_at_json(&self.not_looked_at)),
         ])
     }
 }
@@ -115,7 +115,7 @@ impl OwnReport {
     /// The report for a terminal: a row for each picture.
     pub fn to_table(&self) -> String {
         let Self(own) = self;
-        let beside = not_looked_at_clause(&own.not_looked_at);
+        let beside = own.not_looked_at.clause();
         let beside = beside.map(|clause| clause + "\n").unwrap_or_default();
         if own.pictures.is_empty() {
             return format!("There are no pictures of the course here.\n{beside}");
@@ -133,7 +133,7 @@ impl OwnReport {
     pub fn to_json(&self) -> String {
         json::object([
             ("pictures", pictures_json(&self.0)),
-            ("not_looked_at", skipped_json(&self.0.not_looked_at)),
+            ("not_looked_at", not_looked_at_json(&self.0.not_looked_at)),
         ])
     }
 
@@ -219,14 +219,15 @@ fn file_json(file: &FileReport) -> String {
     format!("\n      {}", json::object(fields.into_iter().chain(answer)))
 }
 
-fn skipped_json(skipped: &[Skipped]) -> String {
-    json::list(skipped.iter().map(|one| json::quote(&one.to_string())))
+fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
+    let first = not_looked_at.first.iter().map(|one| json::quote(&one.to_string()));
+    json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
 }
 
 /// What a table says of a student as a whole.
 fn student_feedback(student: &StudentReport) -> String {
     let notes = student.notes.iter().map(|note: &Note| note.words());
-    let clauses = notes.chain(not_looked_at_clause(&student.not_looked_at));
+    let clauses = notes.chain(student.not_looked_at.clause());
     clauses.collect::<Vec<_>>().join("; ")
 }
 

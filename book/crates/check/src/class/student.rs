@@ -1,7 +1,8 @@
 //! What one student has handed in, compared with the pictures of the course.
 
 use crate::class::feedback::{Feedback, judge};
-use crate::class::folder::{FoundFile, SkipReason, Skipped, StudentFolder, printable_name};
+use crate::class::folder::{Contents, FoundFile};
+use crate::class::not_looked_at::{NotLookedAt, SkipReason};
 use crate::{Answer, check_png, escape_for_terminal, find_name_in_file_name, read_bounded_file};
 use course::{locked_names, read_locked_picture};
 
@@ -14,7 +15,7 @@ pub(crate) struct StudentReport {
     pub name: String,
     pub pictures: Vec<PictureReport>,
     pub notes: Vec<Note>,
-    pub not_looked_at: Vec<Skipped>,
+    pub not_looked_at: NotLookedAt,
 }
 
 /// What is known of one picture of a student.
@@ -68,7 +69,7 @@ impl StudentReport {
             name: escape_for_terminal(name),
             pictures: required.iter().map(missing).collect(),
             notes: vec![Note::NoFolder],
-            not_looked_at: vec![],
+            not_looked_at: NotLookedAt::default(),
         }
     }
 
@@ -95,13 +96,17 @@ impl PictureReport {
 }
 
 /// Compares all files of a student's folder that have the name of a picture.
-pub(crate) fn check_student(student: &StudentFolder, required: &[&'static str]) -> StudentReport {
-    let mut not_looked_at = student.not_looked_at.clone();
-    let skip =
-        |file: &FoundFile, reason| Skipped { printable_path: file.printable_path.clone(), reason };
-    let named: Vec<_> = student.files.iter().map(|file| (file, picture_of_file(file))).collect();
-    let others = named.iter().filter(|(_, picture)| picture.is_none());
-    not_looked_at.extend(others.map(|(file, _)| skip(file, SkipReason::OtherName)));
+pub(crate) fn check_student(
+    name: String,
+    contents: Contents,
+    required: &[&'static str],
+) -> StudentReport {
+    let Contents { files, mut not_looked_at } = contents;
+    let is_empty = files.is_empty() && not_looked_at.is_empty();
+    let named: Vec<_> = files.iter().map(|file| (file, picture_of_file(file))).collect();
+    for (file, _) in named.iter().filter(|(_, picture)| picture.is_none()) {
+        not_looked_at.add(file.printable_path.clone(), SkipReason::OtherName);
+    }
     let mut pictures: Vec<PictureReport> = vec![];
     let mut notes = vec![];
     for picture in locked_names() {
@@ -113,18 +118,20 @@ pub(crate) fn check_student(student: &StudentFolder, required: &[&'static str]) 
         }
         let (checked, beyond) = files.split_at(files.len().min(MOST_FILES_OF_PICTURE));
         let reports = checked.iter().map(|file| check_file(file, picture, &pictures)).collect();
-        let beyond = beyond.iter().map(|file| skip(file, SkipReason::TooManyFilesOfPicture));
-        not_looked_at.extend(beyond);
+        for file in beyond {
+            let path = file.printable_path.clone();
+            not_looked_at.add(path, SkipReason::TooManyFilesOfPicture);
+        }
         if files.len() > 1 {
             notes.push(Note::SeveralFiles { picture, count: files.len() });
         }
         let counts = is_required || required.is_empty();
         pictures.push(PictureReport { picture, counts, files: reports });
     }
-    if student.files.is_empty() && not_looked_at.is_empty() {
+    if is_empty {
         notes.push(Note::NothingHandedIn);
     }
-    StudentReport { name: printable_name(&student.name), pictures, notes, not_looked_at }
+    StudentReport { name, pictures, notes, not_looked_at }
 }
 
 /// The picture whose name a file has, if it may have been meant as one.
