@@ -15,7 +15,7 @@ fn reports_on_a_class_are_as_locked() {
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(locked_file);
     let bgr = |name| encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]));
     let flipped = |name| encode(image::imageops::flip_vertical(&crate::locked_picture(name)));
-    let tangent_of_whole_angle = encode((Step::Rays.picture())(&camera_with_fov(120.0, 640.0), 1));
+    let wide = |step: Step| encode((step.picture())(&camera_with_fov(120.0, 640.0), 1));
     let small = encode((Step::Sphere.picture())(&camera_with_size(320, 180), 1));
     write_files(
         &folder,
@@ -27,7 +27,9 @@ fn reports_on_a_class_are_as_locked() {
             ("class/=Bob/glass.png", locked_file("glass")),
             ("class/Cleo/step01_rays.png", flipped("step01_rays")),
             ("class/Cleo/step02_sphere.png", flipped("step02_sphere")),
-            ("class/Dora/step01_rays.png", tangent_of_whole_angle),
+            ("class/Dan/step01_rays.png", wide(Step::Rays)),
+            ("class/Dan/step02_sphere.png", wide(Step::Sphere)),
+            ("class/Dora/step01_rays.png", wide(Step::Rays)),
             ("class/Dora/step02_sphere.png", small),
             ("class/Emil/step01_rays.png", sphere.clone()),
             ("class/Emil/final/step01_rays.png", rays.clone()),

@@ -13,6 +13,8 @@ pub(crate) struct Feedback {
     pub verdict: Verdict,
     /// Empty if all is right.
     pub sentence: String,
+    /// All that we know to give the picture, in words.
+    pub causes: Vec<String>,
 }
 
 impl Feedback {
@@ -30,40 +32,43 @@ pub(crate) fn judge(
     picture: &str,
     earlier: &[PictureReport],
 ) -> Feedback {
-    if answer.verdict == Verdict::OtherOptions
-        && let Some(mistake) = mistake_like_options(file, picture)
-    {
-        let sentence =
-            format!("Other options give this picture, and so does a mistake: {mistake}.");
-        return Feedback { verdict: Verdict::NotRight, sentence };
-    }
-    let sentence = match shared_cause(answer, earlier) {
-        Some((cause, earlier)) => {
-            format!("What gives {earlier} gives this, too: {}.", cause.words_and_file())
-        }
-        None => answer.feedback.clone(),
+    let mut feedback = Feedback {
+        verdict: answer.verdict,
+        sentence: answer.feedback.clone(),
+        causes: answer.causes.iter().map(Cause::words_and_file).collect(),
     };
-    Feedback { verdict: answer.verdict, sentence }
+    if answer.verdict == Verdict::OtherOptions {
+        feedback.causes = mistakes_like_options(file, picture);
+        if let Some(mistake) = feedback.causes.first() {
+            feedback.sentence =
+                format!("Other options give this picture, and so does a mistake: {mistake}.");
+            feedback.verdict = Verdict::NotRight;
+        }
+    }
+    if let Some((cause, earlier)) = shared_cause(&feedback.causes, earlier) {
+        feedback.sentence = format!("What gives {earlier} gives this, too: {cause}.");
+    }
+    feedback
 }
 
-/// A cause that also gives an earlier picture, and the name of that picture.
+/// One of the causes that also gives an earlier picture, and the name of that picture.
 fn shared_cause<'a>(
-    answer: &'a Answer,
+    causes: &'a [String],
     earlier: &[PictureReport],
-) -> Option<(&'a Cause, &'static str)> {
+) -> Option<(&'a str, &'static str)> {
     earlier.iter().find_map(|report| {
-        let mut known = report.files.iter().flat_map(|file| &file.answer.causes);
-        let cause = known.find_map(|known| answer.causes.iter().find(|cause| *cause == known))?;
-        Some((cause, report.picture))
+        let known =
+            |cause: &String| report.files.iter().any(|file| file.feedback.causes.contains(cause));
+        Some((&**causes.iter().find(|cause| known(cause))?, report.picture))
     })
 }
 
-/// A listed mistake that gives the same picture as other options do, such as the tangent of θ in
+/// The listed mistakes that give the same picture as other options do, such as the tangent of θ in
 /// place of θ/2, which is like `--fov 120`.
-fn mistake_like_options(file: &[u8], picture: &str) -> Option<String> {
-    let yours = read_png(file).ok()?.rgb;
-    let mistakes = find_mistakes_with_hash(hash_picture(&yours)).into_iter();
-    let mut mistakes = mistakes.filter(|(_, name)| *name == picture).map(|(mistake, _)| mistake);
-    let mistake = mistakes.find(|mistake| mistake.file != OPTIONS_FILE)?;
-    Some(format!("{} ({})", mistake.title, mistake.file))
+fn mistakes_like_options(file: &[u8], picture: &str) -> Vec<String> {
+    let Ok(yours) = read_png(file) else { return vec![] };
+    let mistakes = find_mistakes_with_hash(hash_picture(&yours.rgb)).into_iter();
+    let mistakes =
+        mistakes.filter(|(mistake, name)| *name == picture && mistake.file != OPTIONS_FILE);
+    mistakes.map(|(mistake, _)| format!("{} ({})", mistake.title, mistake.file)).collect()
 }
