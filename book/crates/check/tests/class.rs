@@ -139,6 +139,10 @@ fn odd_names_of_folders_stay_apart() {
 fn folders_with_too_many_entries_are_reported() {
     let folder = create_empty_folder("many_entries");
     write_files(&folder, [("class/Ada/step01_rays.png", locked_file("step01_rays"))]);
+    for k in 0..9 {
+        let file = format!("class/Bob/step01_rays-{k}.png");
+        write_files(&folder, [(&file, locked_file("step01_rays"))]);
+    }
     fs::create_dir_all(folder.join("class/Ada/more")).expect("a folder");
     for k in 0..10_000 {
         fs::write(folder.join(format!("class/Ada/more/{k}")), "").expect("a file");

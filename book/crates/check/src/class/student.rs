@@ -24,8 +24,10 @@ pub(crate) struct PictureReport {
     pub picture: &'static str,
     /// Whether the picture was asked for; all are if none was.
     pub counts: bool,
-    /// The files of this name, none if it's missing.
+    /// The files of this name that were looked at, none if it's missing.
     pub files: Vec<FileReport>,
+    /// How many files have this name.
+    pub file_count: usize,
 }
 
 /// What is known of one file.
@@ -63,8 +65,12 @@ impl Note {
 impl StudentReport {
     /// The report on a name that no folder has.
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
-        let missing =
-            |picture: &&'static str| PictureReport { picture, counts: true, files: vec![] };
+        let missing = |picture: &&'static str| PictureReport {
+            picture,
+            counts: true,
+            files: vec![],
+            file_count: 0,
+        };
         Self {
             name: escape_for_terminal(name),
             pictures: required.iter().map(missing).collect(),
@@ -91,7 +97,8 @@ impl StudentReport {
 impl PictureReport {
     /// Whether the picture has its point: each of its files has to deserve it.
     pub fn has_point(&self) -> bool {
-        !self.files.is_empty() && self.files.iter().all(|file| file.feedback.has_point())
+        let deserving = self.files.iter().filter(|file| file.feedback.has_point());
+        self.file_count > 0 && deserving.count() == self.file_count
     }
 }
 
@@ -126,7 +133,8 @@ pub(crate) fn check_student(
             notes.push(Note::SeveralFiles { picture, count: files.len() });
         }
         let counts = is_required || required.is_empty();
-        pictures.push(PictureReport { picture, counts, files: reports });
+        let file_count = files.len();
+        pictures.push(PictureReport { picture, counts, files: reports, file_count });
     }
     if is_empty {
         notes.push(Note::NothingHandedIn);
