@@ -141,8 +141,9 @@ impl Sheet {
         let mut html = format!("<h1>The scene of <bdi>{}</bdi></h1>\n", escape_html(&self.name));
         for table in &self.tables {
             html += "<table>\n";
-            for row in table {
-                let cells = row.iter().map(|cell| format!("<td>{}</td>", escape_html(cell)));
+            for (number, row) in table.iter().enumerate() {
+                let tag = if number == 0 { "th" } else { "td" };
+                let cells = row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_html(cell)));
                 let _ = writeln!(html, "<tr>{}</tr>", cells.collect::<String>());
             }
             html += "</table>\n";
