@@ -29,32 +29,33 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
         return Answer { causes, ..Answer::new(Verdict::OtherOptions, text) };
     }
     let comparison = Comparison::new(target, yours);
-    let mut explanation = match find_equal(yours) {
+    let whole = match find_equal(yours) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
     let mut causes = find_listed_mistakes(yours, target);
-    if explanation.is_empty() {
+    if whole.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
-    let told_causes = tell_causes(&causes);
-    let whole = explanation.clone();
-    explanation += &told_causes;
-    let facts = comparison.as_ref().filter(|_| explanation.is_empty()).map(tell_facts);
-    let facts = facts.unwrap_or_default();
+    let is_explained = !whole.is_empty() || !causes.is_empty();
+    let facts = comparison.as_ref().filter(|_| !is_explained).map(tell_facts).unwrap_or_default();
     let details = match &comparison {
         Some(comparison) => details(comparison, &causes, &facts),
-        None if explanation.is_empty() => {
+        None if !is_explained => {
             let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
             format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
         }
         None => String::new(),
     };
-    // What helps most is a cause, then how the whole picture differs, then a fact.
-    let sentences = [&*told_causes, &*whole, &*facts.join("\n"), &*details];
-    let feedback = sentences.iter().find_map(|lines| lines.lines().next());
-    let feedback = feedback.unwrap_or_default().to_owned();
-    let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
+    let told_causes = tell_causes(&causes);
+    // A cause helps most, then how the whole picture differs, then a fact. Whether it's only by 1
+    // of 255 is in the first of the details.
+    let is_by_1 = comparison.as_ref().is_some_and(|one| one.farthest.largest_difference() == 1);
+    let facts = if is_by_1 { String::new() } else { facts.join("\n") };
+    let lines = [&*told_causes, &*whole, &*facts, &*details];
+    let feedback = lines.iter().find_map(|lines| lines.lines().next()).unwrap_or_default();
+    let feedback = feedback.to_owned();
+    let text = format!("Not right. {whole}{told_causes}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
     Answer { causes, compared, feedback, ..Answer::new(Verdict::NotRight, text) }
 }

@@ -15,8 +15,8 @@
 //!
 //! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
 //!
-//! A folder is searched and divided by students (`class`), and each name has a sheet with the
-//! numbers of its scene (`class::scene_sheet`). What is tried is bounded by a `Budget`, the same on
+//! In the folder of a class, each folder is a student's (`class`), and each name has a sheet with
+//! the numbers of its scene (`class::scene_sheet`). What is tried is bounded by a `Budget`, the same on
 //! every machine, and what is read of a file by a number of bytes.
 
 mod answer;

@@ -15,6 +15,8 @@ fn reports_on_a_class_are_as_locked() {
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(locked_file);
     let bgr = |name| encode(map_locked(name, |_, _, [r, g, b]| [b, g, r]));
     let flipped = |name| encode(image::imageops::flip_vertical(&crate::locked_picture(name)));
+    let by_one = |i, j, [r, g, b]: [u8; 3]| [r - u8::from((i, j) == (320, 180)), g, b];
+    let by_one = encode(map_locked("step02_sphere", by_one));
     let wide = |step: Step| encode((step.picture())(&camera_with_fov(120.0, 640.0), 1));
     let small = encode((Step::Sphere.picture())(&camera_with_size(320, 180), 1));
     write_files(
@@ -31,6 +33,7 @@ fn reports_on_a_class_are_as_locked() {
             ("class/Dan/step02_sphere.png", wide(Step::Sphere)),
             ("class/Dora/step01_rays.png", wide(Step::Rays)),
             ("class/Dora/step02_sphere.png", small),
+            ("class/Edith/step02_sphere.png", by_one),
             ("class/Emil/step01_rays.png", sphere.clone()),
             ("class/Emil/final/step01_rays.png", rays.clone()),
             ("class/Emil/final/step02_sphere.png", sphere.clone()),
