@@ -61,7 +61,7 @@ struct Arguments {
     #[arg(value_delimiter = ',', value_parser = locked_name_parser(), hide_possible_values = true)]
     require: Vec<String>,
     /// Prints the report on a class as CSV, for a spreadsheet
-    #[arg(long, requires = "folder", conflicts_with = "json")]
+    #[arg(long, requires = "folder", conflicts_with_all = ["json", "scene", "out"])]
     csv: bool,
     /// Prints JSON
     #[arg(long)]
@@ -83,8 +83,14 @@ struct Output {
 fn main() -> ExitCode {
     let is_json = env::args_os().any(|argument| argument == "--json");
     let arguments = match Arguments::try_parse() {
-        Err(error) if is_json && error.use_stderr() => {
-            return print(Err(error.to_string().trim_end().to_owned()), true);
+        Err(error) if error.use_stderr() => {
+            let text = error.to_string();
+            let lines: Vec<_> = text.trim_end().lines().map(escape_for_terminal).collect();
+            if is_json {
+                return print(Err(lines.join("\n")), true);
+            }
+            let _ = writeln!(io::stderr(), "{}", lines.join("\n"));
+            return ExitCode::from(2);
         }
         arguments => arguments.unwrap_or_else(|error| error.exit()),
     };

@@ -56,7 +56,7 @@ fn reports_on_a_class_are_as_locked() {
     );
     fs::create_dir_all(folder.join("class/Ivo")).expect("a folder");
     fs::create_dir_all(folder.join("empty")).expect("a folder");
-    let runs: [&[&str]; 13] = [
+    let runs: [&[&str]; 14] = [
         &["--in", "class", "--require", REQUIRED],
         &["--in", "class", "--require", REQUIRED, "--csv"],
         &["--in", "class", "--require", REQUIRED, "--json"],
@@ -67,6 +67,7 @@ fn reports_on_a_class_are_as_locked() {
         &["--in", "right", "--names", "no_names.txt"],
         &["--in", "right", "--names", "latin1.txt"],
         &["--in", "right", "--require", "step01_rays,nowhere"],
+        &["--in", "right", "--require", "\u{1b}[2J"],
         &["--in", "flat"],
         &["--in", "empty"],
         &["--in", "class/index.html"],
@@ -183,7 +184,7 @@ fn sheets_are_as_locked() {
             ("dora.png", dora),
         ],
     );
-    let runs: [&[&str]; 10] = [
+    let runs: [&[&str]; 11] = [
         &["--names", "names.txt", "--out", "sheets", "--answers"],
         &["--names", "names.txt", "--out", "others", "--secret", "walrus"],
         &["--scene", "Bob", "--out", "for Bob"],
@@ -191,6 +192,7 @@ fn sheets_are_as_locked() {
         &["--names", "twice.txt", "--out", "new"],
         &["--names", "alike.txt", "--out", "new"],
         &["--names", "names.txt", "--out", ".."],
+        &["--names", "names.txt", "--out", "new", "--csv"],
         &["--names", "names.txt"],
         &["--scene", "Do\u{308}ra", "dora.png"],
         &["dora.png", "--scene", "Dora", "--secret", "walrus"],
