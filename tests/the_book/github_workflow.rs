@@ -148,7 +148,7 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     let folder = class.join("ada");
     copy_template(&folder)?;
     let text = run_workflow(&folder, "step01_rays,step02_sphere")?;
-    assert!(text.contains("no step is there yet"), "{text}");
+    assert!(text.contains("No step is there yet"), "{text}");
     type_first_step(&folder)?;
     run(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
     run(&folder, COMMIT, &[])?;

@@ -157,14 +157,14 @@ struct PictureRow {
 }
 
 impl PictureRow {
-    /// The sentence, after the file where the picture has several.
+    /// The sentence, after the file if the picture has several, or if it isn't directly in the
+    /// student's folder: perhaps that holds several students.
     fn feedback_with_file(&self) -> String {
-        match &self.file {
-            Some(file) if self.is_one_of_several => {
-                format!("{file}: {}", self.feedback).trim_end_matches(": ").to_owned()
-            }
-            _ => self.feedback.clone(),
-        }
+        let file = self.file.as_deref();
+        let file = file.filter(|file| self.is_one_of_several || file.contains('/'));
+        let parts = [file.unwrap_or_default(), &self.feedback];
+        let parts = parts.into_iter().filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join(": ")
     }
 }
 
