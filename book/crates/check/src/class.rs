@@ -52,5 +52,6 @@ pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
 ) -> Result<OwnReport, String> {
-    Ok(OwnReport(check_student(String::new(), find_own_pictures(folder)?, required)))
+    let own = check_student(String::new(), find_own_pictures(folder)?, required);
+    Ok(OwnReport { own })
 }

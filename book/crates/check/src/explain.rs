@@ -47,15 +47,15 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
         }
         None => String::new(),
     };
-    let told_causes = tell_causes(&causes);
+    let cause_lines = tell_causes(&causes);
     // A cause helps most, then how the whole picture differs, then a fact. Whether it's only by 1
     // of 255 is in the first of the details.
     let is_by_1 = comparison.as_ref().is_some_and(|one| one.farthest.largest_difference() == 1);
-    let facts = if is_by_1 { String::new() } else { facts.join("\n") };
-    let lines = [&*told_causes, &*whole, &*facts, &*details];
-    let feedback = lines.iter().find_map(|lines| lines.lines().next()).unwrap_or_default();
+    let fact_lines = if is_by_1 { String::new() } else { facts.join("\n") };
+    let parts = [&cause_lines, &whole, &fact_lines, &details];
+    let feedback = parts.iter().find_map(|part| part.lines().next()).unwrap_or_default();
     let feedback = feedback.to_owned();
-    let text = format!("Not right. {whole}{told_causes}{details}").trim_end().to_owned();
+    let text = format!("Not right. {whole}{cause_lines}{details}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
     Answer { causes, compared, feedback, ..Answer::new(Verdict::NotRight, text) }
 }

@@ -15,7 +15,9 @@ pub struct ClassReport {
 }
 
 /// The report on somebody's own pictures.
-pub struct OwnReport(pub(crate) StudentReport);
+pub struct OwnReport {
+    pub(crate) own: StudentReport,
+}
 
 impl ClassReport {
     /// The exit code of the program: 2 if something is missing, unreadable or not looked at, 1 if
@@ -105,16 +107,16 @@ impl OwnReport {
     /// The exit code of the program: 2 if a picture is missing or unreadable or none is there, 1
     /// if one that counts isn't right, else 0.
     pub fn exit_code(&self) -> u8 {
-        if self.0.pictures.is_empty() || has_missing_or_unreadable(&self.0) {
+        if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
             2
         } else {
-            (self.right_count() < self.0.most_points()).into()
+            (self.right_count() < self.own.most_points()).into()
         }
     }
 
     /// The report for a terminal: a row for each picture.
     pub fn to_table(&self) -> String {
-        let Self(own) = self;
+        let Self { own } = self;
         let beside = own.not_looked_at.clause();
         let beside = beside.map(|clause| clause + "\n").unwrap_or_default();
         if own.pictures.is_empty() {
@@ -132,13 +134,13 @@ impl OwnReport {
     /// The report as JSON.
     pub fn to_json(&self) -> String {
         json::object([
-            ("pictures", pictures_json(&self.0)),
-            ("not_looked_at", not_looked_at_json(&self.0.not_looked_at)),
+            ("pictures", pictures_json(&self.own)),
+            ("not_looked_at", not_looked_at_json(&self.own.not_looked_at)),
         ])
     }
 
     fn right_count(&self) -> usize {
-        let counted = self.0.pictures.iter().filter(|picture| picture.counts);
+        let counted = self.own.pictures.iter().filter(|picture| picture.counts);
         let is_right = |file: &FileReport| file.feedback.verdict == Verdict::Right;
         counted.filter(|one| !one.files.is_empty() && one.files.iter().all(is_right)).count()
     }
