@@ -47,6 +47,9 @@ fn reports_on_a_class_are_as_locked() {
             ("class/index.html", b"<html>".to_vec()),
             ("class/Gus.zip", b"PK\x03\x04".to_vec()),
             ("right/Ada L/step01_rays.png", rays.clone()),
+            ("wrong/Ada L/step01_rays.png", flipped("step01_rays")),
+            ("beside/Ada L/step01_rays.png", rays.clone()),
+            ("beside/Bob.zip", b"PK\x03\x04".to_vec()),
             ("flat/Ada L - step01_rays.png", rays.clone()),
             ("flat/Bob - step01_rays.png", bgr("step01_rays")),
             ("names.txt", "\u{feff}Ada L\r\n\nHeidi\nFay\n".as_bytes().to_vec()),
@@ -56,12 +59,14 @@ fn reports_on_a_class_are_as_locked() {
     );
     fs::create_dir_all(folder.join("class/Ivo")).expect("a folder");
     fs::create_dir_all(folder.join("empty")).expect("a folder");
-    let runs: [&[&str]; 14] = [
+    let runs: [&[&str]; 16] = [
         &["--in", "class", "--require", REQUIRED],
         &["--in", "class", "--require", REQUIRED, "--csv"],
         &["--in", "class", "--require", REQUIRED, "--json"],
         &["--in", "class", "--names", "names.txt"],
         &["--in", "right"],
+        &["--in", "wrong"],
+        &["--in", "beside"],
         &["--in", "right", "--require", "step01_rays,glass"],
         &["--in", "right", "--names", "names.txt", "--require", "step01_rays"],
         &["--in", "right", "--names", "no_names.txt"],
