@@ -9,9 +9,6 @@ const CURVE_VALUES: usize = 16;
 /// How many pixels are asked for a curve before all are.
 const FIRST_PIXELS: usize = 500;
 
-/// The least black pixels that count as rows, columns or a rectangle which nothing draws.
-const BLACK_PIXELS: usize = 100;
-
 /// Sentences about the bytes of each wrong pixel.
 pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
@@ -37,29 +34,11 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// A sentence about black pixels that fill all crossings of some rows and columns, as those do
-/// that nothing draws.
-pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
-    let black = comparison.wrong.iter().filter(|one| one.yours == [0; 3]);
-    let columns: BTreeSet<_> = black.clone().map(|one| one.place.0).collect();
-    let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
-    let count = black.count();
-    if count != columns.len() * rows.len() || count < BLACK_PIXELS {
-        return None;
-    }
-    let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";
-    let file = if comparison.target.drawing.is_some() { file } else { "" };
-    let (columns, rows) = (format_numbers("column", &columns)?, format_numbers("row", &rows)?);
-    Some(format!("{count} pixels are black, as if never drawn: {columns} of {rows}.{file}"))
-}
-
-/// Such as `row 3`, or `4 rows from 3 to 9`.
-fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> Option<String> {
-    let (first, last) = (numbers.first()?, numbers.last()?);
-    Some(match numbers.len() {
-        1 => format!("{word} {first}"),
-        count => format!("{count} {word}s from {first} to {last}"),
-    })
+/// A sentence about wrong pixels that all have one colour.
+pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
+    let [r, g, b] = wrong.first()?.yours;
+    let is_one = wrong.iter().all(|pixel| pixel.yours == [r, g, b]);
+    is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it.

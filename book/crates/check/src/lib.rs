@@ -35,9 +35,9 @@ mod other_options;
 mod png_file;
 mod read_file;
 mod regions;
-mod scene_mistake;
 mod target;
 mod transformed;
+mod undrawn;
 mod wrong_pixel;
 
 pub use answer::{Answer, Cause, Verdict};

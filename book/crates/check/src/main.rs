@@ -110,7 +110,7 @@ fn print(answer: &Answer, as_json: bool) -> ExitCode {
     // Write errors are ignored: the output may be a closed pipe.
     let _ = match answer.verdict {
         _ if as_json => writeln!(io::stdout(), "{}", answer.to_json()),
-        Verdict::Unreadable => writeln!(io::stderr(), "{}", answer.text),
+        Verdict::Unreadable => writeln!(io::stderr(), "error: {}", answer.text),
         _ => writeln!(io::stdout(), "{}", answer.text.trim_end()),
     };
     ExitCode::from(answer.verdict.exit_code())

@@ -1,55 +1,131 @@
+//! Options of the programs (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program
+//! draws the reader's picture.
+
 use crate::comparison::{Budget, scattered_places};
 use crate::drawing::Drawing;
-use course::largest_channel_difference;
 use image::RgbImage;
+use std::iter;
 use step01_rays::{Camera, mean, rgb8, sub_pixels};
 
-/// How many rays are drawn to find out whether a picture has some options; to try all, twice as
-/// many.
-const RAYS: u32 = 3 << 20;
+/// How many rays are drawn to compare a picture with some options; with all that come into
+/// question, twice as many.
+const RAYS: u32 = 1 << 24;
 
-/// Sentences about a picture that a drawing gives with other options: another size, field of
-/// view or number of samples.
-pub(crate) fn describe_other_options(
-    drawing: &Drawing,
-    title: &str,
-    yours: &RgbImage,
-) -> Option<String> {
-    let (columns, rows) = yours.dimensions();
+/// How many rays are drawn to find those that come into question.
+const PROBE_RAYS: u32 = 6_000_000;
+
+/// How many pixels refute most options, before all are compared.
+const PROBES: usize = 200;
+
+/// How far rounding may move an intensity of the sky, in parts of a byte.
+const ROUNDING: f64 = 1e-6;
+
+/// The options of a picture that a right program draws with them.
+pub(crate) struct Options {
+    size: (u32, u32),
+    fov_degrees: f64,
+    samples: u32,
+    /// How many pixels were compared; all, unless there are many rays.
+    compared: usize,
+}
+
+impl Options {
+    /// Whether somebody would type this angle: it has one decimal at most.
+    pub fn is_plain_angle(&self) -> bool {
+        let tenths = 10.0 * self.fov_degrees;
+        tenths == tenths.round()
+    }
+
+    /// Sentences about a picture that is drawn with these options.
+    pub fn describe(&self, title: &str) -> String {
+        let ((columns, rows), samples) = (self.size, self.samples);
+        let all = columns as usize * rows as usize;
+        let options = format!(
+            "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
+            self.fov_degrees
+        );
+        let equal = match self.compared {
+            compared if compared < all => format!(
+                "As with other options: {compared} of {all} pixels were compared, and are those \
+                 of {options}."
+            ),
+            _ => format!("Right, with other options: this is {options}, in every pixel."),
+        };
+        format!(
+            "{equal}\n\
+             Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
+             --samples 1.\n\
+             If you gave no other options, look at how your program reads them, and at its camera."
+        )
+    }
+}
+
+/// The plainest options that give a picture, with which a drawing is a right one; None where none
+/// do, or too much would have to be tried.
+pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Options> {
+    let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
     }
-    let samples: Vec<_> = (1..=16).map(sub_pixels).collect();
-    let budget = Budget::new(2 * RAYS);
-    let mut places: Vec<_> = scattered_places((columns, rows)).take(RAYS as usize).collect();
-    // First that of the locked pictures.
-    for tenths in [600].into_iter().chain(10..1800) {
-        let fov_degrees = f64::from(tenths) / 10.0;
+    let all_sub_pixels: Vec<_> = (1..=16).map(sub_pixels).collect();
+    let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
+    let mut sky_probes: Vec<_> = border_places(size).take(PROBES).collect();
+    let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
+    for fov_degrees in plain_angles() {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let largest_difference = |(i, j): (u32, u32), sub_pixels: &[(f64, f64)]| {
-            let (x, y) = (f64::from(i), f64::from(j));
-            let ours = rgb8(mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v))));
-            largest_channel_difference(yours.get_pixel(i, j), &ours)
-        };
-        // The sky in the corner hardly depends on the samples.
-        if 1 < largest_difference((0, 0), &samples[0]) {
+        if !probe_budget
+            .all(&mut sky_probes, 1, |place| may_be_sky(drawing, &camera, yours, *place))
+        {
             continue;
         }
-        for (side, sub_pixels) in (1..).zip(&samples) {
-            let rays = side * side;
-            let compared = places.len().min((RAYS / rays) as usize);
-            let is_equal = |place: &_| largest_difference(*place, sub_pixels) == 0;
-            if budget.all(&mut places[..compared], rays, is_equal) {
-                let all = yours.pixels().len();
-                return Some(format!(
-                    "As with other options: {compared} of {all} pixels were compared, and are \
-                     those of {title} at {columns}×{rows} pixels, {fov_degrees}° and {side}×{side} \
-                     rays per pixel.\n\
-                     Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
-                     --samples 1."
-                ));
+        for (samples, sub_pixels) in (1..).zip(&all_sub_pixels) {
+            let rays = samples * samples;
+            let is_equal = |&(i, j): &(u32, u32)| {
+                let (x, y) = (f64::from(i), f64::from(j));
+                let ours = mean(sub_pixels, |u, v| drawing.colour(&camera.ray(x + u, y + v)));
+                *yours.get_pixel(i, j) == rgb8(ours)
+            };
+            if !probe_budget.all(&mut probes, rays, is_equal) {
+                continue;
+            }
+            let compared = yours.pixels().len().min((RAYS / rays) as usize);
+            let mut places = scattered_places(size).take(compared);
+            if places.all(|place| budget.spend(rays) && is_equal(&place)) {
+                return Some(Options { size, fov_degrees, samples, compared });
             }
         }
     }
     None
+}
+
+/// Angles in degrees: that of the locked pictures, whole ones, then those with up to three
+/// decimals.
+fn plain_angles() -> impl Iterator<Item = f64> {
+    let with_decimals = |scale: u32| {
+        let numbers = (1..180 * scale).filter(move |number| scale == 1 || number % 10 != 0);
+        numbers.map(move |number| f64::from(number) / f64::from(scale))
+    };
+    iter::once(60.0).chain([1, 10, 100, 1000].into_iter().flat_map(with_decimals))
+}
+
+/// Places on the border of a picture, which shows the sky for most angles: its corner first.
+fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+    let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
+    let across = (0..columns).step_by(columns.div_ceil(50) as usize);
+    let sides = downwards.flat_map(move |j| [(0, j), (columns - 1, j)]);
+    sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
+}
+
+/// Whether a pixel has the colour of the sky; true where it would show an object as well. The sky
+/// is linear, so that its mean over a pixel is that of the centre, whatever the samples are.
+fn may_be_sky(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
+    let (x, y) = (f64::from(i), f64::from(j));
+    let intensity = drawing.colour(&camera.ray(x, y)).to_array();
+    let is_equal = |k: usize| {
+        let exact_byte = (255.0 * intensity[k]).clamp(0.0, 255.0);
+        (exact_byte - f64::from(yours.get_pixel(i, j)[k])).abs() < 0.5 + ROUNDING
+    };
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5), (0.0, 0.0)];
+    let sees_object = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).is_some();
+    (0..3).all(is_equal) || corners.into_iter().any(sees_object)
 }

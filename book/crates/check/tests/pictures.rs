@@ -22,11 +22,11 @@ const PHONG: &str = "step05_phong";
 
 /// Compares the answers about pictures with the snapshot of this name.
 #[track_caller]
-fn assert_rows_locked<const COUNT: usize>(name: &str, rows: [Row; COUNT]) {
+fn assert_rows_locked(name: &str, rows: impl IntoIterator<Item = Row>) {
     let answer = |(title, expected, picture): Row| {
         (format!("{title}, {expected}"), format_answer(check(picture, expected)))
     };
-    assert_locked(name, rows.map(answer));
+    assert_locked(name, rows.into_iter().map(answer));
 }
 
 #[test]
@@ -88,18 +88,53 @@ fn answers_about_changes_of_ours_are_as_locked() {
 #[test]
 fn answers_about_pixels_are_as_locked() {
     let rays = locked_picture(RAYS);
-    let black = |is_black: fn(u32, u32) -> bool| {
-        map_locked(PHONG, |i, j, ours| if is_black(i, j) { [0; 3] } else { ours })
-    };
+    let spots = |i: u32, j: u32, ours| if j == 9 && i.is_multiple_of(90) { [9; 3] } else { ours };
     assert_rows_locked(
         "pixels",
         [
             ("rows exchanged in pairs", RAYS, map_locked(RAYS, |i, j, _| rays[(i, j ^ 1)].0)),
-            ("every other row is never drawn", PHONG, black(|_, j| j % 2 == 1)),
-            ("a black triangle", PHONG, black(|i, j| i < j)),
-            ("a ninth in the middle", PHONG, black(|i, j| i / 213 == 1 && j / 120 == 1)),
+            ("8 wrong pixels", PHONG, map_locked(PHONG, spots)),
         ],
     );
+}
+
+#[test]
+fn answers_about_undrawn_pixels_are_as_locked() {
+    let of_colour = |colour, is_undrawn: fn(u32, u32) -> bool| {
+        map_locked(RAYS, |i, j, ours| if is_undrawn(i, j) { colour } else { ours })
+    };
+    let black = |is_undrawn| of_colour([0; 3], is_undrawn);
+    let rows = [
+        ("every other row", black(|_, j| j % 2 == 1)),
+        ("white rows", of_colour([255; 3], |_, j| j % 3 == 0)),
+        ("a triangle", black(|i, j| i < j)),
+        ("a ninth in the middle", black(|i, j| i / 213 == 1 && j / 120 == 1)),
+        ("two tiles", black(|i, j| (i / 64, j / 36) == (1, 2) || (i / 64, j / 36) == (7, 5))),
+        ("from one pixel on", black(|i, j| 640 * j + i > 150_000)),
+        ("the last row and column", black(|i, j| i == 639 || j == 359)),
+        ("lines between tiles", black(|i, j| i % 16 == 15 || j % 16 == 15)),
+        ("a frame of ten pixels", black(|i, j| !(10..630).contains(&i) || !(10..350).contains(&j))),
+        ("bars on both sides", black(|i, _| !(40..600).contains(&i))),
+        ("bars above and below", of_colour([255; 3], |_, j| !(45..315).contains(&j))),
+        ("every third pixel", black(|i, j| (640 * j + i) % 3 == 1)),
+        ("falling diagonals", black(|i, j| (i + 360 - j).is_multiple_of(8))),
+        ("rising diagonals", black(|i, j| (i + j) % 8 < 2)),
+        ("99 pixels", black(|i, j| i < 11 && j < 9)),
+    ];
+    let black_ball = |i: u32, j: u32, ours| {
+        let hit = nearest(&OBJECTS, &camera().ray(i.into(), j.into()));
+        if hit.is_some_and(|hit| hit.object.name == "teal sphere") { [0; 3] } else { ours }
+    };
+    let rows = rows.map(|(title, picture)| (title, RAYS, picture)).into_iter();
+    let others = [
+        (
+            "every other column",
+            PHONG,
+            map_locked(PHONG, |i, _, ours| ours.map(|c| c * (i % 2) as u8)),
+        ),
+        ("a black ball", PHONG, map_locked(PHONG, black_ball)),
+    ];
+    assert_rows_locked("undrawn_pixels", rows.chain(others));
 }
 
 #[test]
