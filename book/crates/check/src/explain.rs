@@ -14,6 +14,10 @@ use image::RgbImage;
 
 const MOST_CAUSES: usize = 3;
 
+/// Said of exercises, whose options can't be found.
+const WITHOUT_OPTIONS: &str =
+    "Ours is drawn without options: with others, a right program draws another picture, too.\n";
+
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// How many rays may be computed to try changes.
@@ -44,11 +48,13 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
         Some(comparison) => details(comparison, explanation.is_empty()),
         None if explanation.is_empty() || uniform_colour(yours).is_some() => {
             let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
-            format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
+            format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n")
         }
         None => String::new(),
     };
-    let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
+    let is_exercise = target.drawing.is_none() && explanation.is_empty();
+    let note = if is_exercise { WITHOUT_OPTIONS } else { "" };
+    let text = format!("Not right. {explanation}{details}{note}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
     Answer { causes, compared, ..Answer::new(Verdict::NotRight, text) }
 }

@@ -3,13 +3,14 @@
 
 use crate::comparison::{Budget, scattered_places};
 use crate::drawing::Drawing;
+use crate::transformed::uniform_colour;
 use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean, rgb8, sub_pixels};
 
 /// How many rays are drawn to compare a picture with some options; with all that come into
 /// question, twice as many.
-const RAYS: u32 = 1 << 24;
+const RAYS: u32 = 1 << 23;
 
 /// How many rays are drawn to find those that come into question.
 const PROBE_RAYS: u32 = 6_000_000;
@@ -27,6 +28,8 @@ pub(crate) struct Options {
     samples: u32,
     /// How many pixels were compared; all, unless there are many rays.
     compared: usize,
+    /// Whether the picture has one colour, as it has with many options.
+    is_uniform: bool,
 }
 
 impl Options {
@@ -45,6 +48,10 @@ impl Options {
             self.fov_degrees
         );
         let equal = match self.compared {
+            _ if self.is_uniform => format!(
+                "As with other options: this is {options}, in every pixel, but a picture of one \
+                 colour is that of many options, and of many mistakes."
+            ),
             compared if compared < all => format!(
                 "As with other options: {compared} of {all} pixels were compared, and are those \
                  of {options}."
@@ -71,11 +78,10 @@ pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Option
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
     let mut sky_probes: Vec<_> = border_places(size).take(PROBES).collect();
     let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
-    for fov_degrees in plain_angles() {
+    for fov_degrees in plain_angles().chain(fine_angles(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        if !probe_budget
-            .all(&mut sky_probes, 1, |place| may_be_sky(drawing, &camera, yours, *place))
-        {
+        let may_be_sky = |place: &_| may_be_sky(drawing, &camera, yours, *place);
+        if !probe_budget.all(&mut sky_probes, 1, may_be_sky) {
             continue;
         }
         for (samples, sub_pixels) in (1..).zip(&all_sub_pixels) {
@@ -91,21 +97,47 @@ pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Option
             let compared = yours.pixels().len().min((RAYS / rays) as usize);
             let mut places = scattered_places(size).take(compared);
             if places.all(|place| budget.spend(rays) && is_equal(&place)) {
-                return Some(Options { size, fov_degrees, samples, compared });
+                let is_uniform = uniform_colour(yours).is_some();
+                return Some(Options { size, fov_degrees, samples, compared, is_uniform });
             }
         }
     }
     None
 }
 
-/// Angles in degrees: that of the locked pictures, whole ones, then those with up to three
-/// decimals.
+/// Angles in degrees: that of the locked pictures, whole ones, then those with one decimal.
 fn plain_angles() -> impl Iterator<Item = f64> {
-    let with_decimals = |scale: u32| {
-        let numbers = (1..180 * scale).filter(move |number| scale == 1 || number % 10 != 0);
-        numbers.map(move |number| f64::from(number) / f64::from(scale))
-    };
-    iter::once(60.0).chain([1, 10, 100, 1000].into_iter().flat_map(with_decimals))
+    let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
+    iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
+}
+
+/// Angles with two and three decimals, as far as they fit what the upper border of a picture
+/// shows, taken for the sky.
+fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
+    let (columns, rows) = yours.dimensions();
+    let side = f64::from(columns - 1);
+    let (mut least, mut most) = (0.0_f64, f64::INFINITY);
+    let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
+    for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
+        let colour = yours.get_pixel(i, j);
+        // V is (x tan, y tan, −1), so that blue is 255.
+        let x = 2.0 * f64::from(i) / side - 1.0;
+        let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
+        for (factor, byte) in [(x, colour[0]), (y, colour[1])] {
+            if factor == 0.0 || colour[2] != 255 || byte == 0 || byte == 255 {
+                continue;
+            }
+            let tan = |offset: f64| ((f64::from(byte) + offset) / 255.0 - 0.7) / 0.3 / factor;
+            let (a, b) = (tan(-0.5 - ROUNDING), tan(0.5 + ROUNDING));
+            (least, most) = (least.max(a.min(b)), most.min(a.max(b)));
+        }
+    }
+    let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
+    [100.0, 1000.0].into_iter().flat_map(move |scale| {
+        let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;
+        let is_finer = |number: &u32| !number.is_multiple_of(10);
+        numbers.filter(is_finer).map(move |number| f64::from(number) / scale)
+    })
 }
 
 /// Places on the border of a picture, which shows the sky for most angles: its corner first.

@@ -33,6 +33,9 @@ fn assert_rows_locked(name: &str, rows: impl IntoIterator<Item = Row>) {
 fn answers_about_whole_pictures_are_as_locked() {
     let (ours, depth) = (locked_picture(PHONG), locked_picture("depth"));
     let other_options = Camera::new(100, 75, 75.5_f64.to_radians());
+    let three_decimals = Camera::new(64, 36, 33.333_f64.to_radians());
+    let narrow = Camera::new(640, 360, 5_f64.to_radians());
+    let large = Camera::new(4096, 2304, 60_f64.to_radians());
     let twice_the_angle = Camera::new(640, 360, 120_f64.to_radians());
     let part = crop_imm(&ours, 100, 150, 300, 200).to_image();
     let mut spotted_part = part.clone();
@@ -43,6 +46,9 @@ fn answers_about_whole_pictures_are_as_locked() {
         "whole_pictures",
         [
             ("100×75, 75.5°, 2", PHONG, (Step::Phong.picture())(&other_options, 2)),
+            ("33.333°", PHONG, (Step::Phong.picture())(&three_decimals, 1)),
+            ("5°", NEAREST, (Step::Nearest.picture())(&narrow, 1)),
+            ("4096×2304", RAYS, (Step::Rays.picture())(&large, 1)),
             ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("upside down", PHONG, flip_vertical(&ours)),
@@ -56,6 +62,7 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("cut out", PHONG, part),
             ("cut out, with a wrong pixel", PHONG, spotted_part),
             ("enlarged", PHONG, twice),
+            ("another size", "rings", RgbImage::new(64, 36)),
             ("one wrong pixel", "rings", map_locked("rings", wrong_pixel)),
         ],
     );
