@@ -1,4 +1,4 @@
-use crate::byte_facts::{byte_curve, byte_facts, one_colour_sentence};
+use crate::byte_facts::{byte_curve, byte_facts, byte_map, one_colour_sentence};
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::Drawing;
 use crate::regions::{count_regions, hidden_sentence, region_sentence};
@@ -22,7 +22,9 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     if facts.is_empty() {
         let is_varied = is_varied(&comparison.wrong);
         let varied = drawing.filter(|_| is_varied);
-        facts.extend(varied.and_then(|drawing| byte_curve(comparison, drawing)));
+        facts.extend(varied.and_then(|drawing| {
+            byte_curve(comparison, drawing).or_else(|| byte_map(comparison, drawing))
+        }));
         facts.extend(regions.as_deref().and_then(hidden_sentence));
         if let Some(drawing) = varied {
             if are_above_1(&comparison.wrong, drawing) {

@@ -79,6 +79,12 @@ fn answers_about_changes_of_ours_are_as_locked() {
     let mut half_a_pixel = camera();
     half_a_pixel.matrix.z_axis -= 0.5 * (camera().matrix.x_axis + camera().matrix.y_axis);
     let seen_by = Step::Nearest.picture();
+    let mut wide = camera();
+    wide.matrix.x_axis.x *= 639.0 / 640.0;
+    let mut rounded_ratio = camera();
+    rounded_ratio.matrix.z_axis.y = -camera().matrix.z_axis.x / 1.78;
+    let mut low_view = rounded_ratio;
+    low_view.matrix.y_axis.y = -2.0 * rounded_ratio.matrix.z_axis.y / 359.0;
     assert_rows_locked(
         "changes_of_ours",
         [
@@ -87,6 +93,11 @@ fn answers_about_changes_of_ours_are_as_locked() {
             ("3 objects", NEAREST, draw(|ray| step03_nearest::colour(&OBJECTS[..3], ray))),
             ("nearer", "step02_sphere", draw(|ray| step02_sphere::colour(&nearer, ray))),
             ("a higher camera", NEAREST, seen_by(&high_camera, 1)),
+            ("D_u by hRes", RAYS, (Step::Rays.picture())(&wide, 1)),
+            ("D_u by hRes", PHONG, (Step::Phong.picture())(&wide, 1)),
+            ("1.78 for 16:9", PHONG, (Step::Phong.picture())(&rounded_ratio, 1)),
+            ("1.78 for 16:9 in D_v, too", PHONG, (Step::Phong.picture())(&low_view, 1)),
+            ("a higher camera", PHONG, (Step::Phong.picture())(&high_camera, 1)),
             ("half a pixel up and left", NEAREST, seen_by(&half_a_pixel, 1)),
         ],
     );
