@@ -63,17 +63,18 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     if answer.verdict == Verdict::Unreadable {
         return answer;
     }
-    if 0 < picture.transparent_count {
-        let (count, all) = (picture.transparent_count, picture.rgb.pixels().len());
-        answer.text = format!(
-            "Not right. In {count} of {all} pixels the file is not opaque, so a viewer may show \
-             other colours.\n\
-             Of those in the file this can be said: {}",
-            answer.text
-        );
+    if picture.is_transparent && answer.verdict != Verdict::NotRight {
         answer.verdict = Verdict::NotRight;
+        answer.text = format!("Not right. Without alpha: {}", answer.text);
     }
-    answer.text.extend(picture.notes.iter().flat_map(|note| ["\n", note]));
+    // What the file is explains the most of a wrong picture, and qualifies a right one.
+    let notes = picture.notes.iter().map(|note| format!("{note}\n")).collect::<String>();
+    let (start, rest) = match answer.text.strip_prefix("Not right. ") {
+        Some(rest) => ("Not right. ", rest),
+        None => answer.text.split_once('\n').unwrap_or((&answer.text, "")),
+    };
+    let between = if start.ends_with(' ') { "" } else { "\n" };
+    answer.text = format!("{start}{between}{notes}{rest}").trim_end().to_owned();
     answer
 }
 

@@ -36,23 +36,24 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
         return Answer::new(Verdict::OtherOptions, options.describe(title));
     }
     let comparison = Comparison::new(target, yours);
+    let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
+    let size = format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n");
     let mut explanation = match find_equal(yours) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
+    let is_unexplained = explanation.is_empty();
+    let is_other_size = comparison.is_none() && (is_unexplained || uniform_colour(yours).is_some());
+    if is_other_size {
+        explanation.insert_str(0, &size);
+    }
     if explanation.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
     explanation += &describe_causes(&causes);
-    let details = match &comparison {
-        Some(comparison) => details(comparison, explanation.is_empty()),
-        None if explanation.is_empty() || uniform_colour(yours).is_some() => {
-            let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
-            format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n")
-        }
-        None => String::new(),
-    };
-    let is_exercise = target.drawing.is_none() && explanation.is_empty();
+    let details = comparison.as_ref().map(|one| details(one, explanation.is_empty()));
+    let details = details.unwrap_or_default();
+    let is_exercise = target.drawing.is_none() && (is_unexplained || is_other_size);
     let note = if is_exercise { WITHOUT_OPTIONS } else { "" };
     let text = format!("Not right. {explanation}{details}{note}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);

@@ -7,18 +7,24 @@ const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
     "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
+const BEHIND_MARK: &str = "a PNG file behind a byte order mark, as for text; copy it as binary";
+const IN_BASE64: &str = "a PNG file as text, in base64; decode it first";
+const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the program write the \
+                         picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
 /// the beginnings of PNG files that a copy has damaged.
-const FORMATS: [(usize, &[u8], &str); 18] = [
+const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
     (0, b"GIF8", "a GIF, which has 256 colours at most; draw it again as PNG"),
-    (10, b"\x36\0\0\0\x28\0\0\0", "a BMP picture; save it as PNG"),
-    (0, b"P6\n", "a PPM picture; save it as PNG"),
     (0, b"II*\0", "a TIFF picture; save it as PNG"),
     (0, b"MM\0*", "a TIFF picture; save it as PNG"),
+    (0, b"qoif", "a QOI picture; save it as PNG"),
+    (0, b"#?RADIANCE", "an HDR picture; save it as PNG"),
+    (0, b"\x76\x2f\x31\x01", "an EXR picture; save it as PNG"),
+    (0, b"8BPS", "a Photoshop file; save the picture as PNG"),
     (4, b"ftyp", "a film, or a picture such as HEIC or AVIF; save it as PNG"),
     (0, b"%PDF", "a PDF; save the picture as PNG"),
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
@@ -27,24 +33,47 @@ const FORMATS: [(usize, &[u8], &str); 18] = [
     (0, b"<!doctype html", WEB_PAGE),
     (0, b"<html", WEB_PAGE),
     (0, b"<svg", "an SVG drawing; save it as PNG"),
+    (0, b"iVBORw0KGgo", IN_BASE64),
+    (0, b"data:image/png;base64,", IN_BASE64),
+    (0, b"\xff\xfe", IN_UTF_16),
+    (0, b"\xfe\xff", IN_UTF_16),
+    (0, b"\xef\xbb\xbf\x89PNG", BEHIND_MARK),
+    (0, b"\xef\xbb\xbf\xc2\x89PNG", COPIED_AS_TEXT),
     (0, b"\x89PNG", COPIED_AS_TEXT),
     (0, b"\xEF\xBF\xBDPNG", COPIED_AS_TEXT),
     (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
+/// The pictures of Netpbm, P1 to P7, and what they are.
+const NETPBM: [&str; 7] = [
+    "a PBM picture, written as text (P1); save it as PNG",
+    "a PGM picture, written as text (P2); save it as PNG",
+    "a PPM picture, written as text (P3); save it as PNG",
+    "a PBM picture (P4); save it as PNG",
+    "a PGM picture (P5); save it as PNG",
+    "a PPM picture (P6); save it as PNG",
+    "a PAM picture (P7); save it as PNG",
+];
+
+/// How long the second header of a BMP file may be, from its oldest version to the fifth.
+const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
+
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The columns and rows of the largest picture, as the programs draw it with `--width 8192`.
-const LARGEST: (u32, u32) = (8192, 4608);
+/// The most pixels of a picture, which is the limit of the programs, too: `--width 8192` in 16:9.
+pub(crate) const MOST_PIXELS: u64 = 8192 * 4608;
+
+/// The most bytes that are unpacked: of all pixels with alpha and 8 bits.
+const MOST_BYTES: u64 = 4 * MOST_PIXELS;
 
 pub(crate) struct Picture {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
-    /// How many pixels are not opaque.
-    pub transparent_count: usize,
-    /// Sentences about what the file hasn't, and what was left out.
-    pub notes: Vec<&'static str>,
+    /// Whether some pixels are not opaque.
+    pub is_transparent: bool,
+    /// Sentences about what kind of file it is, and what was left out.
+    pub notes: Vec<String>,
 }
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
@@ -61,29 +90,57 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     limits.max_alloc = Some(FILE_BYTES);
     let decoder = PngDecoder::with_limits(Cursor::new(file), limits);
     let decoder = decoder.map_err(damage_clause)?;
-    let (columns, rows) = LARGEST;
-    if 3 * u64::from(columns) * u64::from(rows) < decoder.total_bytes() {
+    let (columns, rows) = decoder.dimensions();
+    if MOST_PIXELS < u64::from(columns) * u64::from(rows) {
         return Err(format!(
-            "is too large: unpacked, it has more bytes than {columns}×{rows} pixels"
+            "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many \
+             in another shape"
         ));
     }
-    let colour = decoder.color_type();
-    let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
-    let is_animated = decoder.is_apng().is_ok_and(|is_so| is_so);
-    let notes = [
-        (is_animated, "The file is animated; its first picture was looked at."),
-        (!colour.has_color(), "The file is grey and holds no colours."),
-        (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
-    ];
-    let notes = notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect();
+    if MOST_BYTES < decoder.total_bytes() {
+        return Err(format!(
+            "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
+            MOST_BYTES >> 20
+        ));
+    }
+    let mut notes = describe_kind(file);
+    if decoder.is_apng().is_ok_and(|is_animated| is_animated) {
+        notes.push("The file is animated; its first picture was looked at.".to_owned());
+    }
     let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
     if !picture.color().has_alpha() {
-        return Ok(Picture { rgb: picture.into_rgb8(), transparent_count: 0, notes });
+        return Ok(Picture { rgb: picture.into_rgb8(), is_transparent: false, notes });
     }
     let rgba = picture.into_rgba8();
-    let transparent_count = rgba.pixels().filter(|pixel| pixel[3] < 255).count();
+    let mut transparent = rgba.enumerate_pixels().filter(|(_, _, pixel)| pixel[3] < 255);
+    let first = transparent.next();
+    if let Some((i, j, _)) = first {
+        let (count, all) = (1 + transparent.count(), rgba.pixels().len());
+        notes.push(format!(
+            "In {count} of {all} pixels the file is not opaque, first in column {i}, row {j}: a \
+             viewer may show other colours there."
+        ));
+    }
     let rgb = RgbImage::from_fn(rgba.width(), rgba.height(), |i, j| rgba[(i, j)].to_rgb());
-    Ok(Picture { rgb, transparent_count, notes })
+    Ok(Picture { rgb, is_transparent: first.is_some(), notes })
+}
+
+/// Sentences about a kind of PNG file that the programs don't write, from the bytes of its header.
+fn describe_kind(file: &[u8]) -> Vec<String> {
+    let [bits, kind] = [24, 25].map(|place| file.get(place).copied().unwrap_or_default());
+    let is_grey = kind == 0 || kind == 4;
+    let mut notes = vec![];
+    if kind == 3 {
+        let most_colours = 1_u32 << bits.min(8);
+        notes.push(format!("The file has a palette, with at most {most_colours} colours."));
+    }
+    if is_grey {
+        notes.push("The file is grey and holds no colours.".to_owned());
+    }
+    if bits == 16 {
+        notes.push("The file has 16 bits per channel, which were rounded to 8.".to_owned());
+    }
+    notes
 }
 
 pub(crate) fn too_large_clause(most_bytes: u64) -> String {
@@ -101,12 +158,29 @@ fn other_format_clause(file: &[u8]) -> Option<&'static str> {
         let found = start.get(*first..first + bytes.len());
         found.is_some_and(|found| found.eq_ignore_ascii_case(bytes))
     };
-    let clause = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
+    let format = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
+    let clause = format.or_else(|| netpbm_clause(start)).or_else(|| bmp_clause(start));
     match file {
         [] => Some("empty"),
         _ if PNG.starts_with(file) => Some("the beginning of a PNG file, and no more"),
         _ => Some(clause.unwrap_or("not a PNG file")),
     }
+}
+
+/// What a picture of Netpbm is: a P, a digit, and a blank or a comment.
+fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
+    let [b'P', digit, behind, ..] = file else { return None };
+    let number = digit.checked_sub(b'1')?;
+    let is_separate = behind.is_ascii_whitespace() || *behind == b'#';
+    NETPBM.get(usize::from(number)).copied().filter(|_| is_separate)
+}
+
+fn bmp_clause(file: &[u8]) -> Option<&'static str> {
+    let header_bytes: [u8; 4] = file.get(14..18)?.try_into().ok()?;
+    let header_length = u32::from_le_bytes(header_bytes);
+    let is_bmp = file.starts_with(b"BM")
+        && BMP_HEADERS.iter().any(|length| u32::from(*length) == header_length);
+    is_bmp.then_some("a BMP picture; save it as PNG")
 }
 
 /// Says what a decoder's error means for the file.
