@@ -1,5 +1,6 @@
 use crate::answer::Cause;
-use course::{Mistake, find_mistakes_with_hash, hash_picture};
+use crate::target::hash_if_small;
+use course::{Mistake, find_mistakes_with_hash};
 use image::RgbImage;
 
 /// The most lines of a diff that an answer shows.
@@ -7,7 +8,8 @@ const LINES: usize = 4;
 
 /// The listed mistakes that give the picture of this name as it is in every pixel.
 pub(crate) fn find_listed_mistakes(yours: &RgbImage, name: &str) -> Vec<Cause> {
-    let all = find_mistakes_with_hash(hash_picture(yours)).into_iter();
+    let all = hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
+    let all = all.into_iter();
     all.filter(|(_, drawn)| *drawn == name).map(|(mistake, _)| cause(&mistake)).collect()
 }
 

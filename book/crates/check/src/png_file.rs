@@ -1,6 +1,6 @@
-use image::codecs::png::PngDecoder;
-use image::{DynamicImage, ImageDecoder, ImageError, Limits, Pixel, RgbImage};
-use std::io::Cursor;
+use image::RgbImage;
+use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
+use std::io::{Cursor, ErrorKind};
 
 /// How PNG files begin.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -86,61 +86,110 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     if let Some(format_clause) = other_format_clause(file) {
         return Err(format!("is {format_clause}"));
     }
-    let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(FILE_BYTES);
-    let decoder = PngDecoder::with_limits(Cursor::new(file), limits);
-    let decoder = decoder.map_err(damage_clause)?;
-    let (columns, rows) = decoder.dimensions();
+    let limits = Limits { bytes: FILE_BYTES as usize };
+    let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
+    // Palettes become colours, transparent colours alpha, and few bits eight.
+    decoder.set_transformations(Transformations::EXPAND);
+    decoder.set_ignore_text_chunk(true);
+    let mut reader = decoder.read_info().map_err(damage_clause)?;
+    let (columns, rows) = reader.info().size();
     if MOST_PIXELS < u64::from(columns) * u64::from(rows) {
         return Err(format!(
             "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many \
              in another shape"
         ));
     }
-    if MOST_BYTES < decoder.total_bytes() {
+    let byte_count = reader.output_buffer_size();
+    if MOST_BYTES < byte_count as u64 {
         return Err(format!(
             "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
             MOST_BYTES >> 20
         ));
     }
-    let mut notes = describe_kind(file);
-    if decoder.is_apng().is_ok_and(|is_animated| is_animated) {
-        notes.push("The file is animated; its first picture was looked at.".to_owned());
-    }
-    let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
-    if !picture.color().has_alpha() {
-        return Ok(Picture { rgb: picture.into_rgb8(), is_transparent: false, notes });
-    }
-    let rgba = picture.into_rgba8();
-    let mut transparent = rgba.enumerate_pixels().filter(|(_, _, pixel)| pixel[3] < 255);
-    let first = transparent.next();
-    if let Some((i, j, _)) = first {
-        let (count, all) = (1 + transparent.count(), rgba.pixels().len());
+    let mut notes = describe_kind(reader.info());
+    let mut bytes = vec![0; byte_count];
+    reader.next_frame(&mut bytes).map_err(damage_clause)?;
+    let (colour_type, depth) = reader.output_color_type();
+    let samples = if depth == BitDepth::Sixteen { round_samples(&bytes) } else { bytes };
+    let (rgb, transparent) = split_alpha(samples, colour_type);
+    if let Some(first) = transparent.first {
+        let (count, all) = (transparent.count, columns as usize * rows as usize);
+        let (i, j) = (first % columns as usize, first / columns as usize);
         notes.push(format!(
             "In {count} of {all} pixels the file is not opaque, first in column {i}, row {j}: a \
              viewer may show other colours there."
         ));
     }
-    let rgb = RgbImage::from_fn(rgba.width(), rgba.height(), |i, j| rgba[(i, j)].to_rgb());
-    Ok(Picture { rgb, is_transparent: first.is_some(), notes })
+    let rgb = RgbImage::from_raw(columns, rows, rgb).ok_or("has fewer pixels than it says")?;
+    Ok(Picture { rgb, is_transparent: 0 < transparent.count, notes })
 }
 
-/// Sentences about a kind of PNG file that the programs don't write, from the bytes of its header.
-fn describe_kind(file: &[u8]) -> Vec<String> {
-    let [bits, kind] = [24, 25].map(|place| file.get(place).copied().unwrap_or_default());
-    let is_grey = kind == 0 || kind == 4;
+/// Sentences about a kind of PNG file that the programs don't write.
+fn describe_kind(info: &Info) -> Vec<String> {
     let mut notes = vec![];
-    if kind == 3 {
-        let most_colours = 1_u32 << bits.min(8);
+    if info.color_type == ColorType::Indexed {
+        let most_colours = 1_u32 << info.bit_depth as u8;
         notes.push(format!("The file has a palette, with at most {most_colours} colours."));
     }
-    if is_grey {
+    if matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha) {
         notes.push("The file is grey and holds no colours.".to_owned());
     }
-    if bits == 16 {
+    if info.bit_depth == BitDepth::Sixteen {
         notes.push("The file has 16 bits per channel, which were rounded to 8.".to_owned());
     }
+    if info.animation_control().is_some() {
+        notes.push("The file is animated; its first picture was looked at.".to_owned());
+    }
     notes
+}
+
+/// Samples of 8 bits, for those of 16.
+fn round_samples(bytes: &[u8]) -> Vec<u8> {
+    let round = |pair: &[u8]| {
+        let sample = u32::from(pair[0]) << 8 | u32::from(pair[1]);
+        ((sample + 128) / 257) as u8
+    };
+    bytes.chunks_exact(2).map(round).collect()
+}
+
+/// The pixels that are not opaque.
+#[derive(Default)]
+struct Transparent {
+    count: usize,
+    /// The number of the first, counted row by row.
+    first: Option<usize>,
+}
+
+/// Red, green and blue of each pixel, whatever its channels are, and which are not opaque.
+fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
+    let mut transparent = Transparent::default();
+    let mut note_alpha = |number: usize, alpha: u8| {
+        if alpha < 255 {
+            transparent.count += 1;
+            transparent.first.get_or_insert(number);
+        }
+    };
+    let rgb = match colour_type {
+        ColorType::Rgb | ColorType::Indexed => samples,
+        ColorType::Grayscale => samples.iter().flat_map(|grey| [*grey; 3]).collect(),
+        ColorType::GrayscaleAlpha => {
+            let pixels = samples.chunks_exact(2).enumerate();
+            let rgb = pixels.flat_map(|(number, pixel)| {
+                note_alpha(number, pixel[1]);
+                [pixel[0]; 3]
+            });
+            rgb.collect()
+        }
+        ColorType::Rgba => {
+            let pixels = samples.chunks_exact(4).enumerate();
+            let rgb = pixels.flat_map(|(number, pixel)| {
+                note_alpha(number, pixel[3]);
+                [pixel[0], pixel[1], pixel[2]]
+            });
+            rgb.collect()
+        }
+    };
+    (rgb, transparent)
 }
 
 pub(crate) fn too_large_clause(most_bytes: u64) -> String {
@@ -184,14 +233,13 @@ fn bmp_clause(file: &[u8]) -> Option<&'static str> {
 }
 
 /// Says what a decoder's error means for the file.
-fn damage_clause(error: ImageError) -> String {
-    let text = error.to_string();
-    let cause = if text.contains("unexpected end") {
-        "it is truncated; perhaps the copy was incomplete"
-    } else if text.contains("CRC") {
-        "a checksum is wrong, so some bytes have changed"
-    } else {
-        "its contents can't be unpacked"
+fn damage_clause(error: DecodingError) -> String {
+    let cause = match &error {
+        DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {
+            "it is truncated; perhaps the copy was incomplete"
+        }
+        _ if error.to_string().contains("CRC") => "a checksum is wrong, so some bytes have changed",
+        _ => "its contents can't be unpacked",
     };
     format!("is a damaged PNG file: {cause}")
 }
