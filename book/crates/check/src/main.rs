@@ -133,8 +133,8 @@ fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<An
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());
-    let result = fs::create_dir_all(folder).map_err(Into::into);
-    let result = result.and_then(|()| difference.save(&path));
+    let result = fs::create_dir_all(folder)
+        .and_then(|()| course::replace_file(&path, &course::encode_png(difference)));
     let path = escape_for_terminal(&path.display().to_string());
     match result {
         Ok(()) => format!("Yours, ours and the difference, side by side: {path}"),
