@@ -36,6 +36,7 @@ mod png_file;
 mod read_file;
 mod regions;
 mod target;
+mod threads;
 mod transformed;
 mod undrawn;
 mod wrong_pixel;
@@ -48,3 +49,4 @@ pub use class::{
 use png_file::{Picture, read_png};
 pub use read_file::{escape_for_terminal, read_bounded_file};
 use target::find_name_in_file_name;
+pub use threads::run_on_threads;

@@ -2,7 +2,8 @@
 
 use check::{
     Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet, normalize_name,
-    read_bounded_file, read_names, report_on_folder, report_on_workspaces, write_sheets,
+    read_bounded_file, read_names, report_on_folder, report_on_workspaces, run_on_threads,
+    write_sheets,
 };
 use clap::Parser;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
@@ -77,7 +78,8 @@ fn main() -> ExitCode {
         arguments => arguments.unwrap_or_else(|error| error.exit()),
     };
     let as_json = arguments.json;
-    print(&answer(arguments).unwrap_or_else(Answer::error), as_json)
+    let answer = run_on_threads(|| answer(arguments).unwrap_or_else(Answer::error));
+    print(&answer, as_json)
 }
 
 fn answer(arguments: Arguments) -> Result<Answer, String> {
