@@ -16,7 +16,7 @@ const MOST_CAUSES: usize = 3;
 
 /// Said of exercises, whose options can't be found.
 const WITHOUT_OPTIONS: &str =
-    "Ours is drawn without options: with others, a right program draws another picture, too.\n";
+    "Ours is drawn without options: with some, a right program may draw another picture, too.\n";
 
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 

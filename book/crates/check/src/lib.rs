@@ -4,16 +4,18 @@
 //! name: a *target*, and, but for exercises, the *drawing* of it, a scene and the functions of a
 //! step. An answer says only what holds in every pixel that it speaks of (`check`):
 //!
-//! 1. The picture is **right**, as **with other options** (`other_options`), or the picture of
-//!    another name.
+//! 1. The picture is **right**, or right **with other options** (`other_options`), for which no
+//!    code is blamed, or the picture of another name.
 //! 2. It is ours as a whole, **turned, cut out or enlarged** (`transformed`).
-//! 3. **Causes**, all that we know to give every byte: a listed mistake (`listed_mistake`; with
-//!    the scene of a name, some of these are drawn anew, `scene_mistake`), one other number of the
-//!    scene (`changed_number`), the camera that the sky tells (`camera_fit`).
-//! 4. Else **facts** (`facts`): sentences that are true of each wrong pixel, or of a number of
-//!    them; and the objects that are right and wrong (`regions`).
+//! 3. **Causes**, all that we know to give every byte, as others may: a listed mistake
+//!    (`listed_mistake`), one other number of the scene (`changed_number`), another camera
+//!    (`camera_fit`).
+//! 4. Else **facts** (`facts`): pixels that nothing draws (`undrawn`), sentences that are true of
+//!    each wrong pixel (`byte_facts`), or of a number of them; and the objects that are right and
+//!    wrong (`regions`).
 //!
-//! In the end there are the tests by hand that may find it, and one pixel (`wrong_pixel`).
+//! In the end there are the tests by hand of all steps that draw it, and one pixel
+//! (`wrong_pixel`).
 //!
 //! A folder is searched, its archives, too, and divided by students (`class`); their crates may
 //! draw a scene that they don't know (`class::trial`), and each name has a sheet with the numbers

@@ -49,8 +49,8 @@ impl Options {
         );
         let equal = match self.compared {
             _ if self.is_uniform => format!(
-                "As with other options: this is {options}, in every pixel, but a picture of one \
-                 colour is that of many options, and of many mistakes."
+                "As with other options: this is {options}, in every pixel, but one colour tells \
+                 little: further options and mistakes may give it, too."
             ),
             compared if compared < all => format!(
                 "As with other options: {compared} of {all} pixels were compared, and are those \
