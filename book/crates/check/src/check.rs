@@ -1,7 +1,7 @@
 use crate::explain::explain;
-use crate::target::{Target, find_equal, find_name_in_file_name};
+use crate::target::{Target, find_equal, find_name_in_file_name, hash_if_small};
 use crate::{Answer, Picture, Verdict, escape_for_terminal, read_png};
-use course::{find_mistakes_with_hash, hash_picture, locked_names};
+use course::{find_mistakes_with_hash, locked_names};
 use image::RgbImage;
 
 /// Compares the picture in a PNG file with the locked picture `expected_name`; where that is
@@ -18,7 +18,7 @@ pub fn check_png(
 ) -> Answer {
     answer_for_file(png, file_name, |picture| {
         let yours = &picture.rgb;
-        let mistakes = || find_mistakes_with_hash(hash_picture(yours));
+        let mistakes = || hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
         let name = expected_name
             .or_else(|| find_name_in_file_name(file_name, locked_names().into_iter()))
             .or_else(|| find_equal(yours))
@@ -54,21 +54,20 @@ fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> 
     if answer.verdict == Verdict::Unreadable {
         return answer;
     }
-    if 0 < picture.transparent_count {
-        let (count, all) = (picture.transparent_count, picture.rgb.pixels().len());
-        answer.feedback = format!(
-            "In {count} of {all} pixels the file is not opaque, so a viewer may show other colours."
-        );
-        answer.text = format!(
-            "Not right. {}\nOf those in the file this can be said: {}",
-            answer.feedback, answer.text
-        );
+    if picture.is_transparent && answer.verdict != Verdict::NotRight {
         answer.verdict = Verdict::NotRight;
+        answer.text = format!("Not right. Without alpha: {}", answer.text);
     }
-    answer.text.extend(picture.notes.iter().flat_map(|note| ["\n", note]));
-    if answer.verdict == Verdict::Right {
-        answer.feedback = picture.notes.join(" ");
-    }
+    // What the file is explains the most of a wrong picture, and qualifies a right one.
+    let notes = picture.notes.iter().map(|note| format!("{note}\n")).collect::<String>();
+    let (start, rest) = match answer.text.strip_prefix("Not right. ") {
+        Some(rest) => ("Not right. ", rest),
+        None => answer.text.split_once('\n').unwrap_or((&answer.text, "")),
+    };
+    let between = if start.ends_with(' ') { "" } else { "\n" };
+    answer.text = format!("{start}{between}{notes}{rest}").trim_end().to_owned();
+    let feedback = picture.notes.join(" ") + " " + &answer.feedback;
+    answer.feedback = feedback.trim().to_owned();
     answer
 }
 

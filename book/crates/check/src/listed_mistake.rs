@@ -1,19 +1,16 @@
 use crate::answer::Cause;
-use crate::target::Target;
-use course::{Mistake, find_mistakes_with_hash, hash_picture};
+use crate::target::hash_if_small;
+use course::{Mistake, find_mistakes_with_hash};
 use image::RgbImage;
 
-/// The most lines of a diff that is told.
+/// The most lines of a diff that an answer shows.
 const LINES: usize = 4;
 
-/// The listed mistakes that give a picture, found by its hash. The scene of a name has none: the
-/// list knows the locked pictures only.
-pub(crate) fn find_listed_mistakes(yours: &RgbImage, target: &Target) -> Vec<Cause> {
-    find_mistakes_with_hash(hash_picture(yours))
-        .into_iter()
-        .filter(|(_, name)| target.name.as_deref() == Some(name))
-        .map(|(mistake, _)| cause(&mistake))
-        .collect()
+/// The listed mistakes that give the picture of this name as it is in every pixel.
+pub(crate) fn find_listed_mistakes(yours: &RgbImage, name: &str) -> Vec<Cause> {
+    let all = hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
+    let all = all.into_iter();
+    all.filter(|(_, drawn)| *drawn == name).map(|(mistake, _)| cause(&mistake)).collect()
 }
 
 /// A listed mistake as a cause: its diff, if it is short, and, if the book shows it, why it is

@@ -2,16 +2,16 @@
 
 use check::{
     Answer, Verdict, check_png, check_scene_png, escape_for_terminal, format_sheet, normalize_name,
-    read_bounded_file, read_names, report_on_class, report_on_own_pictures, write_sheets,
+    read_bounded_file, read_names, report_on_class, report_on_own_pictures, run_on_threads,
+    write_sheets,
 };
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Parser};
 use course::{json, locked_names, read_locked_picture};
-use image::{ImageFormat, RgbImage};
-use std::error::Error;
-use std::io::{self, Cursor, Write};
+use image::RgbImage;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::{self, ExitCode};
+use std::process::ExitCode;
 use std::{env, fs};
 
 /// Tells whether a picture is right and, if it is not, what happened.
@@ -95,7 +95,7 @@ fn main() -> ExitCode {
         arguments => arguments.unwrap_or_else(|error| error.exit()),
     };
     let as_json = arguments.json;
-    print(run(arguments), as_json)
+    print(run_on_threads(|| run(arguments)), as_json)
 }
 
 fn run(arguments: Arguments) -> Result<Output, String> {
@@ -166,24 +166,11 @@ fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<An
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());
-    let result = fs::create_dir_all(folder).map_err(Into::into);
-    let result = result.and_then(|()| save_whole(difference, &path));
+    let result = fs::create_dir_all(folder)
+        .and_then(|()| course::replace_file(&path, &course::encode_png(difference)));
     let path = escape_for_terminal(&path.display().to_string());
     match result {
         Ok(()) => format!("Yours, ours and the difference, side by side: {path}"),
         Err(error) => format!("{path} can't be written: {error}"),
     }
-}
-
-/// Writes a picture beside its place, and renames it, so that no error leaves half a picture.
-fn save_whole(picture: &RgbImage, path: &Path) -> Result<(), Box<dyn Error>> {
-    let mut png = Cursor::new(vec![]);
-    picture.write_to(&mut png, ImageFormat::Png)?;
-    let unfinished = path.with_extension(format!("{}.part", process::id()));
-    let result = fs::write(&unfinished, png.into_inner());
-    let result = result.and_then(|()| fs::rename(&unfinished, path));
-    if result.is_err() {
-        let _ = fs::remove_file(&unfinished);
-    }
-    Ok(result?)
 }

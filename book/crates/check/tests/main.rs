@@ -8,6 +8,7 @@ mod files;
 mod laws;
 mod pictures;
 mod program;
+mod small_pictures;
 
 use check::{Answer, check_png};
 use course::{camera, locked_picture_path, named_scene, read_locked_picture};

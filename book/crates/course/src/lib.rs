@@ -8,6 +8,7 @@
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
 //! - The source of a crate as that of a *module*.
+//! - A file *replaced* by what was written beside it.
 //! - The folders of the *workspace*, its modules, a command of Cargo, and JSON.
 
 mod camera;
@@ -56,6 +57,9 @@ pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
 pub use locked_picture::{locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;
+
+mod replace_file;
+pub use replace_file::replace_file;
 
 mod terminal;
 pub use terminal::is_obeyed_by_terminals;

@@ -2,8 +2,11 @@
 
 use crate::answer::Cause;
 use crate::class::student::PictureReport;
+use crate::target::hash_if_small;
+use crate::transformed::uniform_colour;
 use crate::{Answer, Verdict, read_png};
-use course::{find_mistakes_with_hash, hash_picture};
+use course::find_mistakes_with_hash;
+use image::RgbImage;
 
 /// The file whose mistakes are options of the program, such as another default.
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
@@ -37,11 +40,16 @@ pub(crate) fn judge(
         sentence: answer.feedback.clone(),
         causes: answer.causes.iter().map(Cause::words_and_file).collect(),
     };
-    if answer.verdict == Verdict::OtherOptions {
-        feedback.causes = mistakes_like_options(file, picture);
+    if answer.verdict == Verdict::OtherOptions
+        && let Ok(yours) = read_png(file)
+    {
+        feedback.causes = mistakes_like_options(&yours.rgb, picture);
         if let Some(mistake) = feedback.causes.first() {
             feedback.sentence =
                 format!("Other options give this picture, and so does a mistake: {mistake}.");
+            feedback.verdict = Verdict::NotRight;
+        } else if uniform_colour(&yours.rgb).is_some() {
+            // Many options and mistakes give a picture of one colour.
             feedback.verdict = Verdict::NotRight;
         }
     }
@@ -65,9 +73,9 @@ fn shared_cause<'a>(
 
 /// The listed mistakes that give the same picture as other options do, such as the tangent of θ in
 /// place of θ/2, which is like `--fov 120`.
-fn mistakes_like_options(file: &[u8], picture: &str) -> Vec<String> {
-    let Ok(yours) = read_png(file) else { return vec![] };
-    let mistakes = find_mistakes_with_hash(hash_picture(&yours.rgb)).into_iter();
+fn mistakes_like_options(yours: &RgbImage, picture: &str) -> Vec<String> {
+    let mistakes = hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
+    let mistakes = mistakes.into_iter();
     let mistakes =
         mistakes.filter(|(mistake, name)| *name == picture && mistake.file != OPTIONS_FILE);
     mistakes.map(|(mistake, _)| format!("{} ({})", mistake.title, mistake.file)).collect()
