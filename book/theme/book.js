@@ -1,7 +1,24 @@
 "use strict";
 
-// Pages under Trusted Types work, too: what these scripts write is made here and by the modules.
-window.trustedTypes?.createPolicy("default", { createHTML: text => text, createScriptURL: url => url });
+const root = document.documentElement;
+root.classList.add("js");
+
+// Under Trusted Types, what may be written into a page is what these scripts write, and what may be loaded is
+// theirs. Where a server allows no policy, what needs one says so.
+const ownAddresses = new Set();
+let isOwnHTML = false;
+try {
+    window.trustedTypes?.createPolicy("default", {
+        createHTML: text => isOwnHTML ? text : null,
+        createScriptURL: address => ownAddresses.has(address) ? address : null,
+    });
+} catch { /* not allowed */ }
+
+// Runs what writes HTML that is made here or by the modules.
+function writeHTML(act) {
+    isOwnHTML = true;
+    try { act(); } finally { isOwnHTML = false; }
+}
 
 // An element with these attributes and children.
 const make = (tag, attributes, ...children) => {
@@ -48,13 +65,14 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
 {
     const themes = ["auto", "light", "dark"];
     const button = document.getElementById("theme-toggle");
-    const root = document.documentElement;
     const show = theme => {
         root.dataset.theme = theme;
         button.title = `Theme: ${theme}`;
         button.setAttribute("aria-label", button.title);
     };
-    show(root.dataset.theme ?? "auto");
+    let kept = "auto";
+    try { kept = localStorage.getItem("theme") ?? kept; } catch { /* private */ }
+    show(themes.includes(kept) ? kept : "auto");
     button.addEventListener("click", () => {
         show(themes[(themes.indexOf(root.dataset.theme) + 1) % themes.length]);
         try { localStorage.setItem("theme", root.dataset.theme); } catch { /* private */ }
@@ -84,21 +102,40 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     }
 }
 
-// Loads a script, once, in turn with others unless it is large; one that failed is loaded again.
+// Loads a script, once, in turn with others unless it is large, and says whether it has come; one that failed is
+// loaded again.
 const scripts = {};
 const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
     const script = document.createElement("script");
-    const onerror = () => done(delete scripts[file]);
-    document.head.append(Object.assign(script, { src: path_to_root + file, async: isLarge, onload: done, onerror }));
+    const address = root.dataset.root + file;
+    const onload = () => done(true);
+    const onerror = () => {
+        delete scripts[file];
+        done(false);
+    };
+    ownAddresses.add(address);
+    try {
+        document.head.append(Object.assign(script, { src: address, async: isLarge, onload, onerror }));
+    } catch { // The server's policy doesn't let one script load another.
+        onerror();
+    }
 });
+
+// Says, once, that a page lacks scripts.
+function sayMissing(file) {
+    if (document.querySelector(".missing")) return;
+    const words = `A part of this page did not load (${file}), so some of what moves, answers or is searched doesn't here. `
+        + "Perhaps the server's Content-Security-Policy forbids it.";
+    document.querySelector("main").prepend(make("p", { class: "missing refused", role: "status" }, words));
+}
 
 // Code: colours, when it comes near the view, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
-const colour = code => load("highlight.js").then(() => setTimeout(() => {
+const colour = code => load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
     // A line that is being edited stays as it is, and one that has the focus keeps it.
     if (code.querySelector("[data-book]")) return;
     const name = code.querySelector(":focus")?.dataset.line;
-    hljs.highlightBlock(code);
+    try { writeHTML(() => hljs.highlightBlock(code)); } catch { return; /* The code stays without colours. */ }
     code.querySelector(`[data-line="${name}"]`)?.focus({ preventScroll: true });
 }));
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
@@ -154,11 +191,13 @@ const SCRIPTS = {
     figure: "figure[data-live]", check_form: "form[data-live]", line_editor: "[data-places]",
 };
 
+const loadOrSay = file => load(file).then(isLoaded => isLoaded || sayMissing(file));
+
 // What a page can be read without comes once it is shown: colours, what answers, and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), colour);
     for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {
-        if (document.querySelector(selector)) load(`theme/${name}.js`);
+        if (document.querySelector(selector)) loadOrSay(`theme/${name}.js`);
     }
-    load("theme/search.js");
+    loadOrSay("theme/search.js");
 })));

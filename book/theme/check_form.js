@@ -11,6 +11,7 @@
         };
         onunhandledrejection = ({ reason }) => { throw reason; };`;
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    ownAddresses.add(address);
 
     const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
 
@@ -41,7 +42,12 @@
         const checkFile = file => {
             if (!file) return show(2, "That isn't a file. Save the picture first, then drop the file.");
             show("", "Looking …");
-            const asked = worker = new Worker(address);
+            let asked;
+            try {
+                asked = worker = new Worker(address);
+            } catch {
+                return show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+            }
             // What comes after Reset, or after a newer file, is dropped.
             const answer = (...parts) => asked === worker && show(...parts);
             asked.onmessage = ({ data }) => answer(data.code, ...makeReport(data));

@@ -177,11 +177,12 @@ class Figure {
             }
             paint(this.output, { pixels, size });
         } else if (drawing !== undefined) {
-            this.printed.querySelector("g").innerHTML = drawing;
+            writeHTML(() => { this.printed.querySelector("g").innerHTML = drawing; });
         }
         if (!this.companion) return;
         const name = this.companion.id.replace("figure-", "");
-        this.companion.querySelector("g").innerHTML = ask(this.module, `show ${name} ${this.values.join(" ")}`).drawing;
+        const companion = ask(this.module, `show ${name} ${this.values.join(" ")}`).drawing;
+        writeHTML(() => { this.companion.querySelector("g").innerHTML = companion; });
     }
 
     // A number that there is not here is left empty, and what speaks of it is hidden.

@@ -13,6 +13,8 @@
     // All that was written, as the texts of the edited lines by name, and which of these the page has.
     let [states, current] = [[{}], 0];
     let restTimer = 0;
+    // What is wrong with the link that led here.
+    let linkFault = "";
 
     const button = (words, act, label = words) => {
         const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
@@ -100,7 +102,7 @@
         keepBook(line);
         line.textContent = text;
         if (!isBook(line)) return;
-        line.innerHTML = line.bookHTML;
+        writeHTML(() => { line.innerHTML = line.bookHTML; });
         if (line !== hand) delete line.dataset.book;
     }
 
@@ -160,15 +162,23 @@
     }
 
     function drawSoon() {
+        linkFault = "";
         clearLine();
         draw(SMALL);
         restTimer = setTimeout(draw, REST, LARGE);
     }
 
+    // Letters that nobody sees, and that no Rust has.
+    const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
+
     // Draws what is written. What there is to say, is said at rest.
     async function draw(columns) {
         const line = hand;
-        const others = findEdited().filter(other => other !== line);
+        if (hasControl(readText(line))) {
+            panel.classList.add("old");
+            return tell("A control character is in this line, which nobody sees. Reset brings back the book’s.");
+        }
+        const others = findEdited().filter(other => other !== line && !hasControl(readText(other)));
         const words = one => `${one.dataset.line} ${readText(one)}`;
         let answer;
         try {
@@ -191,7 +201,7 @@
         if (wrong) {
             tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
         } else if (isBook(line)) {
-            tell(`This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${answer.names.join(", ")}`);
+            tell(linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${answer.names.join(", ")}`);
         } else {
             tell(answer.known || "Drawn with what you wrote. The address of the page holds it now.");
         }
@@ -227,9 +237,13 @@
     // Opens the edits that are in the address, and takes the first in hand.
     function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
-        const edits = words.map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && find(match[1]));
+        const places = document.querySelectorAll("[data-line]").length;
+        const isTooLong = words.length > places;
+        const edits = words.slice(0, places).map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && find(match[1]));
         if (!edits.length) return;
-        for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
+        linkFault = edits.some(([, , text]) => hasControl(text)) ? "The link has a control character in it, so nothing of it was taken."
+            : isTooLong ? `The link has ${words.length} edits, and this page ${places} places, so nothing of it was taken.` : "";
+        if (!linkFault) for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
         const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         line.closest("main > *").style.contentVisibility = "visible";

@@ -6,18 +6,21 @@
         .map(id => document.getElementById(id));
 
     // What readers call by another name than the book.
-    const SYNONYMS = {
+    const SYNONYMS = new Map(Object.entries({
         acne: "rash", antialiasing: "rays pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
         epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays pixel",
         shiny: "shininess", spotlight: "spot light", supersampling: "rays pixel", theta: "θ", zbuffer: "nearest hit",
-    };
+    }));
+    // More take long, and find nothing.
+    const MOST_LETTERS = 100, MOST_WORDS = 16;
+    field.maxLength = MOST_LETTERS;
     const WORD = /[\p{L}\p{N}_]+/gu;
     const findWords = text => text.match(WORD) ?? [];
     // Words that say nothing of what is looked for.
     const SMALL_WORDS = /^(an?|as|at|by|do(es)?|for|from|how|in|is|it|of|on|or|the|to|what|with)$/i;
     const findSubjects = query => {
         const words = findWords(query), subjects = words.filter(word => !SMALL_WORDS.test(word));
-        return subjects.length ? subjects : words;
+        return (subjects.length ? subjects : words).slice(0, MOST_WORDS);
     };
     // A word in one spelling, without the endings of most plurals and nouns.
     const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
@@ -47,15 +50,15 @@
     // The sections with all words of a query, with its hyphens or without.
     function findAll(query) {
         const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
-            .map(word => SYNONYMS[word.toLowerCase()] ?? word).join(" "));
+            .map(word => SYNONYMS.get(word.toLowerCase()) ?? word).join(" "));
         return index.search({ queries: queries.map(words => ({ combineWith: "AND", queries: [words] })) });
     }
 
     function show() {
         if (!index) return;
-        const query = field.value.trim();
+        const query = field.value.trim().slice(0, MOST_LETTERS);
         const all = findAll(query);
-        const results = all.length ? all : index.search(query, { fuzzy: 0.4 });
+        const results = all.length ? all : index.search(findWords(query).slice(0, MOST_WORDS).join(" "), { fuzzy: 0.4 });
         list.replaceChildren(...results.map(makeItem));
         const count = all.length === 1 ? "One section" : `${all.length} sections`;
         const near = results.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
@@ -66,7 +69,7 @@
     function makeItem({ id, terms }) {
         const { page, hash, chapter, title, prose, listings } = sections[id];
         const text = `${prose} ${listings}`;
-        const link = make("a", { href: `${path_to_root}${page}#${hash}` }, title === chapter ? title : `${chapter}: ${title}`);
+        const link = make("a", { href: `${root.dataset.root}${page}#${hash}` }, title === chapter ? title : `${chapter}: ${title}`);
         const isFound = ([word]) => findTerms(word).some(term => terms.includes(term));
         const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };
         const start = at < 60 ? 0 : text.indexOf(" ", at - 60) + 1;

@@ -99,3 +99,17 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
     for (const part of [status, listing.locator('canvas')]) await expect(part).toBeInViewport({ ratio: 0.9 });
   });
 }
+
+test('a link with a control character, or with more edits than places, changes nothing', async ({ page, home }) => {
+  const hashes = {
+    'control character': '#line=normal:p%20%1Fattenuation%201.0',
+    'edits, and this page': `#${Array(1000).fill('line=normal:p').join('&')}`,
+  };
+  for (const [words, hash] of Object.entries(hashes)) {
+    await page.goto('about:blank');
+    const { line, status } = await prepare(page, home, hash);
+    await expect(status).toContainText(words);
+    await expect(line).toHaveText(NORMAL);
+    await expect(page).not.toHaveURL(/#line/);
+  }
+});

@@ -1,5 +1,7 @@
 // Pages tell what they can't do, and work in places that are strange.
 import { expect, open, test } from './fixtures.js';
+import { picture } from './book.js';
+import { POLICY, serve } from './server.js';
 
 const name = 'step01_rays.html';
 
@@ -59,4 +61,65 @@ test('a prompt is not copied', async ({ page, home }) => {
     return getSelection().toString();
   });
   expect(copied).toMatch(/^cargo/);
+});
+
+// Runs a test on a page of its own, as here the browser has to complain, under another policy.
+async function withPolicy(browser, policy, run) {
+  const { server, address } = await serve(policy);
+  const page = await browser.newPage();
+  try {
+    await run(page, address);
+  } finally {
+    await page.close();
+    server.close();
+    server.closeAllConnections();
+  }
+}
+
+test('under a policy without inline scripts all works', async ({ browser }) => {
+  const policy = POLICY.replace(`'wasm-unsafe-eval' 'unsafe-inline'`, `'wasm-unsafe-eval'`);
+  expect(policy).not.toBe(POLICY);
+  await withPolicy(browser, policy, async (page, home) => {
+    const figure = await findFigure(page, `${home}step04_diffuse.html`);
+    await expect(figure).toHaveAttribute('data-ready', '', { timeout: 20_000 });
+    await page.keyboard.press('s');
+    await page.keyboard.type('normal');
+    await expect(page.locator('#search-status')).toHaveText(/sections$/);
+    await page.keyboard.press('Escape');
+    await page.locator('[data-line=normal]').click();
+    await expect(page.getByRole('status').filter({ visible: true }).last()).toContainText('sphere.centre');
+    const form = page.locator('form.check').first();
+    await form.locator('input[type=file]').setInputFiles({ name: 'step04_diffuse.png', mimeType: 'image/png', buffer: picture('step04_diffuse') });
+    await expect(form.locator('output')).toContainText('Right', { timeout: 20_000 });
+    await page.locator('#theme-toggle').click();
+    await page.reload();
+    await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
+    await expect(page.locator('html')).toHaveClass(/js/);
+  });
+});
+
+test('where a server allows no trusted types, a page says what is missing', async ({ browser }) => {
+  await withPolicy(browser, `${POLICY}; trusted-types 'none'`, async (page, home) => {
+    await page.goto(home + name);
+    await expect(page.locator('.missing')).toHaveText(/did not load.*Content-Security-Policy/);
+    await page.locator('#theme-toggle').click();
+    await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
+  });
+  // Without the demand for them, nothing is missing.
+  const policy = POLICY.replace(`; require-trusted-types-for 'script'`, '');
+  await withPolicy(browser, `${policy}; trusted-types 'none'`, async (page, home) => {
+    const figure = await findFigure(page, home + name);
+    await expect(figure).toHaveAttribute('data-ready', '', { timeout: 20_000 });
+    await expect(page.locator('.missing')).toHaveCount(0);
+  });
+});
+
+test('under trusted types nothing comes through but what the page makes', async ({ browser }) => {
+  await withPolicy(browser, `${POLICY}; trusted-types default`, async (page, home) => {
+    const figure = await findFigure(page, home + name);
+    await expect(figure).toHaveAttribute('data-ready', '', { timeout: 20_000 });
+    const isRefused = act => page.evaluate(`try { ${act}; "written" } catch (error) { error.name }`);
+    expect(await isRefused('document.querySelector("h1").innerHTML = "<i>text</i>"')).toBe('TypeError');
+    expect(await isRefused('document.createElement("script").src = "book.js?other"')).toBe('TypeError');
+  });
 });

@@ -65,3 +65,22 @@ test('the search keeps the reader’s place, and what is near is offered', async
   await search(page, 'qqqqq');
   await expect(page.locator('#search-status')).toContainText('Nothing');
 });
+
+test('names of JavaScript are words, and ten thousand letters don\'t hold the page', async ({ page, home }) => {
+  await open(page, `${home}step03_nearest.html`);
+  for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
+    await search(page, word);
+    // Words near it may be found, but none of `function Object() { [native code] }`.
+    const found = await page.locator('#search-results em').allTextContents();
+    expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
+  }
+  for (const text of ['a-'.repeat(5000), 'sphere '.repeat(1500), 'x'.repeat(10_000)]) {
+    const time = await page.evaluate(text => {
+      const field = document.getElementById('search-field'), start = performance.now();
+      field.value = text;
+      field.dispatchEvent(new Event('input', { bubbles: true }));
+      return performance.now() - start;
+    }, text);
+    expect(time, text.slice(0, 20)).toBeLessThan(500);
+  }
+});

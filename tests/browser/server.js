@@ -8,7 +8,7 @@ import { folder } from './book.js';
 
 const TYPES = { css: 'text/css', html: 'text/html; charset=utf-8', js: 'text/javascript', png: 'image/png', svg: 'image/svg+xml' };
 
-const policy = [
+export const POLICY = [
   `default-src 'none'`,
   // The modules are WebAssembly; a few lines of script and of style stand in the pages themselves.
   `script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'`,
@@ -22,8 +22,8 @@ const policy = [
   `require-trusted-types-for 'script'`,
 ].join('; ');
 
-// Returns the server, which listens, and the address that it gives the book at.
-export async function serve() {
+// Returns the server, which listens, and the address that it gives the book at, under a policy.
+export async function serve(policy = POLICY) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://127.0.0.1');
     const bytes = await readFile(join(folder, pathname)).catch(() => null);

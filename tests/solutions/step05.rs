@@ -52,3 +52,69 @@ fn refraction_obeys_snell_and_is_reversible() {
         assert!((0.0..=1.0).contains(&part) && (part - reversed_part).abs() < 1e-9);
     });
 }
+
+/// No ray that has come into a ball from outside is mirrored within it as a whole, so that the
+/// picture can't show this.
+#[test]
+fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
+    let scene = glass::glasses(1.5);
+    let material = &scene.objects[0].material;
+    let point = SurfacePoint { p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y, material };
+    // From within, upwards at an angle from the normal.
+    let ray_at = |degrees: f64| {
+        let direction = DVec3::Y.rotate_z(degrees.to_radians());
+        Ray { start: point.p - direction, direction }
+    };
+    let seen = |degrees| glass::through_glass(&ray_at(degrees), &point, 1.5, |next| next.direction);
+    for degrees in [42.0, 60.0, 89.0] {
+        let mirrored = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
+        assert!(seen(degrees).abs_diff_eq(mirrored, 1e-12), "{degrees}°: {}", seen(degrees));
+    }
+    // Just before, most of it leaves.
+    assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
+    // Where the index is below 1, as of bubbles in glass, it is seen from outside, too.
+    let from_outside =
+        Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
+    let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
+    assert_eq!(seen, DVec3::new(2.0, 1.0, 0.0));
+}
+
+/// The tenth mirror image of a picture is too faint for a byte to tell what stands in the last
+/// mirror.
+#[test]
+fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
+    let scene = mirror::mirrors();
+    let mut paint = mirror::mirrors();
+    paint.objects.iter_mut().for_each(|object| object.material.k = 0.0);
+    let glasses = glass::glasses(1.5);
+    let mut counts = [0; 2];
+    for ray in primary_rays().step_by(97) {
+        let last = mirror::colour(&scene, &ray, 0, mirror::OFFSET);
+        assert_eq!(last, mirror::colour(&paint, &ray, 0, mirror::OFFSET), "{ray:?}");
+        let Some(point) = visible_point(&scene.objects, &ray) else { continue };
+        let k = point.material.k;
+        if 0.0 < k {
+            // One mirror more: its own paint without highlights, and what the last one shows.
+            let start = point.p + mirror::OFFSET * point.n;
+            let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
+            let is_hidden = |light: &Light| {
+                let q = light.point_light.position;
+                mirror::hidden(&scene.objects, &point, q, mirror::OFFSET)
+            };
+            let SurfacePoint { p, n, material } = point;
+            let lit = SurfacePoint { p, n, material: &material.material };
+            let (l_a, lights) = (scene.ambient_light, &scene.lights);
+            let terms = mirror::shadowed_phong(&lit, &ray, l_a, lights, is_hidden);
+            let own = (1.0 - k) * (terms.ambient + terms.diffuse) + terms.specular;
+            let expected = own + k * mirror::colour(&scene, &mirrored, 0, mirror::OFFSET);
+            let found = mirror::colour(&scene, &ray, 1, mirror::OFFSET);
+            assert!(found.abs_diff_eq(expected, 1e-12), "{ray:?}");
+            counts[0] += 1;
+        }
+        if visible_point(&glasses.objects, &ray).is_some_and(|one| one.material.index.is_some()) {
+            assert_eq!(glass::colour(&glasses, &ray, 0), DVec3::ZERO, "{ray:?}");
+            counts[1] += 1;
+        }
+    }
+    assert!(counts.into_iter().all(|count| 100 < count), "{counts:?}");
+}

@@ -1,5 +1,6 @@
 //! A class that starts from `book/reader` locks its pictures, and the workflow there is green
-//! for a picture that is drawn, but not for one that lies there.
+//! for a picture that is drawn, but not for one that lies there. The commands of its two jobs are
+//! run as GitHub runs them, each job in a folder of its own.
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
@@ -12,26 +13,47 @@ use std::{env, fs};
 
 const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/classroom.yml");
 
-/// The commands of the workflow that run Cargo, in their order; one may have several lines.
-fn workflow_commands() -> Vec<String> {
-    let steps = WORKFLOW.split("\n      - ").filter_map(|one| one.strip_prefix("run: "));
-    let commands = steps.map(|step| {
-        let lines = step.trim_start_matches("|\n").lines();
-        let lines = lines.filter(|line| !line.starts_with("        if:"));
-        lines.collect::<Vec<_>>().join("\n")
-    });
-    commands.filter(|command| command.contains("cargo")).collect()
+/// A command of a job.
+struct JobCommand {
+    lines: String,
+    /// Whether it runs only after another has failed.
+    is_for_failure: bool,
 }
 
-/// Runs a command of bash in a folder, and gives what it prints; fails where the command does.
-fn run(folder: &Path, command: &str) -> Result<String> {
-    let course = format!("\"{}\"/", workspace().display());
-    let lines = command.replace("course/", &course);
+/// The text of a job, up to the next.
+fn job_text(job: &str) -> &'static str {
+    let (_, text) = WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the job");
+    text.split_once("\n\n").map_or(text, |(text, _)| text)
+}
+
+/// The commands of a job in their order, without the one that updates Rust.
+fn job_commands(job: &str) -> Vec<JobCommand> {
+    let steps = job_text(job).split("\n      - ").skip(1);
+    let command = |step: &str| {
+        let (_, command) = step.split_once("run: ")?;
+        let lines = command.lines().enumerate();
+        // A block has its lines further right than the keys of the step.
+        let lines = lines.take_while(|(k, line)| *k == 0 || line.starts_with("          "));
+        let lines: Vec<_> = lines.map(|(_, line)| line).filter(|line| *line != "|").collect();
+        let is_for_failure = step.contains("if: failure()");
+        Some(JobCommand { lines: lines.join("\n"), is_for_failure })
+    };
+    let commands = steps.filter_map(command);
+    commands.filter(|command| !command.lines.starts_with("rustup")).collect()
+}
+
+/// Runs a command of bash in a folder with variables, and gives what it prints; fails where the
+/// command does.
+fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
+    let manifest = format!("--manifest-path '{}'/", workspace().display());
+    let lines = command.replace("--manifest-path course/", &manifest);
     let mut shell = folder_command(folder, &["bash", "-eo", "pipefail", "-c", &lines]);
-    shell.env("REQUIRE", "step01_rays").env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
+    shell.env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
+    shell.env("GITHUB_OUTPUT", folder.join("output.txt"));
+    shell.envs(variables.iter().copied());
     // As the template has it.
     shell.env_remove("INSTA_WORKSPACE_ROOT");
-    if command.contains("course/") {
+    if lines.contains(&manifest) {
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
@@ -47,54 +69,116 @@ fn run(folder: &Path, command: &str) -> Result<String> {
 const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
-/// Makes a folder from the template, and types step 1 in it.
-fn type_first_step(folder: &Path) -> Result<()> {
+/// Makes a repository from the template.
+fn copy_template(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
-    run(folder, "cp -R course/book/reader/. course/Cargo.lock .")?;
-    let book = built_book();
-    for (path, text) in typed_files(pages_of_step(book, "step01_rays")) {
+    let course = workspace();
+    let course = course.to_str().expect("UTF-8");
+    let copy = "cp -R \"$COURSE\"/book/reader/. \"$COURSE\"/Cargo.lock .";
+    run(folder, copy, &[("COURSE", course)])?;
+    run(folder, &format!("git init --quiet && {COMMIT}"), &[])?;
+    Ok(())
+}
+
+/// Types step 1 in a folder.
+fn type_first_step(folder: &Path) -> Result<()> {
+    for (path, text) in typed_files(pages_of_step(built_book(), "step01_rays")) {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
         fs::write(folder.join(path), text)?;
     }
     Ok(())
 }
 
-/// Runs all commands of the workflow on a clone of what is committed; fails where it is red.
-fn run_workflow(folder: &Path) -> Result<String> {
-    let job = folder.with_file_name("job");
-    let _ = fs::remove_dir_all(&job);
-    fs::create_dir_all(&job).expect("a folder");
-    run(&job, "git clone --quiet ../ada student").expect("a clone");
-    let commands = workflow_commands();
-    assert_eq!(commands.len(), 3);
-    let results: Vec<_> = commands.iter().map(|command| run(&job, command)).collect();
-    results.into_iter().collect()
+/// Runs both jobs on a clone of what is committed, where these pictures are required; gives what
+/// they print, and fails where the workflow is red.
+fn run_workflow(folder: &Path, required: &str) -> Result<String> {
+    let jobs = folder.with_file_name("jobs");
+    let _ = fs::remove_dir_all(&jobs);
+    let (draw, grade) = (jobs.join("draw"), jobs.join("grade"));
+    fs::create_dir_all(draw.join("course")).expect("a folder");
+    fs::create_dir_all(grade.join("class/drawn")).expect("a folder");
+    run(&draw, "git clone --quiet ../../ada student", &[]).expect("a clone");
+    // A copy, as students' programs may write into it.
+    let course = workspace();
+    let copy = "cp -R \"$COURSE\"/steps course";
+    run(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
+    let mut text = String::new();
+    let mut steps = String::new();
+    for command in job_commands("draw") {
+        text +=
+            &run(&draw, &command.lines, &[("STEPS", &steps)]).expect("the job to draw is green");
+        let output = fs::read_to_string(draw.join("output.txt")).expect("the output of a job");
+        steps = output.trim().strip_prefix("steps=").expect("the steps").to_owned();
+    }
+    for picture in fs::read_dir(draw.join("drawn")).expect("a folder").flatten() {
+        let name = picture.file_name();
+        if name.to_string_lossy().starts_with("step0") {
+            fs::copy(picture.path(), grade.join("class/drawn").join(name)).expect("a picture");
+        }
+    }
+    let mut result = Ok(());
+    for command in job_commands("grade") {
+        if command.is_for_failure == result.is_err() {
+            let variables = [("STEPS", &*steps), ("REQUIRE", required)];
+            match run(&grade, &command.lines, &variables) {
+                Ok(printed) => text += &printed,
+                Err(error) => result = Err(error),
+            }
+        }
+    }
+    result.map(|()| text)
 }
 
 #[test]
-#[ignore = "takes a minute: cargo test -- --include-ignored"]
+fn grading_has_nothing_of_the_student_but_pictures() {
+    let grade = job_text("grade");
+    for word in ["path: student", "cache@", "github.event", "by_hand"] {
+        assert!(!grade.contains(word), "{word}");
+    }
+    assert!(grade.contains("pattern: pictures"));
+    assert_eq!(job_commands("draw").len(), 3);
+    assert_eq!(job_commands("grade").len(), 2);
+}
+
+#[test]
+#[cfg(unix)]
+#[ignore = "takes minutes: cargo test -- --include-ignored"]
 fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     let class = env::temp_dir().join(format!("class-{}", process::id()));
     let folder = class.join("ada");
+    copy_template(&folder)?;
+    let text = run_workflow(&folder, "step01_rays,step02_sphere")?;
+    assert!(text.contains("No step is there yet"), "{text}");
     type_first_step(&folder)?;
-    run(&folder, "INSTA_UPDATE=always cargo test -p locked")?;
-    run(&folder, &format!("git init --quiet && {COMMIT}"))?;
-    let text = run_workflow(&folder)?;
+    run(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
+    run(&folder, COMMIT, &[])?;
+    let text = run_workflow(&folder, "step01_rays")?;
     assert!(text.contains("::Points 1/1\n"), "{text}");
-    run(&class.join("job/student"), "cargo test -p locked")?;
+    assert!(text.contains("test result: ok"), "{text}");
+    assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
+    assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
+    run(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
     // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
-    // folder of the name that the workflow draws in, and beside code that can't be compiled.
+    // folder of the name that the workflow draws in, and beside code that can't be compiled. Or
+    // the program draws another, and locks it in the course that lies beside it.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
+    fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [
         "echo 'fn main() {}' > steps/step01_rays/src/main.rs",
         r#"echo '[target."cfg(all())"]' >> .cargo/config.toml
            echo 'runner = ["sh", "-c", "cp ../student/step01_rays.png ."]' >> .cargo/config.toml"#,
         "mkdir drawn && cp step01_rays.png drawn",
+        r#"{ echo 'fn main() {'
+             echo 'std::fs::copy("../student/wrong.png", "step01_rays.png").unwrap();'
+             echo 'std::fs::create_dir_all("../course/tests/snapshots").unwrap();'
+             echo 'let locked = "../course/tests/snapshots/step01_rays.snap.png";'
+             echo 'std::fs::copy("../student/wrong.png", locked).unwrap();'
+             echo '}'; } > steps/step01_rays/src/main.rs"#,
         "echo 'half a line' > steps/step01_rays/src/ray.rs",
     ];
     for attack in attacks {
-        run(&folder, &format!("{attack}\ngit add --force *.png && {COMMIT}"))?;
-        assert!(run_workflow(&folder).is_err(), "{attack}");
+        run(&folder, &format!("{attack}\ngit add --force *.png && {COMMIT}"), &[])?;
+        assert!(run_workflow(&folder, "step01_rays").is_err(), "{attack}");
     }
     Ok(fs::remove_dir_all(class)?)
 }

@@ -2,10 +2,11 @@ use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::{Course, fail_with_faults};
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
-use anyhow::{Context, Error, Result};
+use anyhow::{Context, Error, Result, ensure};
 use mdbook_driver::MDBook;
 use std::fs::{self, File};
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Builds the book of a workspace into `folder`, one at a time; returns what is in it.
@@ -15,17 +16,61 @@ use std::sync::Arc;
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let around = folder.parent().context("the book has a folder of its own")?;
     fs::create_dir_all(around).with_context(|| format!("{} can't be made", around.display()))?;
-    let lock = File::create(around.join("book.lock"))
-        .with_context(|| format!("{} can't be written", around.display()))?;
+    let lock = open_lock(&around.join("book.lock"))?;
     lock.lock()?;
+    restore_folder(folder)?;
     let draft = around.join("book.draft");
     // What a build with a fault left, or a killed one.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
-    let _ = fs::remove_dir_all(folder);
-    fs::rename(&draft, folder)
+    replace_folder(&draft, folder)
         .with_context(|| format!("{} can't be replaced", folder.display()))?;
     Ok(site)
+}
+
+/// Opens the file that one build at a time locks. Nothing is written to it, and a link in its
+/// place is not followed.
+fn open_lock(path: &Path) -> Result<File> {
+    let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
+    ensure!(!is_other, "{} is not a file; remove it", path.display());
+    let lock = File::options().write(true).create(true).truncate(false).open(path);
+    lock.with_context(|| format!("{} can't be opened", path.display()))
+}
+
+/// The first places beside a folder where its old contents may be put aside. A place may be taken
+/// by what can't be removed.
+fn places_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    (1..=9).map(|number| folder.with_extension(format!("old{number}")))
+}
+
+/// Puts back a folder that a killed build has put aside, and removes what others have.
+fn restore_folder(folder: &Path) -> Result<()> {
+    for aside in places_aside(folder).filter(|aside| aside.exists()) {
+        if folder.exists() {
+            let _ = fs::remove_dir_all(aside);
+        } else {
+            fs::rename(&aside, folder)
+                .with_context(|| format!("{} can't be put back", aside.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Puts a draft in the place of a folder, which is put aside before and removed at last.
+fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
+    if !folder.exists() {
+        return fs::rename(draft, folder);
+    }
+    let free = places_aside(folder).find(|aside| !aside.exists());
+    let aside = free.ok_or_else(|| io::Error::other("too many old ones are beside it"))?;
+    fs::rename(folder, &aside)?;
+    if let Err(error) = fs::rename(draft, folder) {
+        let _ = fs::rename(&aside, folder);
+        return Err(error);
+    }
+    // What can't be removed now is tried again by the next build.
+    let _ = fs::remove_dir_all(aside);
+    Ok(())
 }
 
 /// Writes all pages into `folder`. A fault in a chapter stops it before any page is written; a
@@ -53,4 +98,78 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     fs::write(folder.join("search-index.js"), search::index_script(&site)?)?;
     fail_with_faults(&links::find_faults(&site))?;
     Ok(site)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::{env, process};
+
+    /// A folder with a draft and an old book in it.
+    fn create_folders(name: &str) -> (PathBuf, PathBuf, PathBuf) {
+        let around = env::temp_dir().join(format!("{name}-{}", process::id()));
+        let _ = fs::remove_dir_all(&around);
+        let (draft, book) = (around.join("book.draft"), around.join("book"));
+        for (folder, text) in [(&draft, "new"), (&book, "old")] {
+            fs::create_dir_all(folder).expect("a folder");
+            fs::write(folder.join("index.html"), text).expect("a file");
+        }
+        (around, draft, book)
+    }
+
+    fn read_index(book: &Path) -> String {
+        fs::read_to_string(book.join("index.html")).unwrap_or_default()
+    }
+
+    #[test]
+    fn draft_takes_the_place_of_the_old_book() {
+        let (around, draft, book) = create_folders("replace_folder");
+        replace_folder(&draft, &book).expect("replaced");
+        assert_eq!(read_index(&book), "new");
+        assert_eq!(fs::read_dir(&around).expect("a folder").count(), 1);
+        fs::remove_dir_all(around).expect("removed");
+    }
+
+    #[test]
+    fn old_book_is_put_back_if_there_is_no_draft() {
+        let (around, draft, book) = create_folders("no_draft");
+        fs::remove_dir_all(&draft).expect("removed");
+        assert!(replace_folder(&draft, &book).is_err());
+        assert_eq!(read_index(&book), "old");
+        fs::remove_dir_all(around).expect("removed");
+    }
+
+    #[test]
+    fn book_that_a_killed_build_put_aside_is_put_back() {
+        let (around, _, book) = create_folders("put_aside");
+        fs::rename(&book, book.with_extension("old1")).expect("put aside");
+        restore_folder(&book).expect("put back");
+        assert_eq!(read_index(&book), "old");
+        // What is aside besides is removed, and a place that is taken is passed over.
+        fs::create_dir_all(book.with_extension("old2")).expect("a folder");
+        restore_folder(&book).expect("removed");
+        assert!(!book.with_extension("old2").exists());
+        fs::create_dir_all(book.with_extension("old1")).expect("a folder");
+        replace_folder(&around.join("book.draft"), &book).expect("replaced");
+        assert_eq!(read_index(&book), "new");
+        fs::remove_dir_all(around).expect("removed");
+    }
+
+    #[test]
+    fn lock_keeps_what_is_in_it_and_is_no_link() {
+        let (around, _, book) = create_folders("lock");
+        let lock = around.join("book.lock");
+        fs::write(&lock, "text").expect("a file");
+        open_lock(&lock).expect("a lock");
+        assert_eq!(fs::read_to_string(&lock).expect("text"), "text");
+        assert!(open_lock(&book).is_err());
+        #[cfg(unix)]
+        {
+            fs::remove_file(&lock).expect("removed");
+            std::os::unix::fs::symlink(book.join("index.html"), &lock).expect("a link");
+            assert!(open_lock(&lock).is_err());
+            assert_eq!(read_index(&book), "old");
+        }
+        fs::remove_dir_all(around).expect("removed");
+    }
 }

@@ -1,4 +1,5 @@
 use anyhow::{Context, Result};
+use course::replace_file;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -51,7 +52,7 @@ impl Files {
         let old = Self::read(folder)?.0;
         for (name, bytes) in self.0.iter().filter(|(name, bytes)| old.get(*name) != Some(bytes)) {
             let path = folder.join(name);
-            fs::write(&path, bytes)
+            replace_file(&path, bytes)
                 .with_context(|| format!("{} can't be written", path.display()))?;
         }
         for stale in old.keys().filter(|name| !self.0.contains_key(*name)) {
@@ -69,5 +70,28 @@ impl Files {
     pub fn texts_with_suffix(&self, suffix: &str) -> impl Iterator<Item = (&str, &str)> {
         let paths = self.0.keys().filter(move |path| path.ends_with(suffix));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::{env, process};
+
+    #[test]
+    fn file_is_replaced_and_an_error_leaves_nothing_behind() {
+        let folder = env::temp_dir().join(format!("replace_file-{}", process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        let inner = folder.join("inner");
+        fs::create_dir_all(inner.join("more")).expect("a folder");
+        let file = folder.join(format!("{}.md", "a".repeat(200)));
+        for text in ["old", "new"] {
+            replace_file(&file, text.as_bytes()).expect("a file");
+            assert_eq!(fs::read_to_string(&file).expect("a file"), text);
+        }
+        // A folder with something in it can't be replaced by a file.
+        assert!(replace_file(&inner, b"text").is_err());
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2);
+        fs::remove_dir_all(folder).expect("removed");
     }
 }

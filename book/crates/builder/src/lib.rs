@@ -22,7 +22,7 @@
 //! - `mistakes` are those of a step, with a picture each;
 //! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
 //!   was worked out above it, and `rust` tells what a week of Rust does not;
-//! - `our-folder` is the folder in which the book is built.
+//! - `our-folder` says where the source of the book is.
 //!
 //! A *fault* is a sentence about what only the author can mend; it stops the build.
 

@@ -29,10 +29,13 @@ impl Preprocessor for Course {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A book that is published has a link to our folder, one built at home was built in it.
+        // A book that is published has a link to our folder. One built at home was built in it, but
+        // may be copied elsewhere, so it doesn't name it.
         let our_folder = match context.config.get::<String>("output.html.git-repository-url")? {
             Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
-            None => format!("where this book was built: `{}`", self.0.workspace.display()),
+            None => {
+                "where this book was built, the folder with `steps` and `book` in it".to_owned()
+            }
         };
         expand_chapters(&mut book, &self.0, &our_folder)?;
         Ok(book)

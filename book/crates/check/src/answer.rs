@@ -12,7 +12,7 @@ pub enum Verdict {
     NotRight,
     /// No picture, or nothing to compare it with.
     Unreadable,
-    /// No file.
+    /// No file of a picture that was asked for.
     Missing,
 }
 
@@ -43,9 +43,9 @@ impl Verdict {
 pub struct Cause {
     /// A listed mistake, or what is another number, in a few words.
     pub words: String,
-    /// The step whose code is at fault, as far as we know it.
+    /// The step of the listed mistake, or whose number it is, as far as that is known.
     pub step: Option<Step>,
-    /// The file, seen from the root of the workspace, as far as we know it.
+    /// The file of the listed mistake, seen from the root of the workspace; None of a number.
     pub file: Option<String>,
     /// Lines about what is written there.
     pub details: String,
@@ -59,15 +59,17 @@ impl Cause {
             None => self.words.clone(),
         }
     }
-}
 
-/// What all causes have in common; None where they differ, or one of them hasn't it.
-pub(crate) fn common_part<'a, T: PartialEq>(
-    causes: &'a [Cause],
-    part: impl Fn(&'a Cause) -> Option<T>,
-) -> Option<T> {
-    let common = part(causes.first()?);
-    common.filter(|common| causes.iter().all(|cause| part(cause).as_ref() == Some(common)))
+    fn to_json(&self) -> String {
+        let fields = [
+            ("mistake", Some(&*self.words)),
+            ("step", self.step.map(Step::name)),
+            ("file", self.file.as_deref()),
+        ];
+        json::object(
+            fields.into_iter().filter_map(|(name, value)| Some((name, json::quote(value?)))),
+        )
+    }
 }
 
 /// Answer of `check` about a picture.
@@ -77,23 +79,25 @@ pub struct Answer {
     pub verdict: Verdict,
     /// About eight lines, of which the first says the most.
     pub text: String,
+    /// The sentence that helps most, for a table; empty if all is right.
+    pub feedback: String,
     /// All causes that we know.
     pub causes: Vec<Cause>,
     /// The reader's picture and ours, where they differ and have one size.
     pub compared: Option<[RgbImage; 2]>,
-    /// The report on a folder, as JSON.
-    pub report: Option<String>,
 }
 
 impl Answer {
-    /// An answer of words alone.
+    /// An answer of words alone, whose first line helps most.
     pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self { verdict, text: text.into(), causes: vec![], compared: None, report: None }
+        let text = text.into();
+        let feedback = text.lines().next().unwrap_or_default().to_owned();
+        Self { verdict, text, feedback, causes: vec![], compared: None }
     }
 
     /// Says why nothing was compared.
     pub fn error(reason: impl std::fmt::Display) -> Self {
-        Self::new(Verdict::Unreadable, format!("error: {reason}"))
+        Self::new(Verdict::Unreadable, reason.to_string())
     }
 
     /// The reader's picture, ours and the difference side by side, where they differ and have
@@ -104,21 +108,17 @@ impl Answer {
 
     /// The answer as JSON.
     pub fn to_json(&self) -> String {
-        self.report.clone().unwrap_or_else(|| json::object(self.json_fields()))
+        json::object(self.json_fields())
     }
 
-    /// The answer as fields of a JSON object; those of the cause only where they are known.
+    /// The answer as fields of a JSON object; `mistakes` only where some are known.
     pub(crate) fn json_fields(&self) -> Vec<(&'static str, String)> {
-        let step = common_part(&self.causes, |cause| cause.step);
-        let fields = [
-            ("verdict", Some(self.verdict.words())),
-            ("step", step.map(Step::name)),
-            ("file", common_part(&self.causes, |cause| cause.file.as_deref())),
-            ("mistake", common_part(&self.causes, |cause| Some(&*cause.words))),
-            ("text", Some(&*self.text)),
-        ];
-        let fields = fields.into_iter();
-        fields.filter_map(|(name, value)| Some((name, json::quote(value?)))).collect()
+        let mut fields = vec![("verdict", json::quote(self.verdict.words()))];
+        if !self.causes.is_empty() {
+            fields.push(("mistakes", json::list(self.causes.iter().map(Cause::to_json))));
+        }
+        fields.push(("text", json::quote(&self.text)));
+        fields
     }
 }
 

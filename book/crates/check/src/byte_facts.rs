@@ -1,16 +1,18 @@
+use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::Drawing;
 use course::Step;
 use std::collections::BTreeSet;
+use std::iter::zip;
 
 /// How many values of a byte have to be others before a file is named for them.
 const CURVE_VALUES: usize = 16;
 
+/// How many bytes a sentence names.
+const MOST_BYTES: usize = 3;
+
 /// How many pixels are asked for a curve before all are.
 const FIRST_PIXELS: usize = 500;
-
-/// The least black pixels that count as rows, columns or a rectangle which nothing draws.
-const BLACK_PIXELS: usize = 100;
 
 /// Sentences about the bytes of each wrong pixel.
 pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
@@ -37,36 +39,52 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// A sentence about black pixels that fill all crossings of some rows and columns, as those do
-/// that nothing draws.
-pub(crate) fn black_block(comparison: &Comparison) -> Option<String> {
-    let black = comparison.wrong.iter().filter(|one| one.yours == [0; 3]);
-    let columns: BTreeSet<_> = black.clone().map(|one| one.place.0).collect();
-    let rows: BTreeSet<_> = black.clone().map(|one| one.place.1).collect();
-    let count = black.count();
-    if count != columns.len() * rows.len() || count < BLACK_PIXELS {
-        return None;
-    }
-    let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";
-    let file = if comparison.target.drawing.is_some() { file } else { "" };
-    let (columns, rows) = (format_numbers("column", &columns)?, format_numbers("row", &rows)?);
-    Some(format!("{count} pixels are black, as if never drawn: {columns} of {rows}.{file}"))
+/// A sentence about wrong pixels that all have one colour.
+pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
+    let [r, g, b] = wrong.first()?.yours;
+    let is_one = wrong.iter().all(|pixel| pixel.yours == [r, g, b]);
+    is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// Such as `row 3`, or `4 rows from 3 to 9`.
-fn format_numbers(word: &str, numbers: &BTreeSet<u32>) -> Option<String> {
-    let (first, last) = (numbers.first()?, numbers.last()?);
-    Some(match numbers.len() {
-        1 => format!("{word} {first}"),
-        count => format!("{count} {word}s from {first} to {last}"),
-    })
+/// A sentence about bytes that follow from our bytes alone, in any order: one byte always becomes
+/// the same other.
+pub(crate) fn byte_map(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
+    let mut yours_of_ours = [None; 256];
+    for Pixel { yours, ours, .. } in comparison.pixels() {
+        for (yours, ours) in zip(yours, ours) {
+            if *yours_of_ours[usize::from(*ours)].get_or_insert(*yours) != *yours {
+                return None;
+            }
+        }
+    }
+    let pairs = zip(0..=u8::MAX, yours_of_ours);
+    let pairs = pairs.filter_map(|(ours, yours)| Some((ours, yours?)));
+    let changed: Vec<_> = pairs.filter(|(ours, yours)| ours != yours).collect();
+    if changed.len() < CURVE_VALUES && is_sky_or_objects_alone(comparison, drawing) {
+        return None;
+    }
+    let file = curve_file(changed.len(), drawing);
+    let words = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
+    let words = join_first(words.collect(), MOST_BYTES, ", ");
+    Some(format!("Each byte follows from ours alone: {words}.{file}"))
+}
+
+/// Whether the sky or the objects alone are wrong, so that their colours may be others.
+fn is_sky_or_objects_alone(comparison: &Comparison, drawing: &Drawing) -> bool {
+    let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
+    Step::Rays < drawing.step && [0, comparison.wrong.len()].contains(&wrong_sky)
+}
+
+/// The files to compare for some changed values of bytes. In steps 1 and 2 other colours of the
+/// directions look the same.
+fn curve_file(value_count: usize, drawing: &Drawing) -> &'static str {
+    let is_known = CURVE_VALUES <= value_count && Step::Sphere < drawing.step;
+    if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it.
 pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
-    let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
-    // Where the sky or the objects alone are others, their colours are.
-    if Step::Rays < drawing.step && [0, comparison.wrong.len()].contains(&wrong_sky) {
+    if is_sky_or_objects_alone(comparison, drawing) {
         return None;
     }
     // Most pictures are refuted by a few pixels.
@@ -78,10 +96,7 @@ pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<S
     let mut points = points.to_vec();
     points.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
-    // In steps 1 and 2 other colours of the directions look the same.
-    let is_file_known = CURVE_VALUES <= values.len() && Step::Sphere < drawing.step;
-    let file = " Compare rgb8.rs and the mean in render.rs of step 1.";
-    let file = if is_file_known { file } else { "" };
+    let file = curve_file(values.len(), drawing);
     Some(format!("Each byte follows from our intensity alone: {}.{file}", points.join(", ")))
 }
 

@@ -1,31 +1,39 @@
-//! The camera that a sky tells: where nothing is hit, red is 0.7 + 0.3 V_x and green 0.7 +
-//! 0.3 V_y, and V is D_u i + D_v j + V_0. Each byte bounds a number of these.
+//! Cameras other than ours. Those are tried that somebody may have written, and those in which the
+//! sky tells one other number of D_u, D_v and V_0: where nothing is hit, red is 0.7 + 0.3 V_x and
+//! green 0.7 + 0.3 V_y, and V is D_u i + D_v j + V_0, so that each byte bounds the number.
 
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::drawing::Drawing;
 use course::{Step, camera};
-use std::mem::replace;
+use std::ops::RangeInclusive;
+use step01_rays::Camera;
 
-/// The cameras with one other number that give the reader's picture in every pixel, in words.
+/// A number of the camera's matrix: of D_u, D_v or V_0, and of x or y in it.
+#[derive(Clone, Copy)]
+struct MatrixNumber {
+    column: usize,
+    row: usize,
+}
+
+/// The cameras that give the reader's picture in every pixel, in words.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
     drawing: &Drawing,
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
-    let mut words = vec![];
-    for (row, k) in (0..2).flat_map(|row| (0..3).map(move |k| (row, k))) {
-        let Some(number) = fit_number(comparison, row, k) else { continue };
-        // Not the number is tried, but what is told of it.
-        let number = (number * 1e12).round() / 1e12;
-        let mut yours = camera();
-        let old = replace(&mut yours.matrix.col_mut(k)[row], number);
-        let ray = |pixel: &Pixel| yours.ray(pixel.place.0.into(), pixel.place.1.into());
-        if budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours) {
-            let (axis, vector) = (["x", "y"][row], ["D_u", "D_v", "V_0"][k]);
-            let clause = format!("{axis} of {vector} = {number} instead of {old:.6}");
-            words.push(clause.replace('-', "−"));
-        }
+    let mut gives_picture = |camera: &Camera| {
+        let ray = |pixel: &Pixel| camera.ray(pixel.place.0.into(), pixel.place.1.into());
+        budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours)
+    };
+    let written = written_cameras().into_iter().filter(|(camera, _)| gives_picture(camera));
+    let mut words: Vec<_> = written.map(|(_, words)| words).collect();
+    if words.is_empty() {
+        words.extend(MatrixNumber::all().filter_map(|number| {
+            let mut values = values_told_by_sky(comparison, drawing, number).into_iter();
+            let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
+            Some(number.describe(&value.to_string()))
+        }));
     }
     if drawing.step == Step::Rays && !words.is_empty() {
         words.push("other colours of the directions".into());
@@ -33,18 +41,125 @@ pub(crate) fn find_cameras(
     words
 }
 
-/// The number in this row of D_u, D_v or V_0 that gives all bytes of a channel where both
-/// pictures show the sky, in which blue is 255; None where no number does, or ours.
-fn fit_number(comparison: &Comparison, row: usize, k: usize) -> Option<f64> {
+impl MatrixNumber {
+    fn all() -> impl Iterator<Item = Self> {
+        (0..2).flat_map(|row| (0..3).map(move |column| Self { column, row }))
+    }
+
+    fn ours(self) -> f64 {
+        camera().matrix.col(self.column)[self.row]
+    }
+
+    /// Our camera with another value.
+    fn camera_with(self, value: f64) -> Camera {
+        let mut camera = camera();
+        camera.matrix.col_mut(self.column)[self.row] = value;
+        camera
+    }
+
+    /// Such as `x of D_u = 0.002 instead of 0.001807`.
+    fn describe(self, value: &str) -> String {
+        let axis = ["x", "y"][self.row];
+        let vector = ["D_u", "D_v", "V_0"][self.column];
+        format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()).replace('-', "−")
+    }
+}
+
+/// Cameras in which somebody may have written another formula for a number, or for the height of
+/// the view, each with its formula.
+fn written_cameras() -> Vec<(Camera, String)> {
+    let ours = camera();
+    let (tan, h_res, v_res) = (-ours.matrix.z_axis.x, 640.0, 360.0);
+    let mut cameras = vec![];
+    let divisors = [
+        ("hRes", h_res),
+        ("(hRes − 2)", h_res - 2.0),
+        ("(hRes + 1)", h_res + 1.0),
+        ("vRes", v_res),
+        ("(vRes − 1)", v_res - 1.0),
+    ];
+    for (name, divisor) in divisors {
+        for (number, sign, minus) in [
+            (MatrixNumber { column: 0, row: 0 }, 1.0, ""),
+            (MatrixNumber { column: 1, row: 1 }, -1.0, "−"),
+        ] {
+            let words = number.describe(&format!("{minus}2 tan(θ/2)/{name}"));
+            cameras.push((number.camera_with(sign * 2.0 * tan / divisor), words));
+        }
+    }
+    let ratios = [
+        ("9/16", 9.0 / 16.0),
+        ("1/1.7", 1.0 / 1.7),
+        ("1/1.77", 1.0 / 1.77),
+        ("1/1.777", 1.0 / 1.777),
+        ("1/1.778", 1.0 / 1.778),
+        ("1/1.78", 1.0 / 1.78),
+        ("0.56", 0.56),
+        ("0.562", 0.562),
+        ("vRes/(hRes − 1)", v_res / (h_res - 1.0)),
+        ("(vRes − 1)/hRes", (v_res - 1.0) / h_res),
+    ];
+    for (name, ratio) in ratios {
+        let half_height = ratio * tan;
+        let number = MatrixNumber { column: 2, row: 1 };
+        let mut camera = number.camera_with(half_height);
+        cameras.push((camera, number.describe(&format!("{name} · tan(θ/2)"))));
+        camera.matrix.y_axis.y = -2.0 * half_height / (v_res - 1.0);
+        let words = format!("the view is {name} times as high as wide, in V_0 and in D_v");
+        cameras.push((camera, words));
+    }
+    cameras
+}
+
+/// Values of a number that fit the sky, those with the fewest digits first: the objects need it
+/// more exactly than the sky tells. None where ours fits, too.
+fn values_told_by_sky(
+    comparison: &Comparison,
+    drawing: &Drawing,
+    number: MatrixNumber,
+) -> Vec<f64> {
+    let Some(bounds) = bound_by_sky(comparison, drawing, number) else { return vec![] };
+    let (ours, matrix) = (number.ours(), camera().matrix);
+    if bounds.contains(&ours) {
+        return vec![];
+    }
+    // Counted from a start in a unit.
+    let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
+    let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
+    let middle = (bounds.start() + bounds.end()) / 2.0;
+    let values = (0..8).flat_map(|digits| {
+        let scale = 10_f64.powi(digits);
+        starts_and_units
+            .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
+    });
+    let values = values.chain([middle]).filter(|value| bounds.contains(value));
+    // What is tried is what an answer says.
+    values.map(|value| (value * 1e12).round() / 1e12).collect()
+}
+
+/// The values of a number that give all bytes of its channel where both pictures show the sky;
+/// None where no value does.
+fn bound_by_sky(
+    comparison: &Comparison,
+    drawing: &Drawing,
+    MatrixNumber { column, row }: MatrixNumber,
+) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    for pixel in comparison.pixels().filter(|pixel| pixel.hit.is_none()) {
+    // The sky is 255 in blue, and the other number of V is ours. Lights make such pixels of
+    // objects, too, but hardly any above.
+    let rows = if drawing.step < Step::Diffuse { 0..360 } else { 0..120 };
+    let is_sky = |pixel: &&Pixel| {
+        let Pixel { yours, ours, hit, .. } = pixel;
+        hit.is_none() && yours[2] == 255 && yours[1 - row] == ours[1 - row]
+    };
+    for pixel in comparison.pixels().filter(|pixel| rows.contains(&pixel.place.1)).filter(is_sky) {
         let byte = f64::from(pixel.yours[row]);
-        if pixel.yours[2] != 255 || !(1.0..255.0).contains(&byte) {
+        if !(1.0..255.0).contains(&byte) {
             continue;
         }
-        let factor = f64::from([pixel.place.0, pixel.place.1, 1][k]);
-        let other_terms = pixel.ray.direction[row] - factor * matrix.col(k)[row];
+        let factor = f64::from([pixel.place.0, pixel.place.1, 1][column]);
+        let other_terms = pixel.ray.direction[row] - factor * matrix.col(column)[row];
         let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - other_terms;
         let [low, high] = [bound(byte - 0.5), bound(byte + 0.5)];
         if 0.0 < factor {
@@ -54,21 +169,5 @@ fn fit_number(comparison: &Comparison, row: usize, k: usize) -> Option<f64> {
             return None;
         }
     }
-    let ours = matrix.col(k)[row];
-    let pixel = if k == 2 { matrix.col(row)[row] } else { ours };
-    let is_other = !(least..=most).contains(&ours);
-    is_other.then(|| plain_number(least, most, [(0.0, 1.0), (0.0, ours), (ours, pixel)]))
-}
-
-/// The number between bounds that has the fewest digits when it is counted from a start in a
-/// unit; the objects need it more exactly than the sky tells.
-fn plain_number(least: f64, most: f64, starts_and_units: [(f64, f64); 3]) -> f64 {
-    let middle = (least + most) / 2.0;
-    let candidates = (0..8).flat_map(|digits| {
-        let scale = 10_f64.powi(digits);
-        starts_and_units
-            .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
-    });
-    let mut plain = candidates.filter(|number| (least..=most).contains(number));
-    plain.next().unwrap_or(middle)
+    Some(least..=most)
 }

@@ -1,95 +1,57 @@
-//! What a folder has of the course's pictures: one's own, or those of a class, as a learning
-//! platform gives them; and the sheets that a class gets.
+//! What a class has handed in: each folder in a folder is a student's, with whatever is in it and
+//! below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
 
-mod found_file;
+mod feedback;
+mod folder;
+mod names;
+mod not_looked_at;
 mod report;
 mod scene_sheet;
-mod search;
 mod student;
-mod trial;
+mod table;
+mod write_folder;
 
-pub use scene_sheet::{format_sheet, read_names, write_sheets};
-pub use student::normalize_name;
-pub use trial::report_on_workspaces;
+pub use names::{normalize_name, read_names};
+pub use report::{ClassReport, OwnReport};
+pub use scene_sheet::{format_sheet, write_sheets};
 
-use crate::class::found_file::{FoundFile, has_extension, picture_names, unchecked_clause};
-use crate::class::report::{Row, count_right, report_answer};
-use crate::class::search::{MOST_FOLDERS, find_files};
-use crate::class::student::{Student, add_names, group_by_student, split_key};
-use crate::{Answer, Verdict, check_png, check_scene_png};
-use course::{NAMED_SCENE_EXAMPLE, read_locked_picture};
+use crate::class::folder::{
+    StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
+};
+use crate::class::names::{Doubles, NamedFolders};
+use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
-use std::cmp::Reverse;
 use std::path::Path;
 
-/// Says of each picture in a folder or an archive whether it is right. It is one's own if it is a
-/// workspace of Cargo or has most pictures of the course itself, else that of a class, some names
-/// of which may be known.
-pub fn report_on_folder(
+/// Says of each picture in the folders of a class whether it is right. A line of `names` is the
+/// whole name of a folder; without a list, each folder may have any name.
+pub fn report_on_class(
     folder: &Path,
-    names: &[String],
+    names: Option<&[String]>,
     required: &[&'static str],
-    is_csv: bool,
-) -> Result<Answer, String> {
-    let is_workspace = folder.join("Cargo.toml").exists();
-    let mut files = find_files(folder, if is_workspace { 0 } else { MOST_FOLDERS })?;
-    let is_stray = |file: &FoundFile| split_key(&file.path).is_none();
-    let pictures = || files.iter().filter(|file| file.picture.is_some());
-    let stray_count = pictures().filter(|file| is_stray(file)).count();
-    let is_own = is_workspace || pictures().count() < 2 * stray_count || files.iter().all(is_stray);
-    let (mut students, stray) = if is_own {
-        files.retain(|file| file.depth() == 0 && file.may_be_picture());
-        // Whose scene it is isn't known, but where that is asked for.
-        let is_known = |name: &&str| *name != NAMED_SCENE_EXAMPLE || required.contains(name);
-        files.iter_mut().for_each(|file| file.picture = file.picture.filter(is_known));
-        let path = folder.canonicalize().unwrap_or_default();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        (vec![Student { name: name.clone(), key: name, files }], vec![])
-    } else {
-        group_by_student(files)
+) -> Result<ClassReport, String> {
+    let class = read_class_folder(folder)?;
+    let doubles = Doubles::new(&class.students);
+    let named = names.map(|names| NamedFolders::new(names, &class.students));
+    let check = |student: &StudentFolder| {
+        let name = printable_name(&student.name);
+        let mut report = check_student(name, find_files(student), required);
+        report.notes.extend(doubles.note(student));
+        report.notes.extend(named.as_ref().and_then(|named| named.note(student)));
+        report
     };
-    add_names(&mut students, names);
-    let names: Vec<_> = students.iter().map(|student| student.name.clone()).collect();
-    let check = |student| check_student(student, required, &names);
-    let mut rows: Vec<_> = students.into_par_iter().flat_map(check).collect();
-    rows.extend(unchecked_clause(stray).map(|clause| Row::in_place("(nobody's)", clause)));
-    Ok(report_answer(&rows, is_csv))
+    let mut students: Vec<_> = class.students.par_iter().map(check).collect();
+    let absent = named.iter().flat_map(NamedFolders::absent);
+    students.extend(absent.map(|name| StudentReport::without_folder(name, required)));
+    Ok(ClassReport { students, not_looked_at: class.not_looked_at })
 }
 
-/// The rows about the pictures of a student; `names` are those of all.
-fn check_student(student: Student, required: &[&'static str], names: &[String]) -> Vec<Row> {
-    let mut files = student.files;
-    // First those that end as PNG files do, that lie highest, that were handed in last, that have
-    // just the name of a picture.
-    files.sort_by_key(|file| {
-        let is_exact = file.picture.is_some_and(|name| file.name() == format!("{name}.png"));
-        let is_png = has_extension(file.name(), &["png"]);
-        (!is_png, file.depth(), Reverse(file.version()), !is_exact)
-    });
-    let mut rows: Vec<Row> = vec![];
-    for name in picture_names() {
-        let is_required = required.contains(&name);
-        let position = files.iter().position(|file| file.picture == Some(name));
-        let file = position.map(|k| files.remove(k));
-        let answer = match file.as_ref().map(|file| (file.name(), file.read())) {
-            None if is_required => Answer::new(Verdict::Missing, ""),
-            None => continue,
-            Some((_, Err(why))) => Answer::error(why),
-            Some((file_name, Ok(png))) if name == NAMED_SCENE_EXAMPLE => {
-                check_scene_png(&png, file_name, &student.name, names)
-            }
-            Some((file_name, Ok(png))) => {
-                check_png(&png, file_name, Some(name), read_locked_picture)
-            }
-        };
-        let row = Row::new(&student.key, name, answer, &rows);
-        let found = file.map(|file| file.path).unwrap_or_default();
-        rows.push(Row { counts: is_required || required.is_empty(), found, ..row });
-    }
-    files.retain(|file| file.is_unreadable() || !file.name().is_empty());
-    let is_empty = rows.iter().all(Row::is_missing);
-    let in_place =
-        unchecked_clause(files).or_else(|| is_empty.then(|| "nothing was handed in".to_owned()));
-    rows.extend(in_place.map(|clause| Row::in_place(&student.key, clause)));
-    count_right(rows)
+/// Says of each of one's own pictures in a folder whether it is right. What lies in folders below
+/// it isn't looked at.
+pub fn report_on_own_pictures(
+    folder: &Path,
+    required: &[&'static str],
+) -> Result<OwnReport, String> {
+    let own = check_student(String::new(), find_own_pictures(folder)?, required);
+    Ok(OwnReport { own })
 }

@@ -84,14 +84,17 @@ impl Budget {
         self.0.get() == 0
     }
 
+    /// Takes a cost from the budget; false where it doesn't suffice.
+    pub fn spend(&self, cost: u32) -> bool {
+        let rest = self.0.get().checked_sub(cost);
+        self.0.set(rest.unwrap_or(0));
+        rest.is_some()
+    }
+
     /// Whether something is so of all items, each of which has this cost; false where the budget
     /// doesn't suffice. What refutes it is asked first the next time.
     pub fn all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
-        let refuting = items.iter().position(|item| {
-            let rest = self.0.get().checked_sub(cost);
-            self.0.set(rest.unwrap_or(0));
-            rest.is_none() || !is_so(item)
-        });
+        let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {
             items[..=k].rotate_right(1);
         }

@@ -1,10 +1,7 @@
 use course::{OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
-use step05_phong::{Light, Material, Ray, Terms, ambient, direction_colour, light_terms, normal};
-
-/// A scene of step 5. The steps before it have less of the same numbers.
-pub(crate) type Scene = step05_phong::Scene<Material, Light>;
+use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
 
 /// A scene, and the functions of a step that draw it.
 pub(crate) struct Drawing {

@@ -1,10 +1,10 @@
-use crate::answer::{Cause, common_part, join_first};
+use crate::answer::{Cause, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::comparison::{Budget, Comparison};
-use crate::facts::{are_above_1, tell_facts};
+use crate::facts::tell_facts;
 use crate::listed_mistake::find_listed_mistakes;
-use crate::other_options::describe_other_options;
+use crate::other_options::find_options;
 use crate::target::{Target, find_equal};
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::describe_wrong_pixel;
@@ -14,6 +14,10 @@ use image::RgbImage;
 
 const MOST_CAUSES: usize = 3;
 
+/// Said of exercises, whose options can't be found.
+const WITHOUT_OPTIONS: &str =
+    "Ours is drawn without options: with some, a right program may draw another picture, too.\n";
+
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// How many rays may be computed to try changes.
@@ -22,33 +26,46 @@ const RAYS: u32 = 4_000_000;
 /// Says what is known of a picture that isn't the one it should be.
 pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     let title = &target.title;
-    let varied = target.drawing.as_ref().filter(|_| uniform_colour(yours).is_none());
-    if let Some(text) = varied.and_then(|one| describe_other_options(one, title, yours)) {
-        let causes = find_listed_mistakes(yours, target, None);
-        let text = format!("{text}\n{}", tell_causes(&causes)).trim_end().to_owned();
-        return Answer { causes, ..Answer::new(Verdict::OtherOptions, text) };
+    let listed = target.name.as_ref().map(|name| find_listed_mistakes(yours, name));
+    let mut causes = listed.unwrap_or_default();
+    let options = target.drawing.as_ref().and_then(|drawing| find_options(drawing, yours));
+    // An angle that nobody types is the listed mistake's.
+    if let Some(options) = options
+        && (options.is_plain_angle() || causes.is_empty())
+    {
+        return Answer::new(Verdict::OtherOptions, options.describe(title));
     }
     let comparison = Comparison::new(target, yours);
-    let mut explanation = match find_equal(yours) {
+    let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
+    let size = format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n");
+    let mut whole = match find_equal(yours) {
         Some(name) => format!("This is the picture of {name}, not {title}.\n"),
         None => describe_whole(yours, &target.picture, title),
     };
-    let mut causes = find_listed_mistakes(yours, target, comparison.as_ref());
-    if explanation.is_empty() {
+    let is_unexplained = whole.is_empty();
+    let is_other_size = comparison.is_none() && (is_unexplained || uniform_colour(yours).is_some());
+    if is_other_size {
+        whole.insert_str(0, &size);
+    }
+    if whole.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
-    explanation += &tell_causes(&causes);
-    let details = match &comparison {
-        Some(comparison) => details(comparison, &causes, explanation.is_empty()),
-        None if explanation.is_empty() => {
-            let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
-            format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
-        }
-        None => String::new(),
-    };
-    let text = format!("Not right. {explanation}{details}").trim_end().to_owned();
+    let cause_lines = describe_causes(&causes);
+    let has_facts = whole.is_empty() && causes.is_empty();
+    let facts = comparison.as_ref().filter(|_| has_facts).map(tell_facts).unwrap_or_default();
+    let details = comparison.as_ref().map(|one| details(one, &facts)).unwrap_or_default();
+    let is_exercise = target.drawing.is_none() && (is_unexplained || is_other_size);
+    let note = if is_exercise { WITHOUT_OPTIONS } else { "" };
+    // A cause helps most, then how the whole picture differs, then a fact. Whether it's only by 1
+    // of 255 is in the first of the details.
+    let is_by_1 = comparison.as_ref().is_some_and(|one| one.farthest.largest_difference() == 1);
+    let fact_lines = if is_by_1 { String::new() } else { facts.join("\n") };
+    let parts = [&cause_lines, &whole, &fact_lines, &details];
+    let feedback = parts.iter().find_map(|part| part.lines().next()).unwrap_or_default();
+    let feedback = feedback.to_owned();
+    let text = format!("Not right. {whole}{cause_lines}{details}{note}").trim_end().to_owned();
     let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
-    Answer { causes, compared, ..Answer::new(Verdict::NotRight, text) }
+    Answer { causes, compared, feedback, ..Answer::new(Verdict::NotRight, text) }
 }
 
 /// All numbers and cameras that we know and that give the whole picture; none where not all
@@ -66,18 +83,33 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { all }
 }
 
-/// Lines about causes: all of them as far as there is room, and the first in full.
-fn tell_causes(causes: &[Cause]) -> String {
+/// Lines about causes: as many as there is room for, the files of all, and the first in full.
+fn describe_causes(causes: &[Cause]) -> String {
     let Some(first) = causes.first() else { return String::new() };
-    let start = if causes.len() == 1 { "This" } else { "Each of these" };
-    let told = join_first(causes.iter().map(Cause::words_and_file).collect(), MOST_CAUSES, "; ");
+    let is_listed = causes.iter().all(|cause| cause.file.is_some());
+    let start = match (is_listed, causes.len()) {
+        (true, 1) => "A listed mistake gives",
+        (true, _) => "Each of these listed mistakes gives",
+        (false, 1) => "This gives",
+        (false, _) => "Each of these gives",
+    };
+    let words = causes.iter().map(Cause::words_and_file).collect();
+    let mut words = join_first(words, MOST_CAUSES, "; ");
+    let (told, more) = causes.split_at(causes.len().min(MOST_CAUSES));
+    let mut files: Vec<_> = more.iter().filter_map(|cause| cause.file.as_deref()).collect();
+    files.sort_unstable();
+    files.dedup();
+    files.retain(|file| told.iter().all(|cause| cause.file.as_deref() != Some(file)));
+    if !files.is_empty() {
+        words += &format!(", also in {}", files.join(", "));
+    }
     let details = &first.details;
-    format!("{start} gives the picture, in every pixel: {told}.\n{details}")
+    format!("{start} this very picture, as others may: {words}.\n{details}")
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
-/// the tests by hand, from the first step that may be wrong; one pixel.
-fn details(comparison: &Comparison, causes: &[Cause], has_facts: bool) -> String {
+/// the tests by hand of the steps that draw it, any of which may be wrong; one pixel.
+fn details(comparison: &Comparison, facts: &[String]) -> String {
     let Comparison { target, wrong, right, farthest } = comparison;
     let mut text = format!(
         "{} of {} pixels {} from {}, by up to {} of 255.\n",
@@ -87,15 +119,15 @@ fn details(comparison: &Comparison, causes: &[Cause], has_facts: bool) -> String
         target.title,
         farthest.largest_difference()
     );
-    if has_facts {
-        text.extend(tell_facts(comparison).into_iter().map(|fact| fact + "\n"));
-    }
+    text.extend(facts.iter().flat_map(|fact| [fact, "\n"]));
     if let Some(drawing) = &target.drawing {
-        // The sky and bytes are step 1's.
-        let is_of_rays = wrong.iter().any(|one| one.hit.is_none()) || are_above_1(wrong, drawing);
-        let first = if is_of_rays { Step::Rays } else { Step::Sphere };
-        let number = common_part(causes, |cause| cause.step).unwrap_or(first).number();
-        text += &format!("From step {number} on, the tests by hand may find it: {TESTS}\n");
+        // Even where the sky is right, the camera may be off by a little, and rgb8 or Ray::at wrong.
+        let steps = match drawing.step {
+            Step::Rays => "step 1".to_owned(),
+            Step::Sphere => "steps 1 and 2".to_owned(),
+            step => format!("steps 1 to {}", step.number()),
+        };
+        text += &format!("The tests by hand of {steps} may find it: {TESTS}\n");
     }
     text + &describe_wrong_pixel(comparison)
 }

@@ -1,35 +1,55 @@
-use crate::byte_facts::{black_block, byte_curve, byte_facts};
+use crate::byte_facts::{byte_curve, byte_facts, byte_map, one_colour_sentence};
 use crate::comparison::{Comparison, Pixel};
 use crate::drawing::Drawing;
 use crate::regions::{count_regions, hidden_sentence, region_sentence};
+use crate::undrawn::undrawn_sentence;
 use course::Step;
+use std::collections::BTreeSet;
 use step01_rays::rgb8;
 
 const MOST_FACTS: usize = 3;
+
+/// How many pixels, and how many right colours of theirs, a sentence on each of them needs: of
+/// fewer, much is true by chance.
+const LEAST_PIXELS: usize = 16;
+const LEAST_COLOURS: usize = 4;
 
 /// Sentences that are true of the wrong pixels, the strongest first; then one on where they are.
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     let drawing = comparison.target.drawing.as_ref();
     let regions = drawing.map(|drawing| count_regions(comparison, drawing));
-    let mut facts: Vec<_> = black_block(comparison).into_iter().collect();
+    let mut facts: Vec<_> = undrawn_sentence(comparison).into_iter().collect();
     if facts.is_empty() {
-        if let (Some(drawing), Some(regions)) = (drawing, &regions) {
-            facts.extend(byte_curve(comparison, drawing));
-            facts.extend(hidden_sentence(regions));
+        let is_varied = is_varied(&comparison.wrong);
+        let varied = drawing.filter(|_| is_varied);
+        facts.extend(varied.and_then(|drawing| {
+            byte_curve(comparison, drawing).or_else(|| byte_map(comparison, drawing))
+        }));
+        facts.extend(regions.as_deref().and_then(hidden_sentence));
+        if let Some(drawing) = varied {
             if are_above_1(&comparison.wrong, drawing) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
             facts.extend(missing_light(&comparison.wrong, drawing));
         }
-        facts.extend(byte_facts(comparison));
+        if is_varied {
+            facts.extend(one_colour_sentence(&comparison.wrong));
+            facts.extend(byte_facts(comparison));
+        }
         facts.truncate(MOST_FACTS);
     }
     facts.extend(regions.map(region_sentence));
     facts
 }
 
+/// Whether wrong pixels are many, and differ in ours.
+fn is_varied(wrong: &[Pixel]) -> bool {
+    let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
+    LEAST_PIXELS <= wrong.len() && LEAST_COLOURS <= colours.len()
+}
+
 /// Whether each pixel is brighter in ours than a byte can tell.
-pub(crate) fn are_above_1(pixels: &[Pixel], drawing: &Drawing) -> bool {
+fn are_above_1(pixels: &[Pixel], drawing: &Drawing) -> bool {
     pixels.iter().all(|one| 1.0 < drawing.colour(&one.ray).max_element())
 }
 

@@ -1,33 +1,16 @@
 use crate::answer::Cause;
-use crate::comparison::Comparison;
-use crate::scene_mistake::colour_with_mistake;
-use crate::target::Target;
-use course::{Mistake, find_mistakes_with_hash, hash_picture, mistakes};
+use crate::target::hash_if_small;
+use course::{Mistake, find_mistakes_with_hash};
 use image::RgbImage;
-use step01_rays::rgb8;
 
-/// The most lines of a diff that is told.
+/// The most lines of a diff that an answer shows.
 const LINES: usize = 4;
 
-/// The listed mistakes that give a picture: by its hash, and with the scene of a name as far as
-/// they are drawn anew.
-pub(crate) fn find_listed_mistakes(
-    yours: &RgbImage,
-    target: &Target,
-    comparison: Option<&Comparison>,
-) -> Vec<Cause> {
-    let mut all: Vec<_> = find_mistakes_with_hash(hash_picture(yours))
-        .into_iter()
-        .filter(|(_, name)| target.name.as_deref() == Some(name))
-        .map(|(mistake, _)| mistake)
-        .collect();
-    if let (None, Some(comparison), Some(drawing)) = (&target.name, comparison, &target.drawing) {
-        all.extend(mistakes().into_iter().filter(|mistake| {
-            let colour = |ray| colour_with_mistake(mistake.title, &drawing.own.scene, ray);
-            comparison.pixels().all(|pixel| rgb8(colour(&pixel.ray)).0 == pixel.yours)
-        }));
-    }
-    all.iter().map(cause).collect()
+/// The listed mistakes that give the picture of this name as it is in every pixel.
+pub(crate) fn find_listed_mistakes(yours: &RgbImage, name: &str) -> Vec<Cause> {
+    let all = hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
+    let all = all.into_iter();
+    all.filter(|(_, drawn)| *drawn == name).map(|(mistake, _)| cause(&mistake)).collect()
 }
 
 /// A listed mistake as a cause: its diff, if it is short, and, if the book shows it, why it is

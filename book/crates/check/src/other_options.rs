@@ -1,57 +1,163 @@
+//! Options of the programs (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program
+//! draws the reader's picture.
+
 use crate::comparison::{Budget, scattered_places};
 use crate::drawing::Drawing;
-use course::largest_channel_difference;
+use crate::transformed::uniform_colour;
 use image::RgbImage;
+use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
-/// How many rays are drawn to find out whether a picture has some options; to try all, twice as
-/// many.
-const RAYS: u32 = 3 << 20;
+/// How many rays are drawn to compare a picture with some options; with all that come into
+/// question, twice as many.
+const RAYS: u32 = 1 << 23;
 
-/// Sentences about a picture that a drawing gives with other options: another size, field of
-/// view or number of samples.
-pub(crate) fn describe_other_options(
-    drawing: &Drawing,
-    title: &str,
-    yours: &RgbImage,
-) -> Option<String> {
-    let (columns, rows) = yours.dimensions();
+/// How many rays are drawn to find those that come into question.
+const PROBE_RAYS: u32 = 6_000_000;
+
+/// How many pixels refute most options, before all are compared.
+const PROBES: usize = 200;
+
+/// How far rounding may move an intensity of the sky, in parts of a byte.
+const ROUNDING: f64 = 1e-6;
+
+/// The options of a picture that a right program draws with them.
+pub(crate) struct Options {
+    size: (u32, u32),
+    fov_degrees: f64,
+    samples: u32,
+    /// How many pixels were compared; all, unless there are many rays.
+    compared: usize,
+    /// Whether the picture has one colour, as it has with many options.
+    is_uniform: bool,
+}
+
+impl Options {
+    /// Whether somebody would type this angle: it has one decimal at most.
+    pub fn is_plain_angle(&self) -> bool {
+        let tenths = 10.0 * self.fov_degrees;
+        tenths == tenths.round()
+    }
+
+    /// Sentences about a picture that is drawn with these options.
+    pub fn describe(&self, title: &str) -> String {
+        let ((columns, rows), samples) = (self.size, self.samples);
+        let all = columns as usize * rows as usize;
+        let options = format!(
+            "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
+            self.fov_degrees
+        );
+        let equal = match self.compared {
+            _ if self.is_uniform => format!(
+                "As with other options: this is {options}, in every pixel, but one colour tells \
+                 little: further options and mistakes may give it, too."
+            ),
+            compared if compared < all => format!(
+                "As with other options: {compared} of {all} pixels were compared, and are those \
+                 of {options}."
+            ),
+            _ => format!("Right, with other options: this is {options}, in every pixel."),
+        };
+        format!(
+            "{equal}\n\
+             Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
+             --samples 1.\n\
+             If you gave no other options, look at how your program reads them, and at its camera."
+        )
+    }
+}
+
+/// The plainest options that give a picture, with which a drawing is a right one; None where none
+/// do, or too much would have to be tried.
+pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Options> {
+    let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
     }
-    let samples: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
-    let budget = Budget::new(2 * RAYS);
-    let mut places: Vec<_> = scattered_places((columns, rows)).take(RAYS as usize).collect();
-    // First that of the locked pictures.
-    for tenths in [600].into_iter().chain(10..1800) {
-        let fov_degrees = f64::from(tenths) / 10.0;
+    let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
+    let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
+    let mut sky_probes: Vec<_> = border_places(size).take(PROBES).collect();
+    let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
+    for fov_degrees in plain_angles().chain(fine_angles(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let largest_difference = |(i, j): (u32, u32), sub_pixel_offsets: &[(f64, f64)]| {
-            let (x, y) = (f64::from(i), f64::from(j));
-            let ours = rgb8(mean_colour(sub_pixel_offsets, |u, v| {
-                drawing.colour(&camera.ray(x + u, y + v))
-            }));
-            largest_channel_difference(yours.get_pixel(i, j), &ours)
-        };
-        // The sky in the corner hardly depends on the samples.
-        if 1 < largest_difference((0, 0), &samples[0]) {
+        let may_be_sky = |place: &_| may_be_sky(drawing, &camera, yours, *place);
+        if !probe_budget.all(&mut sky_probes, 1, may_be_sky) {
             continue;
         }
-        for (side, sub_pixel_offsets) in (1..).zip(&samples) {
-            let rays = side * side;
-            let compared = places.len().min((RAYS / rays) as usize);
-            let is_equal = |place: &_| largest_difference(*place, sub_pixel_offsets) == 0;
-            if budget.all(&mut places[..compared], rays, is_equal) {
-                let all = yours.pixels().len();
-                return Some(format!(
-                    "As with other options: {compared} of {all} pixels were compared, and are \
-                     those of {title} at {columns}×{rows} pixels, {fov_degrees}° and {side}×{side} \
-                     rays per pixel.\n\
-                     Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
-                     --samples 1."
-                ));
+        for (samples, offsets) in (1..).zip(&all_offsets) {
+            let rays = samples * samples;
+            let is_equal = |&(i, j): &(u32, u32)| {
+                let (x, y) = (f64::from(i), f64::from(j));
+                let ours = mean_colour(offsets, |u, v| drawing.colour(&camera.ray(x + u, y + v)));
+                *yours.get_pixel(i, j) == rgb8(ours)
+            };
+            if !probe_budget.all(&mut probes, rays, is_equal) {
+                continue;
+            }
+            let compared = yours.pixels().len().min((RAYS / rays) as usize);
+            let mut places = scattered_places(size).take(compared);
+            if places.all(|place| budget.spend(rays) && is_equal(&place)) {
+                let is_uniform = uniform_colour(yours).is_some();
+                return Some(Options { size, fov_degrees, samples, compared, is_uniform });
             }
         }
     }
     None
+}
+
+/// Angles in degrees: that of the locked pictures, whole ones, then those with one decimal.
+fn plain_angles() -> impl Iterator<Item = f64> {
+    let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
+    iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
+}
+
+/// Angles with two and three decimals, as far as they fit what the upper border of a picture
+/// shows, taken for the sky.
+fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
+    let (columns, rows) = yours.dimensions();
+    let side = f64::from(columns - 1);
+    let (mut least, mut most) = (0.0_f64, f64::INFINITY);
+    let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
+    for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
+        let colour = yours.get_pixel(i, j);
+        // V is (x tan, y tan, −1), so that blue is 255.
+        let x = 2.0 * f64::from(i) / side - 1.0;
+        let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
+        for (factor, byte) in [(x, colour[0]), (y, colour[1])] {
+            if factor == 0.0 || colour[2] != 255 || byte == 0 || byte == 255 {
+                continue;
+            }
+            let tan = |offset: f64| ((f64::from(byte) + offset) / 255.0 - 0.7) / 0.3 / factor;
+            let (a, b) = (tan(-0.5 - ROUNDING), tan(0.5 + ROUNDING));
+            (least, most) = (least.max(a.min(b)), most.min(a.max(b)));
+        }
+    }
+    let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
+    [100.0, 1000.0].into_iter().flat_map(move |scale| {
+        let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;
+        let is_finer = |number: &u32| !number.is_multiple_of(10);
+        numbers.filter(is_finer).map(move |number| f64::from(number) / scale)
+    })
+}
+
+/// Places on the border of a picture, which shows the sky for most angles: its corner first.
+fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+    let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
+    let across = (0..columns).step_by(columns.div_ceil(50) as usize);
+    let sides = downwards.flat_map(move |j| [(0, j), (columns - 1, j)]);
+    sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
+}
+
+/// Whether a pixel has the colour of the sky; true where it would show an object as well. The sky
+/// is linear, so that its mean over a pixel is that of the centre, whatever the samples are.
+fn may_be_sky(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
+    let (x, y) = (f64::from(i), f64::from(j));
+    let intensity = drawing.colour(&camera.ray(x, y)).to_array();
+    let is_equal = |k: usize| {
+        let exact_byte = (255.0 * intensity[k]).clamp(0.0, 255.0);
+        (exact_byte - f64::from(yours.get_pixel(i, j)[k])).abs() < 0.5 + ROUNDING
+    };
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5), (0.0, 0.0)];
+    let sees_object = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).is_some();
+    (0..3).all(is_equal) || corners.into_iter().any(sees_object)
 }

@@ -1,24 +1,31 @@
-use image::codecs::png::PngDecoder;
-use image::{DynamicImage, ImageDecoder, ImageError, Limits, Pixel, RgbImage};
-use std::io::Cursor;
+use image::RgbImage;
+use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
+use std::io::{Cursor, ErrorKind};
+use step01_rays::MOST_PIXELS;
 
 /// How PNG files begin.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
     "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
+const BEHIND_MARK: &str = "a PNG file behind a byte order mark, as for text; copy it as binary";
+const IN_BASE64: &str = "a PNG file as text, in base64; decode it first";
+const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the program write the \
+                         picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
 /// the beginnings of PNG files that a copy has damaged.
-const FORMATS: [(usize, &[u8], &str); 18] = [
+const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
     (0, b"GIF8", "a GIF, which has 256 colours at most; draw it again as PNG"),
-    (10, b"\x36\0\0\0\x28\0\0\0", "a BMP picture; save it as PNG"),
-    (0, b"P6\n", "a PPM picture; save it as PNG"),
     (0, b"II*\0", "a TIFF picture; save it as PNG"),
     (0, b"MM\0*", "a TIFF picture; save it as PNG"),
+    (0, b"qoif", "a QOI picture; save it as PNG"),
+    (0, b"#?RADIANCE", "an HDR picture; save it as PNG"),
+    (0, b"\x76\x2f\x31\x01", "an EXR picture; save it as PNG"),
+    (0, b"8BPS", "a Photoshop file; save the picture as PNG"),
     (4, b"ftyp", "a film, or a picture such as HEIC or AVIF; save it as PNG"),
     (0, b"%PDF", "a PDF; save the picture as PNG"),
     (0, b"PK\x03\x04", "a ZIP archive, or a document that is one; unpack it first"),
@@ -27,24 +34,44 @@ const FORMATS: [(usize, &[u8], &str); 18] = [
     (0, b"<!doctype html", WEB_PAGE),
     (0, b"<html", WEB_PAGE),
     (0, b"<svg", "an SVG drawing; save it as PNG"),
+    (0, b"iVBORw0KGgo", IN_BASE64),
+    (0, b"data:image/png;base64,", IN_BASE64),
+    (0, b"\xff\xfe", IN_UTF_16),
+    (0, b"\xfe\xff", IN_UTF_16),
+    (0, b"\xef\xbb\xbf\x89PNG", BEHIND_MARK),
+    (0, b"\xef\xbb\xbf\xc2\x89PNG", COPIED_AS_TEXT),
     (0, b"\x89PNG", COPIED_AS_TEXT),
     (0, b"\xEF\xBF\xBDPNG", COPIED_AS_TEXT),
     (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
+/// The pictures of Netpbm, P1 to P7, and what they are.
+const NETPBM: [&str; 7] = [
+    "a PBM picture, written as text (P1); save it as PNG",
+    "a PGM picture, written as text (P2); save it as PNG",
+    "a PPM picture, written as text (P3); save it as PNG",
+    "a PBM picture (P4); save it as PNG",
+    "a PGM picture (P5); save it as PNG",
+    "a PPM picture (P6); save it as PNG",
+    "a PAM picture (P7); save it as PNG",
+];
+
+/// How long the second header of a BMP file may be, from its oldest version to the fifth.
+const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
+
 /// The most bytes of a file, and the most that a chunk of it is unpacked to.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The columns and rows of the largest picture, as the programs draw it with `--width 8192`.
-const LARGEST: (u32, u32) = (8192, 4608);
+/// The most bytes that are unpacked: of all pixels with alpha and 8 bits.
+const MOST_BYTES: u64 = 4 * MOST_PIXELS;
 
 pub(crate) struct Picture {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
-    /// How many pixels are not opaque.
-    pub transparent_count: usize,
-    /// Sentences about what the file hasn't, and what was left out.
-    pub notes: Vec<&'static str>,
+    /// Whether some pixels are not opaque.
+    pub is_transparent: bool,
+    /// Sentences about what kind of file it is, and what was left out.
+    pub notes: Vec<String>,
 }
 
 /// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
@@ -57,33 +84,111 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
     if let Some(format_clause) = other_format_clause(file) {
         return Err(format!("is {format_clause}"));
     }
-    let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(FILE_BYTES);
-    let decoder = PngDecoder::with_limits(Cursor::new(file), limits);
-    let decoder = decoder.map_err(damage_clause)?;
-    let (columns, rows) = LARGEST;
-    if 3 * u64::from(columns) * u64::from(rows) < decoder.total_bytes() {
+    let limits = Limits { bytes: FILE_BYTES as usize };
+    let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
+    // Palettes become colours, transparent colours alpha, and few bits eight.
+    decoder.set_transformations(Transformations::EXPAND);
+    decoder.set_ignore_text_chunk(true);
+    let mut reader = decoder.read_info().map_err(damage_clause)?;
+    let (columns, rows) = reader.info().size();
+    if MOST_PIXELS < u64::from(columns) * u64::from(rows) {
         return Err(format!(
-            "is too large: unpacked, it has more bytes than {columns}×{rows} pixels"
+            "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many \
+             in another shape"
         ));
     }
-    let colour = decoder.color_type();
-    let has_16_bits = colour.bytes_per_pixel() == 2 * colour.channel_count();
-    let is_animated = decoder.is_apng().is_ok_and(|is_so| is_so);
-    let notes = [
-        (is_animated, "The file is animated; its first picture was looked at."),
-        (!colour.has_color(), "The file is grey and holds no colours."),
-        (has_16_bits, "The file has 16 bits per channel, which were rounded to 8."),
-    ];
-    let notes = notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect();
-    let picture = DynamicImage::from_decoder(decoder).map_err(damage_clause)?;
-    if !picture.color().has_alpha() {
-        return Ok(Picture { rgb: picture.into_rgb8(), transparent_count: 0, notes });
+    // It is None if the number is larger than any memory.
+    let byte_count = reader.output_buffer_size().unwrap_or(usize::MAX);
+    if MOST_BYTES < byte_count as u64 {
+        return Err(format!(
+            "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
+            MOST_BYTES >> 20
+        ));
     }
-    let rgba = picture.into_rgba8();
-    let transparent_count = rgba.pixels().filter(|pixel| pixel[3] < 255).count();
-    let rgb = RgbImage::from_fn(rgba.width(), rgba.height(), |i, j| rgba[(i, j)].to_rgb());
-    Ok(Picture { rgb, transparent_count, notes })
+    let mut notes = describe_kind(reader.info());
+    let mut bytes = vec![0; byte_count];
+    reader.next_frame(&mut bytes).map_err(damage_clause)?;
+    let (colour_type, depth) = reader.output_color_type();
+    let samples = if depth == BitDepth::Sixteen { round_samples(&bytes) } else { bytes };
+    let (rgb, transparent) = split_alpha(samples, colour_type);
+    if let Some(first) = transparent.first {
+        let (count, all) = (transparent.count, columns as usize * rows as usize);
+        let (i, j) = (first % columns as usize, first / columns as usize);
+        notes.push(format!(
+            "In {count} of {all} pixels the file is not opaque, first in column {i}, row {j}: a \
+             viewer may show other colours there."
+        ));
+    }
+    let rgb = RgbImage::from_raw(columns, rows, rgb).ok_or("has fewer pixels than it says")?;
+    Ok(Picture { rgb, is_transparent: 0 < transparent.count, notes })
+}
+
+/// Sentences about a kind of PNG file that the programs don't write.
+fn describe_kind(info: &Info) -> Vec<String> {
+    let mut notes = vec![];
+    if info.color_type == ColorType::Indexed {
+        let most_colours = 1_u32 << info.bit_depth as u8;
+        notes.push(format!("The file has a palette, with at most {most_colours} colours."));
+    }
+    if matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha) {
+        notes.push("The file is grey and holds no colours.".to_owned());
+    }
+    if info.bit_depth == BitDepth::Sixteen {
+        notes.push("The file has 16 bits per channel, which were rounded to 8.".to_owned());
+    }
+    if info.animation_control().is_some() {
+        notes.push("The file is animated; its first picture was looked at.".to_owned());
+    }
+    notes
+}
+
+/// Samples of 8 bits, for those of 16.
+fn round_samples(bytes: &[u8]) -> Vec<u8> {
+    let round = |pair: &[u8]| {
+        let sample = u32::from(pair[0]) << 8 | u32::from(pair[1]);
+        ((sample + 128) / 257) as u8
+    };
+    bytes.chunks_exact(2).map(round).collect()
+}
+
+/// The pixels that are not opaque.
+#[derive(Default)]
+struct Transparent {
+    count: usize,
+    /// The number of the first, counted row by row.
+    first: Option<usize>,
+}
+
+/// Red, green and blue of each pixel, whatever its channels are, and which are not opaque.
+fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
+    let mut transparent = Transparent::default();
+    let mut note_alpha = |number: usize, alpha: u8| {
+        if alpha < 255 {
+            transparent.count += 1;
+            transparent.first.get_or_insert(number);
+        }
+    };
+    let rgb = match colour_type {
+        ColorType::Rgb | ColorType::Indexed => samples,
+        ColorType::Grayscale => samples.iter().flat_map(|grey| [*grey; 3]).collect(),
+        ColorType::GrayscaleAlpha => {
+            let pixels = samples.chunks_exact(2).enumerate();
+            let rgb = pixels.flat_map(|(number, pixel)| {
+                note_alpha(number, pixel[1]);
+                [pixel[0]; 3]
+            });
+            rgb.collect()
+        }
+        ColorType::Rgba => {
+            let pixels = samples.chunks_exact(4).enumerate();
+            let rgb = pixels.flat_map(|(number, pixel)| {
+                note_alpha(number, pixel[3]);
+                [pixel[0], pixel[1], pixel[2]]
+            });
+            rgb.collect()
+        }
+    };
+    (rgb, transparent)
 }
 
 pub(crate) fn too_large_clause(most_bytes: u64) -> String {
@@ -101,7 +206,8 @@ fn other_format_clause(file: &[u8]) -> Option<&'static str> {
         let found = start.get(*first..first + bytes.len());
         found.is_some_and(|found| found.eq_ignore_ascii_case(bytes))
     };
-    let clause = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
+    let format = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
+    let clause = format.or_else(|| netpbm_clause(start)).or_else(|| bmp_clause(start));
     match file {
         [] => Some("empty"),
         _ if PNG.starts_with(file) => Some("the beginning of a PNG file, and no more"),
@@ -109,15 +215,30 @@ fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     }
 }
 
+/// What a picture of Netpbm is: a P, a digit, and a blank or a comment.
+fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
+    let [b'P', digit, behind, ..] = file else { return None };
+    let number = digit.checked_sub(b'1')?;
+    let is_separate = behind.is_ascii_whitespace() || *behind == b'#';
+    NETPBM.get(usize::from(number)).copied().filter(|_| is_separate)
+}
+
+fn bmp_clause(file: &[u8]) -> Option<&'static str> {
+    let header_bytes: [u8; 4] = file.get(14..18)?.try_into().ok()?;
+    let header_length = u32::from_le_bytes(header_bytes);
+    let is_bmp = file.starts_with(b"BM")
+        && BMP_HEADERS.iter().any(|length| u32::from(*length) == header_length);
+    is_bmp.then_some("a BMP picture; save it as PNG")
+}
+
 /// Says what a decoder's error means for the file.
-fn damage_clause(error: ImageError) -> String {
-    let text = error.to_string();
-    let cause = if text.contains("unexpected end") {
-        "it is truncated; perhaps the copy was incomplete"
-    } else if text.contains("CRC") {
-        "a checksum is wrong, so some bytes have changed"
-    } else {
-        "its contents can't be unpacked"
+fn damage_clause(error: DecodingError) -> String {
+    let cause = match &error {
+        DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {
+            "it is truncated; perhaps the copy was incomplete"
+        }
+        _ if error.to_string().contains("CRC") => "a checksum is wrong, so some bytes have changed",
+        _ => "its contents can't be unpacked",
     };
     format!("is a damaged PNG file: {cause}")
 }

@@ -1,4 +1,5 @@
 use crate::png_file::{FILE_BYTES, too_large_clause};
+use course::is_obeyed_by_terminals;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
@@ -30,11 +31,7 @@ pub(crate) fn read_file_of_at_most(path: &Path, most_bytes: u64) -> Result<Vec<u
 
 /// A name, with escapes for what a terminal would obey and for what turns letters around.
 pub fn escape_for_terminal(name: &str) -> String {
-    let is_obeyed = |c: char| {
-        c.is_control()
-            || matches!(c, '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    let letter = |c: char| match is_obeyed(c) {
+    let letter = |c: char| match is_obeyed_by_terminals(c) {
         true => c.escape_default().to_string(),
         false => c.to_string(),
     };

@@ -58,21 +58,16 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
     let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| 0 < region.wrong);
-    if let [Region { name, .. }] = wrong[..]
-        && name == "the sky"
-        && !right.is_empty()
-    {
-        let count: usize = right.iter().map(|region| region.all).sum();
-        return format!(
-            "All {count} pixels of the objects are right; in each wrong pixel, ours shows the sky."
-        );
-    }
     let told = wrong
         .iter()
         .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
     let told = join_first(told.collect(), MOST_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
         [] => format!("Wrong: {told}."),
+        [_, ..] if wrong.len() == 1 && wrong[0].name == "the sky" => {
+            let count: usize = right.iter().map(|region| region.all).sum();
+            format!("Wrong: {told}. All {count} pixels of the objects are right.")
+        }
         ref names => format!("Wrong: {told}. Right in every pixel: {}.", names.join(", ")),
     }
 }

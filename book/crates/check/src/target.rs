@@ -49,15 +49,26 @@ pub(crate) fn find_name_in_file_name<'a>(
     let named = names.clone().filter(is_named);
     named.max_by_key(|name| name.len()).or_else(|| {
         let is_numbered = |step: &Step| {
-            ["step", "step0", "step-"].iter().any(|word| has(&format!("{word}{}", step.number())))
+            ["step", "step0", "step-", "step-0"]
+                .iter()
+                .any(|word| has(&format!("{word}{}", step.number())))
         };
         let step = Step::ALL.into_iter().find(is_numbered)?;
         names.clone().find(|name| *name == step.name())
     })
 }
 
+/// The most pixels of a picture with a known hash: those of the default options, and of mistakes
+/// with these.
+const MOST_HASHED_PIXELS: usize = 1 << 20;
+
+/// The hash of a picture; None of one that is too large to have a known hash.
+pub(crate) fn hash_if_small(picture: &RgbImage) -> Option<u64> {
+    (picture.pixels().len() <= MOST_HASHED_PIXELS).then(|| hash_picture(picture))
+}
+
 /// The name of the locked picture that a picture is.
 pub(crate) fn find_equal(picture: &RgbImage) -> Option<&'static str> {
-    let hash = hash_picture(picture);
+    let hash = hash_if_small(picture)?;
     locked_hashes().find(|(_, one)| *one == hash).map(|(name, _)| name)
 }

@@ -14,6 +14,19 @@ fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     [&png[..12], &header, &sum, &png[33..]].concat()
 }
 
+/// A PNG file of 640×360 pixels with a palette of 16 colours, all black.
+fn with_palette() -> Vec<u8> {
+    let mut file = vec![];
+    let mut encoder = png::Encoder::new(&mut file, 640, 360);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Four);
+    encoder.set_palette(vec![0; 3]);
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&[0; 320 * 360]).expect("pixels");
+    drop(writer);
+    file
+}
+
 /// The answer about a file that should be the picture of step 2.
 fn answer(title: &str, file: &[u8]) -> (String, String) {
     let answer = check_png(file, "my.png", Some("step02_sphere"), read_locked_picture);
@@ -27,12 +40,33 @@ fn other_formats_and_damaged_files_are_as_locked() {
     let as_text = String::from_utf8_lossy(&png).into_owned().into_bytes();
     let mut wrong_sum = png.clone();
     wrong_sum[100] ^= 1;
-    let files: [(&str, &[u8]); 20] = [
+    let bmp = |header_length: u8| {
+        let sizes = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, header_length, 0, 0, 0];
+        [b"BM", &sizes[..]].concat()
+    };
+    let utf_16: Vec<u8> =
+        [0xff, 0xfe].into_iter().chain(png.iter().flat_map(|b| [*b, 0])).collect();
+    let files: [(&str, &[u8]); 36] = [
         ("JPEG", b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01"),
         ("WebP", b"RIFF\x24\0\0\0WEBPVP8 "),
         ("GIF", b"GIF89a"),
-        ("BMP", b"BM\x36\x10\x0e\0\0\0\0\0\x36\0\0\0\x28\0\0\0"),
+        ("BMP, version 3", &bmp(40)),
+        ("BMP, version 5", &bmp(124)),
         ("PPM", b"P6\n2 2\n255\n"),
+        ("PPM with a blank", b"P6 2 2 255 "),
+        ("PPM with CR LF", b"P6\r\n2 2\r\n"),
+        ("PPM as text", b"P3\n# a comment\n2 2\n255\n"),
+        ("PGM", b"P5\n2 2\n255\n"),
+        ("PAM", b"P7\nWIDTH 2\n"),
+        ("P8", b"P8\n2 2\n"),
+        ("a word that begins with P3", b"P30 is no picture"),
+        ("HDR", b"#?RADIANCE\n"),
+        ("EXR", b"\x76\x2f\x31\x01\x02\0\0\0"),
+        ("QOI", b"qoif\0\0\0\x02"),
+        ("UTF-16", &utf_16),
+        ("base64", b"iVBORw0KGgoAAAANSUhEUgAA"),
+        ("address with base64", b"data:image/png;base64,iVBORw0KGgo"),
+        ("behind a mark", &[&b"\xef\xbb\xbf"[..], &png].concat()),
         ("HEIC", b"\0\0\0\x18ftypheic"),
         ("PDF", b"%PDF-1.7"),
         ("ZIP", b"PK\x03\x04"),
@@ -46,6 +80,7 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("half", &png[..png.len() / 2]),
         ("another byte", &wrong_sum),
         ("200000 columns", &with_size(&png, 200_000, 200_000)),
+        ("a row more than the limit", &with_size(&png, 8192, 4609)),
         ("no columns", &with_size(&png, 0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];
@@ -61,11 +96,15 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let animation = b"\0\0\0\x08acTL\0\0\0\x02\0\0\0\0";
     let sum = crc32fast::hash(&animation[4..]).to_be_bytes();
+    let one_grey = DynamicImage::new_luma16(1, 1);
     let answers = [
         ("animated", [&still[..33], animation, &sum, &still[33..]].concat()),
         ("grey", encode(ours.to_luma8())),
         ("16 bits", encode(ours.to_rgb16())),
+        ("palette", with_palette()),
         ("one pixel is invisible", encode(invisible_pixel)),
+        ("invisible and wrong", encode(DynamicImage::new_rgba8(640, 360))),
+        ("1×1, grey and 16 bits", encode(one_grey)),
         ("8192 columns", encode((Step::Sphere.picture())(&camera_with_size(8192, 32), 1))),
         ("1 column", encode(RgbImage::new(1, 1))),
     ];

@@ -4,6 +4,7 @@ use crate::{check, encode, locked_file, map_locked};
 use check::{Verdict, check_png};
 use course::{Step, camera_with_size, locked_names, read_locked_picture};
 use fastrand::Rng;
+use step01_rays::Camera;
 
 #[test]
 fn damaged_files_give_answers_without_panic() {
@@ -29,5 +30,43 @@ fn only_equal_pictures_are_right() {
         let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
         let answer = check(map_locked(name, change), name);
         assert_eq!(answer.verdict, Verdict::NotRight, "{name} in {place:?}");
+    }
+}
+
+#[test]
+fn right_programs_with_options_are_blamed_for_nothing() {
+    let mut random = Rng::with_seed(0x5EED);
+    for k in 0..40 {
+        let step = Step::ALL[k % 5];
+        let decimals = [1, 10, 100, 1000][k / 10];
+        // Below, the border of the picture doesn't show the sky, which tells the decimals.
+        let fov_degrees =
+            f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
+        let (columns, rows) = (random.u32(16..200), random.u32(16..200));
+        let camera = Camera::new(columns, rows, fov_degrees.to_radians());
+        let samples = random.u32(1..=4);
+        let answer = check(step.picture()(&camera, samples), step.name());
+        let options =
+            format!("{step:?} {columns}×{rows} {fov_degrees}° {samples}: {}", answer.text);
+        assert_eq!(answer.verdict, Verdict::OtherOptions, "{options}");
+        assert!(answer.causes.is_empty() && !answer.text.contains(".rs"), "{options}");
+        assert!(!answer.to_json().contains("mistakes"), "{options}");
+    }
+}
+
+/// No picture rules out that step 1 is wrong: its parts may be so in what the sky doesn't show.
+#[test]
+fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
+    for step in Step::ALL {
+        let wrong_byte =
+            |_, _, ours: [u8; 3]| ours.map(|byte| if byte < 90 { byte / 2 } else { byte });
+        for picture in [map_locked(step.name(), wrong_byte), map_locked("spot", |_, _, ours| ours)]
+        {
+            let answer = check(picture, step.name());
+            let has_step_1 = ["step 1 ", "steps 1 "]
+                .iter()
+                .any(|words| answer.text.contains(&format!("The tests by hand of {words}")));
+            assert!(has_step_1 || answer.verdict == Verdict::Right, "{}", answer.text);
+        }
     }
 }

@@ -2,10 +2,13 @@
 //! read as a reader does.
 
 mod class;
+#[cfg(unix)]
+mod downloads;
 mod files;
 mod laws;
 mod pictures;
 mod program;
+mod small_pictures;
 
 use check::{Answer, check_png};
 use course::{camera, locked_picture_path, named_scene, read_locked_picture};

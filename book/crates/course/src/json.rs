@@ -1,13 +1,15 @@
 //! JSON, as much as an answer needs: a library for all of it would make the module of
 //! the pages a sixth larger.
 
-/// A JSON string.
+use crate::is_obeyed_by_terminals;
+
+/// A JSON string, with escapes for what a terminal would obey.
 pub fn quote(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {
             '"' | '\\' => quoted.extend(['\\', c]),
-            c if c < ' ' => quoted += &format!("\\u{:04x}", c as u32),
+            c if is_obeyed_by_terminals(c) => quoted += &format!("\\u{:04x}", c as u32),
             c => quoted.push(c),
         }
     }

@@ -8,6 +8,7 @@
 //! - A *scene* as a program, and the scene that belongs to a *name*.
 //! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
 //! - The source of a crate as that of a *module*.
+//! - A file *replaced* by what was written beside it.
 //! - The folders of the *workspace*, its modules, a command of Cargo, and JSON.
 
 mod camera;
@@ -42,7 +43,7 @@ mod own_scene;
 mod scene_program;
 mod scene_quantity;
 mod ungated_colour;
-pub use named_scene::{NAMED_SCENE_EXAMPLE, named_scene};
+pub use named_scene::named_scene;
 pub use own_scene::OwnScene;
 pub use scene_program::format_scene_program;
 pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
@@ -56,6 +57,12 @@ pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
 pub use locked_picture::{locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;
+
+mod replace_file;
+pub use replace_file::replace_file;
+
+mod terminal;
+pub use terminal::is_obeyed_by_terminals;
 
 mod workspace;
 pub use workspace::{MODULES, cargo_command, target_folder, workspace};

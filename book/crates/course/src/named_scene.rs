@@ -1,10 +1,8 @@
+//! The scene that belongs to a name.
+
 use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
-
-/// The example of step 5 that draws the scene of a name. No example of the course has this name,
-/// so no other program draws a picture of it.
-pub const NAMED_SCENE_EXAMPLE: &str = "scene_of_me";
 
 /// The names of the objects in the order of `OBJECTS`, as their colours are chosen.
 const NAMES: [&str; OBJECTS.len()] =
@@ -33,8 +31,7 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
             continue;
         }
         object.sphere.centre *= side;
-        let smaller = [0.0, 0.1, 0.2, 0.3][choose(4)] * object.sphere.radius;
-        let smaller = (100.0 * smaller).round();
+        let smaller = (choose(16) as f64 * object.sphere.radius).round();
         for length in [&mut object.sphere.centre.y, &mut object.sphere.radius] {
             *length = ((100.0 * *length).round() - smaller) / 100.0;
         }
@@ -48,6 +45,9 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     for light in &mut scene.lights {
         light.point_light.position *= side;
     }
+    // The first light stands in front of the balls, and the second, as in the course, behind them.
+    let positions = [[4.0, 5.0, -2.0], [3.0, 6.0, -3.0], [5.0, 4.0, -1.0], [2.0, 5.0, -4.0]];
+    scene.lights[0].point_light.position = side * DVec3::from_array(positions[choose(4)]);
     let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
     scene.lights[0].point_light.diffuse = tints[choose(4)].into();
     scene

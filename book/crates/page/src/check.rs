@@ -12,7 +12,7 @@ pub fn check(words: &str, file: &[u8]) -> Reply {
     };
     let (name, file_name) = words.split_once('\n').unwrap_or((words, ""));
     let answer = match name.strip_prefix('@') {
-        Some(scene) => check_scene_png(file, file_name, scene, &[]),
+        Some(scene) => check_scene_png(file, file_name, scene),
         None => check_png(file, file_name, Some(name).filter(|name| *name != "*"), draw),
     };
     let mut fields =

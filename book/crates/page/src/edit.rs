@@ -17,9 +17,14 @@ const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far
 /// in its full size it is told whether it is right or a known mistake's.
 pub fn edit(words: &str) -> Reply {
     let (columns, lines) = words.split_once(' ').unwrap_or_default();
+    let places = all_listed_places();
+    // A page has each place once.
+    if places.len() < lines.split('\u{1f}').count() {
+        return Reply::default();
+    }
     let lines = lines.split('\u{1f}').filter_map(|line| {
         let (name, text) = line.split_once(' ')?;
-        Some((all_listed_places().into_iter().find(|place| place.name == name)?, text))
+        Some((places.iter().find(|place| place.name == name)?.clone(), text))
     });
     let lines: Vec<_> = lines.collect();
     let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {

@@ -1,143 +1,306 @@
-use crate::{Answer, Verdict, escape_for_terminal};
+//! The report on a class, and the one on somebody's own pictures: as a table, as CSV for a
+//! spreadsheet, and as JSON.
+
+use crate::Verdict;
+use crate::class::not_looked_at::NotLookedAt;
+use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
+use crate::class::table::align;
 use course::json;
-use std::iter;
 
-/// What there is of one picture of a student, or in place of pictures.
-pub(crate) struct Row {
-    pub student: String,
-    /// Such as `1 of 2`: how many of the student's pictures that count are right.
-    pub right: String,
-    /// The picture's name, empty where there is something else.
-    pub picture: &'static str,
-    /// Whether the picture was asked for; all are if none was.
-    pub counts: bool,
-    /// The path of the file that was looked at, if there is one.
-    pub found: String,
-    /// A sentence on what is wrong or to be noted; empty where nothing is.
-    pub feedback: String,
-    pub answer: Answer,
+/// The report on a class.
+pub struct ClassReport {
+    pub(crate) students: Vec<StudentReport>,
+    /// What lies beside the students' folders.
+    pub(crate) not_looked_at: NotLookedAt,
 }
 
-impl Row {
-    /// A row about a picture that counts, below those of the student's earlier pictures.
-    pub fn new(student: &str, picture: &'static str, answer: Answer, earlier: &[Row]) -> Self {
-        // The pictures that an answer compares aren't kept.
-        let answer = Answer { compared: None, ..answer };
-        let feedback = escape_for_terminal(&feedback(&answer, earlier));
-        Self { picture, counts: true, answer, ..Self::in_place(student, feedback) }
+/// The report on somebody's own pictures.
+pub struct OwnReport {
+    pub(crate) own: StudentReport,
+}
+
+impl ClassReport {
+    /// The exit code of the program: 2 if something is missing, unreadable or not looked at, 1 if
+    /// a picture that counts has no point, else 0.
+    pub fn exit_code(&self) -> u8 {
+        if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
+            2
+        } else {
+            self.students.iter().any(|one| one.points() < one.most_points()).into()
+        }
     }
 
-    /// A row about what there is in place of pictures.
-    pub fn in_place(student: &str, feedback: String) -> Self {
-        let (student, answer) = (student.to_owned(), Answer::new(Verdict::Missing, ""));
-        let (right, found) = (String::new(), String::new());
-        Self { student, right, picture: "", counts: false, found, feedback, answer }
+    /// The report for a terminal: a row for each student, and below it one for each picture.
+    pub fn to_table(&self) -> String {
+        let head = ["student", "points", "picture", "verdict", "feedback"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        for student in &self.students {
+            let points = format!("{} of {}", student.points(), student.most_points());
+            let feedback = student_feedback(student);
+            rows.push(vec![student.name.clone(), points, String::new(), String::new(), feedback]);
+            rows.extend(picture_rows(student).into_iter().map(|row| {
+                let feedback = row.feedback_with_file();
+                vec![String::new(), String::new(), row.picture, row.verdict, feedback]
+            }));
+        }
+        let beside = self.not_looked_at.clause();
+        let beside = beside.map(|clause| format!("\nBeside the students' folders, {clause}\n"));
+        align(&rows) + &beside.unwrap_or_default()
     }
 
-    pub fn is_missing(&self) -> bool {
-        self.answer.verdict == Verdict::Missing
+    /// The report for a spreadsheet, after a mark by which it knows UTF-8. The numbers in `points`
+    /// are those of students, in `point` those of pictures, so that either column has a sum.
+    pub fn to_csv(&self) -> String {
+        let mut rows = vec![];
+        for student in &self.students {
+            rows.push(CsvRow {
+                student: student.name.clone(),
+                points: Some(student.points()),
+                most_points: Some(student.most_points()),
+                feedback: student_feedback(student),
+                ..CsvRow::default()
+            });
+            rows.extend(picture_rows(student).into_iter().map(|row| CsvRow {
+                student: student.name.clone(),
+                picture: row.picture,
+                point: row.point,
+                verdict: row.verdict,
+                feedback: row.feedback,
+                file: row.file.unwrap_or_default(),
+                ..CsvRow::default()
+            }));
+        }
+        rows.extend(self.not_looked_at.clause().map(|clause| CsvRow {
+            feedback: format!("beside the students' folders, {clause}"),
+            ..CsvRow::default()
+        }));
+        let head = "student,points,of,picture,point,verdict,feedback,file\n";
+        format!("\u{feff}{head}{}", rows.iter().map(CsvRow::to_line).collect::<String>())
     }
 
-    fn is_right(&self) -> bool {
-        self.answer.verdict == Verdict::Right
-    }
-
-    fn cells(&self) -> [&str; COLUMNS.len()] {
-        let verdict = if self.picture.is_empty() { "" } else { self.answer.verdict.words() };
-        let counts = if self.counts { "yes" } else { "" };
-        [&self.student, &self.right, self.picture, verdict, &self.feedback, &self.found, counts]
+    /// The report as JSON.
+    pub fn to_json(&self) -> String {
+        let students = self.students.iter().map(|student| {
+            format!(
+                "\n  {}",
+                json::object([
+                    ("student", json::quote(&student.name)),
+                    ("points", student.points().to_string()),
+                    ("of", student.most_points().to_string()),
+                    (
+                        "notes",
+                        json::list(student.notes.iter().map(|one| json::quote(&one.words())))
+                    ),
+                    ("not_looked_at", not_looked_at_json(&student.not_looked_at)),
+                    ("pictures", pictures_json(student)),
+                ])
+            )
+        });
+        json::object([
+            ("students", json::list(students)),
+            ("not_looked_at", not_looked_at_json(&self.not_looked_at)),
+        ])
     }
 }
 
-/// What an answer says in a sentence, or which earlier picture is wrong by the same cause, the
-/// only one that we know for one of the two.
-fn feedback(answer: &Answer, earlier: &[Row]) -> String {
-    let follows = earlier.iter().find_map(|row| {
-        let cause = row.answer.causes.iter().find(|cause| answer.causes.contains(cause))?;
-        let is_sure = row.answer.causes.len() == 1 || answer.causes.len() == 1;
-        is_sure.then(|| format!("Follows from {}: {}.", row.picture, cause.words_and_file()))
-    });
-    let mut lines = answer.text.lines();
-    let first = lines.next().unwrap_or_default();
-    let starts = ["Not right. ", "As with other options: ", "error: "];
-    let start = starts.iter().find_map(|start| first.strip_prefix(start));
-    follows.unwrap_or_else(|| match answer.verdict {
-        Verdict::Right => lines.collect::<Vec<_>>().join(" "),
-        _ => start.unwrap_or(first).to_owned(),
-    })
+impl OwnReport {
+    /// The exit code of the program: 2 if a picture is missing or unreadable or none is there, 1
+    /// if one that counts isn't right, else 0.
+    pub fn exit_code(&self) -> u8 {
+        if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
+            2
+        } else {
+            (self.right_count() < self.own.most_points()).into()
+        }
+    }
+
+    /// The report for a terminal: a row for each picture.
+    pub fn to_table(&self) -> String {
+        let Self { own } = self;
+        let beside = own.not_looked_at.clause();
+        let beside = beside.map(|clause| clause + "\n").unwrap_or_default();
+        if own.pictures.is_empty() {
+            return format!("There are no pictures of the course here.\n{beside}");
+        }
+        let head = ["picture", "verdict", "feedback"].map(str::to_owned);
+        let rows = picture_rows(own)
+            .into_iter()
+            .map(|row| [row.picture.clone(), row.verdict.clone(), row.feedback_with_file()]);
+        let rows: Vec<_> = [head].into_iter().chain(rows).map(Vec::from).collect();
+        let count = format!("{} of {} are right.\n", self.right_count(), own.most_points());
+        align(&rows) + "\n" + &count + &beside
+    }
+
+    /// The report as JSON.
+    pub fn to_json(&self) -> String {
+        json::object([
+            ("pictures", pictures_json(&self.own)),
+            ("not_looked_at", not_looked_at_json(&self.own.not_looked_at)),
+        ])
+    }
+
+    fn right_count(&self) -> usize {
+        let counted = self.own.pictures.iter().filter(|picture| picture.counts);
+        let is_right = |file: &FileReport| file.feedback.verdict == Verdict::Right;
+        counted.filter(|one| !one.files.is_empty() && one.files.iter().all(is_right)).count()
+    }
 }
 
-/// The rows of a student, each with how many pictures are right.
-pub(crate) fn count_right(mut rows: Vec<Row>) -> Vec<Row> {
-    let counted = rows.iter().filter(|row| row.counts);
-    let right_count = counted.clone().filter(|row| row.is_right()).count();
-    let text = format!("{right_count} of {}", counted.count());
-    rows.iter_mut().for_each(|row| row.right.clone_from(&text));
-    rows
+/// What a table says of a file, or of a picture that is missing.
+struct PictureRow {
+    picture: String,
+    /// 1 or 0 in the first row of a picture that counts.
+    point: Option<u8>,
+    verdict: String,
+    feedback: String,
+    file: Option<String>,
+    /// Whether the picture has other files, too.
+    is_one_of_several: bool,
 }
 
-/// The answer made of the rows about all students: a table, or, for a spreadsheet, CSV; and JSON.
-///
-/// The verdict is right if all pictures are that count.
-pub(crate) fn report_answer(rows: &[Row], is_csv: bool) -> Answer {
-    let verdict = match rows.iter().filter(|row| row.counts).all(Row::is_right) {
-        _ if rows.iter().all(Row::is_missing) => Verdict::Missing,
-        true => Verdict::Right,
-        false => Verdict::NotRight,
+impl PictureRow {
+    /// The sentence, after the file if the picture has several, or if it isn't directly in the
+    /// student's folder: perhaps that holds several students.
+    fn feedback_with_file(&self) -> String {
+        let file = self.file.as_deref();
+        let file = file.filter(|file| self.is_one_of_several || file.contains('/'));
+        let parts = [file.unwrap_or_default(), &self.feedback];
+        let parts = parts.into_iter().filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join(": ")
+    }
+}
+
+/// A row for each file of a student's pictures.
+fn picture_rows(student: &StudentReport) -> Vec<PictureRow> {
+    student.pictures.iter().flat_map(rows_of_picture).collect()
+}
+
+fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
+    let point = picture.counts.then(|| picture.has_point().into());
+    let name = picture.picture.to_owned();
+    if picture.files.is_empty() {
+        return vec![PictureRow {
+            picture: name,
+            point,
+            verdict: Verdict::Missing.words().to_owned(),
+            feedback: String::new(),
+            file: None,
+            is_one_of_several: false,
+        }];
+    }
+    let row = |(k, file): (usize, &FileReport)| PictureRow {
+        picture: name.clone(),
+        point: point.filter(|_| k == 0),
+        verdict: file.feedback.verdict.words().to_owned(),
+        feedback: file.feedback.sentence.clone(),
+        file: Some(file.printable_path.clone()),
+        is_one_of_several: picture.files.len() > 1,
     };
-    let text = if is_csv { format_csv(rows) } else { format_table(rows) };
-    Answer { report: Some(format_json(rows)), ..Answer::new(verdict, text) }
+    picture.files.iter().enumerate().map(row).collect()
 }
 
-const COLUMNS: [&str; 7] =
-    ["student", "right", "picture", "verdict", "feedback", "found", "counts"];
-
-/// The first five columns of the rows, with each student's name once.
-fn format_table(rows: &[Row]) -> String {
-    let mut last = "";
-    let cells = rows.iter().map(|row| {
-        let [student, right, cells @ .., _, _] = row.cells();
-        let is_new = last != student;
-        last = student;
-        let start = if is_new { [student, right] } else { [""; 2] };
-        let cells = start.into_iter().chain(cells);
-        cells.map(escape_for_terminal).collect::<Vec<_>>()
+fn pictures_json(student: &StudentReport) -> String {
+    let pictures = student.pictures.iter().map(|picture| {
+        let mut fields = vec![("picture", json::quote(picture.picture))];
+        if picture.counts {
+            fields.push(("point", u8::from(picture.has_point()).to_string()));
+        }
+        fields.push(("files", json::list(picture.files.iter().map(file_json))));
+        format!("\n    {}", json::object(fields))
     });
-    let head = COLUMNS[..5].iter().map(|&name| name.to_owned()).collect();
-    align(&iter::once(head).chain(cells).collect::<Vec<_>>())
+    json::list(pictures)
 }
 
-/// Rows of words in columns, each as wide as its longest word.
-pub(crate) fn align(rows: &[Vec<String>]) -> String {
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
-    let line = |row: &Vec<String>| {
-        let words = row.iter().zip(&widths).map(|(word, width)| format!("{word:width$}"));
-        words.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+fn file_json(file: &FileReport) -> String {
+    let fields = [
+        ("found", json::quote(&file.printable_path)),
+        ("feedback", json::quote(&file.feedback.sentence)),
+        ("verdict", json::quote(file.feedback.verdict.words())),
+    ];
+    let answer = file.answer.json_fields().into_iter().filter(|(name, _)| *name != "verdict");
+    format!("\n      {}", json::object(fields.into_iter().chain(answer)))
+}
+
+fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
+    let first = not_looked_at.first.iter().map(|one| json::quote(&one.to_string()));
+    json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
+}
+
+/// What a table says of a student as a whole.
+fn student_feedback(student: &StudentReport) -> String {
+    let notes = student.notes.iter().map(|note: &Note| note.words());
+    let clauses = notes.chain(student.not_looked_at.clause());
+    clauses.collect::<Vec<_>>().join("; ")
+}
+
+/// Whether something in a student's folder is missing, unreadable, not looked at or noted.
+fn needs_a_person(student: &StudentReport) -> bool {
+    !student.notes.is_empty()
+        || !student.not_looked_at.is_empty()
+        || has_missing_or_unreadable(student)
+}
+
+fn has_missing_or_unreadable(student: &StudentReport) -> bool {
+    let is_unreadable = |file: &FileReport| file.feedback.verdict == Verdict::Unreadable;
+    student.pictures.iter().any(|one| one.files.is_empty() || one.files.iter().any(is_unreadable))
+}
+
+/// A line of CSV.
+#[derive(Default)]
+struct CsvRow {
+    student: String,
+    /// The points of a student, and how many there could be.
+    points: Option<usize>,
+    most_points: Option<usize>,
+    picture: String,
+    /// The point of a picture.
+    point: Option<u8>,
+    verdict: String,
+    feedback: String,
+    file: String,
+}
+
+impl CsvRow {
+    fn to_line(&self) -> String {
+        let number = |number: Option<usize>| number.map(|one| one.to_string()).unwrap_or_default();
+        let cells = [
+            text_cell(&self.student),
+            number(self.points),
+            number(self.most_points),
+            text_cell(&self.picture),
+            number(self.point.map(usize::from)),
+            text_cell(&self.verdict),
+            text_cell(&self.feedback),
+            text_cell(&self.file),
+        ];
+        cells.join(",") + "\n"
+    }
+}
+
+/// A cell of text in quotes. What a spreadsheet could take for a formula gets a `'` in front.
+fn text_cell(text: &str) -> String {
+    let is_invisible = |c: char| {
+        c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')
     };
-    rows.iter().map(line).collect()
-}
-
-/// The rows below their head, after a mark by which a spreadsheet knows UTF-8.
-fn format_csv(rows: &[Row]) -> String {
-    let lines = rows.iter().map(|row| row.cells().map(csv_cell).join(","));
-    let lines = iter::once(COLUMNS.join(",")).chain(lines);
-    format!("\u{feff}{}", lines.map(|line| line + "\r\n").collect::<String>())
-}
-
-/// A cell in quotes, with a `'` before what a spreadsheet would compute.
-fn csv_cell(text: &str) -> String {
-    let mark = if text.starts_with(['=', '+', '-', '@']) { "'" } else { "" };
+    let first = text.chars().find(|c| !is_invisible(*c));
+    let is_formula =
+        first.is_some_and(|c| "=+-@＝＋－＠".contains(c)) || text.starts_with(['\t', '\r', '\n']);
+    let mark = if is_formula { "'" } else { "" };
     format!("\"{mark}{}\"", text.replace('"', "\"\""))
 }
 
-/// The rows as a list of objects, with the fields of each answer.
-fn format_json(rows: &[Row]) -> String {
-    let object = |row: &Row| {
-        let cells = iter::zip(COLUMNS, row.cells()).filter(|(_, cell)| !cell.is_empty());
-        let cells = cells.map(|(name, cell)| (name, json::quote(cell)));
-        let fields = row.answer.json_fields().into_iter().skip(1);
-        format!("\n  {}", json::object(cells.chain(fields.filter(|_| !row.picture.is_empty()))))
-    };
-    json::list(rows.iter().map(object))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_that_may_be_formulas_are_marked() {
+        for text in ["=1", "+1", "-1", "@A", "\t=1", "\r\n=1", "\ttext", " =1", "＝1", "＠A"] {
+            assert_eq!(text_cell(text), format!("\"'{text}\""), "{text:?}");
+        }
+        for text in ["", "a=1", "−1", "1", "(+1)"] {
+            assert_eq!(text_cell(text), format!("\"{text}\""), "{text:?}");
+        }
+        assert_eq!(text_cell("say \"hi\""), "\"say \"\"hi\"\"\"");
+    }
 }

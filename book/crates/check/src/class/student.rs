@@ -1,120 +1,162 @@
-use crate::class::found_file::{FoundFile, picture_in_name};
-use std::collections::{BTreeMap, BTreeSet};
-use unicode_normalization::UnicodeNormalization;
+//! What one student has handed in, compared with the pictures of the course.
 
-/// A student, and the files that were handed in.
-pub(crate) struct Student {
-    /// The name to which the student's scene belongs.
+use crate::class::feedback::{Feedback, judge};
+use crate::class::folder::{Contents, FoundFile};
+use crate::class::not_looked_at::{NotLookedAt, SkipReason};
+use crate::{Answer, check_png, escape_for_terminal, find_name_in_file_name, read_bounded_file};
+use course::{locked_names, read_locked_picture};
+
+/// The most files of one picture that are looked at.
+const MOST_FILES_OF_PICTURE: usize = 8;
+
+/// What is known of a student's folder.
+pub(crate) struct StudentReport {
+    /// The folder's name.
     pub name: String,
-    /// What the platform calls the student, which tells two of one name apart.
-    pub key: String,
-    /// Their paths begin below what belongs to the student.
-    pub files: Vec<FoundFile>,
+    pub pictures: Vec<PictureReport>,
+    pub notes: Vec<Note>,
+    pub not_looked_at: NotLookedAt,
 }
 
-/// The students of a class, by their names, and the files that are nobody's. A student's are in
-/// a folder or an archive, as Moodle and GitHub have it, or beside those of others with the
-/// student in their names, as Canvas has it, and Moodle, too, if it is asked for no folders.
-pub(crate) fn group_by_student(mut files: Vec<FoundFile>) -> (Vec<Student>, Vec<FoundFile>) {
-    while is_one_folder_too_deep(&files) {
-        for file in &mut files {
-            file.path = file.path.split_once('/').map_or("", |(_, rest)| rest).to_owned();
+/// What is known of one picture of a student.
+pub(crate) struct PictureReport {
+    /// The name of the picture.
+    pub picture: &'static str,
+    /// Whether the picture was asked for; all are if none was.
+    pub counts: bool,
+    /// The files of this name that were looked at, none if it's missing.
+    pub files: Vec<FileReport>,
+    /// How many files have this name.
+    pub file_count: usize,
+}
+
+/// What is known of one file.
+pub(crate) struct FileReport {
+    pub printable_path: String,
+    pub answer: Answer,
+    pub feedback: Feedback,
+}
+
+/// Something about a student's folder that a person should know.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Note {
+    NothingHandedIn,
+    NoFolder,
+    NotInList,
+    SameNameInOtherForm,
+    SeveralFiles { picture: &'static str, count: usize },
+}
+
+impl Note {
+    /// The note as a clause.
+    pub fn words(self) -> String {
+        match self {
+            Self::NothingHandedIn => "nothing was handed in".to_owned(),
+            Self::NoFolder => "no folder has this name".to_owned(),
+            Self::NotInList => "this name isn't in the list".to_owned(),
+            Self::SameNameInOtherForm => {
+                "another folder has this name, in another Unicode form".to_owned()
+            }
+            Self::SeveralFiles { picture, count } => format!("{count} files are named {picture}"),
         }
     }
-    let mut groups: BTreeMap<String, BTreeMap<String, Vec<FoundFile>>> = BTreeMap::new();
-    let mut stray = vec![];
-    for mut file in files {
-        let Some(((name, id), path)) = split_key(&file.path) else {
-            stray.push(file);
-            continue;
+}
+
+impl StudentReport {
+    /// The report on a name that no folder has.
+    pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
+        let missing = |picture: &&'static str| PictureReport {
+            picture,
+            counts: true,
+            files: vec![],
+            file_count: 0,
         };
-        // The student may be called as a picture is.
-        file.picture = picture_in_name(&path);
-        file.path = path;
-        groups.entry(name).or_default().entry(id).or_default().push(file);
-    }
-    let names: Vec<_> = groups.keys().cloned().collect();
-    let prefix = common_prefix(&names);
-    let students = groups.into_iter().flat_map(|(name, ids)| {
-        let name = normalize_name(&name[prefix..]);
-        let is_shared = 1 < ids.len();
-        ids.into_iter().map(move |(id, files)| {
-            let key = if is_shared { format!("{name}_{id}") } else { name.clone() };
-            Student { name: without_number(&name).to_owned(), key, files }
-        })
-    });
-    (students.collect(), stray)
-}
-
-/// A name with each letter as one character: a Mac writes "ü" as two in the names of files. In a
-/// browser, the page does that.
-pub fn normalize_name(name: &str) -> String {
-    name.nfc().collect()
-}
-
-/// Gives students the names in a list that have the same letters in any order, as Canvas joins
-/// them; adds those of the list who have handed in nothing.
-pub(crate) fn add_names(students: &mut Vec<Student>, names: &[String]) {
-    let letters = |name: &str| {
-        let letters = name.chars().flat_map(char::to_lowercase).filter(|c| c.is_alphanumeric());
-        let mut letters: Vec<_> = letters.collect();
-        letters.sort_unstable();
-        letters
-    };
-    for name in names {
-        let sorted = letters(name);
-        let same = students.iter_mut().filter(|student| letters(&student.name) == sorted);
-        let count = same.map(|student| student.name.clone_from(name)).count();
-        if count == 0 {
-            students.push(Student { name: name.clone(), key: name.clone(), files: vec![] });
+        Self {
+            name: escape_for_terminal(name),
+            pictures: required.iter().map(missing).collect(),
+            notes: vec![Note::NoFolder],
+            not_looked_at: NotLookedAt::default(),
         }
     }
-}
 
-/// Whether all files are in one folder, and there are those of several students.
-fn is_one_folder_too_deep(files: &[FoundFile]) -> bool {
-    let split = files.iter().map(|file| file.path.split_once('/'));
-    let Some(split) = split.collect::<Option<Vec<_>>>() else { return false };
-    let keys = split.iter().map(|(_, rest)| Some(split_key(rest)?.0));
-    let keys = keys.collect::<Option<BTreeSet<_>>>();
-    split.iter().all(|(folder, _)| *folder == split[0].0) && keys.is_some_and(|one| 1 < one.len())
-}
-
-/// Splits a path into what tells the student, a name and Canvas's user id, and the rest; None
-/// where nothing does.
-pub(crate) fn split_key(path: &str) -> Option<((String, String), String)> {
-    if let Some(split) = split_canvas_name(path) {
-        return Some(split);
+    /// How many points the pictures have that count.
+    pub fn points(&self) -> usize {
+        self.counted().filter(|picture| picture.has_point()).count()
     }
-    // Moodle makes a folder each for files and for what was typed, or puts all files into one.
-    let (folder, rest) = path.split_once('/').or_else(|| {
-        let (student, rest) = path.split_once("_assignsubmission_")?;
-        Some((student, rest.split_once('_')?.1))
-    })?;
-    let student = folder.split_once("_assignsubmission_").map(|(student, _)| student);
-    let student = student.or(folder.strip_suffix(".zip")).unwrap_or(folder);
-    Some(((student.to_owned(), String::new()), rest.to_owned()))
+
+    /// How many pictures count.
+    pub fn most_points(&self) -> usize {
+        self.counted().count()
+    }
+
+    fn counted(&self) -> impl Iterator<Item = &PictureReport> {
+        self.pictures.iter().filter(|picture| picture.counts)
+    }
 }
 
-/// Parts such as `lovelaceada`, `4711` and `my.png` of `lovelaceada_LATE_4711_99_my.png`.
-fn split_canvas_name(name: &str) -> Option<((String, String), String)> {
-    let (student, numbers_and_name) = name.split_once('_')?;
-    let numbers_and_name = numbers_and_name.strip_prefix("LATE_").unwrap_or(numbers_and_name);
-    let [user, file, name] = numbers_and_name.splitn(3, '_').collect::<Vec<_>>().try_into().ok()?;
-    let is_number = |text: &str| 1 < text.len() && text.bytes().all(|byte| byte.is_ascii_digit());
-    let is_split = !student.contains('/') && is_number(user) && is_number(file);
-    is_split.then(|| ((student.to_owned(), user.to_owned()), name.to_owned()))
+impl PictureReport {
+    /// Whether the picture has its point: each of its files has to deserve it.
+    pub fn has_point(&self) -> bool {
+        let deserving = self.files.iter().filter(|file| file.feedback.has_point());
+        self.file_count > 0 && deserving.count() == self.file_count
+    }
 }
 
-/// How many bytes the names have in common up to a `-`, as the repositories of one assignment do.
-fn common_prefix(names: &[String]) -> usize {
-    let [first, _, ..] = names else { return 0 };
-    let mut ends = first.rmatch_indices('-').map(|(k, _)| k + 1);
-    ends.find(|end| names.iter().all(|name| name.starts_with(&first[..*end]))).unwrap_or(0)
+/// Compares all files of a student's folder that have the name of a picture.
+pub(crate) fn check_student(
+    name: String,
+    contents: Contents,
+    required: &[&'static str],
+) -> StudentReport {
+    let Contents { files, mut not_looked_at } = contents;
+    let is_empty = files.is_empty() && not_looked_at.is_empty();
+    let named: Vec<_> = files.iter().map(|file| (file, picture_of_file(file))).collect();
+    for (file, _) in named.iter().filter(|(_, picture)| picture.is_none()) {
+        not_looked_at.add(file.printable_path.clone(), SkipReason::OtherName);
+    }
+    let mut pictures: Vec<PictureReport> = vec![];
+    let mut notes = vec![];
+    for picture in locked_names() {
+        let files = named.iter().filter(|(_, one)| *one == Some(picture)).map(|(file, _)| *file);
+        let files: Vec<_> = files.collect();
+        let is_required = required.contains(&picture);
+        if files.is_empty() && !is_required {
+            continue;
+        }
+        let (checked, beyond) = files.split_at(files.len().min(MOST_FILES_OF_PICTURE));
+        let reports = checked.iter().map(|file| check_file(file, picture, &pictures)).collect();
+        for file in beyond {
+            let path = file.printable_path.clone();
+            not_looked_at.add(path, SkipReason::TooManyFilesOfPicture);
+        }
+        if files.len() > 1 {
+            notes.push(Note::SeveralFiles { picture, count: files.len() });
+        }
+        let counts = is_required || required.is_empty();
+        let file_count = files.len();
+        pictures.push(PictureReport { picture, counts, files: reports, file_count });
+    }
+    if is_empty {
+        notes.push(Note::NothingHandedIn);
+    }
+    StudentReport { name, pictures, notes, not_looked_at }
 }
 
-/// The student's name: what a platform calls the student, without Moodle's number.
-fn without_number(key: &str) -> &str {
-    let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    key.rsplit_once('_').filter(|(_, number)| is_number(number)).map_or(key, |(name, _)| name)
+/// The picture whose name a file has, if it may have been meant as one.
+fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
+    let name = file.printable_name();
+    find_name_in_file_name(name, locked_names().into_iter()).filter(|_| file.may_be_picture())
+}
+
+/// Compares a file with the locked picture that it should be.
+fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
+    let bytes = read_bounded_file(&file.path);
+    let answer = match &bytes {
+        Ok(png) => check_png(png, file.printable_name(), Some(picture), read_locked_picture),
+        Err(why) => Answer::error(why),
+    };
+    let feedback = judge(&answer, &bytes.unwrap_or_default(), picture, earlier);
+    // The pictures that an answer compares aren't kept.
+    let answer = Answer { compared: None, ..answer };
+    FileReport { printable_path: file.printable_path.clone(), answer, feedback }
 }

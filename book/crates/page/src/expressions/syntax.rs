@@ -28,6 +28,10 @@ fn check_signs(text: &str) -> Checked<()> {
     if LENGTH < text.len() {
         return refuse(0..text.len(), "That's longer than a line should be.");
     }
+    let is_hidden = |sign: char| sign.is_control() && !"\n\t".contains(sign);
+    if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_hidden(*sign)) {
+        return refuse(at..at + sign.len_utf8(), "A control character is here, which nobody sees.");
+    }
     let is_unread = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
     if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unread(*sign)) {
         let sentence = format!(

@@ -41,6 +41,12 @@ fn too_long_text_is_refused() {
 }
 
 #[test]
+fn more_lines_than_there_are_places_are_not_drawn() {
+    let lines = ["normal p"; 1000].join("\u{1f}");
+    assert_eq!(page::answer(&format!("edit 640 {lines}"), &[]).text, "");
+}
+
+#[test]
 fn answer_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
@@ -49,6 +55,7 @@ fn answer_is_about_the_lines_and_no_others() {
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
         ("byte intensity + 0.5", "\"known\":\"\""),
         ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
+        ("normal p\u{7}", "\"line\":\"normal\",\"from\":1,\"to\":2"),
     ] {
         let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
         assert!(text.contains(words), "{lines}: {text}");

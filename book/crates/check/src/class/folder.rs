@@ -1,0 +1,200 @@
+//! The folders of a class, and the files in a student's. Links aren't followed, and a folder is
+//! read within bounds of its entries and of its depth.
+
+use crate::class::not_looked_at::{NotLookedAt, SkipReason};
+use crate::escape_for_terminal;
+use std::collections::VecDeque;
+use std::ffi::{OsStr, OsString};
+use std::fs::{self, DirEntry};
+use std::path::{Path, PathBuf};
+
+/// The most entries of a class's folder, and the most that a student's has with all below it.
+pub(crate) const MOST_ENTRIES: usize = 10_000;
+
+/// The most folders in each other, the student's own among them.
+const MOST_FOLDERS: usize = 8;
+
+/// Folders that Git and Cargo fill, and that hold nothing to look at.
+const TOOL_FOLDERS: [&str; 2] = [".git", "target"];
+
+/// Extensions of files that may have been meant as a picture.
+const PICTURE_EXTENSIONS: [&str; 14] = [
+    "png", "jpg", "jpeg", "jfif", "webp", "gif", "bmp", "ppm", "tif", "tiff", "heic", "avif",
+    "svg", "pdf",
+];
+
+/// The folder of a class.
+pub(crate) struct ClassFolder {
+    pub students: Vec<StudentFolder>,
+    /// What lies beside the students' folders.
+    pub not_looked_at: NotLookedAt,
+}
+
+/// A student's folder.
+pub(crate) struct StudentFolder {
+    pub name: OsString,
+    pub path: PathBuf,
+}
+
+/// What is in a student's folder.
+#[derive(Default)]
+pub(crate) struct Contents {
+    /// The files in it and below, those with fewest folders around them first.
+    pub files: Vec<FoundFile>,
+    pub not_looked_at: NotLookedAt,
+}
+
+/// A file in a student's folder.
+pub(crate) struct FoundFile {
+    pub path: PathBuf,
+    /// The path below the student's folder, for a table.
+    pub printable_path: String,
+}
+
+impl FoundFile {
+    /// The file's own name, for a table.
+    pub fn printable_name(&self) -> &str {
+        self.printable_path.rsplit('/').next().unwrap_or_default()
+    }
+
+    /// Whether the file may have been meant as a picture, by the end of its name.
+    pub fn may_be_picture(&self) -> bool {
+        let extension = self.path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        PICTURE_EXTENSIONS.contains(&&*extension)
+    }
+}
+
+/// Reads the folder of a class, in which each folder is a student's.
+pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
+    let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
+    for entry in read_top_folder(folder)? {
+        let (name, path, kind) = (entry.file_name(), entry.path(), entry.file_type());
+        let mut skip = |reason| class.not_looked_at.add(printable_name(&name), reason);
+        match kind {
+            Ok(kind) if kind.is_dir() => class.students.push(StudentFolder { name, path }),
+            Ok(kind) if kind.is_symlink() => skip(SkipReason::Link),
+            Ok(_) => skip(SkipReason::BesideFolders),
+            Err(_) => skip(SkipReason::Unreadable),
+        }
+    }
+    if class.students.is_empty() {
+        let folder = printable_name(folder.as_os_str());
+        let clause = class.not_looked_at.clause();
+        let clause = clause.map(|clause| format!("; {clause}")).unwrap_or_default();
+        return Err(format!("{folder} has no folders, one for each student{clause}"));
+    }
+    Ok(class)
+}
+
+/// Finds somebody's own pictures in a folder; what is below it isn't looked at.
+pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, String> {
+    let mut contents = Contents::default();
+    for entry in read_top_folder(folder)? {
+        let (path, printable_path) = (entry.path(), printable_name(&entry.file_name()));
+        let file = FoundFile { path, printable_path };
+        if file.may_be_picture() && !file.path.is_dir() {
+            contents.files.push(file);
+        }
+    }
+    Ok(contents)
+}
+
+/// A folder that is still to be read.
+struct UnreadFolder {
+    path: PathBuf,
+    /// The path below the student's folder, with a `/` at its end, or empty for that itself.
+    printable_path: String,
+    /// How many folders are around its files, the student's own among them.
+    depth: usize,
+}
+
+/// Finds the files in a student's folder and below, breadth first, so that the bound cuts off what
+/// lies deepest.
+pub(crate) fn find_files(student: &StudentFolder) -> Contents {
+    let Contents { mut files, mut not_looked_at } = Contents::default();
+    let mut entries_left = MOST_ENTRIES;
+    let top = student.path.clone();
+    let top = UnreadFolder { path: top, printable_path: String::new(), depth: 1 };
+    let mut unread = VecDeque::from([top]);
+    while let Some(folder) = unread.pop_front() {
+        let entries = match read_entries(&folder.path, entries_left) {
+            Ok(entries) => entries,
+            Err(reason) => {
+                let is_top = folder.printable_path.is_empty();
+                let name = if is_top { "the folder".to_owned() } else { folder.printable_path };
+                not_looked_at.add(name, reason);
+                continue;
+            }
+        };
+        entries_left -= entries.len();
+        for entry in entries {
+            let (path, name) = (entry.path(), entry.file_name());
+            let printable_path = format!("{}{}", folder.printable_path, printable_name(&name));
+            let is_tool_folder = TOOL_FOLDERS.iter().any(|tool| name == *tool);
+            match entry.file_type() {
+                Err(_) => not_looked_at.add(printable_path, SkipReason::Unreadable),
+                Ok(kind) if kind.is_symlink() => {
+                    not_looked_at.add(printable_path, SkipReason::Link);
+                }
+                Ok(kind) if !kind.is_dir() => files.push(FoundFile { path, printable_path }),
+                Ok(_) if is_tool_folder => {
+                    not_looked_at.add(printable_path + "/", SkipReason::ToolFolder);
+                }
+                Ok(_) if folder.depth == MOST_FOLDERS => {
+                    not_looked_at.add(printable_path + "/", SkipReason::TooDeep);
+                }
+                Ok(_) => {
+                    let (printable_path, depth) = (printable_path + "/", folder.depth + 1);
+                    unread.push_back(UnreadFolder { path, printable_path, depth });
+                }
+            }
+        }
+    }
+    Contents { files, not_looked_at }
+}
+
+/// The entries of the folder that somebody names.
+fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, String> {
+    let printable = printable_name(folder.as_os_str());
+    read_entries(folder, MOST_ENTRIES).map_err(|reason| match reason {
+        SkipReason::TooManyEntries => format!("{printable} has more than {MOST_ENTRIES} entries"),
+        _ => format!("{printable} is no folder that can be read"),
+    })
+}
+
+/// The entries of a folder in the order of their names. A folder with more than `most` isn't read
+/// in part, since which part would depend on the file system.
+fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason> {
+    let entries = fs::read_dir(folder).map_err(|_| SkipReason::Unreadable)?;
+    let entries: Result<Vec<_>, _> = entries.take(most + 1).collect();
+    let mut entries = entries.map_err(|_| SkipReason::Unreadable)?;
+    if entries.len() > most {
+        return Err(SkipReason::TooManyEntries);
+    }
+    entries.sort_by_key(DirEntry::file_name);
+    Ok(entries)
+}
+
+/// A name for a table, in which bytes that aren't UTF-8 are escaped, and so are characters that a
+/// terminal obeys.
+pub(crate) fn printable_name(name: &OsStr) -> String {
+    let mut printable = String::new();
+    for chunk in name.as_encoded_bytes().utf8_chunks() {
+        printable += &escape_for_terminal(chunk.valid());
+        printable.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
+    }
+    printable
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(unix)]
+    fn names_that_are_not_utf8_stay_apart() {
+        use std::os::unix::ffi::OsStrExt;
+        let names = [b"J\x94rg", b"J\x81rg"].map(|bytes| printable_name(OsStr::from_bytes(bytes)));
+        assert_eq!(names, ["J\\x94rg", "J\\x81rg"]);
+    }
+}

@@ -1,0 +1,79 @@
+//! A class's list of names, and which folders have them.
+
+use crate::class::folder::{MOST_ENTRIES, StudentFolder, printable_name};
+use crate::class::student::Note;
+use crate::read_bounded_file;
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+use unicode_normalization::UnicodeNormalization;
+
+/// The names in a list, one a line.
+pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
+    let printable = printable_name(list.as_os_str());
+    let text = String::from_utf8(read_bounded_file(list)?);
+    let text = text.map_err(|_| format!("{printable} is not in UTF-8"))?;
+    let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    let names: Vec<_> = names.filter(|name| !name.is_empty()).map(normalize_name).collect();
+    match names.len() {
+        0 => Err(format!("{printable} has no names, one a line")),
+        1..=MOST_ENTRIES => Ok(names),
+        _ => Err(format!("{printable} has more than {MOST_ENTRIES} names")),
+    }
+}
+
+/// A name with each letter as one character (NFC). macOS writes the "ü" in a file's name as two.
+pub fn normalize_name(name: &str) -> String {
+    name.nfc().collect()
+}
+
+/// The name of a student's folder in one Unicode form; None if it isn't UTF-8.
+fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
+    student.name.to_str().map(normalize_name)
+}
+
+/// The names that several folders have, in different Unicode forms.
+pub(crate) struct Doubles(HashSet<String>);
+
+impl Doubles {
+    pub fn new(students: &[StudentFolder]) -> Self {
+        let mut seen = HashSet::new();
+        let names = students.iter().filter_map(normalized_folder_name);
+        Self(names.filter(|name| !seen.insert(name.clone())).collect())
+    }
+
+    pub fn note(&self, student: &StudentFolder) -> Option<Note> {
+        let name = normalized_folder_name(student)?;
+        self.0.contains(&name).then_some(Note::SameNameInOtherForm)
+    }
+}
+
+/// A list of names, and which of them a folder has.
+pub(crate) struct NamedFolders<'a> {
+    names: &'a [String],
+    has_folder: HashMap<&'a str, bool>,
+}
+
+impl<'a> NamedFolders<'a> {
+    pub fn new(names: &'a [String], students: &[StudentFolder]) -> Self {
+        let mut has_folder: HashMap<_, _> = names.iter().map(|name| (&**name, false)).collect();
+        for name in students.iter().filter_map(normalized_folder_name) {
+            if let Some(has_folder) = has_folder.get_mut(&*name) {
+                *has_folder = true;
+            }
+        }
+        Self { names, has_folder }
+    }
+
+    /// Notes that the list doesn't have the name of this folder.
+    pub fn note(&self, student: &StudentFolder) -> Option<Note> {
+        let name = normalized_folder_name(student);
+        let is_listed = name.is_some_and(|name| self.has_folder.contains_key(&*name));
+        (!is_listed).then_some(Note::NotInList)
+    }
+
+    /// The names that no folder has, in the order of the list.
+    pub fn absent(&self) -> impl Iterator<Item = &'a str> {
+        let names = self.names.iter().map(|name| &**name);
+        names.filter(|name| !self.has_folder[name])
+    }
+}

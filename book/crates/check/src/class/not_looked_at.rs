@@ -1,0 +1,77 @@
+//! What in a folder isn't looked at, and why.
+
+use std::fmt::{self, Display, Formatter};
+
+/// The most names in a list, and the most in a clause.
+const MOST_LISTED: usize = 100;
+const MOST_IN_CLAUSE: usize = 8;
+
+/// What isn't looked at: the first of it, and how much it is in all.
+#[derive(Default)]
+pub(crate) struct NotLookedAt {
+    pub first: Vec<Skipped>,
+    pub count: usize,
+}
+
+/// Something that isn't looked at.
+pub(crate) struct Skipped {
+    pub printable_path: String,
+    pub reason: SkipReason,
+}
+
+/// Why something isn't looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SkipReason {
+    /// The name of a file isn't that of a picture.
+    OtherName,
+    /// A file lies beside the students' folders.
+    BesideFolders,
+    Link,
+    ToolFolder,
+    TooDeep,
+    TooManyEntries,
+    TooManyFilesOfPicture,
+    Unreadable,
+}
+
+impl NotLookedAt {
+    pub fn add(&mut self, printable_path: String, reason: SkipReason) {
+        self.count += 1;
+        if self.first.len() < MOST_LISTED {
+            self.first.push(Skipped { printable_path, reason });
+        }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// A clause with the first names, and how many more there are; None if there are none. What
+    /// has a reason comes first.
+    pub fn clause(&self) -> Option<String> {
+        let mut sorted: Vec<_> = self.first.iter().collect();
+        sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);
+        let mut names: Vec<_> = sorted.iter().map(ToString::to_string).collect();
+        names.truncate(MOST_IN_CLAUSE);
+        let more = self.count - names.len();
+        if more > 0 {
+            names.push(format!("{more} more"));
+        }
+        (!self.is_empty()).then(|| format!("not looked at: {}", names.join(", ")))
+    }
+}
+
+impl Display for Skipped {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        let reason = match self.reason {
+            SkipReason::OtherName | SkipReason::BesideFolders => "",
+            SkipReason::Link => " (a link)",
+            SkipReason::ToolFolder => " (a folder of Git or Cargo)",
+            SkipReason::TooDeep => " (in too many folders)",
+            SkipReason::TooManyEntries => " (too many files)",
+            SkipReason::TooManyFilesOfPicture => " (too many files of this picture)",
+            SkipReason::Unreadable => " (can't be read)",
+        };
+        write!(formatter, "{}{reason}", self.printable_path)
+    }
+}

@@ -1,0 +1,12 @@
+//! Text in columns.
+
+/// Rows of words in columns, each as wide as its longest word.
+pub(crate) fn align(rows: &[Vec<String>]) -> String {
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let words = row.iter().zip(&widths).map(|(word, width)| format!("{word:width$}"));
+        words.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}

@@ -1,0 +1,10 @@
+//! What must not go to a terminal as it is.
+
+/// Whether a terminal obeys a character, or the character changes the direction of the text.
+pub fn is_obeyed_by_terminals(c: char) -> bool {
+    let changes_direction = matches!(
+        c,
+        '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+    );
+    c.is_control() || changes_direction
+}
