@@ -58,8 +58,8 @@ fn refraction_obeys_snell_and_is_reversible() {
 #[test]
 fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
-    let material = &scene.objects[0].material;
-    let point = SurfacePoint { p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y, material };
+    let hit = Hit { t: 1.0, object: &scene.objects[0] };
+    let point = SurfacePoint { hit, p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y };
     // From within, upwards at an angle from the normal.
     let ray_at = |degrees: f64| {
         let direction = DVec3::Y.rotate_z(degrees.to_radians());
@@ -92,8 +92,8 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let last = mirror::colour(&scene, &ray, 0, mirror::OFFSET);
         assert_eq!(last, mirror::colour(&paint, &ray, 0, mirror::OFFSET), "{ray:?}");
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
-        let k = point.material.k;
-        if 0.0 < k {
+        let mirror::Mirror { material, k } = point.material();
+        if *k > 0.0 {
             // One mirror more: its own paint without highlights, and what the last one shows.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
@@ -101,20 +101,19 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
                 let q = light.point_light.position;
                 mirror::hidden(&scene.objects, &point, q, mirror::OFFSET)
             };
-            let SurfacePoint { p, n, material } = point;
-            let lit = SurfacePoint { p, n, material: &material.material };
-            let (l_a, lights) = (scene.ambient_light, &scene.lights);
-            let terms = mirror::shadowed_phong(&lit, &ray, l_a, lights, is_hidden);
+            let terms = mirror::shadowed_phong(&point, &ray, material, &scene, is_hidden);
             let own = (1.0 - k) * (terms.ambient + terms.diffuse) + terms.specular;
             let expected = own + k * mirror::colour(&scene, &mirrored, 0, mirror::OFFSET);
             let found = mirror::colour(&scene, &ray, 1, mirror::OFFSET);
             assert!(found.abs_diff_eq(expected, 1e-12), "{ray:?}");
             counts[0] += 1;
         }
-        if visible_point(&glasses.objects, &ray).is_some_and(|one| one.material.index.is_some()) {
+        if visible_point(&glasses.objects, &ray)
+            .is_some_and(|point| point.material().index.is_some())
+        {
             assert_eq!(glass::colour(&glasses, &ray, 0), DVec3::ZERO, "{ray:?}");
             counts[1] += 1;
         }
     }
-    assert!(counts.into_iter().all(|count| 100 < count), "{counts:?}");
+    assert!(counts.into_iter().all(|count| count > 100), "{counts:?}");
 }

@@ -16,8 +16,8 @@ pub fn noise(x: u32, y: u32) -> [f64; 2] {
     [h >> 32, h & 0xffff_ffff].map(|half| half as f64 / 2_f64.powi(32))
 }
 
-/// The ray through a random point of the sub-pixel whose centre is at (i, j). A pixel
-/// has `side` × `side` sub-pixels.
+/// The ray through a random point of the sub-pixel whose centre is at (i, j). A
+/// pixel has `side` × `side` sub-pixels.
 pub fn jittered(camera: &Camera, side: u32, i: f64, j: f64) -> Ray {
     let side = f64::from(side);
     // Column and row of the sub-pixel, counted over the whole picture.

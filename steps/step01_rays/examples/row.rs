@@ -9,8 +9,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row of `h_res` rays, of which the outermost enclose the angle `field_of_view`,
-    /// θ, in radians.
+    /// A row of `h_res` rays, of which the outermost enclose the angle
+    /// `field_of_view`, θ, in radians.
     pub fn new(h_res: u32, field_of_view: f64) -> Self {
         let tan = (field_of_view / 2.0).tan();
         let d = DVec2::new(2.0 * tan / f64::from(h_res - 1), 0.0);

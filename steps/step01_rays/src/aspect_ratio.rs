@@ -8,8 +8,8 @@ pub struct AspectRatio {
 }
 
 impl AspectRatio {
-    /// vRes, the number of rows that gives a picture of `h_res` columns this shape:
-    /// rounded, and at least 1.
+    /// vRes, the number of rows of a picture that has `h_res` columns and this
+    /// shape: rounded, and at least 1.
     pub fn v_res(&self, h_res: u32) -> u32 {
         (f64::from(h_res) * (self.height / self.width)).round().max(1.0) as u32
     }

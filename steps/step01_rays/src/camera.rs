@@ -1,7 +1,8 @@
 use crate::Ray;
 use glam::{DMat3, DVec3};
 
-/// A pinhole camera: the slide "A Basic 3D Camera Matrix", with its errors corrected.
+/// A pinhole camera: the slide "A Basic 3D Camera Matrix", with its errors
+/// corrected.
 /// ```
 /// let camera = step01_rays::Camera::new(3, 3, 90_f64.to_radians());
 /// assert_eq!(camera.ray(1.0, 1.0).direction, glam::DVec3::NEG_Z);
@@ -14,15 +15,17 @@ pub struct Camera {
     pub h_res: u32,
     /// vRes, the number of rows of the picture; at least 1.
     pub v_res: u32,
-    /// The matrix [D_u D_v V_0]. Its columns are D_u, the step to the next pixel on the
-    /// right, D_v, the step to the next one down, and V_0, the direction of pixel (0, 0).
+    /// The matrix [D_u D_v V_0]. Its columns are D_u, the step to the next pixel on
+    /// the right, D_v, the step to the next one down, and V_0, the direction of
+    /// pixel (0, 0).
     pub matrix: DMat3,
 }
 
 impl Camera {
-    /// A camera at the origin that looks along −z, with y up. Its pixels are square.
-    /// `field_of_view` is θ, the angle in radians between the rays through the centres
-    /// of the first and the last column. It has to be above 0 and below π.
+    /// A camera at the origin that looks along −z, with y up. Its pixels are
+    /// square. `field_of_view` is θ, the angle in radians between the rays through
+    /// the centres of the first and the last column. It has to be above 0 and below
+    /// π.
     /// # Panics
     /// If there are fewer than two columns, or no rows.
     pub fn new(h_res: u32, v_res: u32, field_of_view: f64) -> Self {
@@ -34,6 +37,7 @@ impl Camera {
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
+        // Pixels are square, so D_v is as long as D_u.
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);
         let matrix = DMat3::from_cols(d_u, d_v, v_0);
@@ -41,7 +45,8 @@ impl Camera {
     }
 
     /// The ray through column `i` and row `j`, V_ij = [D_u D_v V_0] (i, j, 1)ᵀ.
-    /// Whole numbers give the centres of pixels, and fractions the points around them.
+    /// Whole numbers give the centres of pixels, and fractions the points around
+    /// them.
     pub fn ray(&self, i: f64, j: f64) -> Ray {
         Ray { start: self.centre, direction: self.matrix * DVec3::new(i, j, 1.0) }
     }

@@ -6,19 +6,20 @@ use std::io::{Write, stdout};
 use std::path::Path;
 use std::{fs, process, time::Instant};
 
-/// The most pixels of a picture: 8192 columns in the shape 16:9, or as many otherwise.
+/// The most pixels that a picture may have: those of 8192×4608, in any shape.
 pub const MOST_PIXELS: u64 = 8192 * 4608;
 
 /// Draws one picture of the course and saves it as a PNG file.
-// Values may begin with a hyphen, so that `--width -5` is answered with the range that
-// is allowed. Without that, clap would take the -5 for an option.
+// With `allow_hyphen_values`, the error for `--width -5` says which range is
+// allowed. Otherwise, clap would take the -5 for an unknown option.
 #[derive(Parser)]
 struct Options {
     /// Columns of the picture, hRes: 2 to 8192
     #[arg(long, default_value = "640", allow_hyphen_values = true)]
     #[arg(value_parser = value_parser!(u32).range(2..=8192))]
     width: u32,
-    /// Shape of the picture, W:H, such as 4:3 or 2.35:1; at most 4 times as high as wide
+    /// Shape of the picture, W:H, such as 4:3 or 2.35:1; at most 4 times as high as
+    /// wide
     #[arg(long, default_value = "16:9", allow_hyphen_values = true)]
     #[arg(value_parser = aspect_ratio)]
     aspect: AspectRatio,
@@ -56,8 +57,9 @@ fn png_name(text: &str) -> Result<String, &'static str> {
     if is_png { Ok(text.into()) } else { Err("must be a name that ends in .png") }
 }
 
-/// What the program of a step or an exercise does: reads the options, draws `picture`,
-/// and saves it as `name`.png, or where `--output` says. Any error ends the program.
+/// What the program of a step or an exercise does: reads the options, draws
+/// `picture`, and saves it as `name`.png, or where `--output` says. Any error ends
+/// the program.
 pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let Options { width, aspect, fov, samples, output } = Options::parse();
     let file = output.unwrap_or_else(|| format!("{name}.png"));
@@ -65,12 +67,13 @@ pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         let message = format!(
             "--width {width} with this --aspect makes {width}×{height} pixels; \
-             8192×4608, or as many in another shape, are the most"
+             allowed are at most as many as 8192×4608 has"
         );
         Options::command().error(ErrorKind::ValueValidation, message).exit();
     }
     let camera = Camera::new(width, height, fov.to_radians());
-    // rayon would start its threads by itself, and panic if it can't.
+    // Left to itself, rayon starts its threads when it needs them, and panics if it
+    // can't.
     let thread_pool = match ThreadPoolBuilder::new().build() {
         Ok(thread_pool) => thread_pool,
         Err(error) => exit_with(&format!("can't start threads: {error}")),

@@ -2,13 +2,14 @@ use crate::{Camera, Ray, draw_pixels, rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// Splits a pixel into `samples` × `samples` sub-pixels. Returns their centres, row by
-/// row, as offsets from the centre of the pixel: to the right and down, in pixels.
+/// Splits a pixel into `samples` × `samples` sub-pixels. Returns their centres, row
+/// by row, as offsets from the centre of the pixel: to the right and down, in
+/// pixels.
 /// # Panics
 /// If `samples` is 0, since a pixel without a ray has no colour.
 pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {
     assert!(samples > 0, "a pixel needs a ray");
-    // For one sample 0, for two −0.25 and 0.25.
+    // One sample has the offset 0, and two have −0.25 and 0.25.
     let offset = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
     let mut offsets = vec![];
     for row in 0..samples {
@@ -28,8 +29,8 @@ pub fn mean_colour(
     sum / offsets.len() as f64
 }
 
-/// Draws a picture. Each pixel is split into `samples` × `samples` sub-pixels, and gets
-/// the mean of the colours that the rays through their centres see.
+/// Draws a picture. Each pixel is split into `samples` × `samples` sub-pixels, and
+/// gets the mean of the colours that the rays through their centres see.
 /// ```
 /// let camera = step01_rays::Camera::new(4, 3, 1.0);
 /// let red = step01_rays::render(&camera, 1, |_ray| glam::DVec3::X);

@@ -30,8 +30,8 @@ impl Plane {
 pub const GROUND: Plane =
     Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
 
-/// The colour of the ground at the point `p`: squares of side 1, in two colours. The
-/// sphere stands in the middle of one.
+/// The colour of the ground at the point `p`: squares of side 1, in two colours.
+/// The sphere stands in the middle of one.
 fn checker(p: DVec3) -> DVec3 {
     let square = p.x.round() + p.z.round();
     if square.rem_euclid(2.0) == 0.0 {

@@ -24,7 +24,8 @@ impl Quadric {
         Self { squares: q, linear, constant: centre.dot(q * centre) + w }
     }
 
-    /// The a, b and c of at² + bt + c = 0. Its roots are where `ray` meets the quadric.
+    /// The a, b and c of at² + bt + c = 0. Its roots are where `ray` meets the
+    /// quadric.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let Self { squares: q, linear: u, constant: w } = *self;
         let (s, v) = (ray.start, ray.direction);

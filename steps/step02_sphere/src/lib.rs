@@ -1,7 +1,8 @@
 //! Step 2, stage 2 of the lecture "Ray Casting": where a ray meets a sphere.
 //!
-//! Where a [`Ray`] meets a [`Sphere`] is a quadratic equation, at² + bt + c = 0. The
-//! function [`quadratic`] finds its [`Roots`], and the smallest one above 0 is the hit.
+//! A [`Ray`] meets a [`Sphere`] at those t that solve a quadratic equation. The
+//! function [`quadratic`] finds them, as [`Roots`], and the smallest one above 0 is
+//! the hit.
 
 pub use step01_rays::{
     Camera, Ray, direction_colour, draw_and_save, draw_pixels, mean_colour, render,

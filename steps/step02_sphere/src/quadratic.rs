@@ -14,10 +14,11 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the two roots, and
-/// digits are lost. Careful libraries compute only the other root by this formula, and
-/// get that one from it, since the product of both is c/a. With 64 bits, the pictures of
-/// this course are the same either way.
+/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
+/// digits are lost. Careful libraries use the formula only for the root in which
+/// nothing cancels, t₁, and compute the other one as c/(a t₁), since the product of
+/// the roots is c/a. With 64 bits, the pictures of this course are the same either
+/// way.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
@@ -38,24 +39,24 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The type of `roots.into_iter().flatten()` below.
+    // The type of `up_to_two.into_iter().flatten()` below.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
     fn into_iter(self) -> Self::IntoIter {
-        let roots = match self {
+        let up_to_two = match self {
             Roots::Zero => [None, None],
             Roots::One(t) => [Some(t), None],
             Roots::Two(t, u) => [Some(t), Some(u)],
         };
-        roots.into_iter().flatten()
+        up_to_two.into_iter().flatten() // leaves out each None
     }
 }
 
 impl Roots {
-    /// The smallest root above 0: the t at which a ray first meets the surface.
-    /// A root below 0 is behind the start of the ray. A root of 0 is the start itself,
-    /// and doesn't count as a hit.
+    /// The smallest root above 0: the t at which a ray first meets the surface. A
+    /// root below 0 is behind the start of the ray. A root of 0 is the start
+    /// itself, and doesn't count as a hit.
     pub fn first_hit(self) -> Option<f64> {
         self.into_iter().find(|&t| t > 0.0)
     }

@@ -16,7 +16,7 @@ pub struct Hit<'a, M> {
 /// assert_eq!(nearest(&OBJECTS, &ray).unwrap().object.name, "golden sphere");
 /// ```
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>> {
-    // The nearest hit so far, once there is one.
+    // The nearest hit so far, or None as long as there is none.
     let mut best: Option<Hit<M>> = None;
     for object in objects {
         if let Some(t) = object.sphere.intersect(ray).first_hit()

@@ -1,5 +1,5 @@
-//! The scene of step 4 with a moon, and with shadows: a light counts only if nothing
-//! is in its way.
+//! The scene of step 4 with a moon, and with shadows: a light counts only if
+//! nothing is in its way.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -17,8 +17,8 @@ pub const OFFSET: f64 = 1e-9;
 
 /// Whether one of the `objects` is between `point` and a light at `q`.
 ///
-/// The ray starts `offset` above the surface. V leads from the start to the light, so
-/// the light is at t = 1.
+/// The ray starts `offset` above the surface. V leads from the start to the light,
+/// so the light is at t = 1.
 pub fn hidden<M>(
     objects: &[Object<M>],
     point: &SurfacePoint<M>,

@@ -1,4 +1,5 @@
-//! The snowman of step 3 at sunset, with a lantern: matte materials, and two lights.
+//! The snowman of step 3 at sunset, with a lantern: matte materials, and two
+//! lights.
 
 #[path = "../../step03_nearest/examples/my_scene.rs"]
 #[allow(dead_code, reason = "it is a program of its own, too")]

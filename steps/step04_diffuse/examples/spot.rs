@@ -21,7 +21,8 @@ pub struct SpotLight {
 }
 
 impl SpotLight {
-    /// The part of its light that goes along −l: 1 within `inner`, 0 beyond `outer`.
+    /// The part of its light that goes along −l: 1 within `inner`, 0 beyond
+    /// `outer`.
     pub fn cone(&self, l: DVec3) -> f64 {
         let (inner, outer) = (self.inner.cos(), self.outer.cos());
         let x = ((self.axis.dot(-l) - outer) / (inner - outer)).clamp(0.0, 1.0);

@@ -1,7 +1,7 @@
 //! Step 4, stage 3 of the lecture "Ray Casting": ambient and diffuse light.
 //!
-//! A ray sees a [`SurfacePoint`]. Its colour is the [`ambient`] light that it reflects,
-//! and the [`diffuse`] light of each [`PointLight`] in the [`Scene`].
+//! A ray sees a [`SurfacePoint`]. Its colour is the [`ambient`] light that it
+//! reflects, and the [`diffuse`] light of each [`PointLight`] in the [`Scene`].
 
 pub use step03_nearest::{
     Camera, Hit, OBJECTS, Object, Ray, Sphere, direction_colour, draw_and_save,

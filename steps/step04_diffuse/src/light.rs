@@ -16,8 +16,8 @@ pub struct Attenuation {
 }
 
 impl Attenuation {
-    /// a + bd + cd², by which light is divided at the distance `d`. The result has to
-    /// be above 0.
+    /// a + bd + cd², by which light is divided at the distance `d`. The result has
+    /// to be above 0.
     pub fn divisor(&self, d: f64) -> f64 {
         self.a + self.b * d + self.c * d * d
     }
@@ -35,8 +35,9 @@ pub struct PointLight {
 }
 
 impl PointLight {
-    /// The unit vector l from the point `p` to the light, and the distance d.
-    /// At the light itself there is no direction; glam then gives (1, 0, 0), and 0.
+    /// The unit vector l from the point `p` to the light, and the distance d. If
+    /// `p` is the light itself, there is no direction; glam then gives l = (1, 0,
+    /// 0) and d = 0.
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

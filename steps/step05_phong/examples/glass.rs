@@ -33,8 +33,8 @@ pub fn glasses(index: f64) -> Scene<Glass, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// `v`, of any length, bent by Snell's law where it meets a surface whose unit normal
-/// `n` faces it, or None if all of it is mirrored.
+/// `v`, of any length, bent by Snell's law where it meets a surface whose unit
+/// normal `n` faces it, or None if all of it is mirrored.
 ///
 /// `ratio` is η, the refractive index that the ray leaves over the one it enters.
 pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {

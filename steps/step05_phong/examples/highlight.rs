@@ -1,4 +1,5 @@
-//! The picture of step 4 with a first highlight, where a mirror would show the lamp.
+//! The picture of step 4 with a first highlight, where a mirror would show the
+//! lamp.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -7,7 +8,8 @@ use step05_phong::{
     Camera, WARM_LIGHT, draw_and_save, reflect, render, visible_point,
 };
 
-/// The picture: white where r is within 10° of the eye, and step 4's colour elsewhere.
+/// The picture: white where r is within 10° of the eye, and step 4's colour
+/// elsewhere.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     let limit = 10_f64.to_radians().cos();

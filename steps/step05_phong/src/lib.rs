@@ -2,20 +2,21 @@
 //!
 //! What the five crates offer, step by step:
 //!
-//! 1. A [`Camera`] gives the [`Ray`] of each pixel. [`render`] draws a function from rays
-//!    to colours; its parts are [`draw_pixels`], [`sub_pixel_offsets`], [`mean_colour`]
-//!    and [`rgb8`]. [`direction_colour`] is the sky. [`draw_and_save`] is the program
-//!    around a picture.
+//! 1. A [`Camera`] gives the [`Ray`] of each pixel. [`render`] draws a function from
+//!    rays to colours; its parts are [`draw_pixels`], [`sub_pixel_offsets`],
+//!    [`mean_colour`] and [`rgb8`]. [`direction_colour`] is the sky.
+//!    [`draw_and_save`] is the program around a picture.
 //! 2. A [`Sphere`] finds where a ray meets it.
-//! 3. [`nearest`] finds the first [`Hit`] among many objects. An [`Object`] is a sphere
-//!    with a material, and [`OBJECTS`] are the nine of the book.
+//! 3. [`nearest`] finds the first [`Hit`] among many objects. An [`Object`] is a
+//!    sphere with a material, and [`OBJECTS`] are the nine of the book.
 //! 4. [`visible_point`] finds the [`SurfacePoint`] that a ray sees. A [`Scene`] has
-//!    objects and lights. [`ambient`] and [`diffuse`] are the light on a [`Matte`]
-//!    material, from everywhere and from a [`PointLight`].
-//! 5. [`reflect`] and [`specular`] are the highlight of a [`Light`] on a [`Material`].
-//!    [`light_terms`] has all that one light brings to a point, and [`phong`] the sum
-//!    over all lights, in [`Terms`]. [`colour`] is what a ray sees of a scene, and
-//!    [`scene`] the scene of the book.
+//!    objects and lights. On a [`Matte`] material, [`ambient`] is the light from
+//!    everywhere, and [`diffuse`] the light from one [`PointLight`].
+//! 5. On a shiny [`Material`], [`specular`] is the highlight of one [`Light`], for
+//!    which [`reflect`] mirrors its direction. [`light_terms`] computes what one
+//!    light contributes at a point, and [`phong`] adds up all the lights; both
+//!    return [`Terms`]. [`colour`] is the colour that a ray sees, and [`scene`] the
+//!    scene of the book.
 
 pub use step04_diffuse::{
     AMBIENT_LIGHT, Attenuation, COOL_LIGHT, Camera, Hit, Matte, OBJECTS, Object,

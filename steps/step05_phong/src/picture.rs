@@ -11,7 +11,7 @@ pub fn terms(scene: &Scene<Material, Light>, ray: &Ray) -> Option<Terms> {
     Some(phong(&point, ray, scene.ambient_light, &scene.lights))
 }
 
-/// The colour that `ray` sees: the sum of the terms, or else that of the sky.
+/// The colour that `ray` sees: the sum of the terms, or else the colour of the sky.
 /// ```
 /// use step05_phong::{Camera, colour, render, scene};
 /// let camera = Camera::new(64, 36, 60_f64.to_radians());

@@ -4,8 +4,8 @@ use crate::{
 };
 use glam::DVec3;
 
-/// The scene of step 4, polished. Each object gets its R_s and its shininess, and each
-/// light its L_s.
+/// The scene of step 4, polished. Each object gets its R_s and its shininess, and
+/// each light its L_s.
 pub fn scene() -> Scene<Material, Light> {
     let [red, ground, golden, blue, green, teal, white, salmon, cream] = OBJECTS;
     Scene {

@@ -90,8 +90,8 @@ fn describe_causes(causes: &[Cause]) -> String {
     let start = match (is_listed, causes.len()) {
         (true, 1) => "A listed mistake gives",
         (true, _) => "Each of these listed mistakes gives",
-        (false, 1) => "This gives",
-        (false, _) => "Each of these gives",
+        (false, 1) => "A change gives",
+        (false, _) => "Each of these changes gives",
     };
     let words = causes.iter().map(Cause::words_and_file).collect();
     let mut words = join_first(words, MOST_CAUSES, "; ");
@@ -130,4 +130,25 @@ fn details(comparison: &Comparison, facts: &[String]) -> String {
         text += &format!("The tests by hand of {steps} may find it: {TESTS}\n");
     }
     text + &describe_wrong_pixel(comparison)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_all_causes_are_named_once() {
+        let cause = |words: &str, file: Option<&str>| Cause {
+            words: words.to_owned(),
+            step: None,
+            file: file.map(str::to_owned),
+            details: format!("Details of {words}.\n"),
+        };
+        let listed = ["a.rs", "b.rs", "a.rs", "c.rs", "b.rs", "c.rs"].into_iter().zip(1..);
+        let listed = listed.map(|(file, number)| cause(&format!("slip {number}"), Some(file)));
+        let listed: Vec<_> = listed.collect();
+        let number = cause("another number", None);
+        let all = [&listed[..], &listed[..1], &[number.clone()], &[listed[0].clone(), number], &[]];
+        insta::assert_snapshot!(all.map(describe_causes).join("\n"));
+    }
 }

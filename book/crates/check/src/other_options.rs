@@ -21,6 +21,11 @@ const PROBES: usize = 200;
 /// How far rounding may move an intensity of the sky, in parts of a byte.
 const ROUNDING: f64 = 1e-6;
 
+/// How far the mean of a pixel of one object may be from its centre, in bytes, and the least
+/// columns of a picture of which that is so.
+const OBJECT_TOLERANCE: f64 = 64.0;
+const COARSE_COLUMNS: u32 = 64;
+
 /// The options of a picture that a right program draws with them.
 pub(crate) struct Options {
     size: (u32, u32),
@@ -76,12 +81,12 @@ pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Option
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
-    let mut sky_probes: Vec<_> = border_places(size).take(PROBES).collect();
+    let mut border_probes: Vec<_> = border_places(size).take(PROBES).collect();
     let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
     for fov_degrees in plain_angles().chain(fine_angles(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let may_be_sky = |place: &_| may_be_sky(drawing, &camera, yours, *place);
-        if !probe_budget.all(&mut sky_probes, 1, may_be_sky) {
+        let may_be_right = |place: &_| may_be_right(drawing, &camera, yours, *place);
+        if !probe_budget.all(&mut border_probes, 1, may_be_right) {
             continue;
         }
         for (samples, offsets) in (1..).zip(&all_offsets) {
@@ -148,16 +153,22 @@ fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel has the colour of the sky; true where it would show an object as well. The sky
-/// is linear, so that its mean over a pixel is that of the centre, whatever the samples are.
-fn may_be_sky(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
+/// Whether a pixel may be right, whatever the samples are. The sky is linear, so that its mean over
+/// a pixel is that of the centre. Within one object, the mean is near to that, if pixels are small.
+fn may_be_right(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
-    let intensity = drawing.colour(&camera.ray(x, y)).to_array();
-    let is_equal = |k: usize| {
-        let exact_byte = (255.0 * intensity[k]).clamp(0.0, 255.0);
-        (exact_byte - f64::from(yours.get_pixel(i, j)[k])).abs() < 0.5 + ROUNDING
+    let seen_at = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
+    let (intensity, seen) = (drawing.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
+    let tolerance = match seen {
+        None => 0.5 + ROUNDING,
+        Some(_) => OBJECT_TOLERANCE,
     };
-    let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5), (0.0, 0.0)];
-    let sees_object = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).is_some();
-    (0..3).all(is_equal) || corners.into_iter().any(sees_object)
+    let is_near = |k: usize| {
+        let exact_byte = (255.0 * intensity[k]).clamp(0.0, 255.0);
+        (exact_byte - f64::from(yours.get_pixel(i, j)[k])).abs() < tolerance
+    };
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)];
+    let has_edge = || corners.into_iter().any(|corner| seen_at(corner) != seen);
+    let is_coarse = seen.is_some() && camera.h_res < COARSE_COLUMNS;
+    (0..3).all(is_near) || is_coarse || has_edge()
 }

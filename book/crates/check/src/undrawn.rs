@@ -3,7 +3,7 @@
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The least pixels that count as undrawn.
+/// The least pixels that count as undrawn, or as a picture with a border.
 const LEAST_PIXELS: usize = 100;
 
 /// The most rectangles that a sentence names.
@@ -142,8 +142,9 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| 0 < *width).collect();
-        // A bar on one side alone is a rectangle, and may be a loop that ends too soon.
-        if bars.len() < 2 || !self.is_shape(is_border) {
+        // A bar on one side alone is a rectangle, and may be a loop that ends too soon; and a border
+        // is around something.
+        if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };

@@ -163,6 +163,16 @@ fn facts_of_small_pictures_are_as_locked() {
                 only_objects(|c| c.map(|b| if b < 60 && b % 8 == 0 { b / 2 } else { b })),
             ),
             (
+                "16 of the objects' bytes",
+                Phong,
+                only_objects(|c| c.map(|b| if (100..116).contains(&b) { b / 2 } else { b })),
+            ),
+            (
+                "15 of the objects' bytes",
+                Phong,
+                only_objects(|c| c.map(|b| if (100..115).contains(&b) { b / 2 } else { b })),
+            ),
+            (
                 "bright bytes fold",
                 Phong,
                 map_small(Phong, |_, _, c| {
@@ -307,6 +317,14 @@ fn shapes_of_undrawn_pixels_are_as_locked() {
         ("left and below", black(|i, j| i < 2 || j > 33)),
         ("a frame of one pixel", black(|i, j| i == 0 || j == 0 || i == 63 || j == 35)),
         ("a frame", white(|i, j| !(3..62).contains(&i) || !(1..31).contains(&j))),
+        (
+            "a frame around 100 pixels",
+            black(|i, j| !(10..20).contains(&i) || !(10..20).contains(&j)),
+        ),
+        (
+            "a frame around 99 pixels",
+            black(|i, j| !(10..21).contains(&i) || !(10..19).contains(&j)),
+        ),
         (
             "a frame with a spot",
             black(|i, j| !(3..62).contains(&i) || !(1..31).contains(&j) || (i, j) == (9, 9)),
