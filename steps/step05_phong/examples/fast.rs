@@ -69,8 +69,8 @@ trait Candidates {
     fn found(&self) -> &[Candidate];
     /// Returns true if there's no more to be found.
     fn is_complete(&self) -> bool;
-    /// Finds one more, or returns false.
-    fn find_more(&mut self) -> bool;
+    /// Finds a few more, unless the list is complete.
+    fn find_more(&mut self);
 }
 
 /// A list of which everything is known.
@@ -83,9 +83,7 @@ impl Candidates for &[Candidate] {
         true
     }
 
-    fn find_more(&mut self) -> bool {
-        false
-    }
+    fn find_more(&mut self) {}
 }
 
 /// Those candidates from a longer list that a pyramid doesn't miss.
@@ -123,21 +121,24 @@ impl<C: Candidates> Candidates for Sieve<C> {
         self.is_complete
     }
 
-    // Kept apart, it leaves the loops that call it short.
     #[cold]
     #[inline(never)]
-    fn find_more(&mut self) -> bool {
-        loop {
-            while let Some(sphere) = self.source.found().get(self.looked_at) {
-                self.looked_at += 1;
-                if !self.pyramid.misses(sphere) {
-                    self.found.push(*sphere);
-                    return true;
+    fn find_more(&mut self) {
+        // Twice as many, since whoever asks begins again with the first.
+        let enough = 2 * self.found.len() + 4;
+        while self.found.len() < enough {
+            match self.source.found().get(self.looked_at) {
+                Some(sphere) => {
+                    self.looked_at += 1;
+                    if !self.pyramid.misses(sphere) {
+                        self.found.push(*sphere);
+                    }
                 }
-            }
-            if self.source.is_complete() || !self.source.find_more() {
-                self.is_complete = true;
-                return false;
+                None if self.source.is_complete() => {
+                    self.is_complete = true;
+                    return;
+                }
+                None => self.source.find_more(),
             }
         }
     }
@@ -156,10 +157,7 @@ fn dot<S: Simd>(v: Vectors<S>, w: Vectors<S>) -> f64x8<S> {
 /// The method of `DVec3` of this name, eight times. What has no direction gets
 /// (1, 0, 0) and 0.
 #[inline(always)]
-fn normalize_and_length<S: Simd>(
-    simd: S,
-    v: Vectors<S>,
-) -> (Vectors<S>, f64x8<S>) {
+fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S>) {
     let splat = |x| simd.splat_f64x8(x);
     let mut length = dot(v, v).sqrt();
     let inverse = 1.0 / length;
@@ -210,46 +208,43 @@ struct Hits<S: Simd> {
 
 impl<S: Simd> Packet<S> {
     /// `nearest`, eight times. Among equal t, the first in the scene wins, as there.
+    /// Returns None if a candidate that isn't found yet may be nearer.
     #[inline(always)]
-    fn nearest(&self, candidates: &mut impl Candidates) -> Hits<S> {
+    fn nearest(&self, found: &[Candidate], is_complete: bool) -> Option<Hits<S>> {
         let &Self { simd, v, a, .. } = self;
         let splat = |x| simd.splat_f64x8(x);
         let zero = splat(0.0);
         let mut hits =
             Hits { t: splat(f64::INFINITY), index: splat(-1.0), tested: 0 };
         let mut farthest = f64::INFINITY;
-        loop {
-            for sphere in &candidates.found()[hits.tested..] {
-                // This one, and all after it, begin behind all eight hits.
-                if sphere.begin > farthest {
-                    return hits;
-                }
-                hits.tested += 1;
-                let s = sphere.s;
-                let b = 2.0 * (s.x * v[0] + s.y * v[1] + s.z * v[2]);
-                let d = b * b - 4.0 * a * sphere.c;
-                if d.simd_lt(zero).all_true() {
-                    continue;
-                }
-                // Below 0, D has a root that is not a number; no comparison holds.
-                let root = d.sqrt();
-                let mut t = (-b - root) / (2.0 * a);
-                if t.simd_le(zero).any_true() {
-                    t = t.simd_gt(zero).select(t, (-b + root) / (2.0 * a));
-                }
-                let index = splat(sphere.index as f64);
-                let wins_tie = t.simd_eq(hits.t) & index.simd_lt(hits.index);
-                let is_nearer = t.simd_gt(zero) & (t.simd_lt(hits.t) | wins_tie);
-                if is_nearer.any_true() {
-                    hits.t = is_nearer.select(t, hits.t);
-                    hits.index = is_nearer.select(index, hits.index);
-                    farthest = (hits.t * a.sqrt()).reduce_max();
-                }
+        for sphere in found {
+            // This one, and all after it, begin behind all eight hits.
+            if sphere.begin > farthest {
+                return Some(hits);
             }
-            if candidates.is_complete() || !candidates.find_more() {
-                return hits;
+            hits.tested += 1;
+            let s = sphere.s;
+            let b = 2.0 * (s.x * v[0] + s.y * v[1] + s.z * v[2]);
+            let d = b * b - 4.0 * a * sphere.c;
+            if d.simd_lt(zero).all_true() {
+                continue;
+            }
+            // Below 0, D has a root that is not a number; no comparison holds.
+            let root = d.sqrt();
+            let mut t = (-b - root) / (2.0 * a);
+            if t.simd_le(zero).any_true() {
+                t = t.simd_gt(zero).select(t, (-b + root) / (2.0 * a));
+            }
+            let index = splat(sphere.index as f64);
+            let wins_tie = t.simd_eq(hits.t) & index.simd_lt(hits.index);
+            let is_nearer = t.simd_gt(zero) & (t.simd_lt(hits.t) | wins_tie);
+            if is_nearer.any_true() {
+                hits.t = is_nearer.select(t, hits.t);
+                hits.index = is_nearer.select(index, hits.index);
+                farthest = (hits.t * a.sqrt()).reduce_max();
             }
         }
+        is_complete.then_some(hits)
     }
 
     /// The sum of `phong` at eight points of one object.
@@ -304,12 +299,12 @@ impl<S: Simd> Packet<S> {
     #[inline(always)]
     fn colour(
         &self,
-        candidates: &mut impl Candidates,
+        hits: &Hits<S>,
+        found: &[Candidate],
         scene: &Scene<Material, Light>,
     ) -> Vectors<S> {
-        let hits = self.nearest(candidates);
         let mut colour = self.sky();
-        for sphere in &candidates.found()[..hits.tested] {
+        for sphere in &found[..hits.tested] {
             let index = self.simd.splat_f64x8(sphere.index as f64);
             let is_seen = hits.index.simd_eq(index);
             if is_seen.any_true() {
@@ -425,8 +420,9 @@ impl<'a> View<'a> {
         let slack = 1e-12 * longest / shortest;
         let whole = view.pyramid(&view.rectangle());
         let objects = scene.objects.iter().enumerate();
-        let spheres = objects
-            .map(|(index, object)| Candidate::new(index, object, camera.centre, slack));
+        let spheres = objects.map(|(index, object)| {
+            Candidate::new(index, object, camera.centre, slack)
+        });
         view.candidates = spheres.filter(|sphere| !whole.misses(sphere)).collect();
         view.candidates
             .sort_unstable_by(|one, other| one.begin.total_cmp(&other.begin));
@@ -465,7 +461,8 @@ impl<'a> View<'a> {
         for tile in band.squares(TILE) {
             let in_tile = &mut in_block.source;
             in_tile.restart(self.pyramid(&tile));
-            if !in_tile.find_more() {
+            in_tile.find_more();
+            if in_tile.found().is_empty() {
                 self.draw_rectangle(simd, tile, top, bytes, &mut &[][..]);
                 continue;
             }
@@ -488,18 +485,24 @@ impl<'a> View<'a> {
     ) {
         let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.camera.matrix;
         let (start, width) = (self.camera.centre, self.camera.h_res as usize);
-        let eight: f64x8<S> = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].simd_into(simd);
-        let is_empty = !candidates.find_more();
+        let eight: f64x8<S> =
+            [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].simd_into(simd);
         for j in rows {
             for i in columns.clone().step_by(8) {
                 let mut sum = [simd.splat_f64x8(0.0); 3];
                 for (right, below) in &self.sub_pixels {
                     let (i, j) = (i as f64 + eight + *right, j as f64 + below);
-                    let v = from_fn(|k| x[k] * i + y[k] * j + z[k]);
-                    let packet = Packet { simd, start, v, a: dot(v, v) };
-                    let colour = match is_empty {
-                        true => packet.sky(),
-                        false => packet.colour(candidates, self.scene),
+                    let colour = loop {
+                        let v = from_fn(|k| x[k] * i + y[k] * j + z[k]);
+                        let packet = Packet { simd, start, v, a: dot(v, v) };
+                        let found = candidates.found();
+                        let hits = packet.nearest(found, candidates.is_complete());
+                        match hits {
+                            Some(hits) => {
+                                break packet.colour(&hits, found, self.scene);
+                            }
+                            None => candidates.find_more(),
+                        }
                     };
                     sum = from_fn(|k| sum[k] + colour[k]);
                 }
