@@ -88,6 +88,20 @@ fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
     });
 }
 
+// The ray through the middle meets both at t = 4, and the larger one begins no further away.
+#[test]
+fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
+    let mut scene = named_scene("touching");
+    scene.objects.truncate(2);
+    for (object, r) in scene.objects.iter_mut().zip([1.0, 2.0]) {
+        object.sphere = Sphere { centre: DVec3::new(0.0, 0.0, -4.0 - r), radius: r };
+    }
+    scene.objects[1].material.matte.ambient = DVec3::splat(0.5) - scene.objects[0].material.matte.ambient;
+    assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
+    scene.objects.reverse();
+    assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
+}
+
 // Where a light lies in a surface, there is no direction to it.
 #[test]
 fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {

@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use rayon::prelude::*;
-use std::{array::from_fn, ops::Range};
+use std::ops::Range;
 use step05_phong::{
     Camera, Light, Material, Object, Scene, ambient, run, scene, sub_pixels,
 };
@@ -149,6 +149,12 @@ impl<C: Candidates> Candidates for Sieve<C> {
 /// Eight vectors: the x of each, the y of each and the z of each.
 type Vectors<S> = [f64x8<S>; 3];
 
+/// Eight vectors by their axes, 0 to 2. `std::array::from_fn` isn't always inlined.
+#[inline(always)]
+fn vectors<S: Simd>(axis: impl Fn(usize) -> f64x8<S>) -> Vectors<S> {
+    [axis(0), axis(1), axis(2)]
+}
+
 #[inline(always)]
 fn dot<S: Simd>(v: Vectors<S>, w: Vectors<S>) -> f64x8<S> {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
@@ -161,12 +167,12 @@ fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S
     let splat = |x| simd.splat_f64x8(x);
     let mut length = dot(v, v).sqrt();
     let inverse = 1.0 / length;
-    let mut unit = from_fn(|k| v[k] * inverse);
+    let mut unit = vectors(|k| v[k] * inverse);
     let has_direction =
         inverse.simd_gt(splat(0.0)) & inverse.simd_lt(splat(f64::INFINITY));
     if has_direction.any_false() {
         let x_axis = [splat(1.0), splat(0.0), splat(0.0)];
-        unit = from_fn(|k| has_direction.select(unit[k], x_axis[k]));
+        unit = vectors(|k| has_direction.select(unit[k], x_axis[k]));
         length = has_direction.select(length, splat(0.0));
     }
     (unit, length)
@@ -259,12 +265,12 @@ impl<S: Simd> Packet<S> {
         let Object { sphere, material, .. } = object;
         let (r_d, r_s) = (material.matte.diffuse, material.specular);
         let zero = simd.splat_f64x8(0.0);
-        let p: Vectors<S> = from_fn(|k| start[k] + t * v[k]);
-        let n = from_fn(|k| (p[k] - sphere.centre[k]) / sphere.radius);
-        let eye = from_fn(|k| -(v[k] * (1.0 / a.sqrt())));
+        let p: Vectors<S> = vectors(|k| start[k] + t * v[k]);
+        let n = vectors(|k| (p[k] - sphere.centre[k]) / sphere.radius);
+        let eye = vectors(|k| -(v[k] * (1.0 / a.sqrt())));
         let (mut i_d, mut i_s) = ([zero; 3], [zero; 3]);
         for Light { point_light, specular } in &scene.lights {
-            let to_light = from_fn(|k| point_light.position[k] - p[k]);
+            let to_light = vectors(|k| point_light.position[k] - p[k]);
             let (l, d) = normalize_and_length(simd, to_light);
             let fade = point_light.attenuation;
             let fade = fade.a + fade.b * d + fade.c * d * d;
@@ -274,17 +280,17 @@ impl<S: Simd> Packet<S> {
             }
             let l_d = point_light.diffuse;
             let clamped = cosine.max_precise(0.0);
-            i_d = from_fn(|k| i_d[k] + r_d[k] / fade * clamped * l_d[k]);
-            let r_v = dot(from_fn(|k| 2.0 * cosine * n[k] - l[k]), eye);
+            i_d = vectors(|k| i_d[k] + r_d[k] / fade * clamped * l_d[k]);
+            let r_v = dot(vectors(|k| 2.0 * cosine * n[k] - l[k]), eye);
             let shines = cosine.simd_gt(zero) & r_v.simd_gt(zero);
             if shines.any_true() {
                 let power = power(simd, r_v, material.shininess);
                 let term = |k: usize| r_s[k] / fade * power * specular[k];
-                i_s = from_fn(|k| i_s[k] + shines.select(term(k), zero));
+                i_s = vectors(|k| i_s[k] + shines.select(term(k), zero));
             }
         }
         let i_a = ambient(&material.matte, scene.ambient_light);
-        from_fn(|k| i_a[k] + i_d[k] + i_s[k])
+        vectors(|k| i_a[k] + i_d[k] + i_s[k])
     }
 
     /// `direction_colour`, eight times.
@@ -309,7 +315,7 @@ impl<S: Simd> Packet<S> {
             let is_seen = hits.index.simd_eq(index);
             if is_seen.any_true() {
                 let lit = self.phong(hits.t, &scene.objects[sphere.index], scene);
-                colour = from_fn(|k| is_seen.select(lit[k], colour[k]));
+                colour = vectors(|k| is_seen.select(lit[k], colour[k]));
             }
         }
         colour
@@ -493,7 +499,7 @@ impl<'a> View<'a> {
                 for (right, below) in &self.sub_pixels {
                     let (i, j) = (i as f64 + eight + *right, j as f64 + below);
                     let colour = loop {
-                        let v = from_fn(|k| x[k] * i + y[k] * j + z[k]);
+                        let v = vectors(|k| x[k] * i + y[k] * j + z[k]);
                         let packet = Packet { simd, start, v, a: dot(v, v) };
                         let found = candidates.found();
                         let hits = packet.nearest(found, candidates.is_complete());
@@ -504,11 +510,11 @@ impl<'a> View<'a> {
                             None => candidates.find_more(),
                         }
                     };
-                    sum = from_fn(|k| sum[k] + colour[k]);
+                    sum = vectors(|k| sum[k] + colour[k]);
                 }
                 let count = self.sub_pixels.len() as f64;
                 if count > 1.0 {
-                    sum = from_fn(|k| sum[k] / count);
+                    sum = vectors(|k| sum[k] / count);
                 }
                 let first = 3 * ((j - top) * width + i);
                 let last = 3 * ((j - top) * width + columns.end.min(i + 8));
