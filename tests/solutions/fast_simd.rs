@@ -96,7 +96,8 @@ fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     for (object, r) in scene.objects.iter_mut().zip([1.0, 2.0]) {
         object.sphere = Sphere { centre: DVec3::new(0.0, 0.0, -4.0 - r), radius: r };
     }
-    scene.objects[1].material.matte.ambient = DVec3::splat(0.5) - scene.objects[0].material.matte.ambient;
+    scene.objects[1].material.matte.ambient =
+        DVec3::splat(0.5) - scene.objects[0].material.matte.ambient;
     assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
     scene.objects.reverse();
     assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);

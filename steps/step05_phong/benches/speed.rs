@@ -1,4 +1,4 @@
-//! How fast the picture is drawn, at 1920×1080: `cargo bench`. All of it takes some two
+//! How fast the picture is drawn, at 1920×1080: `cargo bench`. All of it takes about two
 //! minutes; `cargo bench -- fast` measures only `fast`.
 
 use divan::{Bencher, counter::ItemsCount};
