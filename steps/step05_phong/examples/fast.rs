@@ -184,9 +184,9 @@ fn power<S: Simd>(simd: S, mut x: f64x8<S>, mut n: i32) -> f64x8<S> {
     let mut product = simd.splat_f64x8(1.0);
     while n > 0 {
         if n % 2 == 1 {
-            product = product * x;
+            product *= x;
         }
-        x = x * x;
+        x *= x;
         n /= 2;
     }
     product
