@@ -3,18 +3,132 @@
 use super::fast::draw;
 use course::examples::look_at::look_at;
 use course::{camera_with_size, named_scene};
-use fearless_simd::Level;
-use glam::DVec3;
+use fearless_simd::{Level, Simd};
+use glam::{DMat3, DVec3};
 use std::env;
 use step05_phong::*;
 use tests::{RandomInputs, test_law};
 
-/// Fails unless `fast` draws the bytes of `render`, with the fewest and with the most instructions.
+/// Each set of instructions that this machine has, and none.
+fn levels() -> Vec<Level> {
+    let best = Level::new();
+    let mut levels = vec![Level::fallback(), Level::baseline(), best];
+    #[cfg(target_arch = "x86_64")]
+    {
+        levels.extend(best.as_sse4_2().map(Simd::level));
+        levels.extend(best.as_avx2().map(Simd::level));
+    }
+    levels
+}
+
+/// Fails unless `fast` draws the bytes of `render`, with each set of instructions.
 fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Light>) {
     let expected = render(camera, samples, |ray| colour(scene, ray));
-    for level in [Level::baseline(), Level::new()] {
-        assert!(draw(level, camera, samples, scene) == expected, "other bytes with {level:?}");
+    for level in levels() {
+        let image = draw(level, camera, samples, scene);
+        assert!(image == expected, "other bytes with {level:?}: {camera:?}, {samples}, {scene:?}");
     }
+}
+
+/// Spheres of all sizes and anywhere, a few of them twice, in up to four lights.
+fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
+    let mut scene = named_scene(&random.index(10_000).to_string());
+    let objects = scene.objects.clone();
+    let count = [0, 1, 5, 40, 300][random.index(5)];
+    scene.objects = (0..count)
+        .map(|k| {
+            let mut object = objects[k % objects.len()];
+            object.sphere.centre = random.number(0.1, 20.0) * random.unit_vector();
+            object.sphere.radius = 10_f64.powf(random.number(-3.0, 1.0));
+            object
+        })
+        .collect();
+    for _ in 0..random.index(4).min(count) {
+        let copied = scene.objects[random.index(count)];
+        let place = random.index(count);
+        scene.objects.insert(place, copied.with_material(objects[random.index(3)].material));
+    }
+    scene.lights = (0..random.index(5)).map(|k| scene.lights[k % scene.lights.len()]).collect();
+    for light in &mut scene.lights {
+        light.point_light.position = random.number(0.0, 9.0) * random.unit_vector();
+    }
+    scene
+}
+
+/// A camera with more columns than a tile has, of any angle and maybe mirrored.
+fn random_camera(random: &mut RandomInputs) -> Camera {
+    let angle = [0.001, 1.0, 60.0, 120.0, 179.0, 179.999][random.index(6)];
+    let size = (2 + random.index(80) as u32, 1 + random.index(70) as u32);
+    let camera = Camera::new(size.0, size.1, f64::to_radians(angle));
+    let mut camera = look_at(&camera, random.point(), DVec3::NEG_Z, random.number(-3.0, 3.0));
+    if random.index(3) == 0 {
+        camera.matrix = DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0)) * camera.matrix;
+    }
+    camera
+}
+
+#[test]
+fn fast_draws_the_bytes_of_render_for_any_scene() {
+    test_law(if env::var_os("THOROUGH").is_some() { 1000 } else { 30 }, |random| {
+        let (scene, camera) = (random_scene(random), random_camera(random));
+        assert_fast_draws(&camera, 1 + random.index(3) as u32, &scene);
+    });
+}
+
+#[test]
+fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
+    test_law(25, |random| {
+        let (scene, mut camera) = (random_scene(random), random_camera(random));
+        if let Some(object) = scene.objects.first() {
+            let away = [0.0, 0.3, 0.999_999, 1.0, 1.000_001][random.index(5)];
+            let offset = away * object.sphere.radius * random.unit_vector();
+            camera.centre = object.sphere.centre + offset;
+        }
+        assert_fast_draws(&camera, 1, &scene);
+    });
+}
+
+// The ray through the middle meets both at t = 4, and the larger one begins no further away.
+#[test]
+fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
+    let mut scene = named_scene("touching");
+    scene.objects.truncate(2);
+    for (object, r) in scene.objects.iter_mut().zip([1.0, 2.0]) {
+        object.sphere = Sphere { centre: DVec3::new(0.0, 0.0, -4.0 - r), radius: r };
+    }
+    scene.objects[1].material.matte.ambient =
+        DVec3::splat(0.5) - scene.objects[0].material.matte.ambient;
+    assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
+    scene.objects.reverse();
+    assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
+}
+
+// Where a light lies in a surface, there is no direction to it.
+#[test]
+fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
+    test_law(25, |random| {
+        let (mut scene, camera) = (random_scene(random), random_camera(random));
+        let ray = camera.ray(random.index(2) as f64, 0.0);
+        let point = visible_point(&scene.objects, &ray).map(|point| point.p);
+        for light in &mut scene.lights {
+            light.point_light.position = point.unwrap_or(DVec3::ZERO);
+        }
+        assert_fast_draws(&camera, 1, &scene);
+    });
+}
+
+// All rays of such a camera lie in one plane, or are the same.
+#[test]
+fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
+    test_law(15, |random| {
+        let (scene, mut camera) = (random_scene(random), random_camera(random));
+        match random.index(3) {
+            0 => camera.matrix.x_axis = DVec3::ZERO,
+            1 => camera.matrix.y_axis = camera.matrix.x_axis,
+            _ => camera.matrix.z_axis = 3.0 * camera.matrix.x_axis + camera.matrix.y_axis + 1e-12,
+        }
+        assert_fast_draws(&camera, 1, &scene);
+    });
 }
 
 #[test]

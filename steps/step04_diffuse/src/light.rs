@@ -35,9 +35,9 @@ pub struct PointLight {
 }
 
 impl PointLight {
-    /// The unit vector l from the point `p` to the light, and the distance d. If
-    /// `p` is the light itself, there is no direction; glam then gives l = (1, 0,
-    /// 0) and d = 0.
+    /// The unit vector l from the point `p` to the light, and the distance d.
+    /// If `p` is the light itself, there is no direction; glam then gives d = 0 and
+    /// l = (1, 0, 0).
     pub fn direction_from(&self, p: DVec3) -> (DVec3, f64) {
         (self.position - p).normalize_and_length()
     }

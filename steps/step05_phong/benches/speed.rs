@@ -1,4 +1,5 @@
-//! How fast the picture is drawn, at 1920×1080: `cargo bench`.
+//! How fast the picture is drawn, at 1920×1080: `cargo bench`. All of it takes about two
+//! minutes; `cargo bench -- fast` measures only `fast`.
 
 use divan::{Bencher, counter::ItemsCount};
 use glam::DVec3;
@@ -10,27 +11,23 @@ fn main() {
     divan::main();
 }
 
-/// A scene by its name, and the number of threads; 0 is all that there are.
-type Case = (&'static str, usize);
+/// A number of spheres in front of the camera; 5 of them have been placed by hand.
+const SIZES: [usize; 8] = [0, 1, 5, 100, 1000, 10_000, 100_000, 1_000_000];
 
-const CASES: [Case; 8] = [
-    ("locked scene", 1),
-    ("locked scene", 0),
-    ("5 spheres", 1),
-    ("5 spheres", 0),
-    ("100 spheres", 1),
-    ("100 spheres", 0),
-    ("1000 spheres", 1),
-    ("1000 spheres", 0),
-];
-
-/// Step 5 as it is.
-#[divan::bench(args = CASES, sample_count = 5)]
-fn clear(bencher: Bencher, case: Case) {
-    let draw = |camera: &Camera, scene: &Scene<Material, Light>| {
+/// Step 5 as it is, with as many spheres as don't take minutes.
+#[divan::bench(args = SIZES[..5].iter().copied(), sample_count = 3)]
+fn clear(bencher: Bencher, count: usize) {
+    measure(bencher, 1, lit(spheres(count)), |camera, scene| {
         render(camera, 1, |ray| colour(scene, ray))
-    };
-    measure(bencher, case, draw);
+    });
+}
+
+/// Step 5's own scene, on one thread, and on as many as there are.
+#[divan::bench(args = [1, 0], sample_count = 5)]
+fn clear_step05(bencher: Bencher, threads: usize) {
+    measure(bencher, threads, scene(), |camera, scene| {
+        render(camera, 1, |ray| colour(scene, ray))
+    });
 }
 
 /// The final picture as PNG bytes.
@@ -44,44 +41,49 @@ fn camera() -> Camera {
     Camera::new(1920, 1080, 60_f64.to_radians())
 }
 
+/// Measures `draw` on this number of threads; 0 is all that there are.
 fn measure(
     bencher: Bencher,
-    (name, threads): Case,
+    threads: usize,
+    scene: Scene<Material, Light>,
     draw: impl Fn(&Camera, &Scene<Material, Light>) -> RgbImage + Sync,
 ) {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("a pool of threads");
     let camera = camera();
-    let scene = match name {
-        "locked scene" => scene(),
-        "5 spheres" => lit(FIVE.into()),
-        "100 spheres" => lit(cube(100)),
-        _ => lit(cube(1000)),
-    };
     bencher
         .counter(ItemsCount::new(camera.h_res * camera.v_res))
         .bench(|| pool.install(|| draw(&camera, &scene)));
 }
 
-const FIVE: [Sphere; 5] = [
-    Sphere { centre: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 },
-    Sphere { centre: DVec3::new(-2.0, 0.25, -6.0), radius: 1.0 },
-    Sphere { centre: DVec3::new(1.75, -0.5, -4.5), radius: 0.5 },
-    Sphere { centre: DVec3::new(0.625, 1.125, -4.0), radius: 0.375 },
-    Sphere { centre: DVec3::new(0.0, -21.0, -8.0), radius: 20.0 },
-];
+fn spheres(count: usize) -> Vec<Sphere> {
+    let five = [
+        sphere([0.0, 0.0, -5.0], 1.0),
+        sphere([-2.0, 0.25, -6.0], 1.0),
+        sphere([1.75, -0.5, -4.5], 0.5),
+        sphere([0.625, 1.125, -4.0], 0.375),
+        sphere([0.0, -21.0, -8.0], 20.0),
+    ];
+    if count <= 5 { five[..count].into() } else { cloud(count, 0.06..0.38) }
+}
 
-/// This number of spheres, ten in a row and ten rows in a square, in front of the
-/// camera.
-fn cube(count: u32) -> Vec<Sphere> {
-    let place = |k: u32| {
-        DVec3::new((k % 10) as f64, (k / 10 % 10) as f64, (k / 100) as f64)
+fn sphere(centre: [f64; 3], radius: f64) -> Sphere {
+    Sphere { centre: DVec3::from_array(centre), radius }
+}
+
+/// Spheres anywhere in a box in front of the camera, and of any radius in a range.
+fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
+    // Numbers that look random: a multiplication and an addition, modulo 2⁶⁴.
+    let mut state = 1_u64;
+    let mut number = |from: f64, to: f64| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1);
+        from + (to - from) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
     };
-    let sphere = |k: u32| Sphere {
-        centre: place(k) - DVec3::new(4.5, 4.5, 18.0),
-        radius: 0.4,
+    let mut next = || {
+        let centre = [number(-6.0, 6.0), number(-3.5, 3.5), number(-14.0, -6.0)];
+        sphere(centre, number(radius.start, radius.end))
     };
-    (0..count).map(sphere).collect()
+    (0..count).map(|_| next()).collect()
 }
 
 /// The spheres, of the materials of the locked scene in turn, in one white light.
@@ -108,8 +110,27 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
 mod example;
 
 /// The same pictures, to the byte.
-#[divan::bench(args = CASES, sample_count = 5)]
-fn fast(bencher: Bencher, case: Case) {
+#[divan::bench(args = SIZES, sample_count = 9)]
+fn fast(bencher: Bencher, count: usize) {
+    measure_fast(bencher, 1, lit(spheres(count)));
+}
+
+/// Step 5's own scene, on one thread, and on as many as there are.
+#[divan::bench(args = [1, 0], sample_count = 9)]
+fn fast_step05(bencher: Bencher, threads: usize) {
+    measure_fast(bencher, threads, scene());
+}
+
+/// A million grains, between which a ray goes through nearly always, so that little
+/// hides what is behind it.
+#[divan::bench(sample_count = 3)]
+fn fast_grains(bencher: Bencher) {
+    measure_fast(bencher, 1, lit(cloud(1_000_000, 0.002..0.002)));
+}
+
+fn measure_fast(bencher: Bencher, threads: usize, scene: Scene<Material, Light>) {
     let level = fearless_simd::Level::new();
-    measure(bencher, case, |camera, scene| example::draw(level, camera, 1, scene));
+    measure(bencher, threads, scene, |camera, scene| {
+        example::draw(level, camera, 1, scene)
+    });
 }

@@ -1,217 +1,543 @@
-//! Any scene of step 5, fast: eight pixels side by side, and the same bytes.
+//! Any scene of step 5, fast: nearest spheres first, eight pixels at once, and the
+//! same bytes as `render` with `colour`.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
-use many::{Content, Tree};
 use rayon::prelude::*;
-use std::array::from_fn;
+use std::ops::Range;
 use step05_phong::{
     Camera, Light, Material, Object, Scene, ambient, draw_and_save, scene,
+    sub_pixel_offsets,
 };
 
-#[allow(dead_code)]
-#[path = "../../step03_nearest/examples/many.rs"]
-pub mod many;
+// 1. Which spheres a block of pixels may see, the nearest first.
 
-type Lit = Scene<Material, Light>;
+/// A sphere, with what all rays from the camera have in common.
+#[derive(Clone, Copy)]
+struct Candidate {
+    /// Its index among the objects of the scene.
+    index: usize,
+    /// S, the place of the camera, measured from the centre of the sphere.
+    s: DVec3,
+    /// c, the same for all rays.
+    c: f64,
+    /// The radius, and a margin.
+    reach: f64,
+    /// No ray meets the sphere nearer to the camera than this.
+    begin: f64,
+}
+
+impl Candidate {
+    /// The margins are for rounding errors, so that nothing is left out that the
+    /// computed a, b and c of a ray would hit. These errors change D / 4a by less
+    /// than 1e-14 (|s|² + r²). So the computed D may be positive for rays that pass
+    /// the sphere at a distance of √(r² + 1e-14 (|s|² + r²)), and √D may be wrong by
+    /// the root of this error, as if t |V| were off by 1e-7 (|s| + r). We allow for
+    /// at least ten times as much of both.
+    fn new(
+        index: usize,
+        object: &Object<Material>,
+        camera: DVec3,
+        slack: f64,
+    ) -> Self {
+        let (s, r) = (camera - object.sphere.centre, object.sphere.radius);
+        let (distance, c) = (s.length(), s.dot(s) - r * r);
+        let widened = (r * r + 1e-12 * (s.dot(s) + r * r)).sqrt();
+        let begin = (distance - r).abs() - 1e-6 * (distance + r);
+        // `max` also makes a number of what overflowed: such a sphere begins at 0.
+        let begin = begin.max(0.0);
+        Self { index, s, c, reach: widened + slack * (distance + widened), begin }
+    }
+}
+
+/// Four planes through the camera, the sides of the pyramid that a rectangle of
+/// pixels sees, by their unit normals, which point inwards.
+#[derive(Clone, Copy)]
+struct Pyramid([DVec3; 4]);
+
+impl Pyramid {
+    /// Returns true only if all of the sphere is on the outer side of a plane.
+    fn misses(&self, sphere: &Candidate) -> bool {
+        // The centre is at −s. What isn't a number is no reason to leave it out.
+        self.0.iter().any(|normal| normal.dot(sphere.s) > sphere.reach)
+    }
+}
+
+/// A list of candidates that begins with the nearest, and grows when it's asked to.
+trait Candidates {
+    /// Those found so far.
+    fn found(&self) -> &[Candidate];
+    /// Returns true if there's no more to be found.
+    fn is_complete(&self) -> bool;
+    /// Finds a few more, unless the list is complete.
+    fn find_more(&mut self);
+}
+
+/// A list of which everything is known.
+impl Candidates for &[Candidate] {
+    fn found(&self) -> &[Candidate] {
+        self
+    }
+
+    fn is_complete(&self) -> bool {
+        true
+    }
+
+    fn find_more(&mut self) {}
+}
+
+/// Those candidates from a longer list that a pyramid doesn't miss.
+struct Sieve<C> {
+    source: C,
+    /// The number of candidates of the source that have been looked at.
+    looked_at: usize,
+    pyramid: Pyramid,
+    found: Vec<Candidate>,
+    is_complete: bool,
+}
+
+impl<C: Candidates> Sieve<C> {
+    fn new(source: C, pyramid: Pyramid) -> Self {
+        Self { source, looked_at: 0, pyramid, found: vec![], is_complete: false }
+    }
+
+    /// Begins again, with another pyramid.
+    fn restart(&mut self, pyramid: Pyramid) {
+        self.pyramid = pyramid;
+        self.looked_at = 0;
+        self.found.clear();
+        self.is_complete = false;
+    }
+}
+
+impl<C: Candidates> Candidates for Sieve<C> {
+    #[inline(always)]
+    fn found(&self) -> &[Candidate] {
+        &self.found
+    }
+
+    #[inline(always)]
+    fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn find_more(&mut self) {
+        // Twice as many, since whoever asks begins again with the first.
+        let enough = 2 * self.found.len() + 4;
+        while self.found.len() < enough {
+            match self.source.found().get(self.looked_at) {
+                Some(sphere) => {
+                    self.looked_at += 1;
+                    if !self.pyramid.misses(sphere) {
+                        self.found.push(*sphere);
+                    }
+                }
+                None if self.source.is_complete() => {
+                    self.is_complete = true;
+                    return;
+                }
+                None => self.source.find_more(),
+            }
+        }
+    }
+}
+
+// 2. What eight rays see, by the operations of `colour` in the same order.
 
 /// Eight vectors: the x of each, the y of each and the z of each.
 type Vectors<S> = [f64x8<S>; 3];
+
+/// Eight vectors by their axes, 0 to 2. `std::array::from_fn` isn't always inlined.
+#[inline(always)]
+fn vectors<S: Simd>(axis: impl Fn(usize) -> f64x8<S>) -> Vectors<S> {
+    [axis(0), axis(1), axis(2)]
+}
 
 #[inline(always)]
 fn dot<S: Simd>(v: Vectors<S>, w: Vectors<S>) -> f64x8<S> {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
 }
 
+/// The method of `DVec3` of this name, eight times. What has no direction gets
+/// (1, 0, 0) and 0.
+#[inline(always)]
+fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S>) {
+    let splat = |x| simd.splat_f64x8(x);
+    let mut length = dot(v, v).sqrt();
+    let inverse = 1.0 / length;
+    let mut unit = vectors(|k| v[k] * inverse);
+    let has_direction =
+        inverse.simd_gt(splat(0.0)) & inverse.simd_lt(splat(f64::INFINITY));
+    if has_direction.any_false() {
+        let x_axis = [splat(1.0), splat(0.0), splat(0.0)];
+        unit = vectors(|k| has_direction.select(unit[k], x_axis[k]));
+        length = has_direction.select(length, splat(0.0));
+    }
+    (unit, length)
+}
+
 /// xⁿ, for n above 0, by the multiplications of `powi`.
 #[inline(always)]
-fn power<S: Simd>(mut x: f64x8<S>, mut n: i32, mut product: f64x8<S>) -> f64x8<S> {
-    while 0 < n {
-        product = if n % 2 == 1 { product * x } else { product };
-        (x, n) = (x * x, n / 2);
+fn power<S: Simd>(simd: S, mut x: f64x8<S>, mut n: i32) -> f64x8<S> {
+    let mut product = simd.splat_f64x8(1.0);
+    while n > 0 {
+        if n % 2 == 1 {
+            product *= x;
+        }
+        x *= x;
+        n /= 2;
     }
     product
 }
 
-/// Where in a row an object may be seen, and what all rays of the row share.
-struct Span {
-    object: usize,
-    first: f64,
-    last: f64,
-    s: DVec3,
-    c: f64,
+/// Eight rays that start at one point.
+struct Packet<S: Simd> {
+    simd: S,
+    start: DVec3,
+    /// Their directions V.
+    v: Vectors<S>,
+    /// The a of their quadratics, V·V.
+    a: f64x8<S>,
 }
 
-impl Span {
-    /// None where no ray from `start` along ui + w, for any i, meets the object.
-    fn new(o: &Object<usize>, start: DVec3, u: DVec3, w: DVec3) -> Option<Self> {
-        let (object, s, r) = (o.material, start - o.sphere.centre, o.sphere.radius);
-        let (c, size) = (s.dot(s) - r * r, s.dot(s) + r * r);
-        // D is 4(Ai² + 2Bi + C) in column i, but for rounding far below the margin.
-        let (su, sw, uu, ww) = (s.dot(u), s.dot(w), u.dot(u), w.dot(w));
-        let (a, b) = (su * su - uu * c, su * sw - u.dot(w) * c);
-        let d = b * b - a * (sw * sw - ww * c) + 1e-9 * uu * ww * size * size;
-        let [first, last] = match a < -1e-6 * uu * size {
-            true if d < 0.0 => return None,
-            true => [(-b + d.sqrt()) / a - 2.0, (-b - d.sqrt()) / a + 2.0],
-            false => [f64::NEG_INFINITY, f64::INFINITY],
-        };
-        Some(Self { object, first, last, s, c })
-    }
+/// Where eight rays first meet an object.
+struct Hits<S: Simd> {
+    /// The smallest t above 0; infinity for a miss.
+    t: f64x8<S>,
+    /// The index of the object there; −1 for a miss.
+    index: f64x8<S>,
+    /// The number of candidates that were tested. Those hit are among them.
+    tested: usize,
 }
 
-/// Eight rays from one point, the a of their quadratics, and what there is to see.
-struct Packet<'a, S: Simd>(S, DVec3, Vectors<S>, f64x8<S>, &'a Lit);
-
-impl<S: Simd> Packet<'_, S> {
-    /// The smallest t above 0 and the object there; infinity and −1 for a miss.
+impl<S: Simd> Packet<S> {
+    /// `nearest`, eight times. Among equal t, the first in the scene wins, as there.
+    /// Returns None if a candidate that isn't found yet may be nearer.
     #[inline(always)]
-    fn nearest(&self, near: &[&Span]) -> [f64x8<S>; 2] {
-        let &Self(simd, _, v, a, _) = self;
-        let zero = simd.splat_f64x8(0.0);
-        let mut nearest = [f64::INFINITY, -1.0].map(|x| simd.splat_f64x8(x));
-        for Span { object, s, c, .. } in near {
+    fn nearest(&self, found: &[Candidate], is_complete: bool) -> Option<Hits<S>> {
+        let &Self { simd, v, a, .. } = self;
+        let splat = |x| simd.splat_f64x8(x);
+        let zero = splat(0.0);
+        let mut hits =
+            Hits { t: splat(f64::INFINITY), index: splat(-1.0), tested: 0 };
+        let mut farthest = f64::INFINITY;
+        for sphere in found {
+            // This one, and all after it, begin behind all eight hits.
+            if sphere.begin > farthest {
+                return Some(hits);
+            }
+            hits.tested += 1;
+            let s = sphere.s;
             let b = 2.0 * (s.x * v[0] + s.y * v[1] + s.z * v[2]);
-            let d = b * b - 4.0 * a * *c;
+            let d = b * b - 4.0 * a * sphere.c;
             if d.simd_lt(zero).all_true() {
                 continue;
             }
-            // Below 0, D has a root that is not a number, and no comparison holds.
-            let mut t = (-b - d.sqrt()) / (2.0 * a);
+            // Below 0, D has a root that is not a number; no comparison holds.
+            let root = d.sqrt();
+            let mut t = (-b - root) / (2.0 * a);
             if t.simd_le(zero).any_true() {
-                t = t.simd_gt(zero).select(t, (-b + d.sqrt()) / (2.0 * a));
+                t = t.simd_gt(zero).select(t, (-b + root) / (2.0 * a));
             }
-            let is_nearer = t.simd_gt(zero) & t.simd_lt(nearest[0]);
-            let hit = [t, simd.splat_f64x8(*object as f64)];
-            nearest = from_fn(|k| is_nearer.select(hit[k], nearest[k]));
+            let index = splat(sphere.index as f64);
+            let wins_tie = t.simd_eq(hits.t) & index.simd_lt(hits.index);
+            let is_nearer = t.simd_gt(zero) & (t.simd_lt(hits.t) | wins_tie);
+            if is_nearer.any_true() {
+                hits.t = is_nearer.select(t, hits.t);
+                hits.index = is_nearer.select(index, hits.index);
+                farthest = (hits.t * a.sqrt()).reduce_max();
+            }
         }
-        nearest
+        is_complete.then_some(hits)
     }
 
-    /// The sum of `phong` at eight points of an object.
+    /// The sum of `phong` at eight points of one object.
     #[inline(always)]
-    fn phong(&self, t: f64x8<S>, object: usize) -> Vectors<S> {
-        let &Self(simd, start, v, a, scene) = self;
-        let Object { sphere, material, .. } = &scene.objects[object];
+    fn phong(
+        &self,
+        t: f64x8<S>,
+        object: &Object<Material>,
+        scene: &Scene<Material, Light>,
+    ) -> Vectors<S> {
+        let &Self { simd, start, v, a } = self;
+        let Object { sphere, material, .. } = object;
         let (r_d, r_s) = (material.matte.diffuse, material.specular);
-        let [zero, one] = [0.0, 1.0].map(|x| simd.splat_f64x8(x));
-        let p: Vectors<S> = from_fn(|k| start[k] + t * v[k]);
-        let n = from_fn(|k| (p[k] - sphere.centre[k]) / sphere.radius);
-        let eye = v.map(|v| -(v * (1.0 / a.sqrt())));
+        let zero = simd.splat_f64x8(0.0);
+        let p: Vectors<S> = vectors(|k| start[k] + t * v[k]);
+        let n = vectors(|k| (p[k] - sphere.centre[k]) / sphere.radius);
+        let eye = vectors(|k| -(v[k] * (1.0 / a.sqrt())));
         let (mut i_d, mut i_s) = ([zero; 3], [zero; 3]);
         for Light { point_light, specular } in &scene.lights {
-            let to_light = from_fn(|k| point_light.position[k] - p[k]);
-            let d = dot(to_light, to_light).sqrt();
-            let l = to_light.map(|x| x * (1.0 / d));
+            let to_light = vectors(|k| point_light.position[k] - p[k]);
+            let (l, d) = normalize_and_length(simd, to_light);
             let fade = point_light.attenuation;
             let fade = fade.a + fade.b * d + fade.c * d * d;
             let cosine = dot(l, n);
             if cosine.simd_le(zero).all_true() {
                 continue; // The terms of this light are 0.
             }
-            let max = cosine.max_precise(0.0);
-            i_d =
-                from_fn(|k| i_d[k] + r_d[k] / fade * max * point_light.diffuse[k]);
-            let r_v = dot(from_fn(|k| 2.0 * cosine * n[k] - l[k]), eye);
+            let l_d = point_light.diffuse;
+            let clamped = cosine.max_precise(0.0);
+            i_d = vectors(|k| i_d[k] + r_d[k] / fade * clamped * l_d[k]);
+            let r_v = dot(vectors(|k| 2.0 * cosine * n[k] - l[k]), eye);
             let shines = cosine.simd_gt(zero) & r_v.simd_gt(zero);
             if shines.any_true() {
-                let power = power(r_v, material.shininess, one);
+                let power = power(simd, r_v, material.shininess);
                 let term = |k: usize| r_s[k] / fade * power * specular[k];
-                i_s = from_fn(|k| i_s[k] + shines.select(term(k), zero));
+                i_s = vectors(|k| i_s[k] + shines.select(term(k), zero));
             }
         }
         let i_a = ambient(&material.matte, scene.ambient_light);
-        from_fn(|k| i_a[k] + i_d[k] + i_s[k])
+        vectors(|k| i_a[k] + i_d[k] + i_s[k])
     }
 
-    /// The sum of the terms, or else the direction, as `colour` has them.
+    /// `direction_colour`, eight times.
     #[inline(always)]
-    fn colour(&self, near: &[&Span]) -> Vectors<S> {
-        let &Self(simd, _, [x, y, z], ..) = self;
-        let mut colour = [x, y, -z].map(|v| 0.7 + 0.3 * v);
-        let [t, nearest] = self.nearest(near);
-        for Span { object, .. } in near {
-            let is_seen = nearest.simd_eq(simd.splat_f64x8(*object as f64));
+    fn sky(&self) -> Vectors<S> {
+        let [x, y, z] = self.v;
+        [0.7 + 0.3 * x, 0.7 + 0.3 * y, 0.7 + 0.3 * -z]
+    }
+
+    /// `colour`, eight times. It lights all eight for each object that one of them
+    /// sees, and keeps those that do.
+    #[inline(always)]
+    fn colour(
+        &self,
+        hits: &Hits<S>,
+        found: &[Candidate],
+        scene: &Scene<Material, Light>,
+    ) -> Vectors<S> {
+        let mut colour = self.sky();
+        for sphere in &found[..hits.tested] {
+            let index = self.simd.splat_f64x8(sphere.index as f64);
+            let is_seen = hits.index.simd_eq(index);
             if is_seen.any_true() {
-                let lit = self.phong(t, *object);
-                colour = from_fn(|k| is_seen.select(lit[k], colour[k]));
+                let lit = self.phong(hits.t, &scene.objects[sphere.index], scene);
+                colour = vectors(|k| is_seen.select(lit[k], colour[k]));
             }
         }
         colour
     }
 }
 
-/// The objects in boxes that the plane through `start` with this normal cuts.
-fn objects_cut<'a, M>(
-    tree: &Tree<'a, M>,
-    start: DVec3,
-    normal: DVec3,
-) -> Vec<&'a Object<M>> {
-    let normal = normal.normalize();
-    let (mut found, mut trees) = (vec![], vec![tree]);
-    while let Some(Tree { bounds, content }) = trees.pop() {
-        let to_middle = (bounds.low + bounds.high) / 2.0 - start;
-        let reach = normal.abs().dot(bounds.high - bounds.low) / 2.0;
-        // Rounding makes far less of a difference.
-        let reach = reach + 1e-6 * to_middle.length();
-        match content {
-            _ if reach < normal.dot(to_middle).abs() => {}
-            Content::Few(objects) => found.extend(*objects),
-            Content::Halves(halves) => trees.extend(halves.iter()),
-        }
+/// Writes eight colours as `rgb8` does, or only as many as there's room for.
+#[inline(always)]
+fn write_rgb8<S: Simd>(colours: Vectors<S>, pixels: &mut [u8]) {
+    let byte = |i: f64x8<S>| (255.0 * i + 0.5).max_precise(0.0).min(255.0).floor();
+    // The three bytes of a pixel as one number, then the six of two neighbours. An
+    // f64 holds whole numbers up to 2⁵³, and with 2⁵² added, its low bits are theirs.
+    let [r, g, b] = colours;
+    let pixel = byte(r) + 256.0 * byte(g) + 65536.0 * byte(b);
+    let (even, odd) = pixel.deinterleave(pixel);
+    let pairs = even + 16_777_216.0 * odd + 4_503_599_627_370_496.0;
+    let mut bytes = [0; 24];
+    for (six, pair) in bytes.chunks_exact_mut(6).zip(pairs.to_array()) {
+        six.copy_from_slice(&pair.to_bits().to_le_bytes()[..6]);
     }
-    found
+    if let Some(pixels) = pixels.first_chunk_mut() {
+        *pixels = bytes;
+    } else {
+        // At the right edge. A copy of a length that isn't known would cost more.
+        pixels.iter_mut().zip(bytes).for_each(|(pixel, byte)| *pixel = byte);
+    }
 }
 
-/// A camera, what it sees, the tree of that, and where in a pixel the rays go.
-type View<'a> = (&'a Camera, &'a Lit, &'a Tree<'a, usize>, &'a [f64]);
+// 3. The picture, in bands of rows, in tiles, in blocks.
 
-/// Draws row `j`, three bytes per pixel. Its rays, along xi + w, lie in one plane.
-#[inline(always)]
-fn draw_row<S: Simd>(simd: S, view: View, j: usize, row: &mut [u8]) {
-    let (camera, scene, tree, offsets) = view;
-    let DMat3 { x_axis: x, y_axis: y, z_axis: z } = camera.matrix;
-    let mut sums = vec![[simd.splat_f64x8(0.0); 3]; row.len().div_ceil(24)];
-    for j in offsets.iter().map(|v| j as f64 + v) {
-        let (start, w) = (camera.centre, y * j + z);
-        let objects = objects_cut(tree, start, w.cross(x)).into_iter();
-        let spans = objects.filter_map(|o| Span::new(o, start, x, w));
-        let (mut spans, mut near) = (spans.collect::<Vec<_>>(), vec![]);
-        spans.sort_by_key(|span| span.object);
-        for (packet, sum) in sums.iter_mut().enumerate() {
-            let i = 8.0 * packet as f64;
-            near.clear();
-            near.extend(spans.iter().filter(|s| s.first <= i + 8.0 && i <= s.last));
-            for u in offsets {
-                let i = f64x8::from_fn(simd, |k| i + k as f64 + u);
-                let v = from_fn(|k| x[k] * i + y[k] * j + z[k]);
-                let colour = Packet(simd, start, v, dot(v, v), scene).colour(&near);
-                *sum = from_fn(|k| sum[k] + colour[k]);
+/// The side of a block, in pixels. It's drawn with one list of candidates.
+const BLOCK: usize = 16;
+
+/// The side of a tile, and the height of a band; a multiple of the block's.
+const TILE: usize = 32;
+
+/// A part of the picture.
+#[derive(Clone)]
+struct Rectangle {
+    columns: Range<usize>,
+    rows: Range<usize>,
+}
+
+impl Rectangle {
+    /// Cuts it into squares, which are smaller at the right and at the bottom.
+    fn squares(self, side: usize) -> impl Iterator<Item = Self> {
+        let Self { columns, rows } = self;
+        rows.clone().step_by(side).flat_map(move |j| {
+            let (columns, rows) = (columns.clone(), j..rows.end.min(j + side));
+            columns.clone().step_by(side).map(move |i| Self {
+                columns: i..columns.end.min(i + side),
+                rows: rows.clone(),
+            })
+        })
+    }
+}
+
+/// All that the threads share.
+struct View<'a> {
+    camera: &'a Camera,
+    scene: &'a Scene<Material, Light>,
+    /// Where in a pixel its rays go.
+    sub_pixel_offsets: Vec<(f64, f64)>,
+    /// The spheres that the picture may show, from front to back.
+    candidates: Vec<Candidate>,
+    /// The normals of planes through the camera, each along the left edge of a
+    /// column of blocks, and the last along the right edge. They point to the right.
+    left_edges: Vec<DVec3>,
+    /// The same for the upper edges of the rows of blocks. They point down.
+    upper_edges: Vec<DVec3>,
+}
+
+impl<'a> View<'a> {
+    fn new(
+        camera: &'a Camera,
+        samples: u32,
+        scene: &'a Scene<Material, Light>,
+    ) -> Self {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = camera.matrix;
+        let edges = |count: u32| {
+            let blocks = count.div_ceil(BLOCK as u32);
+            (0..=blocks).map(|k| f64::from(k) * BLOCK as f64 - 0.5)
+        };
+        // The plane along column i has the directions xi + z and y. The determinant
+        // is below 0 in a picture that is mirrored, where the normal turns round.
+        let determinant = camera.matrix.determinant();
+        let sign = determinant.signum();
+        let left = |i: f64| sign * y.cross(x * i + z).normalize();
+        let upper = |j: f64| sign * (y * j + z).cross(x).normalize();
+        let mut view = Self {
+            camera,
+            scene,
+            sub_pixel_offsets: sub_pixel_offsets(samples),
+            candidates: vec![],
+            left_edges: edges(camera.h_res).map(left).collect(),
+            upper_edges: edges(camera.v_res).map(upper).collect(),
+        };
+        // V and the normals are rounded, too. The terms of V are at most as long as
+        // `longest`, and V itself is at least as long as `shortest`, the distance of
+        // the plane of all V from the camera, so an error of 1e-14 `longest` is an
+        // angle of 1e-14 `longest` / `shortest`. Again, there's room for more. In a
+        // picture without depth, that's infinite, and no sphere is left out.
+        let (right, down) = (x.length(), y.length());
+        let longest = f64::from(camera.h_res) * right
+            + f64::from(camera.v_res) * down
+            + z.length();
+        let shortest = determinant.abs() / (right * down);
+        let slack = 1e-12 * longest / shortest;
+        let whole = view.pyramid(&view.rectangle());
+        let objects = scene.objects.iter().enumerate();
+        let spheres = objects.map(|(index, object)| {
+            Candidate::new(index, object, camera.centre, slack)
+        });
+        view.candidates = spheres.filter(|sphere| !whole.misses(sphere)).collect();
+        view.candidates
+            .sort_unstable_by(|one, other| one.begin.total_cmp(&other.begin));
+        view
+    }
+
+    /// The whole picture.
+    fn rectangle(&self) -> Rectangle {
+        let (width, height) = (self.camera.h_res, self.camera.v_res);
+        Rectangle { columns: 0..width as usize, rows: 0..height as usize }
+    }
+
+    /// What the pixels of a rectangle see, whose left and upper edges are blocks'.
+    fn pyramid(&self, Rectangle { columns, rows }: &Rectangle) -> Pyramid {
+        Pyramid([
+            self.left_edges[columns.start / BLOCK],
+            -self.left_edges[columns.end.div_ceil(BLOCK)],
+            self.upper_edges[rows.start / BLOCK],
+            -self.upper_edges[rows.end.div_ceil(BLOCK)],
+        ])
+    }
+
+    /// Draws some whole rows, `top` and those below it, into their bytes.
+    ///
+    /// The lists of a band, of a tile in it and of a block in that are sieves, one
+    /// below the other. Each asks the one above only for as much as it's asked for,
+    /// so what is far behind a block's hits is never looked at.
+    #[inline(always)]
+    fn draw_band<S: Simd>(&self, simd: S, top: usize, bytes: &mut [u8]) {
+        let mut band = self.rectangle();
+        band.rows = top..top + bytes.len() / (3 * band.columns.end);
+        let pyramid = self.pyramid(&band);
+        let in_band = Sieve::new(&self.candidates[..], pyramid);
+        let in_tile = Sieve::new(in_band, pyramid);
+        let mut in_block = Sieve::new(in_tile, pyramid);
+        for tile in band.squares(TILE) {
+            let in_tile = &mut in_block.source;
+            in_tile.restart(self.pyramid(&tile));
+            in_tile.find_more();
+            if in_tile.found().is_empty() {
+                self.draw_rectangle(simd, tile, top, bytes, &mut &[][..]);
+                continue;
+            }
+            for block in tile.squares(BLOCK) {
+                in_block.restart(self.pyramid(&block));
+                self.draw_rectangle(simd, block, top, bytes, &mut in_block);
             }
         }
     }
-    let count = (offsets.len() * offsets.len()) as f64;
-    for (sum, pixels) in sums.iter().zip(row.chunks_mut(24)) {
-        let bytes = sum.map(|i| (255.0 * (i / count) + 0.5).max_precise(0.0));
-        let [r, g, b] = bytes.map(|byte| byte.min(255.0).floor());
-        let colours = (r + 256.0 * g + 65536.0 * b).to_array();
-        for (pixel, colour) in pixels.chunks_exact_mut(3).zip(colours) {
-            pixel.copy_from_slice(&(colour as u32).to_le_bytes()[..3]);
+
+    /// Draws a rectangle of a band that sees these candidates, eight pixels at once.
+    #[inline(always)]
+    fn draw_rectangle<S: Simd>(
+        &self,
+        simd: S,
+        Rectangle { columns, rows }: Rectangle,
+        top: usize,
+        bytes: &mut [u8],
+        candidates: &mut impl Candidates,
+    ) {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.camera.matrix;
+        let (start, width) = (self.camera.centre, self.camera.h_res as usize);
+        let eight: f64x8<S> =
+            [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].simd_into(simd);
+        for j in rows {
+            for i in columns.clone().step_by(8) {
+                let mut sum = [simd.splat_f64x8(0.0); 3];
+                for (right, below) in &self.sub_pixel_offsets {
+                    let (i, j) = (i as f64 + eight + *right, j as f64 + below);
+                    let colour = loop {
+                        let v = vectors(|k| x[k] * i + y[k] * j + z[k]);
+                        let packet = Packet { simd, start, v, a: dot(v, v) };
+                        let found = candidates.found();
+                        let hits = packet.nearest(found, candidates.is_complete());
+                        match hits {
+                            Some(hits) => {
+                                break packet.colour(&hits, found, self.scene);
+                            }
+                            None => candidates.find_more(),
+                        }
+                    };
+                    sum = vectors(|k| sum[k] + colour[k]);
+                }
+                let count = self.sub_pixel_offsets.len() as f64;
+                if count > 1.0 {
+                    sum = vectors(|k| sum[k] / count);
+                }
+                let first = 3 * ((j - top) * width + i);
+                let last = 3 * ((j - top) * width + columns.end.min(i + 8));
+                write_rgb8(sum, &mut bytes[first..last]);
+            }
         }
     }
 }
 
 /// The picture that `render` draws with `colour`, to the byte.
-pub fn draw(level: Level, camera: &Camera, samples: u32, scene: &Lit) -> RgbImage {
-    let centre = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
-    let offsets: Vec<f64> = (0..samples).map(centre).collect();
-    let objects = scene.objects.iter().enumerate();
-    let mut objects: Vec<_> = objects.map(|(k, o)| o.with_material(k)).collect();
-    let view = (camera, scene, &Tree::new(&mut objects), &*offsets);
+pub fn draw(
+    level: Level,
+    camera: &Camera,
+    samples: u32,
+    scene: &Scene<Material, Light>,
+) -> RgbImage {
+    let view = View::new(camera, samples, scene);
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
-    let rows = image.par_chunks_exact_mut(3 * camera.h_res as usize).enumerate();
-    rows.for_each(|(j, row)| dispatch!(level, s => draw_row(s, view, j, row)));
+    let bands = image.par_chunks_mut(3 * TILE * camera.h_res as usize).enumerate();
+    bands.for_each(|(k, bytes)| {
+        dispatch!(level, simd => view.draw_band(simd, k * TILE, bytes));
+    });
     image
 }
 
