@@ -36,8 +36,8 @@ impl Camera {
         let tan = (field_of_view / 2.0).tan();
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
+        // Pixels are square, so D_u and D_v have the same length.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
-        // Pixels are square, so D_v is as long as D_u.
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);
         let matrix = DMat3::from_cols(d_u, d_v, v_0);
