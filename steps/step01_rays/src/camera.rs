@@ -1,8 +1,8 @@
 use crate::Ray;
 use glam::{DMat3, DVec3};
 
-/// A pinhole camera: the slide "A Basic 3D Camera Matrix", with its errors
-/// corrected.
+/// A pinhole camera: the slide "A Basic 3D Camera Matrix", with the slide's
+/// errors corrected.
 /// ```
 /// let camera = step01_rays::Camera::new(3, 3, 90_f64.to_radians());
 /// assert_eq!(camera.ray(1.0, 1.0).direction, glam::DVec3::NEG_Z);
@@ -15,9 +15,8 @@ pub struct Camera {
     pub h_res: u32,
     /// vRes, the number of rows of the picture; at least 1.
     pub v_res: u32,
-    /// The matrix [D_u D_v V_0]. Its columns are D_u, the step to the next pixel on
-    /// the right, D_v, the step to the next one down, and V_0, the direction of
-    /// pixel (0, 0).
+    /// The matrix [D_u D_v V_0]. Its columns are the step to the next pixel on the
+    /// right, the step to the next one down, and the direction of pixel (0, 0).
     pub matrix: DMat3,
 }
 
@@ -34,9 +33,12 @@ impl Camera {
             "a picture has at least 2×1 pixels, not {h_res}×{v_res}"
         );
         let tan = (field_of_view / 2.0).tan();
+        // The steps from the first column to the last, and from the first row to
+        // the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
-        // Pixels are square, so D_u and D_v have the same length.
+        // Pixels are square, so D_u and D_v have the same length. V_0 is half of
+        // all steps to the left of the middle, and half of all steps above it.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

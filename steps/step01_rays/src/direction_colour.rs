@@ -1,8 +1,9 @@
 use crate::Ray;
 use glam::DVec3;
 
-/// The sky of all pictures: the direction of a ray as a pale colour. There is more
-/// red further to the right, more green further up, and more blue ahead, along −z.
+/// The direction of a ray as a pale colour, which is what a ray sees if it meets
+/// nothing: the sky. There is more red to the right, more green further up, and
+/// more blue ahead, along −z.
 pub fn direction_colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
     0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)

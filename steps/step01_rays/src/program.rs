@@ -6,7 +6,7 @@ use std::io::{Write, stdout};
 use std::path::Path;
 use std::{fs, process, time::Instant};
 
-/// The most pixels that a picture may have: those of 8192×4608, in any shape.
+/// The largest number of pixels that a picture may have, whatever its shape.
 pub const MOST_PIXELS: u64 = 8192 * 4608;
 
 /// Draws one picture of the course and saves it as a PNG file.
@@ -67,13 +67,13 @@ pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         let message = format!(
             "--width {width} with this --aspect makes {width}×{height} pixels; \
-             allowed are at most as many as 8192×4608 has"
+             a picture has at most as many as 8192×4608"
         );
         Options::command().error(ErrorKind::ValueValidation, message).exit();
     }
     let camera = Camera::new(width, height, fov.to_radians());
-    // Left to itself, rayon starts its threads when it needs them, and panics if it
-    // can't.
+    // Starts the threads here, so that a failure is an error message. Left to
+    // itself, rayon would start them when it needs them, and panic if it can't.
     let thread_pool = match ThreadPoolBuilder::new().build() {
         Ok(thread_pool) => thread_pool,
         Err(error) => exit_with(&format!("can't start threads: {error}")),

@@ -2,14 +2,14 @@ use crate::{Camera, Ray, draw_pixels, rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// Splits a pixel into `samples` × `samples` sub-pixels. Returns their centres, row
-/// by row, as offsets from the centre of the pixel: to the right and down, in
-/// pixels.
+/// Splits a pixel into `samples` × `samples` sub-pixels. Returns how far the centre
+/// of each is to the right of the centre of the pixel, and how far below it, row by
+/// row.
 /// # Panics
 /// If `samples` is 0, since a pixel without a ray has no colour.
 pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {
     assert!(samples > 0, "a pixel needs a ray");
-    // One sample has the offset 0, and two have −0.25 and 0.25.
+    // With 1 sample, the only offset is 0. With 2, they are −0.25 and 0.25.
     let offset = |k| (f64::from(k) + 0.5) / f64::from(samples) - 0.5;
     let mut offsets = vec![];
     for row in 0..samples {

@@ -19,6 +19,7 @@ pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<Hit<'a, M>>
     // The nearest hit so far, or None as long as there is none.
     let mut best: Option<Hit<M>> = None;
     for object in objects {
+        // A hit is better if there is no best one yet, or if its t is smaller.
         if let Some(t) = object.sphere.intersect(ray).first_hit()
             && best.as_ref().is_none_or(|hit| t < hit.t)
         {

@@ -1,8 +1,9 @@
 use crate::{Matte, PointLight};
 use glam::DVec3;
 
-/// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term").
-/// `n` points outwards, `l` to the light, which is `d` away. Both are unit vectors.
+/// I_d = R_d / (a + bd + cd²) · max(n·l, 0) · L_d (slide "Diffuse Term"). `n` and
+/// `l` are unit vectors: `n` points outwards, and `l` to the light, which is `d`
+/// away.
 pub fn diffuse(
     n: DVec3,
     l: DVec3,

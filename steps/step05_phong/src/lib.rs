@@ -12,11 +12,11 @@
 //! 4. [`visible_point`] finds the [`SurfacePoint`] that a ray sees. A [`Scene`] has
 //!    objects and lights. On a [`Matte`] material, [`ambient`] is the light from
 //!    everywhere, and [`diffuse`] the light from one [`PointLight`].
-//! 5. On a shiny [`Material`], [`specular`] is the highlight of one [`Light`], for
-//!    which [`reflect`] mirrors its direction. [`light_terms`] computes what one
-//!    light contributes at a point, and [`phong`] adds up all the lights; both
-//!    return [`Terms`]. [`colour`] is the colour that a ray sees, and [`scene`] the
-//!    scene of the book.
+//! 5. On a shiny [`Material`], [`specular`] is the highlight of one [`Light`]. It
+//!    needs the direction to the light, mirrored, which [`reflect`] gives.
+//!    [`light_terms`] computes what one light contributes at a point, and [`phong`]
+//!    adds up all the lights; both return [`Terms`]. [`colour`] is the colour that a
+//!    ray sees, and [`scene`] the scene of the book.
 
 pub use step04_diffuse::{
     AMBIENT_LIGHT, Attenuation, COOL_LIGHT, Camera, Hit, Matte, OBJECTS, Object,

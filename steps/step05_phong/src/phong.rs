@@ -31,7 +31,7 @@ impl AddAssign for Terms {
 }
 
 /// The terms of one light at a point `p` with the unit normal `n`. The unit vector
-/// `v` points from there to the eye. I_a belongs to no light, so it is 0 here. A
+/// `v` points from `p` to the eye. I_a belongs to no light, so it is 0 here. A
 /// light behind the surface gives nothing, not even a highlight. The slide has no
 /// such rule.
 pub fn light_terms(
@@ -43,8 +43,8 @@ pub fn light_terms(
 ) -> Terms {
     let (l, d) = light.point_light.direction_from(p);
     let mut terms = Terms::default();
-    // Behind the surface, the diffuse term is 0 anyway, but the specular one may
-    // not be.
+    // If the light is behind the surface, the diffuse term would be 0 anyway, but
+    // the specular one could be above 0.
     if n.dot(l) > 0.0 {
         terms.diffuse = diffuse(n, l, d, &material.matte, &light.point_light);
         terms.specular = specular(reflect(n, l), v, d, material, light);
