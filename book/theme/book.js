@@ -131,11 +131,14 @@ function sayMissing(file) {
 
 // Code: colours, when it comes near the view, and a button that copies a listing.
 const isWhole = document.body.matches(".whole");
+const colourCode = code => {
+    try { writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
+};
 const colour = code => load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
     // A line that is being edited stays as it is, and one that has the focus keeps it.
     if (code.querySelector("[data-book]")) return;
     const name = code.querySelector(":focus")?.dataset.line;
-    try { writeHTML(() => hljs.highlightBlock(code)); } catch { return; /* The code stays without colours. */ }
+    colourCode(code);
     code.querySelector(`[data-line="${name}"]`)?.focus({ preventScroll: true });
 }));
 for (const code of document.querySelectorAll("pre > code[class^=language-]")) {

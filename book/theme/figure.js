@@ -193,7 +193,7 @@ class Figure {
         if (this.probe) this.showPixel(numbers);
         if (this.code && this.code.textContent !== numbers.rust) {
             this.code.textContent = numbers.rust;
-            window.hljs?.highlightBlock(this.code);
+            colourCode(this.code);
         }
     }
 

@@ -101,3 +101,51 @@ impl Budget {
         refuting.is_none()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn budget_is_spent_when_its_costs_are() {
+        let budget = Budget::new(5);
+        assert!(!budget.is_spent());
+        assert!(budget.spend(3) && !budget.is_spent());
+        assert!(budget.spend(2) && budget.is_spent());
+        assert!(!budget.spend(1));
+        // What it doesn't suffice for takes the rest.
+        let budget = Budget::new(5);
+        assert!(!budget.spend(6) && budget.is_spent());
+    }
+
+    #[test]
+    fn item_that_refutes_comes_first_the_next_time() {
+        let mut items = [1, 2, 3, 4];
+        let budget = Budget::new(100);
+        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert_eq!(items, [3, 1, 2, 4]);
+        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert_eq!(items, [3, 1, 2, 4]);
+        assert!(budget.all(&mut items, 15, |item| *item < 5));
+        assert!(budget.is_spent());
+        assert!(!budget.all(&mut items, 1, |_| true));
+        assert!(Budget::new(4).all(&mut items, 1, |_| true));
+        assert!(!Budget::new(3).all(&mut items, 1, |_| true));
+    }
+
+    #[test]
+    fn scattered_places_are_each_place_once() {
+        for (columns, rows) in [(640, 360), (64, 36), (7919, 2), (1, 1)] {
+            let places: Vec<_> = scattered_places((columns, rows)).collect();
+            let different: BTreeSet<_> = places.iter().collect();
+            assert_eq!(places.len(), (columns * rows) as usize);
+            assert_eq!(different.len(), places.len());
+            assert!(places.iter().all(|(i, j)| *i < columns && *j < rows));
+        }
+        // Among the first hundred, all ninths of a picture.
+        let first = scattered_places((640, 360)).take(100);
+        let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
+        assert_eq!(ninths.len(), 9);
+    }
+}

@@ -148,7 +148,8 @@ mod tests {
         let listed = listed.map(|(file, number)| cause(&format!("slip {number}"), Some(file)));
         let listed: Vec<_> = listed.collect();
         let number = cause("another number", None);
-        let all = [&listed[..], &listed[..1], &[number.clone()], &[listed[0].clone(), number], &[]];
+        let both = [listed[0].clone(), number];
+        let all = [&listed[..], &listed[..1], &both[1..], &both[..], &[]];
         insta::assert_snapshot!(all.map(describe_causes).join("\n"));
     }
 }

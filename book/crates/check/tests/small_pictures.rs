@@ -66,6 +66,16 @@ fn facts_of_small_pictures_are_as_locked() {
         let sky = small(Rays);
         map_small(Phong, move |i, j, ours| if ours == sky[(i, j)].0 { ours } else { change(ours) })
     };
+    // Five pixels of the red sphere show the sky, and others up to this count another colour.
+    let few_show_the_sky = |count: usize| {
+        let (mut picture, sky) = (small(Nearest), small(Rays));
+        let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
+        let places: Vec<_> = red.map(|(i, j, _)| (i, j)).take(count).collect();
+        for (k, place) in places.into_iter().enumerate() {
+            picture[place] = if k < 5 { sky[place] } else { Rgb([9; 3]) };
+        }
+        picture
+    };
     assert_small_locked(
         "small_facts",
         [
@@ -247,6 +257,8 @@ fn facts_of_small_pictures_are_as_locked() {
                     }
                 }),
             ),
+            ("5 of 50 show the sky", Nearest, few_show_the_sky(50)),
+            ("5 of 51 show the sky", Nearest, few_show_the_sky(51)),
             (
                 "sky and one object",
                 Nearest,
