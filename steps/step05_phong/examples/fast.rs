@@ -475,6 +475,8 @@ impl<'a> View<'a> {
             }
             for mut block in tile.squares(BLOCK) {
                 in_block.restart(self.pyramid(&block));
+                // A call in the loop over the packets would cost it the registers
+                // that hold V and a. So the search for more candidates is out here.
                 while let Some(row) = self.draw_rectangle(
                     simd,
                     &block,
@@ -490,8 +492,9 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Draws a rectangle of a band, eight pixels at once. Returns the first row that
-    /// isn't drawn, if these candidates may not be enough for it.
+    /// Draws a rectangle of a band, eight pixels at once. Returns None when all of it
+    /// is drawn. If an incomplete list isn't enough for a row, returns that row; it
+    /// and those below it have to be drawn again, with a longer list.
     #[inline(always)]
     fn draw_rectangle<S: Simd>(
         &self,
