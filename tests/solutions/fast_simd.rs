@@ -131,6 +131,36 @@ fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     });
 }
 
+// The edge between two blocks is column 15.5. This camera's centre lies there, and nearly in
+// the plane of the picture, so the rounding errors of V turn the edge's plane by a large angle.
+#[test]
+fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
+    test_law(60, |random| {
+        let size = (33 + random.index(8) as u32, 1 + random.index(30) as u32);
+        let mut camera = Camera::new(size.0, size.1, 1.0);
+        let DMat3 { x_axis: x, y_axis: y, .. } = camera.matrix;
+        let depth = 10_f64.powf(random.number(-16.5, -15.5));
+        camera.matrix.z_axis =
+            depth * DVec3::NEG_Z - 15.5 * x - random.number(0.0, f64::from(size.1)) * y;
+        let roll = random.number(-3.0, 3.0);
+        let camera = look_at(&camera, random.point(), DVec3::NEG_Z, roll);
+        let objects = named_scene("turned").objects;
+        let mut scene = named_scene("turned");
+        scene.objects.clear();
+        for k in 0..10 + random.index(20) {
+            let mut object = objects[k % objects.len()];
+            let i = random.number(-1.0, f64::from(size.0));
+            let j = random.number(-1.0, f64::from(size.1));
+            let to_centre = camera.ray(i, j).direction.normalize_or(DVec3::X);
+            let distance = random.number(0.1, 10.0);
+            object.sphere.centre = camera.centre + distance * to_centre;
+            object.sphere.radius = distance * 10_f64.powf(random.number(-3.0, 0.3));
+            scene.objects.push(object);
+        }
+        assert_fast_draws(&camera, 1, &scene);
+    });
+}
+
 #[test]
 fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
     test_law(if env::var_os("THOROUGH").is_some() { 250 } else { 50 }, |random| {
@@ -142,6 +172,43 @@ fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
         assert_fast_draws(&small_camera(random), 1 + random.index(3) as u32, &scene);
+    });
+}
+
+// A radius of less than 1e-8 of the distance is lost in the rounding errors of D. So such
+// a sphere becomes a spot that is larger than itself and both nearer and farther. Here, a
+// pixel is smaller than these spots, and they lie around the surface of a larger ball.
+#[test]
+fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_spheres() {
+    test_law(16, |random| {
+        let size = (20 + random.index(30) as u32, 1 + random.index(30) as u32);
+        let pixel = 10_f64.powf(random.number(-10.0, -8.0));
+        let camera = Camera::new(size.0, size.1, f64::from(size.0) * pixel);
+        let roll = random.number(-3.0, 3.0);
+        let camera = look_at(&camera, random.point(), DVec3::NEG_Z, roll);
+        let (distance, radius) = (random.number(0.1, 10.0), random.number(0.5, 2.0));
+        let point = |i, j, t| camera.centre + t * camera.ray(i, j).direction.normalize();
+        let middle = [size.0, size.1].map(|pixels| f64::from(pixels - 1) / 2.0);
+        let ball = Sphere { centre: point(middle[0], middle[1], distance + radius), radius };
+        let mut spheres = vec![ball];
+        for _ in 0..3 + random.index(10) {
+            let i = random.number(-1.0, f64::from(size.0));
+            let j = random.number(-1.0, f64::from(size.1));
+            let centre = point(i, j, distance * (1.0 + random.number(-1e-8, 1e-8)));
+            let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
+            spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
+        }
+        // With and without the ball, which hides the sky.
+        if random.index(2) == 0 {
+            spheres.retain(|sphere| *sphere != ball);
+        }
+        let mut scene = named_scene("rounded");
+        let materials = scene.objects.iter().map(|object| object.material);
+        let materials: Vec<_> = materials.collect();
+        scene.objects = (spheres.into_iter().zip(materials.into_iter().cycle()))
+            .map(|(sphere, material)| Object { name: "ball", sphere, material })
+            .collect();
+        assert_fast_draws(&camera, 1 + random.index(2) as u32, &scene);
     });
 }
 

@@ -470,58 +470,69 @@ impl<'a> View<'a> {
             in_tile.restart(self.pyramid(&tile));
             in_tile.find_more();
             if in_tile.found().is_empty() {
-                self.draw_rectangle(simd, tile, top, bytes, &mut &[][..]);
+                self.draw_rectangle(simd, &tile, top, bytes, &[], true);
                 continue;
             }
-            for block in tile.squares(BLOCK) {
+            for mut block in tile.squares(BLOCK) {
                 in_block.restart(self.pyramid(&block));
-                self.draw_rectangle(simd, block, top, bytes, &mut in_block);
+                // A call in the loop over the packets would cost it the registers
+                // that hold V and a. So the search for more candidates is out here.
+                while let Some(row) = self.draw_rectangle(
+                    simd,
+                    &block,
+                    top,
+                    bytes,
+                    in_block.found(),
+                    in_block.is_complete(),
+                ) {
+                    in_block.find_more();
+                    block.rows.start = row;
+                }
             }
         }
     }
 
-    /// Draws a rectangle of a band that sees these candidates, eight pixels at once.
+    /// Draws a rectangle of a band, eight pixels at once. Returns None when all of it
+    /// is drawn. If an incomplete list isn't enough for a row, returns that row; it
+    /// and those below it have to be drawn again, with a longer list.
     #[inline(always)]
     fn draw_rectangle<S: Simd>(
         &self,
         simd: S,
-        Rectangle { columns, rows }: Rectangle,
+        Rectangle { columns, rows }: &Rectangle,
         top: usize,
         bytes: &mut [u8],
-        candidates: &mut impl Candidates,
-    ) {
+        found: &[Candidate],
+        is_complete: bool,
+    ) -> Option<usize> {
         let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.camera.matrix;
         let (start, width) = (self.camera.centre, self.camera.h_res as usize);
         let eight: f64x8<S> =
             [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].simd_into(simd);
-        for j in rows {
-            for i in columns.clone().step_by(8) {
+        for row in rows.clone() {
+            for column in columns.clone().step_by(8) {
                 let mut sum = [simd.splat_f64x8(0.0); 3];
                 for (right, below) in &self.sub_pixel_offsets {
-                    let (i, j) = (i as f64 + eight + *right, j as f64 + below);
-                    let colour = loop {
-                        let v = vectors(|k| x[k] * i + y[k] * j + z[k]);
-                        let packet = Packet { simd, start, v, a: dot(v, v) };
-                        let found = candidates.found();
-                        let hits = packet.nearest(found, candidates.is_complete());
-                        match hits {
-                            Some(hits) => {
-                                break packet.colour(&hits, found, self.scene);
-                            }
-                            None => candidates.find_more(),
-                        }
+                    let i = column as f64 + eight + *right;
+                    let j = row as f64 + below;
+                    let v = vectors(|k| x[k] * i + y[k] * j + z[k]);
+                    let packet = Packet { simd, start, v, a: dot(v, v) };
+                    let Some(hits) = packet.nearest(found, is_complete) else {
+                        return Some(row);
                     };
+                    let colour = packet.colour(&hits, found, self.scene);
                     sum = vectors(|k| sum[k] + colour[k]);
                 }
                 let count = self.sub_pixel_offsets.len() as f64;
                 if count > 1.0 {
                     sum = vectors(|k| sum[k] / count);
                 }
-                let first = 3 * ((j - top) * width + i);
-                let last = 3 * ((j - top) * width + columns.end.min(i + 8));
+                let first = 3 * ((row - top) * width + column);
+                let last = 3 * ((row - top) * width + columns.end.min(column + 8));
                 write_rgb8(sum, &mut bytes[first..last]);
             }
         }
+        None
     }
 }
 
