@@ -43,7 +43,13 @@ fn assert_locked_picture(name: &str) {
 #[test]
 fn each_locked_picture_has_a_test_of_its_name() {
     let names: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
-    assert_eq!(names, TEST_NAMES);
+    let untested: Vec<_> = names.iter().filter(|name| !TEST_NAMES.contains(name)).collect();
+    let undrawn: Vec<_> = TEST_NAMES.iter().filter(|name| !names.contains(name)).collect();
+    assert!(untested.is_empty(), "add to test_pictures! in tests/pictures.rs: {untested:?}");
+    assert!(undrawn.is_empty(), "no locked picture has the name of a test: {undrawn:?}");
+    let pairs = names.iter().zip(TEST_NAMES);
+    let swapped = pairs.into_iter().find(|(name, test_name)| name != test_name);
+    assert_eq!(swapped, None, "the tests are in another order than the locked pictures");
 }
 
 #[test]
