@@ -5,6 +5,7 @@ use course::{draw_panels, workspace};
 use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
+use std::path::{Path, PathBuf};
 use tests::{compare_pixels, locked_pictures};
 
 /// Defines a test for each of the names, and lists them in `TEST_NAMES`.
@@ -63,6 +64,39 @@ fn each_snapshot_has_a_test_of_its_name() {
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
     assert!(orphans.is_empty(), "no test draws {orphans:?}");
+}
+
+/// The files in a folder and in those below it.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let paths = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
+    let files = paths.map(|path| if path.is_dir() { files_below(&path) } else { vec![path] });
+    files.flatten().collect()
+}
+
+/// A snapshot of words is named by the function of its test, or in quotes by its test or, as a
+/// figure, where the figure is made. Only insta knows for certain which snapshots are compared
+/// (`cargo insta test --unreferenced=reject`), but a name that is nowhere belongs to no test.
+#[test]
+fn each_snapshot_of_words_has_its_name_in_its_crate() {
+    let (mut orphans, mut count) = (vec![], 0);
+    for crate_folder in fs::read_dir(workspace().join("book/crates")).expect("a folder").flatten() {
+        let files = files_below(&crate_folder.path());
+        let has_extension = |end: &'static str| {
+            files.iter().filter(move |path| path.extension() == Some(end.as_ref()))
+        };
+        let sources = has_extension("rs").map(|path| fs::read_to_string(path).expect("a source"));
+        let sources: String = sources.collect();
+        for path in has_extension("snap") {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            let name = stem.rsplit("__").next().unwrap_or_default();
+            let is_named = |text: String| sources.contains(&text);
+            if !is_named(format!("fn {name}(")) && !is_named(format!("\"{name}\"")) {
+                orphans.push(path.clone());
+            }
+            count += 1;
+        }
+    }
+    assert!(orphans.is_empty() && count > 0, "no test compares {orphans:#?}");
 }
 
 #[test]
