@@ -76,8 +76,8 @@ pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
     // The five crates have the same names there; who calls this optimises them otherwise, so that
     // neither overwrites the other.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
-    // Commands set INSTA_UPDATE themselves, and lock pictures in the folder.
-    command.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
+    // Commands set INSTA_UPDATE themselves. The other variable names our folder.
+    command.env_remove("INSTA_UPDATE").env_remove("INSTA_WORKSPACE_ROOT");
     // Another platform would put the programs into another folder.
     command.env_remove("CARGO_BUILD_TARGET");
     command
