@@ -5,6 +5,7 @@ use course::{draw_panels, workspace};
 use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
+use std::path::{Path, PathBuf};
 use tests::{compare_pixels, locked_pictures};
 
 /// Defines a test for each of the names, and lists them in `TEST_NAMES`.
@@ -43,7 +44,13 @@ fn assert_locked_picture(name: &str) {
 #[test]
 fn each_locked_picture_has_a_test_of_its_name() {
     let names: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
-    assert_eq!(names, TEST_NAMES);
+    let untested: Vec<_> = names.iter().filter(|name| !TEST_NAMES.contains(name)).collect();
+    let undrawn: Vec<_> = TEST_NAMES.iter().filter(|name| !names.contains(name)).collect();
+    assert!(untested.is_empty(), "add to test_pictures! in tests/pictures.rs: {untested:?}");
+    assert!(undrawn.is_empty(), "no locked picture has the name of a test: {undrawn:?}");
+    let pairs = names.iter().zip(TEST_NAMES);
+    let swapped = pairs.into_iter().find(|(name, test_name)| name != test_name);
+    assert_eq!(swapped, None, "the tests are in another order than the locked pictures");
 }
 
 #[test]
@@ -57,6 +64,39 @@ fn each_snapshot_has_a_test_of_its_name() {
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
     assert!(orphans.is_empty(), "no test draws {orphans:?}");
+}
+
+/// The files in a folder and in those below it.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let paths = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
+    let files = paths.map(|path| if path.is_dir() { files_below(&path) } else { vec![path] });
+    files.flatten().collect()
+}
+
+/// A snapshot of words is named by the function of its test, or in quotes by its test or, as a
+/// figure, where the figure is made. Only insta knows for certain which snapshots are compared
+/// (`cargo insta test --unreferenced=reject`), but a name that is nowhere belongs to no test.
+#[test]
+fn each_snapshot_of_words_has_its_name_in_its_crate() {
+    let (mut orphans, mut count) = (vec![], 0);
+    for crate_folder in fs::read_dir(workspace().join("book/crates")).expect("a folder").flatten() {
+        let files = files_below(&crate_folder.path());
+        let has_extension = |end: &'static str| {
+            files.iter().filter(move |path| path.extension() == Some(end.as_ref()))
+        };
+        let sources = has_extension("rs").map(|path| fs::read_to_string(path).expect("a source"));
+        let sources: String = sources.collect();
+        for path in has_extension("snap") {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            let name = stem.rsplit("__").next().unwrap_or_default();
+            let is_named = |text: String| sources.contains(&text);
+            if !is_named(format!("fn {name}(")) && !is_named(format!("\"{name}\"")) {
+                orphans.push(path.clone());
+            }
+            count += 1;
+        }
+    }
+    assert!(orphans.is_empty() && count > 0, "no test compares {orphans:#?}");
 }
 
 #[test]

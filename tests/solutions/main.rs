@@ -8,6 +8,7 @@ mod step03;
 mod step04;
 mod step05;
 
+use course::examples::own_scene;
 use course::{Picture, describe_difference, read_locked_picture};
 use glam::DMat3;
 use step01_rays::Camera;
@@ -30,14 +31,15 @@ programs! {
 }
 
 #[test]
-fn starters_and_fast_draw_the_pictures_of_their_steps() {
-    let pictures: [(_, Picture); 6] = [
+fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
+    let pictures: [(_, Picture); 7] = [
         ("step01_rays", step01_starter::picture),
         ("step02_sphere", step02_starter::picture),
         ("step03_nearest", step03_starter::picture),
         ("step04_diffuse", step04_starter::picture),
         ("step05_phong", step05_starter::picture),
         ("step05_phong", fast::picture),
+        ("step05_phong", own_scene::picture),
     ];
     for (name, draw) in pictures {
         let locked = read_locked_picture(name).expect("a locked picture");

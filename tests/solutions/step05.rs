@@ -19,6 +19,19 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     }
 }
 
+/// The page "A scene of your own" begins with the scene of step 5, of which it has a copy. In the
+/// picture, nothing shows the green sphere.
+#[test]
+fn own_scene_begins_as_the_scene_of_step_5() {
+    let (own, ours) = (own_scene::my_scene(), scene());
+    assert_eq!(own.objects.len(), ours.objects.len());
+    for (own, ours) in own.objects.iter().zip(&ours.objects) {
+        assert_eq!(own, ours, "{} in examples/own_scene.rs", ours.name);
+    }
+    assert_eq!(own.ambient_light, ours.ambient_light, "L_a in examples/own_scene.rs");
+    assert_eq!(own.lights, ours.lights, "the lights in examples/own_scene.rs");
+}
+
 #[test]
 fn glass_reflects_4_percent_head_on_and_everything_along_the_surface() {
     let reflectance = |degrees: f64| {

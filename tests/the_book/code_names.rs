@@ -5,8 +5,9 @@ use super::built_book::read_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names that are in no file of the steps: of Rust's standard, of insta, of OpenGL.
-const FOREIGN_NAMES: [&str; 3] = ["ceil", "INSTA_UPDATE", "gluPerspective"];
+/// Names that are in no file of the steps: of Rust's standard, of insta, of OpenGL, of a workflow.
+const FOREIGN_NAMES: [&str; 6] =
+    ["f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
 /// The words of a text, each with what is before and after it.
 fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
@@ -18,35 +19,133 @@ fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     })
 }
 
-/// Whether a word in code is a name: `snake_case`, `CamelCase`, called, or part of a path.
+/// Whether a word in code is a name: all of the code, `snake_case`, `CamelCase`, called, or part
+/// of a path.
 fn is_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
-        && (word.contains('_')
+        && (before.is_empty() && after.is_empty()
+            || word.contains('_')
             || pairs.any(|(a, b)| a.is_lowercase() && b.is_uppercase())
             || before.ends_with("::")
             || after.starts_with("::")
             || after.starts_with('('))
 }
 
+/// The paths of the files that a reader types, each with its code without comments.
+fn source_code() -> Vec<(&'static str, String)> {
+    let files = SOURCE_FILES.texts_with_suffix("").map(|(path, text)| {
+        let lines = text.lines().map(|line| match line.split_once("//") {
+            Some((code, _)) if path.ends_with(".rs") => code,
+            _ => line,
+        });
+        (path, lines.collect::<Vec<_>>().join("\n"))
+    });
+    files.collect()
+}
+
+/// The names in the files that a reader types.
+struct SourceNames<'a> {
+    files: &'a [(&'static str, String)],
+    /// All words of the code and of the paths.
+    words: HashSet<&'a str>,
+    /// The names that are defined or called with parentheses.
+    called: HashSet<&'a str>,
+}
+
+impl<'a> SourceNames<'a> {
+    fn of(files: &'a [(&'static str, String)]) -> Self {
+        let in_code = || files.iter().flat_map(|(_, code)| words(code));
+        let called = in_code().filter(|(_, _, after)| after.starts_with(['(', '<']));
+        let in_paths = files.iter().flat_map(|(path, _)| words(path));
+        Self {
+            files,
+            called: called.map(|(_, word, _)| word).chain(FOREIGN_NAMES).collect(),
+            words: in_code()
+                .chain(in_paths)
+                .map(|(_, word, _)| word)
+                .chain(FOREIGN_NAMES)
+                .collect(),
+        }
+    }
+
+    /// Whether `owner::name` is in the code, or a file that declares the owner has the name.
+    fn has_path(&self, owner: &str, name: &str) -> bool {
+        self.files.iter().any(|(_, code)| {
+            let declares_owner = words(code).any(|(before, word, _)| {
+                let keywords = ["struct ", "enum ", "mod ", "impl ", "> "];
+                word == owner && keywords.iter().any(|keyword| before.ends_with(keyword))
+            });
+            code.contains(&format!("{owner}::{name}"))
+                || declares_owner && words(code).any(|(_, word, _)| word == name)
+        })
+    }
+
+    fn has_file(&self, name: &str) -> bool {
+        self.files.iter().any(|(path, _)| format!("/{path}").ends_with(&format!("/{name}")))
+    }
+}
+
+/// What is wrong with the names in code of a chapter.
+fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
+    let mut faults = vec![];
+    for (before, word, after) in words(code).filter(|(b, word, a)| is_name(b, word, a)) {
+        if !source.words.contains(word) {
+            faults.push(format!("no code has `{word}`"));
+        } else if after.starts_with('(') && !source.called.contains(word) {
+            faults.push(format!("no code calls or defines `{word}`"));
+        }
+        let owner = before.strip_suffix("::").and_then(|before| words(before).last());
+        if let Some((_, owner, _)) = owner
+            && !source.has_path(owner, word)
+        {
+            faults.push(format!("no code has `{owner}::{word}`"));
+        }
+    }
+    if code.ends_with(".rs") && !code.contains(' ') && !source.has_file(code) {
+        faults.push(format!("there is no file `{code}`"));
+    }
+    faults
+}
+
 #[test]
 fn names_in_the_text_are_names_of_the_code() {
-    let files = SOURCE_FILES.texts_with_suffix("").flat_map(|(path, text)| [path, text]);
-    let mut names: HashSet<_> = files.flat_map(words).map(|(_, word, _)| word).collect();
-    names.extend(FOREIGN_NAMES);
+    let files = source_code();
+    let source = SourceNames::of(&files);
     let mut faults = vec![];
     for (path, text) in read_folder("book/src").texts_with_suffix(".md") {
         let mut is_listing = false;
         for (line, number) in text.lines().zip(1..) {
             is_listing ^= line.starts_with("```");
-            let codes = line.split('`').skip(1).step_by(2).filter(|_| !is_listing);
-            let codes = codes.chain(line.strip_prefix("{{#by-hand "));
-            for (before, word, after) in codes.flat_map(words) {
-                if is_name(before, word, after) && !names.contains(word) {
-                    faults.push(format!("book/src/{path}:{number}: no code has `{word}`."));
-                }
+            if is_listing {
+                continue;
             }
+            let codes = line.split('`').skip(1).step_by(2);
+            let mut line_faults: Vec<_> =
+                codes.flat_map(|code| faults_in_code(code, &source)).collect();
+            let test = line.strip_prefix("{{#by-hand ").and_then(|line| line.strip_suffix("}}"));
+            if let Some(test) = test.filter(|test| !source.called.contains(test)) {
+                line_faults.push(format!("there is no test `{test}`"));
+            }
+            let line_faults = line_faults.iter();
+            faults.extend(line_faults.map(|what| format!("book/src/{path}:{number}: {what}.")));
         }
     }
     assert_no_faults(&faults);
+}
+
+#[test]
+fn name_that_a_rename_left_behind_is_a_fault() {
+    let code =
+        "pub mod hits;\nimpl Ray {\n    pub fn at(self) -> f64 {\n        self.t\n    }\n}\n";
+    let files = [("steps/src/ray.rs", code.to_owned())];
+    let source = SourceNames::of(&files);
+    for right in ["Ray", "Ray::at", "at(t)", "ray.at(2.0)", "hits", "ray.rs", "src/ray.rs", "2 + x"]
+    {
+        assert_eq!(faults_in_code(right, &source), [""; 0], "{right}");
+    }
+    for wrong in ["Beam", "point", "Ray::point", "hits(ray)", "Ray::hits_of", "at::Ray", "hits.rs"]
+    {
+        assert_ne!(faults_in_code(wrong, &source), [""; 0], "{wrong}");
+    }
 }

@@ -51,8 +51,6 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
     shell.env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
     shell.env("GITHUB_OUTPUT", folder.join("output.txt"));
     shell.envs(variables.iter().copied());
-    // As the template has it.
-    shell.env_remove("INSTA_WORKSPACE_ROOT");
     if lines.contains(&manifest) {
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
@@ -129,6 +127,15 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     result.map(|()| text)
 }
 
+/// Renames a folder whose lock is compiled, runs the lock there, and renames it back.
+fn test_renamed_folder(folder: &Path) -> Result<()> {
+    let renamed = folder.with_file_name("renamed");
+    fs::rename(folder, &renamed)?;
+    run(&renamed, "cargo test -p locked", &[])?;
+    ensure!(!folder.exists(), "the lock makes the old folder anew");
+    Ok(fs::rename(renamed, folder)?)
+}
+
 #[test]
 fn grading_has_nothing_of_the_student_but_pictures() {
     let grade = job_text("grade");
@@ -152,6 +159,7 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     type_first_step(&folder)?;
     run(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
     run(&folder, COMMIT, &[])?;
+    test_renamed_folder(&folder)?;
     let text = run_workflow(&folder, "step01_rays")?;
     assert!(text.contains("::Points 1/1\n"), "{text}");
     assert!(text.contains("test result: ok"), "{text}");
@@ -165,7 +173,7 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [
         "echo 'fn main() {}' > steps/step01_rays/src/main.rs",
-        r#"echo '[target."cfg(all())"]' >> .cargo/config.toml
+        r#"mkdir .cargo && echo '[target."cfg(all())"]' > .cargo/config.toml
            echo 'runner = ["sh", "-c", "cp ../student/step01_rays.png ."]' >> .cargo/config.toml"#,
         "mkdir drawn && cp step01_rays.png drawn",
         r#"{ echo 'fn main() {'

@@ -12,6 +12,10 @@ mod reader_workspace;
 mod code_names;
 mod source_listings;
 
+// Nothing is left out.
+mod exercises;
+mod shown_figures;
+
 // The book suffices.
 mod crate_states;
 mod github_workflow;

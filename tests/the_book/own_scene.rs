@@ -1,5 +1,6 @@
 //! A scene of one's own: the Rust program that a page writes for it draws its picture.
 
+use super::built_book::read_folder;
 use super::reader_workspace::ReaderWorkspace;
 use course::describe_difference;
 use figures::{Output, find, parse_address};
@@ -14,6 +15,18 @@ const ADDRESSES: [&str; 5] = [
      camera-target-sideways:-0.5,camera-target-backwards:-8,camera-roll:-20",
     "the-way-back-shadows-and-mirrors:1,camera-position-upwards:3.5,camera-roll:-20",
 ];
+
+/// The page shows the file of the example, and once a reader changes the scene, the program that
+/// is written for it.
+#[test]
+fn program_of_the_unchanged_scene_is_the_example() {
+    let page = find("own_scene").expect("the page has it");
+    let program = (page.numbers)(&page.default_values()).remove("rust").expect("it has Rust");
+    let examples = read_folder("steps/step05_phong/examples");
+    let example = examples.text("own_scene.rs").expect("the example");
+    let different = program.lines().zip(example.lines()).find(|(line, other)| line != other);
+    assert_eq!(different, None, "a line of the program, and the line in examples/own_scene.rs");
+}
 
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]

@@ -56,9 +56,26 @@ impl ReaderWorkspace {
         Ok(())
     }
 
+    /// Lists the members of the workspace by name. Cargo reads `steps/*` as a pattern together with
+    /// the path of the folder, so it finds no member if that path has square brackets.
+    fn list_members(&self) -> Result<()> {
+        let mut members = vec![];
+        for entry in fs::read_dir(self.folder.join("steps"))? {
+            let entry = entry?;
+            if entry.path().join("Cargo.toml").is_file() {
+                members.push(format!("steps/{}", entry.file_name().display()));
+            }
+        }
+        members.sort();
+        let manifest = fs::read_to_string(self.folder.join("Cargo.toml"))?;
+        let manifest = manifest.replace("[\"steps/*\"]", &format!("{members:?}"));
+        self.write_if_changed("Cargo.toml", &manifest)
+    }
+
     /// Runs a program with its arguments, with our programs optimised as much; gives the exit code,
     /// and what is printed.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
+        self.list_members()?;
         let mut command = folder_command(&self.folder, words);
         command.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
         let Output { status, stdout, stderr } = command.output()?;
@@ -76,8 +93,8 @@ pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
     // The five crates have the same names there; who calls this optimises them otherwise, so that
     // neither overwrites the other.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
-    // Commands set INSTA_UPDATE themselves, and lock pictures in the folder.
-    command.env_remove("INSTA_UPDATE").env("INSTA_WORKSPACE_ROOT", folder);
+    // Commands set INSTA_UPDATE themselves. The other variable names our folder.
+    command.env_remove("INSTA_UPDATE").env_remove("INSTA_WORKSPACE_ROOT");
     // Another platform would put the programs into another folder.
     command.env_remove("CARGO_BUILD_TARGET");
     command

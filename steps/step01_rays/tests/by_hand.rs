@@ -1,7 +1,7 @@
 //! The numbers that the two chapters of step 1 work out or show.
 
 use glam::{DMat3, DVec3};
-use std::process::Command;
+use std::{env, process::Command};
 use step01_rays::*;
 
 fn camera() -> Camera {
@@ -63,10 +63,11 @@ fn v_res_of_a_film() {
 
 #[test]
 fn draw_and_save_with_options() {
-    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/small.png");
+    let program = env::var("CARGO_BIN_EXE_step01_rays").expect("set by Cargo");
+    let file = format!("{program}.png");
     let options = "--width 32 --aspect 4:3 --fov 90 --samples 2 --output";
-    let mut program = Command::new(env!("CARGO_BIN_EXE_step01_rays"));
-    program.args(options.split(' ')).arg(file).output().unwrap();
+    let run = Command::new(program).args(options.split(' ')).arg(&file).output();
+    assert!(run.unwrap().status.success());
     let small = picture(&Camera::new(32, 24, 90_f64.to_radians()), 2);
     assert_eq!(image::open(file).unwrap().to_rgb8(), small);
 }

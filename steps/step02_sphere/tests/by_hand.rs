@@ -1,7 +1,7 @@
 //! The numbers that chapter 2 works out or shows.
 
 use glam::DVec3;
-use std::process::Command;
+use std::{env, process::Command};
 use step02_sphere::*;
 
 fn camera() -> Camera {
@@ -77,10 +77,11 @@ fn picture_of_a_disc() {
 
 #[test]
 fn draw_and_save_with_samples() {
-    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/smooth.png");
-    let mut program = Command::new(env!("CARGO_BIN_EXE_step02_sphere"));
-    program.args("--width 64 --samples 2 --output".split(' ')).arg(file);
-    program.output().unwrap();
+    let program = env::var("CARGO_BIN_EXE_step02_sphere").expect("set by Cargo");
+    let file = format!("{program}.png");
+    let options = "--width 64 --samples 2 --output";
+    let run = Command::new(program).args(options.split(' ')).arg(&file).output();
+    assert!(run.unwrap().status.success());
     let smooth = picture(&Camera::new(64, 36, 60_f64.to_radians()), 2);
     assert_eq!(image::open(file).unwrap().to_rgb8(), smooth);
 }

@@ -34,7 +34,10 @@ pub fn html(alt: &str, source: &str, sources: &Sources) -> Result<String, String
         return Err(format!("the alt text of {source} is words alone, without directives"));
     }
     let (width, height) =
-        sources.picture_size(source).ok_or(format!("there is no picture {source}"))?;
+        sources.picture_size(source).ok_or_else(|| match effect_of_picture(source) {
+            Some(_) => format!("{source}, of a listed mistake, isn't drawn yet: run `cargo xtask`"),
+            None => format!("there is no picture {source}"),
+        })?;
     Ok(format!(
         r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
         escape(source),
@@ -51,4 +54,24 @@ pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> Result<
         markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
     };
     Ok(format!("<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use course::workspace;
+
+    #[test]
+    fn listed_mistake_without_its_picture_names_the_command_that_draws_it() {
+        let mut sources = Sources::read(&workspace()).expect("the sources");
+        let fault = |sources: &Sources, name: &str| {
+            html("A picture.", &format!("generated/{name}.png"), sources).err()
+        };
+        assert_eq!(fault(&sources, "mistake-first-in-list"), None);
+        sources.generated.0.remove("mistake-first-in-list.png");
+        let drawn_later = fault(&sources, "mistake-first-in-list").expect("a fault");
+        assert!(drawn_later.contains("`cargo xtask`"), "{drawn_later}");
+        let unknown = fault(&sources, "mistake-of-nobody").expect("a fault");
+        assert_eq!(unknown, "there is no picture generated/mistake-of-nobody.png");
+    }
 }

@@ -4,6 +4,7 @@ use crate::chapter::expand_directives;
 use crate::{Files, Page, Site, Sources, links, problem, search};
 use course::workspace;
 use figures::FIGURES;
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 static SOURCES: LazyLock<Sources> =
@@ -20,6 +21,31 @@ fn a_chapter_is_expanded() {
     let (markdown, faults) = expand_and_list_faults(include_str!("tests/one_of_each.md"));
     assert_eq!(faults, "");
     insta::assert_snapshot!(markdown);
+}
+
+/// The kinds of the directives in a text, such as `value` of `{{#value row:D}}`.
+fn directive_kinds(text: &str) -> BTreeSet<&str> {
+    let directives = text.split("{{#").skip(1);
+    directives.filter_map(|directive| directive.split([' ', '}']).next()).collect()
+}
+
+#[test]
+fn directives_of_the_chapters_are_listed_and_expanded_above() {
+    let list = include_str!("lib.rs").lines().filter(|line| line.starts_with("//!"));
+    let list: String = list.collect();
+    let expanded = directive_kinds(include_str!("tests/one_of_each.md"));
+    let files = Files::read(&workspace().join("book/src")).expect("chapters");
+    let mut faults = BTreeSet::new();
+    for kind in files.texts_with_suffix(".md").flat_map(|(_, text)| directive_kinds(text)) {
+        if !list.contains(&format!("*{kind}*")) && !list.contains(&format!("`{kind}`")) {
+            faults.insert(format!("The list at the top of lib.rs has no {kind}."));
+        }
+        // It is not expanded with its chapter, but before.
+        if kind != "our-folder" && !expanded.contains(kind) {
+            faults.insert(format!("tests/one_of_each.md has no {{{{#{kind}}}}}."));
+        }
+    }
+    assert_eq!(faults, BTreeSet::new());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //!
 //! - `LIVE:NAME` is a number of a figure at its defaults, such as `row:D`;
 //! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
+//! - `R_d:OBJECT` is the R_d of an object of the scene, such as `R_d:salmon sphere`;
 //! - `NAME` is a count over the rays or pixels of a whole picture, or their largest change.
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
@@ -15,6 +16,7 @@ use step05_phong::{picture, render, scene};
 /// The text of `{{#value …}}`.
 pub fn value_text(text: &str) -> Result<String, String> {
     let number = match text.split_once(':') {
+        Some(("R_d", object)) => diffuse_reflectance_text(object),
         Some((live, number)) => live_number_text(live, number),
         None => count(text).map(format_count),
     };
@@ -41,6 +43,13 @@ fn count(name: &str) -> Option<usize> {
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
         _ => return None,
     })
+}
+
+/// The R_d of the object of this name in the scene.
+fn diffuse_reflectance_text(object: &str) -> Option<String> {
+    let object = scene().objects.into_iter().find(|one| one.name == object)?;
+    let [r, g, b] = object.material.matte.diffuse.to_array();
+    Some(format!("({r}, {g}, {b})"))
 }
 
 /// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
@@ -78,4 +87,19 @@ fn changes_without_gate() -> Vec<usize> {
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));
     changes.filter(|change| 0 < *change).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn r_d_is_that_of_the_object_as_it_is_in_the_scene() {
+        for object in OBJECTS {
+            let [r, g, b] = object.material.to_array();
+            let text = value_text(&format!("R_d:{}", object.name));
+            assert_eq!(text, Ok(format!("({r}, {g}, {b})")), "{}", object.name);
+        }
+        assert!(value_text("R_d:no sphere").is_err());
+    }
 }

@@ -140,3 +140,32 @@ impl Table {
         fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mistake_program::title_and_file;
+
+    fn unknown_titles(table: &Table) -> Vec<String> {
+        table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect()
+    }
+
+    #[test]
+    fn mistake_without_its_row_or_one_small_picture_is_unknown() {
+        let read = || Table::read().expect("the list and the table");
+        let (mut without_row, mut without_picture) = (read(), read());
+        let known = unknown_titles(&without_row);
+        let is_shown = |(_, mistake): &&(u32, Mistake)| {
+            !mistake.pictures.is_empty() && !known.contains(&title_and_file(mistake))
+        };
+        let (key, mistake) = without_row.all.iter().rfind(is_shown).expect("a mistake").clone();
+        let expected = [title_and_file(&mistake)];
+        without_row.rows.remove(&key);
+        without_picture.small_pictures.remove(mistake.pictures[0].0);
+        for table in [without_row, without_picture] {
+            let mut titles = unknown_titles(&table);
+            titles.retain(|title| !known.contains(title));
+            assert_eq!(titles, expected);
+        }
+    }
+}

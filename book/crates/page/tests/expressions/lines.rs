@@ -41,6 +41,13 @@ fn too_long_text_is_refused() {
 }
 
 #[test]
+fn text_is_too_long_from_251_bytes_on() {
+    let longest = format!("{:250}", "v.dot(v)");
+    assert_eq!(draw("a", &longest).err().map(|refusal| refusal.sentence), None);
+    assert!(draw("a", &(longest + " ")).is_err());
+}
+
+#[test]
 fn more_lines_than_there_are_places_are_not_drawn() {
     let lines = ["normal p"; 1000].join("\u{1f}");
     assert_eq!(page::answer(&format!("edit 640 {lines}"), &[]).text, "");

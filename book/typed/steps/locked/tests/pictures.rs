@@ -1,4 +1,4 @@
-use std::{fs, process::Command};
+use std::{fs, path, process::Command};
 
 fn lock(step: &str) {
     let run = Command::new("cargo").args(["run", "--quiet", "-p", step]).status();
@@ -6,7 +6,10 @@ fn lock(step: &str) {
     let file = format!("{step}.png");
     let picture = fs::read(&file).unwrap();
     fs::remove_file(&file).unwrap();
-    insta::assert_binary_snapshot!(&file, picture);
+    let folder = path::absolute("tests/snapshots").unwrap();
+    insta::with_settings!({ snapshot_path => folder }, {
+        insta::assert_binary_snapshot!(&file, picture);
+    });
 }
 
 #[test]

@@ -1,0 +1,54 @@
+//! An exercise has its section and its form on a practice page, and its solution on the page of
+//! solutions, all under the name of its picture.
+
+use super::assert_no_faults;
+use super::built_book::built_book;
+use builder::Page;
+use std::collections::BTreeMap;
+
+/// The solutions that are no exercise of a practice page: `fast` has a page of its own, Faster.
+const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
+
+/// The sections of a page that have an exercise's name, each with the pictures of the forms below
+/// its heading.
+fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
+    let (mut sections, mut section) = (BTreeMap::new(), None);
+    for element in &page.elements {
+        match &*element.tag {
+            "h1" | "h2" => section = None,
+            "h3" => {
+                section = element.attr("id");
+                sections.extend(section.map(|name| (name, vec![])));
+            }
+            "form" => {
+                let forms = section.and_then(|name| sections.get_mut(name));
+                forms.into_iter().for_each(|forms| forms.extend(element.attr("data-name")));
+            }
+            _ => {}
+        }
+    }
+    sections
+}
+
+#[test]
+fn each_exercise_has_its_section_its_form_and_its_solution() {
+    let book = built_book();
+    let solutions = sections(&book.pages["solutions.html"]);
+    let practice = book.pages.values().filter(|page| page.name.ends_with("_practice.html"));
+    let exercises: BTreeMap<_, _> = practice.flat_map(sections).collect();
+    let mut faults = vec![];
+    for name in solutions.keys().filter(|name| !WITHOUT_PRACTICE.contains(name)) {
+        match exercises.get(name) {
+            None => faults.push(format!("No practice page has a section {{#{name}}}.")),
+            Some(forms) if forms != &[*name] => {
+                faults.push(format!("The section {{#{name}}} has no {{{{#check {name}}}}}."));
+            }
+            Some(_) => {}
+        }
+    }
+    for name in exercises.keys().filter(|name| !solutions.contains_key(*name)) {
+        faults.push(format!("solutions.md has no section {{#{name}}}."));
+    }
+    assert!(!solutions.is_empty());
+    assert_no_faults(&faults);
+}
