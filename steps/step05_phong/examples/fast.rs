@@ -88,8 +88,8 @@ impl Candidates for &[Candidate] {
 }
 
 /// Those candidates from a longer list that a pyramid doesn't miss.
-// `draw_band` has one on the stack, and its alignment is that of all the stack there. A
-// vector of 64 bytes that is kept on the stack then lies in one cache line, not in two.
+// `draw_band` has one on the stack, and with this alignment it aligns all that the
+// stack holds. A vector of 64 bytes then lies in one cache line rather than in two.
 #[repr(align(64))]
 struct Sieve<C> {
     source: C,
