@@ -88,6 +88,9 @@ impl Candidates for &[Candidate] {
 }
 
 /// Those candidates from a longer list that a pyramid doesn't miss.
+// `draw_band` has one on the stack, and with this alignment it aligns all that the
+// stack holds. A vector of 64 bytes then lies in one cache line rather than in two.
+#[repr(align(64))]
 struct Sieve<C> {
     source: C,
     /// The number of candidates of the source that have been looked at.
