@@ -1,8 +1,9 @@
+use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
-use crate::preprocessor::{Course, fail_with_faults};
+use crate::preprocessor::Course;
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
-use anyhow::{Context, Error, Result, ensure};
+use anyhow::{Context, Result, ensure};
 use mdbook_driver::MDBook;
 use std::fs::{self, File};
 use std::io;
@@ -85,9 +86,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     sources.generated.write(&folder.join(GENERATED))?;
     let files = Files::read(&folder)?;
     for (name, html) in files.texts_with_suffix(".html") {
-        let mut html = inline_stylesheets(html, &files)
-            .map_err(Error::msg)
-            .with_context(|| name.to_owned())?;
+        let mut html = inline_stylesheets(html, &files).with_context(|| name.to_owned())?;
         if name == "print.html" {
             // A picture that waits to be seen would not be on paper.
             html = html.replace(picture::LAZY, "");
@@ -96,7 +95,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     }
     let site = Site::read(&folder)?;
     fs::write(folder.join("search-index.js"), search::index_script(&site)?)?;
-    fail_with_faults(&links::find_faults(&site))?;
+    Faults::ensure_none(links::find_faults(&site))?;
     Ok(site)
 }
 

@@ -1,3 +1,4 @@
+use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::markdown::{self, parse_directive};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
@@ -30,14 +31,11 @@ pub fn expand_directives(
         open_problem: None,
     };
     chapter.expand_blocks();
-    chapter.faults.sort_by_key(|(line, _)| *line);
+    chapter.faults.sort_by_key(|fault| fault.line);
     let markdown = chapter.expanded + &text[chapter.expanded_end..];
     // The first picture does not wait until it is near.
     (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), chapter.faults)
 }
-
-/// A fault in a chapter: its line, and a sentence about it.
-pub type Fault = (usize, String);
 
 /// A chapter as it is read once, from top to bottom.
 struct Chapter<'a> {
@@ -59,19 +57,19 @@ struct Chapter<'a> {
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
 impl<'a> Chapter<'a> {
-    fn add_fault(&mut self, position: usize, sentence: impl Into<String>) {
+    fn add_fault(&mut self, position: usize, error: ChapterError) {
         let line = 1 + self.text[..position].matches('\n').count();
-        self.faults.push((line, sentence.into()));
+        self.faults.push(Fault { line, error });
     }
 
     /// Puts `part` in place of a range of the text. An error is a fault of it.
-    fn replace(&mut self, range: Range<usize>, part: Result<String, String>) {
+    fn replace(&mut self, range: Range<usize>, part: ChapterResult<String>) {
         self.expanded += &self.text[self.expanded_end..range.start];
         self.expanded_end = range.end;
         // A comma stays on the line of the formula before it.
         let mark = self.text[range.end..].chars().next();
         match (part, mark.filter(|mark| ",.;:?)".contains(*mark))) {
-            (Err(fault), _) => self.add_fault(range.start, fault),
+            (Err(error), _) => self.add_fault(range.start, error),
             (Ok(formula), Some(mark)) if formula.ends_with("</math>") => {
                 self.expanded += &format!("<span class=\"tight\">{formula}{mark}</span>");
                 self.expanded_end += mark.len_utf8();
@@ -91,7 +89,7 @@ impl<'a> Chapter<'a> {
                 _ => {}
             }
             if MAX_NESTING < nesting {
-                self.add_fault(range.start, "this is nested too deeply");
+                self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
             if self.expanded_end < range.end
@@ -101,7 +99,7 @@ impl<'a> Chapter<'a> {
             }
         }
         if let Some(position) = self.open_problem.or(self.open_box) {
-            self.add_fault(position, "the box has no {{#end}}");
+            self.add_fault(position, ChapterError::MissingEndOfBox);
         }
     }
 
@@ -111,7 +109,7 @@ impl<'a> Chapter<'a> {
         event: &Event,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
+    ) -> Option<ChapterResult<String>> {
         let source = &self.text[range.clone()];
         Some(match event {
             Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
@@ -143,17 +141,13 @@ impl<'a> Chapter<'a> {
     fn find_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
-            self.add_fault(
-                position,
-                "a $ that is no formula is written \\$, and a formula has its end, pairs of \
-                 braces, and no HTML around it",
-            );
+            self.add_fault(position, ChapterError::LoneDollar);
         }
     }
 
     /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
     /// compiles.
-    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Result<String, String> {
+    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else { return numbers::fill_in_text(source) };
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
@@ -163,7 +157,7 @@ impl<'a> Chapter<'a> {
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
-            return Err("code is from a file: {{#include path}}".to_owned());
+            return Err(ChapterError::TypedCode);
         } else {
             return numbers::fill_in_text(source);
         };
@@ -175,7 +169,7 @@ impl<'a> Chapter<'a> {
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
+    ) -> Option<ChapterResult<String>> {
         let source = self.text[range.clone()].trim();
         let (kind, words) = parse_directive(source).unwrap_or_default();
         Some(match (kind, words.trim()) {
@@ -189,7 +183,7 @@ impl<'a> Chapter<'a> {
             ("rust", words) => markdown::inline_html(words)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
-                Err("a problem begins after the {{#end}} of another".to_owned())
+                Err(ChapterError::ProblemInBox)
             }
             ("problem", words) => {
                 self.open_problem = Some(range.start);
@@ -198,9 +192,7 @@ impl<'a> Chapter<'a> {
             ("problem-sheet", _) => Ok(self.problem_sheet.to_owned()),
             ("end", _) => self.end_box(),
             (kind, words) => match folded_box::opening_html(kind, words) {
-                Some(_) if self.open_box.is_some() => {
-                    Err("a box can't hold another box".to_owned())
-                }
+                Some(_) if self.open_box.is_some() => Err(ChapterError::BoxInBox),
                 Some(html) => {
                     self.open_box = Some(range.start);
                     html
@@ -211,12 +203,12 @@ impl<'a> Chapter<'a> {
     }
 
     /// The end of the open box, and of the problem whose answer it is.
-    fn end_box(&mut self) -> Result<String, String> {
+    fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
             (Some(_), Some(_)) => Ok("</details>\n</section>\n".to_owned()),
-            (None, Some(_)) => Err("the problem has no {{#answer}}".to_owned()),
-            (None, None) => Err("{{#end}} without a box to end".to_owned()),
+            (None, Some(_)) => Err(ChapterError::MissingAnswer),
+            (None, None) => Err(ChapterError::EndWithoutBox),
         }
     }
 
@@ -226,7 +218,7 @@ impl<'a> Chapter<'a> {
         &self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
+    ) -> Option<ChapterResult<String>> {
         let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
@@ -245,8 +237,10 @@ impl<'a> Chapter<'a> {
 
     /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
     /// are several; below them is what the one says of a pixel that answers in them.
-    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&str>) -> Result<String, String> {
-        let find = |name| figures::find(name).ok_or(format!("nothing called {name:?} answers"));
+    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&str>) -> ChapterResult<String> {
+        let find = |name: &str| {
+            figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
+        };
         let live = live.map(find).transpose()?;
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
@@ -264,12 +258,14 @@ impl<'a> Chapter<'a> {
     }
 
     /// What is said of a pixel of a picture, below it.
-    fn pixel_panel_html(&self, live: &Figure) -> Result<String, String> {
+    fn pixel_panel_html(&self, live: &Figure) -> ChapterResult<String> {
         let (markdown, faults) =
             expand_directives(&pixel_panel::panel_markdown(live), self.sources, "");
-        match faults.first() {
+        match faults.into_iter().next() {
             None => Ok(pixel_panel::panel_html(live, &markdown)),
-            Some((_, what)) => Err(format!("this pixel of {}: {what}", live.name)),
+            Some(Fault { error, .. }) => {
+                Err(ChapterError::PixelPanel { figure: live.name, error: error.into() })
+            }
         }
     }
 }

@@ -1,13 +1,14 @@
 use crate::controls;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use figures::Output;
 
 /// The HTML of the figure called `name`.
-pub fn html(name: &str) -> Result<String, String> {
+pub fn html(name: &str) -> ChapterResult<String> {
     let Some((figure, Output::Drawing(drawing))) =
         figures::find(name).map(|figure| (figure, figure.default_output()))
     else {
-        return Err(format!("there is no figure {name}"));
+        return Err(ChapterError::UnknownFigure(name.to_owned()));
     };
     let (live, controls) = match figure.followed {
         Some(followed) => (format!(" data-companion=\"{followed}\""), String::new()),

@@ -1,3 +1,4 @@
+use crate::fault::ChapterResult;
 use crate::markdown::inline_html;
 
 /// The boxes a chapter can have, and what stands before the author's own words in
@@ -6,7 +7,7 @@ const KINDS: [(&str, &str); 4] =
     [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside"), ("answer", "Answer")];
 
 /// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
-pub fn opening_html(kind: &str, summary: &str) -> Option<Result<String, String>> {
+pub fn opening_html(kind: &str, summary: &str) -> Option<ChapterResult<String>> {
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
     Some(inline_html(summary).map(|words| {
         format!(

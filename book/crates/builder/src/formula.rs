@@ -1,3 +1,4 @@
+use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
@@ -8,7 +9,7 @@ const MAX_MARKS: usize = 100;
 const STACK_BYTES: usize = 16 << 20;
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
-pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
+pub fn formula_html(latex: &str, is_display: bool) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, |latex| convert(latex, style))?;
     let mathml = escape_markdown(&mathml);
@@ -20,20 +21,21 @@ pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
 }
 
 /// The MathML of a formula without numbers that are still to be filled in.
-fn convert(latex: &str, style: MathDisplay) -> Result<String, String> {
+fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
     if MAX_MARKS < latex.matches(['\\', '{']).count() {
-        return Err(format!("a formula has at most {MAX_MARKS} commands and braces"));
+        return Err(ChapterError::LongFormula(MAX_MARKS));
     }
     let convert = || LatexToMathML::default().convert_with_local_state(latex, style);
     let converted = thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, convert);
         thread.ok()?.join().ok()
     });
+    let formula_error = |source| ChapterError::Formula { latex: latex.to_owned(), source };
     match converted {
         Some(Ok(converted)) => Ok(converted.mathml),
-        Some(Err(error)) => Err(format!("the formula {latex} does not parse: {error}")),
-        None => Err(format!("the formula {latex} does not parse")),
+        Some(Err(error)) => Err(formula_error(Some(error))),
+        None => Err(formula_error(None)),
     }
 }
 

@@ -24,8 +24,10 @@
 //!   was worked out above it, and `rust` tells what a week of Rust does not;
 //! - `our-folder` says where the source of the book is.
 //!
-//! A *fault* is a sentence about what only the author can mend; it stops the build.
+//! A *fault* is an error on a line of a chapter, which only its author can mend. The build reports
+//! all faults and stops.
 
+mod fault;
 mod figure_file;
 mod files;
 mod page;

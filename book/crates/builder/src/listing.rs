@@ -1,3 +1,4 @@
+use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
 use crate::{Sources, values};
 use course::{Place, Step};
@@ -23,17 +24,17 @@ pub fn html(
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
-) -> Result<String, String> {
+) -> ChapterResult<String> {
     let target = include
         .trim()
         .strip_prefix("{{#include ")
         .and_then(|rest| rest.strip_suffix("}}"))
         .filter(|rest| !rest.contains(['\n', '{', '}']))
-        .ok_or("a listing is one {{#include path}} and nothing else")?;
+        .ok_or(ChapterError::IncludeForm)?;
     let (target, part) = target.split_once(':').unwrap_or((target, ".."));
     let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(sources.workspace.join(&path))
-        .map_err(|_| format!("there is no file {target} that can be read"))?;
+        .map_err(|source| ChapterError::UnreadableFile { path: target.to_owned(), source })?;
     let folders = ["book/reader/", "book/typed/"];
     let path = folders.iter().find_map(|folder| path.strip_prefix(folder)).unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
@@ -49,7 +50,7 @@ pub fn html(
     let mut attributes = places_attribute(path, &code);
     if !live.is_empty() {
         let rust = values::value_text(&format!("{live}:rust"));
-        rust.map_err(|_| format!("nothing called {live:?} has Rust that moves"))?;
+        rust.map_err(|_| ChapterError::UnknownProgram(live.to_owned()))?;
         attributes += &format!(" data-code=\"{live}\"");
     }
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
@@ -122,10 +123,9 @@ fn figure_markdown(
 
 /// The lines of a part such as `use..impl Ray`, which begins and ends before what
 /// begins with these words.
-fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
-    let (begin_words, end_words) = part
-        .split_once("..")
-        .ok_or(format!("a part is ..how its end begins, or how it begins.., not {part}"))?;
+fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
+    let (begin_words, end_words) =
+        part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
     let start = find_line_or_attributes(begin_words, lines, 0)?;
     let end = match end_words {
         "" => lines.len(),
@@ -136,10 +136,10 @@ fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
 
 /// The place of the first line, not before `start`, that begins with these words, or that of the
 /// comments and attributes above it.
-fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> Result<usize, String> {
+fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len()).find(has_words);
-    let index = index.ok_or(format!("no line there begins with {words:?}"))?;
+    let index = index.ok_or_else(|| ChapterError::UnknownLine(words.to_owned()))?;
     let lines_above = lines[start..index].iter().rev();
     let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
     Ok(index - lines_above.take_while(is_about_it).count())

@@ -1,3 +1,4 @@
+use crate::fault::{ChapterError, ChapterResult};
 use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
@@ -16,7 +17,7 @@ pub fn markdown_options() -> Options {
 
 /// The HTML of one paragraph of Markdown, formulas included, without the tags of
 /// the paragraph.
-pub fn inline_html(markdown: &str) -> Result<String, String> {
+pub fn inline_html(markdown: &str) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
         events.push(match event {
@@ -30,7 +31,7 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
     if text.contains('$') {
-        return Err("a lone $: a formula has two".to_string());
+        return Err(ChapterError::LoneDollarInWords);
     }
     numbers::fill_in_text(&text.replace('\n', " "))
 }

@@ -1,4 +1,5 @@
 use crate::Sources;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::picture::{self, LAZY};
 use crate::sources::small_picture_name;
@@ -8,8 +9,8 @@ use figures::escape;
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
 /// shown in the picture of that step, and then each with its picture, ours, where they
 /// differ, the diff, and what is to be said of it.
-pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
-    let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
+pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
+    let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in &mistakes() {
         let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
@@ -29,7 +30,7 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
 }
 
 /// Why a mistake is wrong, and a link to the section that tells.
-fn reason_markdown(mistake: &Mistake) -> Result<String, String> {
+fn reason_markdown(mistake: &Mistake) -> ChapterResult<String> {
     let Mistake { step, section, reason, .. } = mistake;
     let is_of_program = mistake.file.ends_with("/program.rs");
     let chapter = if is_of_program { "step01_program" } else { step.name() };
@@ -42,7 +43,7 @@ fn reason_markdown(mistake: &Mistake) -> Result<String, String> {
 
 /// The picture with a mistake, ours of that step, and where they differ: the browser blends two
 /// pictures, one upon the other.
-fn panels_html(yours: &str, step: Step, sources: &Sources) -> Result<String, String> {
+fn panels_html(yours: &str, step: Step, sources: &Sources) -> ChapterResult<String> {
     let ours = format!("generated/{}", small_picture_name(step));
     let alt = format!("The picture of step {} with this mistake.", step.number());
     let wrong = picture::html(&alt, yours, sources)?;
@@ -58,7 +59,7 @@ fn panels_html(yours: &str, step: Step, sources: &Sources) -> Result<String, Str
 }
 
 /// The title of a mistake, with a capital letter, unless it begins with a symbol.
-fn title_html(Mistake { title, .. }: &Mistake) -> Result<String, String> {
+fn title_html(Mistake { title, .. }: &Mistake) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
     inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {

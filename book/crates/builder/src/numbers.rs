@@ -1,31 +1,29 @@
 //! The numbers in a text: values, computed when the book is built, and those that move
 //! when a reader moves what answers.
 
+use crate::fault::{ChapterError, ChapterResult};
 use crate::replace_between::replace_between;
 use crate::values;
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
-pub fn fill_in_text(text: &str) -> Result<String, String> {
+pub fn fill_in_text(text: &str) -> ChapterResult<String> {
     replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
         Some(("value", name)) => values::value_text(name),
         Some(("number", number_name)) => moving_number_html("span", number_name),
-        _ => Err(format!(
-            "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
-             or is none of the directives"
-        )),
+        _ => Err(ChapterError::MisplacedDirective(directive.to_owned())),
     })
 }
 
 /// The same for a formula: `to_mathml` gets it with a mark where a number moves.
 pub fn fill_in_formula(
     latex: &str,
-    to_mathml: impl FnOnce(&str) -> Result<String, String>,
-) -> Result<String, String> {
+    to_mathml: impl FnOnce(&str) -> ChapterResult<String>,
+) -> ChapterResult<String> {
     let marked =
         replace_between(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
             Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
             Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
-            _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
+            _ => Err(ChapterError::DirectiveInFormula(directive.to_owned())),
         })?;
     replace_between(&to_mathml(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
         moving_number_html("mn", number_name)
@@ -33,7 +31,7 @@ pub fn fill_in_formula(
 }
 
 /// A number that moves, as it is printed: a value of what answers.
-fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
+fn moving_number_html(tag: &str, number_name: &str) -> ChapterResult<String> {
     let default_text = values::value_text(number_name)?;
     Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
 }

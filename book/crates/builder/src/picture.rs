@@ -1,4 +1,5 @@
 use crate::controls;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::sources::Sources;
 use course::mistakes;
@@ -9,7 +10,7 @@ pub const LAZY: &str = r#" loading="lazy""#;
 
 /// A picture as a chapter asks for it: `![what it shows](generated/name.png "Caption")`, without
 /// its caption; what a mistake's picture shows, the list of mistakes says.
-pub fn markdown_html(markdown: &str, source: &str, sources: &Sources) -> Result<String, String> {
+pub fn markdown_html(markdown: &str, source: &str, sources: &Sources) -> ChapterResult<String> {
     // The caption may hold links of its own; the alt text ends before the first.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
@@ -26,15 +27,15 @@ fn effect_of_picture(source: &str) -> Option<String> {
 }
 
 /// A picture with this alt text, in its size; it loads when it comes into view.
-pub fn html(alt: &str, source: &str, sources: &Sources) -> Result<String, String> {
+pub fn html(alt: &str, source: &str, sources: &Sources) -> ChapterResult<String> {
     if alt.is_empty() {
-        return Err(format!("the picture {source} has no alt text: say what it shows"));
+        return Err(ChapterError::MissingAltText(source.to_owned()));
     }
     if alt.contains("{{#") {
-        return Err(format!("the alt text of {source} is words alone, without directives"));
+        return Err(ChapterError::DirectiveInAltText(source.to_owned()));
     }
-    let (width, height) =
-        sources.picture_size(source).ok_or(format!("there is no picture {source}"))?;
+    let size = sources.picture_size(source);
+    let (width, height) = size.ok_or_else(|| ChapterError::UnknownPicture(source.to_owned()))?;
     Ok(format!(
         r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
         escape(source),
@@ -43,7 +44,7 @@ pub fn html(alt: &str, source: &str, sources: &Sources) -> Result<String, String
 }
 
 /// A figure of an image with its caption in Markdown, in which what is `live` answers.
-pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> Result<String, String> {
+pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> ChapterResult<String> {
     let data = live.map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
     let controls_html = live.map_or(String::new(), controls::html);
     let caption = match caption {

@@ -1,7 +1,8 @@
+use crate::fault::Faults;
 use crate::files::CHAPTERS;
 use crate::sources::{GENERATED, Sources};
 use crate::{chapter, problem};
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use std::path::Path;
@@ -53,19 +54,12 @@ fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Resu
         let (markdown, wrong) = chapter::expand_directives(&text, sources, &sheet);
         chapter.content = markdown;
         let file = chapter.source_path.clone().unwrap_or_default();
-        faults.extend(
-            wrong.iter().map(|(line, what)| format!("{CHAPTERS}{}:{line}: {what}", file.display())),
-        );
+        faults.extend(wrong.iter().map(|fault| format!("{CHAPTERS}{}:{fault}", file.display())));
     });
     // A fault of a problem is told in its chapter alone.
     if faults.is_empty() {
-        faults.extend(sheet_faults.iter().map(|(_, what)| format!("the problem sheet: {what}")));
+        faults
+            .extend(sheet_faults.iter().map(|fault| format!("the problem sheet: {}", fault.error)));
     }
-    fail_with_faults(&faults)
-}
-
-/// An error that tells all faults at once, if there are any; it stops the build.
-pub fn fail_with_faults(faults: &[String]) -> Result<()> {
-    ensure!(faults.is_empty(), "{}\nThe book is not done.", faults.join("\n"));
-    Ok(())
+    Ok(Faults::ensure_none(faults)?)
 }

@@ -1,14 +1,16 @@
+use crate::fault::{ChapterError, ChapterResult};
+
 /// The HTML for `{{#problem 7 0.622}}`, which begins the problem of this number and gives its
 /// answer.
 ///
 /// The problem's text follows, `{{#answer}}`, the way to the answer, and `{{#end}}`. What a
 /// reader types in is compared by book/theme/book.js: a whole number exactly, any other
 /// within 1 %.
-pub fn opening_html(words: &str) -> Result<String, String> {
+pub fn opening_html(words: &str) -> ChapterResult<String> {
     let (number, answer) = words.split_once(' ').unwrap_or_default();
     let answer = answer.replace(',', "");
     if answer.parse::<f64>().is_err() {
-        return Err("a problem is {{#problem NUMBER ANSWER}}, two numbers".to_owned());
+        return Err(ChapterError::ProblemForm);
     }
     let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
     Ok(format!(

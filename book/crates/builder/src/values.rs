@@ -6,6 +6,7 @@
 //!
 //! A minus is one (−); code and formulas get a hyphen where it is put in.
 
+use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
 use figures::{discriminant, format_count};
 use step02_sphere::{Ray, SPHERE};
@@ -13,12 +14,12 @@ use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
 /// The text of `{{#value …}}`.
-pub fn value_text(text: &str) -> Result<String, String> {
+pub fn value_text(text: &str) -> ChapterResult<String> {
     let number = match text.split_once(':') {
         Some((live, number)) => live_number_text(live, number),
         None => count(text).map(format_count),
     };
-    number.ok_or_else(|| format!("there is no value {text}"))
+    number.ok_or_else(|| ChapterError::UnknownValue(text.to_owned()))
 }
 
 /// The count of this name.
