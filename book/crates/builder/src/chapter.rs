@@ -29,6 +29,7 @@ pub fn expand_directives(
         listings: vec![],
         open_box: None,
         open_problem: None,
+        missing_panel: None,
     };
     chapter.expand_blocks();
     chapter.faults.sort_by_key(|fault| fault.line);
@@ -52,6 +53,8 @@ struct Chapter<'a> {
     /// Places where the open box and the open problem begin.
     open_box: Option<usize>,
     open_problem: Option<usize>,
+    /// The place and the name of a picture whose pixels can be chosen, until its panel begins.
+    missing_panel: Option<(usize, &'static str)>,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -101,6 +104,9 @@ impl<'a> Chapter<'a> {
         if let Some(position) = self.open_problem.or(self.open_box) {
             self.add_fault(position, ChapterError::MissingEndOfBox);
         }
+        if let Some((position, picture)) = self.missing_panel {
+            self.add_fault(position, ChapterError::MissingPanel(picture));
+        }
     }
 
     /// What stands in place of a part of the chapter; None for text that stays as it is.
@@ -117,6 +123,10 @@ impl<'a> Chapter<'a> {
                 let html = self.expand_paragraph(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
             }
+            Event::Start(Tag::TableRow) => match parse_directive(source.trim()) {
+                Some(("rows", words)) => pixel_panel::rows_markdown(words),
+                _ => return None,
+            },
             Event::Start(Tag::Image { dest_url, .. }) => {
                 picture::markdown_html(source, dest_url, self.sources)
             }
@@ -191,15 +201,33 @@ impl<'a> Chapter<'a> {
             }
             ("problem-sheet", _) => Ok(self.problem_sheet.to_owned()),
             ("end", _) => self.end_box(),
+            ("pixel-panel", picture) => {
+                let html = self.pixel_panel_html(picture);
+                self.begin_box(range.start, html)
+            }
             (kind, words) => match folded_box::opening_html(kind, words) {
-                Some(_) if self.open_box.is_some() => Err(ChapterError::BoxInBox),
-                Some(html) => {
-                    self.open_box = Some(range.start);
-                    html
-                }
+                Some(html) => self.begin_box(range.start, html),
                 None => return self.expand_pictures_alone(events, range),
             },
         })
+    }
+
+    /// Opens a box, even if there is an error in its first line: its `{{#end}}` is none. Boxes
+    /// don't nest.
+    fn begin_box(&mut self, position: usize, html: ChapterResult<String>) -> ChapterResult<String> {
+        if self.open_box.is_some() {
+            return Err(ChapterError::BoxInBox);
+        }
+        self.open_box = Some(position);
+        html
+    }
+
+    /// The HTML that begins the panel of the last interactive picture.
+    fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
+        match self.missing_panel.take_if(|(_, picture)| *picture == name) {
+            Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
+            None => Err(ChapterError::PanelWithoutPicture(name.to_owned())),
+        }
     }
 
     /// The end of the open box, and of the problem whose answer it is.
@@ -215,7 +243,7 @@ impl<'a> Chapter<'a> {
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
     /// answers there.
     fn expand_pictures_alone(
-        &self,
+        &mut self,
         events: &Events,
         range: &Range<usize>,
     ) -> Option<ChapterResult<String>> {
@@ -231,42 +259,35 @@ impl<'a> Chapter<'a> {
         }
         let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
-        (is_whole && !pictures.is_empty())
-            .then(|| self.figures_html(&pictures, live.map(|(_, name)| name)))
-    }
-
-    /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
-    /// are several; below them is what the one says of a pixel that answers in them.
-    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&str>) -> ChapterResult<String> {
+        if !is_whole || pictures.is_empty() {
+            return None;
+        }
         let find = |name: &str| {
             figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
         };
-        let live = live.map(find).transpose()?;
+        let live = match live.map(|(_, name)| find(name)).transpose() {
+            Ok(live) => live,
+            Err(error) => return Some(Err(error)),
+        };
+        if let Some(picture) = live.filter(|live| live.has_probe()) {
+            self.missing_panel = Some((range.start, picture.name));
+        }
+        Some(self.figures_html(&pictures, live))
+    }
+
+    /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
+    /// are several.
+    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&Figure>) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
             let image = picture::markdown_html(markdown, file, self.sources)?;
             figures += &picture::figure_html(&image, caption, live)?;
         }
-        if 1 < pictures.len() {
+        if pictures.len() > 1 {
             // A reader view of a browser takes a `div` of pictures for decoration.
             figures = format!("<section class=\"pictures\">\n{figures}</section>\n");
         }
-        match live.filter(|live| live.has_probe()) {
-            Some(live) => Ok(figures + &self.pixel_panel_html(live)?),
-            None => Ok(figures),
-        }
-    }
-
-    /// What is said of a pixel of a picture, below it.
-    fn pixel_panel_html(&self, live: &Figure) -> ChapterResult<String> {
-        let (markdown, faults) =
-            expand_directives(&pixel_panel::panel_markdown(live), self.sources, "");
-        match faults.into_iter().next() {
-            None => Ok(pixel_panel::panel_html(live, &markdown)),
-            Some(Fault { error, .. }) => {
-                Err(ChapterError::PixelPanel { figure: live.name, error: error.into() })
-            }
-        }
+        Ok(figures)
     }
 }
 

@@ -59,8 +59,14 @@ pub enum ChapterError {
     MissingAltText(String),
     #[error("the alt text of {0} is words alone, without directives")]
     DirectiveInAltText(String),
-    #[error("this pixel of {figure}: {error}")]
-    PixelPanel { figure: &'static str, error: Box<ChapterError> },
+    #[error(
+        "{{{{#pixel-panel {0}}}}} is not below a picture with {{{{#live {0}}}}} that has a probe"
+    )]
+    PanelWithoutPicture(String),
+    #[error("the picture {0} has no {{{{#pixel-panel {0}}}}} below it")]
+    MissingPanel(&'static str),
+    #[error("rows are {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
+    RowsForm,
 
     #[error(
         "a $ that is no formula is written \\$, and a formula has its end, pairs of braces, and \

@@ -14,8 +14,10 @@
 //! - a *value* is computed by the steps when the book is built, a *number* moves on the
 //!   page with what answers;
 //! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made
-//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters,
-//!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
+//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters;
+//! - a `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*: it
+//!   shows every number from the ray of the chosen pixel to its three bytes, and `rows` makes a row
+//!   of a table for each sphere or mirror;
 //! - a *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader;
 //! - a `problem` is to be solved on paper: it has a number for an answer, and `answer` holds the way
 //!   to it; `problem-sheet` has those of all chapters once more;

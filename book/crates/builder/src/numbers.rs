@@ -31,7 +31,7 @@ pub fn fill_in_formula(
 }
 
 /// A number that moves, as it is printed: a value of what answers.
-fn moving_number_html(tag: &str, number_name: &str) -> ChapterResult<String> {
+pub fn moving_number_html(tag: &str, number_name: &str) -> ChapterResult<String> {
     let default_text = values::value_text(number_name)?;
     Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
 }
