@@ -88,8 +88,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     for (name, html) in files.texts_with_suffix(".html") {
         let mut html = inline_stylesheets(html, &files).with_context(|| name.to_owned())?;
         if name == "print.html" {
-            // A picture that waits to be seen would not be on paper.
-            html = html.replace(picture::LAZY, "");
+            html = picture::load_all_pictures(&html);
         }
         fs::write(folder.join(name), html).with_context(|| name.to_owned())?;
     }

@@ -1,41 +1,71 @@
+use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
-use crate::markdown::{self, parse_directive};
+use crate::markdown;
+use crate::picture::{self, Loading};
+use crate::problem::{self, MAX_WORDS, Problem};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
-    picture, pixel_panel, problem,
+    pixel_panel,
 };
 use figures::Figure;
-use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TextMergeWithOffset};
+use mdbook_markdown::pulldown_cmark::{
+    CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
+};
 use std::ops::Range;
 
 /// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
 const MAX_NESTING: usize = 20;
 
-/// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
-/// chapter: gives Markdown as mdBook renders it, and what is wrong on which line. The
-/// problems of all chapters are there already, in Markdown.
-pub fn expand_directives(
-    text: &str,
-    sources: &Sources,
-    problem_sheet: &str,
-) -> (String, Vec<Fault>) {
+/// A chapter in Markdown as mdBook renders it, and what was found in it on the way.
+#[derive(Debug)]
+pub struct ExpandedChapter {
+    markdown: String,
+    /// What is wrong with it, from top to bottom.
+    pub faults: Vec<Fault>,
+    /// Its problems to be solved on paper.
+    pub problems: Vec<Problem>,
+    /// The position of `{{#problem-sheet}}` in the Markdown.
+    sheet_position: Option<usize>,
+}
+
+impl ExpandedChapter {
+    /// The Markdown, with the problems of all chapters where the chapter asks for them.
+    pub fn markdown_with_sheet(&self, sheet: &str) -> String {
+        let mut markdown = self.markdown.clone();
+        if let Some(position) = self.sheet_position {
+            markdown.insert_str(position, sheet);
+        }
+        markdown
+    }
+}
+
+/// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a chapter.
+/// `our_folder` says in Markdown where the source of the book is.
+pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
         sources,
-        problem_sheet,
+        our_folder,
         expanded: String::new(),
         expanded_end: 0,
         faults: vec![],
         listings: vec![],
+        loading: Loading::AtOnce,
         open_box: None,
         open_problem: None,
+        problems: vec![],
+        sheet_position: None,
         missing_panel: None,
     };
     chapter.expand_blocks();
+    chapter.copy_until(text.len());
     chapter.faults.sort_by_key(|fault| fault.line);
-    let markdown = chapter.expanded + &text[chapter.expanded_end..];
-    // The first picture does not wait until it is near.
-    (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), chapter.faults)
+    ExpandedChapter {
+        markdown: chapter.expanded,
+        faults: chapter.faults,
+        problems: chapter.problems,
+        sheet_position: chapter.sheet_position,
+    }
 }
 
 /// A chapter as it is read once, from top to bottom.
@@ -43,18 +73,38 @@ struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
-    problem_sheet: &'a str,
+    our_folder: &'a str,
     /// What the text becomes, up to `expanded_end` in it.
     expanded: String,
     expanded_end: usize,
     faults: Vec<Fault>,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// Places where the open box and the open problem begin.
+    /// How the next picture is loaded.
+    loading: Loading,
+    /// The position where the open box begins.
     open_box: Option<usize>,
-    open_problem: Option<usize>,
+    open_problem: Option<OpenProblem>,
+    problems: Vec<Problem>,
+    /// The position of the problem sheet in `expanded`.
+    sheet_position: Option<usize>,
     /// The place and the name of a picture whose pixels can be chosen, until its panel begins.
     missing_panel: Option<(usize, &'static str)>,
+}
+
+/// A problem that has begun. Positions come in pairs: in the text, and in what it is expanded to.
+struct OpenProblem {
+    /// None if its first line is faulty.
+    heading: Option<problem::Heading>,
+    /// The beginning of its first line.
+    position: usize,
+    /// The end of that line.
+    text_start: [usize; 2],
+    /// The beginning of `{{#answer}}`.
+    text_end: Option<[usize; 2]>,
+    /// The first bold words of the answer, in what they are expanded to.
+    result_start: Option<usize>,
+    result_end: Option<usize>,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -65,9 +115,15 @@ impl<'a> Chapter<'a> {
         self.faults.push(Fault { line, error });
     }
 
+    /// Takes the text over as it is, from what is expanded to this position.
+    fn copy_until(&mut self, position: usize) {
+        self.expanded += &self.text[self.expanded_end..position];
+        self.expanded_end = position;
+    }
+
     /// Puts `part` in place of a range of the text. An error is a fault of it.
     fn replace(&mut self, range: Range<usize>, part: ChapterResult<String>) {
-        self.expanded += &self.text[self.expanded_end..range.start];
+        self.copy_until(range.start);
         self.expanded_end = range.end;
         // A comma stays on the line of the formula before it.
         let mark = self.text[range.end..].chars().next();
@@ -101,7 +157,8 @@ impl<'a> Chapter<'a> {
                 self.replace(range.clone(), part);
             }
         }
-        if let Some(position) = self.open_problem.or(self.open_box) {
+        let problem_position = self.open_problem.as_ref().map(|problem| problem.position);
+        if let Some(position) = problem_position.or(self.open_box) {
             self.add_fault(position, ChapterError::MissingEndOfBox);
         }
         if let Some((position, picture)) = self.missing_panel {
@@ -123,12 +180,20 @@ impl<'a> Chapter<'a> {
                 let html = self.expand_paragraph(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
             }
-            Event::Start(Tag::TableRow) => match parse_directive(source.trim()) {
-                Some(("rows", words)) => pixel_panel::rows_markdown(words),
+            Event::Start(Tag::TableRow) => match Directive::parse(source) {
+                Some(Directive { kind: "rows", words }) => pixel_panel::rows_markdown(words),
                 _ => return None,
             },
+            Event::Start(Tag::Strong) => {
+                self.begin_bold_words(range.start);
+                return None;
+            }
+            Event::End(TagEnd::Strong) => {
+                self.end_bold_words(range.end);
+                return None;
+            }
             Event::Start(Tag::Image { dest_url, .. }) => {
-                picture::markdown_html(source, dest_url, self.sources)
+                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)
             }
             Event::InlineMath(latex) => formula::formula_html(latex, false),
             Event::DisplayMath(latex) => formula::formula_html(latex, true),
@@ -139,7 +204,11 @@ impl<'a> Chapter<'a> {
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
                 let first = source.find("{{#")?;
-                let text = numbers::fill_in_text(&source[first..]);
+                let our_folder = self.our_folder;
+                let text = replace_directives(&source[first..], |directive| match directive.kind {
+                    "our-folder" => Ok(our_folder.to_owned()),
+                    _ => numbers::number_html(directive),
+                });
                 self.replace(range.start + first..range.end, text);
                 return None;
             }
@@ -162,8 +231,9 @@ impl<'a> Chapter<'a> {
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
-        let html = if content.trim_start().starts_with("{{#include") {
-            listing::html(language, word, &content, self.sources, &mut self.listings)?
+        let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
+        let html = if let Some(Directive { words, .. }) = include {
+            listing::html(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
@@ -180,26 +250,32 @@ impl<'a> Chapter<'a> {
         events: &Events,
         range: &Range<usize>,
     ) -> Option<ChapterResult<String>> {
-        let source = self.text[range.clone()].trim();
-        let (kind, words) = parse_directive(source).unwrap_or_default();
-        Some(match (kind, words.trim()) {
+        let directive = Directive::parse(&self.text[range.clone()]);
+        let Some(Directive { kind, words }) = directive else {
+            return self.expand_pictures_alone(events, range);
+        };
+        Some(match (kind, words) {
             ("figure", name) => figure::html(name),
             ("check", name) => check_form::html(name, self.sources),
-            ("mistakes", step) => mistake_gallery::html(step, self.sources),
+            ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
             ("by-hand", test) => {
                 let name = markdown::code_with_break_hints(test);
                 Ok(format!("<p class=\"by-hand\">Test: {name}</p>\n"))
             }
             ("rust", words) => markdown::inline_html(words)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
-            ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
+            ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
                 Err(ChapterError::ProblemInBox)
             }
             ("problem", words) => {
-                self.open_problem = Some(range.start);
-                problem::opening_html(words)
+                self.begin_problem(words, range);
+                return None;
             }
-            ("problem-sheet", _) => Ok(self.problem_sheet.to_owned()),
+            ("problem-sheet", _) => {
+                self.replace(range.clone(), Ok("\n\n".to_owned()));
+                self.sheet_position = Some(self.expanded.len() - 1);
+                return None;
+            }
             ("end", _) => self.end_box(),
             ("pixel-panel", picture) => {
                 let html = self.pixel_panel_html(picture);
@@ -207,7 +283,7 @@ impl<'a> Chapter<'a> {
             }
             (kind, words) => match folded_box::opening_html(kind, words) {
                 Some(html) => self.begin_box(range.start, html),
-                None => return self.expand_pictures_alone(events, range),
+                None => return None,
             },
         })
     }
@@ -219,7 +295,52 @@ impl<'a> Chapter<'a> {
             return Err(ChapterError::BoxInBox);
         }
         self.open_box = Some(position);
+        self.copy_until(position);
+        if let Some(problem) = &mut self.open_problem {
+            problem.text_end = Some([position, self.expanded.len()]);
+        }
         html
+    }
+
+    /// Opens a problem, even if its first line is faulty: its `{{#end}}` is none.
+    fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
+        let (heading, html) = match problem::Heading::parse(words) {
+            Ok(heading) => {
+                let html = format!("\n{}\n", heading.html());
+                (Some(heading), Ok(html))
+            }
+            Err(error) => (None, Err(error)),
+        };
+        self.replace(range.clone(), html);
+        self.open_problem = Some(OpenProblem {
+            heading,
+            position: range.start,
+            text_start: [range.end, self.expanded.len()],
+            text_end: None,
+            result_start: None,
+            result_end: None,
+        });
+    }
+
+    /// The open problem, if its answer has begun.
+    fn open_answer(&mut self) -> Option<&mut OpenProblem> {
+        self.open_problem.as_mut().filter(|problem| problem.text_end.is_some())
+    }
+
+    fn begin_bold_words(&mut self, position: usize) {
+        self.copy_until(position);
+        let start = self.expanded.len();
+        if let Some(problem) = self.open_answer() {
+            problem.result_start.get_or_insert(start);
+        }
+    }
+
+    fn end_bold_words(&mut self, position: usize) {
+        self.copy_until(position);
+        let end = self.expanded.len();
+        if let Some(problem) = self.open_answer() {
+            problem.result_end.get_or_insert(end);
+        }
     }
 
     /// The HTML that begins the panel of the last interactive picture.
@@ -234,10 +355,28 @@ impl<'a> Chapter<'a> {
     fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
-            (Some(_), Some(_)) => Ok("</details>\n</section>\n".to_owned()),
+            (Some(_), Some(problem)) => {
+                self.finish_problem(problem);
+                Ok("</details>\n</section>\n".to_owned())
+            }
             (None, Some(_)) => Err(ChapterError::MissingAnswer),
             (None, None) => Err(ChapterError::EndWithoutBox),
         }
+    }
+
+    /// Takes in a problem whose answer ends.
+    fn finish_problem(&mut self, problem: OpenProblem) {
+        let [source_start, start] = problem.text_start;
+        let Some(([source_end, end], heading)) = problem.text_end.zip(problem.heading) else {
+            return;
+        };
+        if self.text[source_start..source_end].split_whitespace().count() > MAX_WORDS {
+            self.add_fault(problem.position, ChapterError::LongProblem(MAX_WORDS));
+        }
+        let result = problem.result_start.zip(problem.result_end);
+        let result = result.map_or("", |(start, end)| &self.expanded[start..end]).to_owned();
+        let text = self.expanded[start..end].trim().to_owned();
+        self.problems.push(Problem { heading, text, result });
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
@@ -257,15 +396,12 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
+        let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
             return None;
         }
-        let find = |name: &str| {
-            figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
-        };
-        let live = match live.map(|(_, name)| find(name)).transpose() {
+        let live = match live.map(|directive| find_live(directive.words)).transpose() {
             Ok(live) => live,
             Err(error) => return Some(Err(error)),
         };
@@ -277,10 +413,14 @@ impl<'a> Chapter<'a> {
 
     /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
     /// are several.
-    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&Figure>) -> ChapterResult<String> {
+    fn figures_html(
+        &mut self,
+        pictures: &[[&str; 3]],
+        live: Option<&Figure>,
+    ) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
-            let image = picture::markdown_html(markdown, file, self.sources)?;
+            let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
             figures += &picture::figure_html(&image, caption, live)?;
         }
         if pictures.len() > 1 {
@@ -289,6 +429,10 @@ impl<'a> Chapter<'a> {
         }
         Ok(figures)
     }
+}
+
+fn find_live(name: &str) -> ChapterResult<&'static Figure> {
+    figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
 /// Whether code is a name such as `Ray::at`, which may be broken.

@@ -35,7 +35,7 @@ pub enum ChapterError {
     #[error(transparent)]
     MissingEnd(#[from] MissingEnd),
     #[error(
-        "{{{{#{0}}}}} stands alone, in a paragraph or a fence of its own, or is none of the \
+        "{0} stands alone, in a paragraph or a fence of its own, or is none of the \
          directives"
     )]
     MisplacedDirective(String),
@@ -75,7 +75,7 @@ pub enum ChapterError {
     LoneDollar,
     #[error("a lone $: a formula has two")]
     LoneDollarInWords,
-    #[error("a formula has no {{{{#{0}}}}}")]
+    #[error("a formula has no {0}")]
     DirectiveInFormula(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
@@ -83,10 +83,8 @@ pub enum ChapterError {
     #[error("the formula {latex} does not parse")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 
-    #[error("code is from a file: {{{{#include path}}}}")]
+    #[error("code is from a file: a listing is one {{{{#include path}}}} and nothing else")]
     TypedCode,
-    #[error("a listing is one {{{{#include path}}}} and nothing else")]
-    IncludeForm,
     #[error("there is no file {path} that can be read")]
     UnreadableFile { path: String, source: io::Error },
     #[error("a part is ..how its end begins, or how it begins.., not {0}")]
@@ -108,6 +106,8 @@ pub enum ChapterError {
     ProblemInBox,
     #[error("the problem has no {{{{#answer}}}}")]
     MissingAnswer,
+    #[error("a problem has at most {0} words")]
+    LongProblem(usize),
     #[error("this is nested too deeply")]
     DeepNesting,
 }

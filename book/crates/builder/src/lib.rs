@@ -29,6 +29,7 @@
 //! A *fault* is an error on a line of a chapter, which only its author can mend. The build reports
 //! all faults and stops.
 
+mod directive;
 mod fault;
 mod figure_file;
 mod files;

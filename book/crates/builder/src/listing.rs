@@ -25,13 +25,7 @@ pub fn html(
     sources: &Sources,
     ids: &mut Vec<String>,
 ) -> ChapterResult<String> {
-    let target = include
-        .trim()
-        .strip_prefix("{{#include ")
-        .and_then(|rest| rest.strip_suffix("}}"))
-        .filter(|rest| !rest.contains(['\n', '{', '}']))
-        .ok_or(ChapterError::IncludeForm)?;
-    let (target, part) = target.split_once(':').unwrap_or((target, ".."));
+    let (target, part) = include.split_once(':').unwrap_or((include, ".."));
     let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(sources.workspace.join(&path))
         .map_err(|source| ChapterError::UnreadableFile { path: target.to_owned(), source })?;

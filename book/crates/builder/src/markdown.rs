@@ -36,12 +36,6 @@ pub fn inline_html(markdown: &str) -> ChapterResult<String> {
     numbers::fill_in_text(&text.replace('\n', " "))
 }
 
-/// The kind and the words of a directive such as `{{#figure ray}}`.
-pub fn parse_directive(source: &str) -> Option<(&str, &str)> {
-    let inside = source.strip_prefix("{{#")?.strip_suffix("}}")?;
-    Some(inside.split_once(' ').unwrap_or((inside, "")))
-}
-
 /// A name in code, which a narrow column may break after :: and _ and nowhere else.
 pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");

@@ -1,7 +1,7 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
-use crate::picture::{self, LAZY};
+use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
 use course::{Mistake, Step, mistakes};
 use figures::escape;
@@ -9,7 +9,7 @@ use figures::escape;
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
 /// shown in the picture of that step, and then each with its picture, ours, where they
 /// differ, the diff, and what is to be said of it.
-pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
+pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in &mistakes() {
@@ -17,11 +17,11 @@ pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
             continue;
         };
         let (title, source) = (title_html(mistake)?, format!("generated/mistake-{name}.png"));
-        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources)?;
+        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
-            panels_html(&source, step, sources)?,
+            panels_html(&source, step, sources, loading)?,
             changed_lines_html(mistake),
             reason_markdown(mistake)?,
         );
@@ -43,18 +43,24 @@ fn reason_markdown(mistake: &Mistake) -> ChapterResult<String> {
 
 /// The picture with a mistake, ours of that step, and where they differ: the browser blends two
 /// pictures, one upon the other.
-fn panels_html(yours: &str, step: Step, sources: &Sources) -> ChapterResult<String> {
+fn panels_html(
+    yours: &str,
+    step: Step,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     let ours = format!("generated/{}", small_picture_name(step));
     let alt = format!("The picture of step {} with this mistake.", step.number());
-    let wrong = picture::html(&alt, yours, sources)?;
-    let right = picture::html("The right picture.", &ours, sources)?;
+    let wrong = picture::html(&alt, yours, sources, loading)?;
+    let right = picture::html("The right picture.", &ours, sources, loading)?;
+    let lazy = Loading::InView.attribute();
     Ok(format!(
         "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
          <span data-label=\"Ours\">{right}</span>\
          <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
          aria-label=\"The difference.\">\
-         <img src=\"{yours}\" alt=\"Yours.\"{LAZY}>\
-         <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>"
+         <img src=\"{yours}\" alt=\"Yours.\" {lazy}>\
+         <img src=\"{ours}\" alt=\"Ours.\" {lazy}></span></span></div>"
     ))
 }
 

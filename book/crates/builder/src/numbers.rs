@@ -1,17 +1,23 @@
 //! The numbers in a text: values, computed when the book is built, and those that move
 //! when a reader moves what answers.
 
+use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
 use crate::replace_between::replace_between;
 use crate::values;
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
 pub fn fill_in_text(text: &str) -> ChapterResult<String> {
-    replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
-        Some(("value", name)) => values::value_text(name),
-        Some(("number", number_name)) => moving_number_html("span", number_name),
-        _ => Err(ChapterError::MisplacedDirective(directive.to_owned())),
-    })
+    replace_directives(text, number_html)
+}
+
+/// The number of a directive in a text.
+pub fn number_html(directive: Directive) -> ChapterResult<String> {
+    match directive.kind {
+        "value" => values::value_text(directive.words),
+        "number" => moving_number_html("span", directive.words),
+        _ => Err(ChapterError::MisplacedDirective(directive.to_string())),
+    }
 }
 
 /// The same for a formula: `to_mathml` gets it with a mark where a number moves.
@@ -19,12 +25,11 @@ pub fn fill_in_formula(
     latex: &str,
     to_mathml: impl FnOnce(&str) -> ChapterResult<String>,
 ) -> ChapterResult<String> {
-    let marked =
-        replace_between(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
-            Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
-            Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
-            _ => Err(ChapterError::DirectiveInFormula(directive.to_owned())),
-        })?;
+    let marked = replace_directives(latex, |directive| match directive.kind {
+        "value" => Ok(values::value_text(directive.words)?.replace('−', "-")),
+        "number" => Ok(format!("\\text{{⟦{}⟧}}", directive.words)),
+        _ => Err(ChapterError::DirectiveInFormula(directive.to_string())),
+    })?;
     replace_between(&to_mathml(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
         moving_number_html("mn", number_name)
     })

@@ -4,18 +4,51 @@ use crate::markdown::inline_html;
 use crate::sources::Sources;
 use course::mistakes;
 use figures::{Figure, escape};
+use std::mem;
 
-/// Attribute that makes a picture load when it comes into view.
-pub const LAZY: &str = r#" loading="lazy""#;
+/// When a browser loads a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Loading {
+    /// At once and before others: the first picture of a page.
+    AtOnce,
+    /// When it comes into view.
+    InView,
+}
+
+impl Loading {
+    /// How the next picture of a page is loaded. The ones after it wait until they come into view.
+    pub fn next(&mut self) -> Self {
+        mem::replace(self, Self::InView)
+    }
+
+    /// The attribute of the picture.
+    pub fn attribute(self) -> &'static str {
+        match self {
+            Self::AtOnce => r#"fetchpriority="high""#,
+            Self::InView => r#"loading="lazy""#,
+        }
+    }
+}
+
+/// A page for printing, on which every picture is loaded: one that waits to come into view wouldn't
+/// be on paper.
+pub fn load_all_pictures(html: &str) -> String {
+    html.replace(&format!(" {}", Loading::InView.attribute()), "")
+}
 
 /// A picture as a chapter asks for it: `![what it shows](generated/name.png "Caption")`, without
 /// its caption; what a mistake's picture shows, the list of mistakes says.
-pub fn markdown_html(markdown: &str, source: &str, sources: &Sources) -> ChapterResult<String> {
+pub fn markdown_html(
+    markdown: &str,
+    source: &str,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     // The caption may hold links of its own; the alt text ends before the first.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
-    html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources)
+    html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
 /// The sentence of the list about the picture of a mistake; None for any other picture.
@@ -26,8 +59,13 @@ fn effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// A picture with this alt text, in its size; it loads when it comes into view.
-pub fn html(alt: &str, source: &str, sources: &Sources) -> ChapterResult<String> {
+/// A picture with this alt text, in its size.
+pub fn html(
+    alt: &str,
+    source: &str,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     if alt.is_empty() {
         return Err(ChapterError::MissingAltText(source.to_owned()));
     }
@@ -37,9 +75,10 @@ pub fn html(alt: &str, source: &str, sources: &Sources) -> ChapterResult<String>
     let size = sources.picture_size(source);
     let (width, height) = size.ok_or_else(|| ChapterError::UnknownPicture(source.to_owned()))?;
     Ok(format!(
-        r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
+        r#"<img src="{}" alt="{}" width="{width}" height="{height}" {}>"#,
         escape(source),
-        escape(alt)
+        escape(alt),
+        loading.next().attribute(),
     ))
 }
 
@@ -52,4 +91,23 @@ pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> Chapter
         markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
     };
     Ok(format!("<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_first_picture_is_loaded_at_once() {
+        let mut loading = Loading::AtOnce;
+        let order = [loading.next(), loading.next(), loading.next()];
+        assert_eq!(order, [Loading::AtOnce, Loading::InView, Loading::InView]);
+    }
+
+    #[test]
+    fn printed_page_loads_all_pictures() {
+        let html = r#"<img src="a" loading="lazy"><img src="b" fetchpriority="high">"#;
+        let printed = r#"<img src="a"><img src="b" fetchpriority="high">"#;
+        assert_eq!(load_all_pictures(html), printed);
+    }
 }
