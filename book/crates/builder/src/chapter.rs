@@ -125,15 +125,24 @@ impl<'a> Chapter<'a> {
     fn replace(&mut self, range: Range<usize>, part: ChapterResult<String>) {
         self.copy_until(range.start);
         self.expanded_end = range.end;
-        // A comma stays on the line of the formula before it.
+        match part {
+            Ok(part) => self.expanded += &part,
+            Err(error) => self.add_fault(range.start, error),
+        }
+    }
+
+    /// Puts MathML in place of a formula in a line. A comma or a full stop stays on the line of the
+    /// formula before it.
+    fn replace_inline_formula(&mut self, latex: &str, range: &Range<usize>) {
+        let formula = formula::formula_html(latex, false, &self.sources.values);
         let mark = self.text[range.end..].chars().next();
-        match (part, mark.filter(|mark| ",.;:?)".contains(*mark))) {
-            (Err(error), _) => self.add_fault(range.start, error),
-            (Ok(formula), Some(mark)) if formula.ends_with("</math>") => {
-                self.expanded += &format!("<span class=\"tight\">{formula}{mark}</span>");
-                self.expanded_end += mark.len_utf8();
+        match mark.filter(|mark| ",.;:?)".contains(*mark)) {
+            Some(mark) => {
+                let tight =
+                    formula.map(|html| format!("<span class=\"tight\">{html}{mark}</span>"));
+                self.replace(range.start..range.end + mark.len_utf8(), tight);
             }
-            (Ok(part), _) => self.expanded += &part,
+            None => self.replace(range.clone(), formula),
         }
     }
 
@@ -174,6 +183,7 @@ impl<'a> Chapter<'a> {
         range: &Range<usize>,
     ) -> Option<ChapterResult<String>> {
         let source = &self.text[range.clone()];
+        let values = &self.sources.values;
         Some(match event {
             Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
             Event::Start(Tag::Paragraph) => {
@@ -181,7 +191,9 @@ impl<'a> Chapter<'a> {
                 html.map(|html| format!("\n{html}\n"))
             }
             Event::Start(Tag::TableRow) => match Directive::parse(source) {
-                Some(Directive { kind: "rows", words }) => pixel_panel::rows_markdown(words),
+                Some(Directive { kind: "rows", words }) => {
+                    pixel_panel::rows_markdown(words, values)
+                }
                 _ => return None,
             },
             Event::Start(Tag::Strong) => {
@@ -195,19 +207,22 @@ impl<'a> Chapter<'a> {
             Event::Start(Tag::Image { dest_url, .. }) => {
                 picture::markdown_html(source, dest_url, self.sources, &mut self.loading)
             }
-            Event::InlineMath(latex) => formula::formula_html(latex, false),
-            Event::DisplayMath(latex) => formula::formula_html(latex, true),
+            Event::InlineMath(latex) => {
+                self.replace_inline_formula(latex, range);
+                return None;
+            }
+            Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
             Event::Code(code) if is_name_with_break(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
-            Event::Code(_) => numbers::fill_in_text(source).map(|code| code.replace('−', "-")),
+            Event::Code(_) => numbers::fill_in_code(source, values),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
                 let first = source.find("{{#")?;
                 let our_folder = self.our_folder;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
                     "our-folder" => Ok(our_folder.to_owned()),
-                    _ => numbers::number_html(directive),
+                    _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
                 return None;
@@ -227,7 +242,9 @@ impl<'a> Chapter<'a> {
     /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
     /// compiles.
     fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
-        let CodeBlockKind::Fenced(info) = kind else { return numbers::fill_in_text(source) };
+        let CodeBlockKind::Fenced(info) = kind else {
+            return numbers::fill_in_code(source, &self.sources.values);
+        };
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
@@ -239,7 +256,7 @@ impl<'a> Chapter<'a> {
         } else if ["", "rust", "toml"].contains(&language) {
             return Err(ChapterError::TypedCode);
         } else {
-            return numbers::fill_in_text(source);
+            return numbers::fill_in_code(source, &self.sources.values);
         };
         Ok(format!("\n{html}\n"))
     }
@@ -254,15 +271,16 @@ impl<'a> Chapter<'a> {
         let Some(Directive { kind, words }) = directive else {
             return self.expand_pictures_alone(events, range);
         };
+        let values = &self.sources.values;
         Some(match (kind, words) {
-            ("figure", name) => figure::html(name),
+            ("figure", name) => figure::html(name, values),
             ("check", name) => check_form::html(name, self.sources),
             ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
             ("by-hand", test) => {
                 let name = markdown::code_with_break_hints(test);
                 Ok(format!("<p class=\"by-hand\">Test: {name}</p>\n"))
             }
-            ("rust", words) => markdown::inline_html(words)
+            ("rust", words) => markdown::inline_html(words, values)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
                 Err(ChapterError::ProblemInBox)
@@ -281,7 +299,7 @@ impl<'a> Chapter<'a> {
                 let html = self.pixel_panel_html(picture);
                 self.begin_box(range.start, html)
             }
-            (kind, words) => match folded_box::opening_html(kind, words) {
+            (kind, words) => match folded_box::opening_html(kind, words, values) {
                 Some(html) => self.begin_box(range.start, html),
                 None => return None,
             },
@@ -421,7 +439,7 @@ impl<'a> Chapter<'a> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
             let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
-            figures += &picture::figure_html(&image, caption, live)?;
+            figures += &picture::figure_html(&image, caption, live, &self.sources.values)?;
         }
         if pictures.len() > 1 {
             // A reader view of a browser takes a `div` of pictures for decoration.

@@ -38,7 +38,7 @@ impl Display for Directive<'_> {
 /// A text in which each directive is replaced by what `replacement` gives for it.
 pub fn replace_directives(
     text: &str,
-    replacement: impl Fn(Directive) -> ChapterResult<String>,
+    mut replacement: impl FnMut(Directive) -> ChapterResult<String>,
 ) -> ChapterResult<String> {
     replace_between(text, "{{#", "}}", |inside| replacement(Directive::from_inside(inside)))
 }

@@ -77,6 +77,10 @@ pub enum ChapterError {
     LoneDollarInWords,
     #[error("a formula has no {0}")]
     DirectiveInFormula(String),
+    #[error("a formula can't have the number {0}")]
+    NumberInFormula(String),
+    #[error("code has no {0}")]
+    NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
     /// A formula that the parser refuses, or one that it can't cope with.

@@ -1,5 +1,6 @@
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
+use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
@@ -9,9 +10,9 @@ const MAX_MARKS: usize = 100;
 const STACK_BYTES: usize = 16 << 20;
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
-pub fn formula_html(latex: &str, is_display: bool) -> ChapterResult<String> {
+pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = numbers::fill_in_formula(latex, |latex| convert(latex, style))?;
+    let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
     let mathml = escape_markdown(&mathml);
     Ok(if is_display {
         format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)
@@ -55,4 +56,23 @@ fn escape_markdown(mathml: &str) -> String {
         }
     }
     escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_is_escaped_outside_of_tags() {
+        assert_eq!(escape_markdown("<mi a_b=\"c\">a_*</mi>\n"), "<mi a_b=\"c\">a&#95;&#42;</mi> ");
+    }
+
+    #[test]
+    fn live_number_is_an_element_of_its_own() {
+        for name in ["row:D", "step02_sphere:t", "step05_phong:d warm"] {
+            let latex = format!("x = {{{{#number {name}}}}}");
+            let html = formula_html(&latex, false, &Values::default()).expect(name);
+            assert!(html.contains(&format!("<mn data-number=\"{name}\">")), "{html}");
+        }
+    }
 }

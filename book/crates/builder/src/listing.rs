@@ -1,6 +1,7 @@
+use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Sources, values};
+use crate::values::Notation;
 use course::{Place, Step};
 use figures::escape;
 use std::fs;
@@ -43,7 +44,7 @@ pub fn html(
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
     let mut attributes = places_attribute(path, &code);
     if !live.is_empty() {
-        let rust = values::value_text(&format!("{live}:rust"));
+        let rust = sources.values.text(&format!("{live}:rust"), Notation::Code);
         rust.map_err(|_| ChapterError::UnknownProgram(live.to_owned()))?;
         attributes += &format!(" data-code=\"{live}\"");
     }

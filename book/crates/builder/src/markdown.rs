@@ -1,4 +1,5 @@
 use crate::fault::{ChapterError, ChapterResult};
+use crate::values::Values;
 use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
@@ -17,13 +18,13 @@ pub fn markdown_options() -> Options {
 
 /// The HTML of one paragraph of Markdown, formulas included, without the tags of
 /// the paragraph.
-pub fn inline_html(markdown: &str) -> ChapterResult<String> {
+pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
         events.push(match event {
             Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => continue,
             Event::InlineMath(latex) | Event::DisplayMath(latex) => {
-                Event::InlineHtml(formula::formula_html(&latex, false)?.into())
+                Event::InlineHtml(formula::formula_html(&latex, false, values)?.into())
             }
             other => other,
         });
@@ -33,7 +34,7 @@ pub fn inline_html(markdown: &str) -> ChapterResult<String> {
     if text.contains('$') {
         return Err(ChapterError::LoneDollarInWords);
     }
-    numbers::fill_in_text(&text.replace('\n', " "))
+    numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
 /// A name in code, which a narrow column may break after :: and _ and nowhere else.

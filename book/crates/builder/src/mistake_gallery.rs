@@ -3,6 +3,7 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
+use crate::values::Values;
 use course::{Mistake, Step, mistakes};
 use figures::escape;
 
@@ -16,28 +17,29 @@ pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResu
         let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
             continue;
         };
-        let (title, source) = (title_html(mistake)?, format!("generated/mistake-{name}.png"));
+        let (title, source) =
+            (title_html(mistake, &sources.values)?, format!("generated/mistake-{name}.png"));
         let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
             panels_html(&source, step, sources, loading)?,
             changed_lines_html(mistake),
-            reason_markdown(mistake)?,
+            reason_markdown(mistake, &sources.values)?,
         );
     }
     Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
 /// Why a mistake is wrong, and a link to the section that tells.
-fn reason_markdown(mistake: &Mistake) -> ChapterResult<String> {
+fn reason_markdown(mistake: &Mistake, values: &Values) -> ChapterResult<String> {
     let Mistake { step, section, reason, .. } = mistake;
     let is_of_program = mistake.file.ends_with("/program.rs");
     let chapter = if is_of_program { "step01_program" } else { step.name() };
     let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
     let id = section.to_lowercase().replace(' ', "-");
     let id: String = id.chars().filter(is_kept).collect();
-    let reason = inline_html(&symbols_as_formulas(reason))?;
+    let reason = inline_html(&symbols_as_formulas(reason), values)?;
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
@@ -65,13 +67,14 @@ fn panels_html(
 }
 
 /// The title of a mistake, with a capital letter, unless it begins with a symbol.
-fn title_html(Mistake { title, .. }: &Mistake) -> ChapterResult<String> {
+fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-    inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {
+    let title = match title.split_at_checked(1) {
         Some((first, rest)) if is_word => first.to_uppercase() + rest,
         _ => (*title).to_owned(),
-    }))
+    };
+    inline_html(&symbols_as_formulas(&title), values)
 }
 
 /// The lines of the file, and those that are written instead.

@@ -2,6 +2,7 @@ use crate::controls;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::sources::Sources;
+use crate::values::Values;
 use course::mistakes;
 use figures::{Figure, escape};
 use std::mem;
@@ -83,12 +84,17 @@ pub fn html(
 }
 
 /// A figure of an image with its caption in Markdown, in which what is `live` answers.
-pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> ChapterResult<String> {
+pub fn figure_html(
+    image: &str,
+    caption: &str,
+    live: Option<&Figure>,
+    values: &Values,
+) -> ChapterResult<String> {
     let data = live.map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
     let controls_html = live.map_or(String::new(), controls::html);
     let caption = match caption {
         "" => String::new(),
-        markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
+        markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown, values)?),
     };
     Ok(format!("<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n"))
 }

@@ -3,7 +3,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
-use crate::values::value_text;
+use crate::values::{Notation, Values};
 use figures::short_name;
 use step03_nearest::OBJECTS;
 
@@ -21,24 +21,31 @@ pub fn opening_html(picture: &str) -> String {
 /// The rows of a table for `{{#rows step04_diffuse sphere a b c}}`: the first row has the numbers
 /// a0, b0 and c0 of that picture, the next a1, b1 and c1, and so on for as long as the picture has
 /// the last of them. The column `sphere` has the name of the sphere.
-pub fn rows_markdown(words: &str) -> ChapterResult<String> {
+pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
         return Err(ChapterError::RowsForm);
     };
     let last = columns.last().ok_or(ChapterError::RowsForm)?;
-    let count = (0..).take_while(|k| value_text(&format!("{picture}:{last}{k}")).is_ok()).count();
+    let count = (0..)
+        .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
+        .count();
     // A name that doesn't exist is a fault of the first row.
-    (0..count.max(1)).map(|k| row_markdown(picture, &columns, k)).collect()
+    (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 
-fn row_markdown(picture: &str, columns: &[&str], k: usize) -> ChapterResult<String> {
+fn row_markdown(
+    picture: &str,
+    columns: &[&str],
+    k: usize,
+    values: &Values,
+) -> ChapterResult<String> {
     let mut row = String::new();
     for column in columns {
         row += "| ";
         row += &match *column {
             "sphere" => OBJECTS.get(k).map_or("", |object| short_name(object.name)).to_owned(),
-            name => numbers::moving_number_html("span", &format!("{picture}:{name}{k}"))?,
+            name => numbers::live_number_html("span", &format!("{picture}:{name}{k}"), values)?,
         };
         row += " ";
     }
@@ -51,20 +58,30 @@ mod tests {
 
     #[test]
     fn rows_end_with_the_last_sphere() {
-        let rows = rows_markdown("step03_nearest sphere a").expect("rows");
+        let values = Values::default();
+        let rows = rows_markdown("step03_nearest sphere a", &values).expect("rows");
         assert_eq!(rows.lines().count(), OBJECTS.len());
         let first = rows.lines().next().unwrap_or_default();
-        let a = value_text("step03_nearest:a0").expect("a number");
+        let a = values.text("step03_nearest:a0", Notation::Prose).expect("a number");
         assert_eq!(first, format!("| red | <span data-number=\"step03_nearest:a0\">{a}</span> |"));
     }
 
     #[test]
     fn rows_without_columns_or_numbers_are_an_error() {
         for words in ["", "step03_nearest"] {
-            assert!(matches!(rows_markdown(words), Err(ChapterError::RowsForm)), "{words}");
+            assert!(
+                matches!(rows_markdown(words, &Values::default()), Err(ChapterError::RowsForm)),
+                "{words}"
+            );
         }
         for words in ["step03_nearest nothing", "nowhere a"] {
-            assert!(matches!(rows_markdown(words), Err(ChapterError::UnknownValue(_))), "{words}");
+            assert!(
+                matches!(
+                    rows_markdown(words, &Values::default()),
+                    Err(ChapterError::UnknownValue(_))
+                ),
+                "{words}"
+            );
         }
     }
 }

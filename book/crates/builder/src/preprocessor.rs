@@ -57,7 +57,7 @@ fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Resu
         chapters.insert(chapter.path.clone(), expanded);
     }
     Faults::ensure_none(faults)?;
-    let sheet = problem::sheet_markdown(&problems)?;
+    let sheet = problem::sheet_markdown(&problems, &sources.values)?;
     book.for_each_chapter_mut(|chapter| {
         if let Some(expanded) = chapters.get(&chapter.path) {
             chapter.content = expanded.markdown_with_sheet(&sheet);

@@ -2,6 +2,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box;
+use crate::values::Values;
 
 /// The words that a problem's text may have.
 pub const MAX_WORDS: usize = 80;
@@ -55,7 +56,10 @@ pub struct Problem {
 
 /// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each of which is a title
 /// and problems, and then their answers without the way, which are what is bold in the chapter.
-pub fn sheet_markdown(chapters: &[(String, Vec<Problem>)]) -> ChapterResult<String> {
+pub fn sheet_markdown(
+    chapters: &[(String, Vec<Problem>)],
+    values: &Values,
+) -> ChapterResult<String> {
     let (mut problems, mut answers) = (String::new(), String::new());
     for (title, chapter) in chapters.iter().filter(|(_, problems)| !problems.is_empty()) {
         problems += &format!("## {}\n\n", title.trim_end_matches(": practice"));
@@ -66,7 +70,7 @@ pub fn sheet_markdown(chapters: &[(String, Vec<Problem>)]) -> ChapterResult<Stri
             answers += &format!("<div class=\"answer\">{link}\n\n{result}\n\n</div>\n\n");
         }
     }
-    let answer_box = folded_box::opening_html("answer", "to each problem").transpose()?;
+    let answer_box = folded_box::opening_html("answer", "to each problem", values).transpose()?;
     let answer_box = answer_box.unwrap_or_default();
     Ok(format!("{problems}## Answers {{#answers}}\n\n{answer_box}\n{answers}</details>\n"))
 }

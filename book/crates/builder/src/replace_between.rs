@@ -14,7 +14,7 @@ pub fn replace_between<E: From<MissingEnd>>(
     text: &str,
     begin: &'static str,
     end: &'static str,
-    replacement: impl Fn(&str) -> Result<String, E>,
+    mut replacement: impl FnMut(&str) -> Result<String, E>,
 ) -> Result<String, E> {
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();

@@ -77,7 +77,7 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
                 It is **0.5 = $t$.** A **way**.\n\n{{#end}}\n\nText.\n";
     let texts = [("One: practice", text), ("None", "# None\n"), ("Two", &text.replace('7', "8"))];
     let chapters = texts.map(|(title, text)| (title.to_owned(), expand(text).problems));
-    insta::assert_snapshot!(problem::sheet_markdown(&chapters).expect("a sheet"));
+    insta::assert_snapshot!(problem::sheet_markdown(&chapters, &SOURCES.values).expect("a sheet"));
 }
 
 #[test]

@@ -4,22 +4,81 @@
 //! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
 //! - `NAME` is a count over the rays or pixels of a whole picture, or their largest change.
 //!
-//! A minus is one (−); code and formulas get a hyphen where it is put in.
+//! All numbers of a figure are computed at once, and kept for the others that chapters ask for.
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
-use figures::{discriminant, format_count};
+use figures::{Figure, Numbers, discriminant, format_count};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
-/// The text of `{{#value …}}`.
-pub fn value_text(text: &str) -> ChapterResult<String> {
-    let number = match text.split_once(':') {
-        Some((live, number)) => live_number_text(live, number),
-        None => count(text).map(format_count),
-    };
-    number.ok_or_else(|| ChapterError::UnknownValue(text.to_owned()))
+/// How a number is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Notation {
+    /// For sentences, with a minus sign (−).
+    Prose,
+    /// For code and LaTeX, with a hyphen.
+    Code,
+}
+
+/// The values that the chapters ask for.
+#[derive(Debug, Default)]
+pub struct Values {
+    /// The numbers of each figure and pixel so far, since all numbers of a figure are computed
+    /// together.
+    numbers: Mutex<BTreeMap<FigureAndPixel, Numbers>>,
+}
+
+/// The name of a figure, and a pixel such as `470,120` if it isn't the default one.
+type FigureAndPixel = (String, Option<String>);
+
+impl Values {
+    /// The text of `{{#value name}}`.
+    pub fn text(&self, name: &str, notation: Notation) -> ChapterResult<String> {
+        let text = match name.split_once(':') {
+            Some((figure, number)) => self.figure_number(figure, number),
+            None => count(name).map(format_count),
+        };
+        let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
+        Ok(match notation {
+            Notation::Prose => text,
+            Notation::Code => text.replace('−', "-"),
+        })
+    }
+
+    /// A number such as `D` of a figure at its defaults, or such as `470,120:t` of a picture with a
+    /// probe.
+    fn figure_number(&self, name: &str, number: &str) -> Option<String> {
+        let figure = figures::find(name)?;
+        let (pixel, number) = match number.split_once(':').filter(|_| figure.has_probe()) {
+            Some((pixel, number)) => (Some(pixel), number),
+            None => (None, number),
+        };
+        let key = (name.to_owned(), pixel.map(str::to_owned));
+        let mut known = self.numbers.lock().unwrap_or_else(PoisonError::into_inner);
+        let numbers = match known.get(&key) {
+            Some(numbers) => numbers,
+            None => {
+                let numbers = compute_numbers(figure, pixel)?;
+                known.entry(key).or_insert(numbers)
+            }
+        };
+        numbers.get(number).cloned()
+    }
+}
+
+/// All numbers of a figure, for this pixel of a picture; None if there is no such pixel.
+fn compute_numbers(figure: &Figure, pixel: Option<&str>) -> Option<Numbers> {
+    let mut values = figure.default_values();
+    if let Some(pixel) = pixel {
+        let (i, j) = pixel.split_once(',')?;
+        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
+    }
+    let is_allowed = figure.snap_if_allowed(&values)? == values;
+    is_allowed.then(|| (figure.numbers)(&values))
 }
 
 /// The count of this name.
@@ -44,23 +103,6 @@ fn count(name: &str) -> Option<usize> {
     })
 }
 
-/// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
-/// picture with a probe.
-fn live_number_text(live: &str, number: &str) -> Option<String> {
-    let live = figures::find(live)?;
-    let mut values = live.default_values();
-    let mut name = number;
-    if let Some((pixel, traced)) = number.split_once(':')
-        && live.has_probe()
-    {
-        let (i, j) = pixel.split_once(',')?;
-        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
-        name = traced;
-    }
-    let is_allowed = live.snap_if_allowed(&values)? == values;
-    is_allowed.then(|| (live.numbers)(&values).remove(name))?
-}
-
 fn count_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
     primary_rays().filter(predicate).count()
 }
@@ -79,4 +121,21 @@ fn changes_without_gate() -> Vec<usize> {
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));
     changes.filter(|change| 0 < *change).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_a_figure_are_computed_once() {
+        let values = Values::default();
+        for name in ["row:D", "row:hRes", "step02_sphere:300,150:a0", "step02_sphere:300,150:b0"] {
+            values.text(name, Notation::Prose).expect(name);
+        }
+        let known = values.numbers.lock().expect("a map");
+        let pixel = Some("300,150".to_owned());
+        let keys = [("row".to_owned(), None), ("step02_sphere".to_owned(), pixel)];
+        assert!(known.keys().eq(&keys));
+    }
 }
