@@ -92,6 +92,12 @@ mod tests {
     }
 
     #[test]
+    fn live_number_that_the_conversion_loses_is_an_error() {
+        let error = fill_in_formula("{{#number row:D}}", &Values::default(), |_| Ok(String::new()));
+        assert!(matches!(error, Err(ChapterError::NumberInFormula(name)) if name == "row:D"));
+    }
+
+    #[test]
     fn live_number_is_no_part_of_code() {
         let error = fill_in_code("{{#number row:D}}", &Values::default()).expect_err("an error");
         assert!(matches!(error, ChapterError::NumberInCode(_)));
