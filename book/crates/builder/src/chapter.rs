@@ -2,7 +2,7 @@ use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::markdown;
 use crate::picture::{self, Loading};
-use crate::problem::{self, MAX_WORDS, Problem};
+use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
     pixel_panel,
@@ -88,23 +88,8 @@ struct Chapter<'a> {
     problems: Vec<Problem>,
     /// The position of the problem sheet in `expanded`.
     sheet_position: Option<usize>,
-    /// The place and the name of a picture whose pixels can be chosen, until its panel begins.
+    /// The position and the name of a picture whose pixels can be chosen, until its panel begins.
     missing_panel: Option<(usize, &'static str)>,
-}
-
-/// A problem that has begun. Positions come in pairs: in the text, and in what it is expanded to.
-struct OpenProblem {
-    /// None if its first line is faulty.
-    heading: Option<problem::Heading>,
-    /// The beginning of its first line.
-    position: usize,
-    /// The end of that line.
-    text_start: [usize; 2],
-    /// The beginning of `{{#answer}}`.
-    text_end: Option<[usize; 2]>,
-    /// The first bold words of the answer, in what they are expanded to.
-    result_start: Option<usize>,
-    result_end: Option<usize>,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -119,6 +104,12 @@ impl<'a> Chapter<'a> {
     fn copy_until(&mut self, position: usize) {
         self.expanded += &self.text[self.expanded_end..position];
         self.expanded_end = position;
+    }
+
+    /// A position in the text, and in what the text before it is expanded to.
+    fn position(&mut self, in_text: usize) -> Position {
+        self.copy_until(in_text);
+        Position { in_text, in_expanded: self.expanded.len() }
     }
 
     /// Puts `part` in place of a range of the text. An error is a fault of it.
@@ -166,7 +157,7 @@ impl<'a> Chapter<'a> {
                 self.replace(range.clone(), part);
             }
         }
-        let problem_position = self.open_problem.as_ref().map(|problem| problem.position);
+        let problem_position = self.open_problem.as_ref().map(|problem| problem.start);
         if let Some(position) = problem_position.or(self.open_box) {
             self.add_fault(position, ChapterError::MissingEndOfBox);
         }
@@ -197,11 +188,13 @@ impl<'a> Chapter<'a> {
                 _ => return None,
             },
             Event::Start(Tag::Strong) => {
-                self.begin_bold_words(range.start);
+                let position = self.position(range.start);
+                self.open_problem.as_mut()?.begin_bold_words(position);
                 return None;
             }
             Event::End(TagEnd::Strong) => {
-                self.end_bold_words(range.end);
+                let position = self.position(range.end);
+                self.open_problem.as_mut()?.end_bold_words(position);
                 return None;
             }
             Event::Start(Tag::Image { dest_url, .. }) => {
@@ -291,16 +284,17 @@ impl<'a> Chapter<'a> {
             }
             ("problem-sheet", _) => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
+                // The sheet goes between the two.
                 self.sheet_position = Some(self.expanded.len() - 1);
                 return None;
             }
             ("end", _) => self.end_box(),
             ("pixel-panel", picture) => {
                 let html = self.pixel_panel_html(picture);
-                self.begin_box(range.start, html)
+                self.begin_box(kind, range.start, html)
             }
             (kind, words) => match folded_box::opening_html(kind, words, values) {
-                Some(html) => self.begin_box(range.start, html),
+                Some(html) => self.begin_box(kind, range.start, html),
                 None => return None,
             },
         })
@@ -308,21 +302,28 @@ impl<'a> Chapter<'a> {
 
     /// Opens a box, even if there is an error in its first line: its `{{#end}}` is none. Boxes
     /// don't nest.
-    fn begin_box(&mut self, position: usize, html: ChapterResult<String>) -> ChapterResult<String> {
+    fn begin_box(
+        &mut self,
+        kind: &str,
+        start: usize,
+        html: ChapterResult<String>,
+    ) -> ChapterResult<String> {
         if self.open_box.is_some() {
             return Err(ChapterError::BoxInBox);
         }
-        self.open_box = Some(position);
-        self.copy_until(position);
-        if let Some(problem) = &mut self.open_problem {
-            problem.text_end = Some([position, self.expanded.len()]);
+        self.open_box = Some(start);
+        let text_end = self.position(start);
+        match &mut self.open_problem {
+            Some(_) if kind != "answer" => return Err(ChapterError::MissingAnswer),
+            Some(problem) => problem.begin_answer(text_end),
+            None => {}
         }
         html
     }
 
     /// Opens a problem, even if its first line is faulty: its `{{#end}}` is none.
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
-        let (heading, html) = match problem::Heading::parse(words) {
+        let (heading, html) = match Heading::parse(words) {
             Ok(heading) => {
                 let html = format!("\n{}\n", heading.html());
                 (Some(heading), Ok(html))
@@ -330,35 +331,8 @@ impl<'a> Chapter<'a> {
             Err(error) => (None, Err(error)),
         };
         self.replace(range.clone(), html);
-        self.open_problem = Some(OpenProblem {
-            heading,
-            position: range.start,
-            text_start: [range.end, self.expanded.len()],
-            text_end: None,
-            result_start: None,
-            result_end: None,
-        });
-    }
-
-    /// The open problem, if its answer has begun.
-    fn open_answer(&mut self) -> Option<&mut OpenProblem> {
-        self.open_problem.as_mut().filter(|problem| problem.text_end.is_some())
-    }
-
-    fn begin_bold_words(&mut self, position: usize) {
-        self.copy_until(position);
-        let start = self.expanded.len();
-        if let Some(problem) = self.open_answer() {
-            problem.result_start.get_or_insert(start);
-        }
-    }
-
-    fn end_bold_words(&mut self, position: usize) {
-        self.copy_until(position);
-        let end = self.expanded.len();
-        if let Some(problem) = self.open_answer() {
-            problem.result_end.get_or_insert(end);
-        }
+        let text_start = self.position(range.end);
+        self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
     }
 
     /// The HTML that begins the panel of the last interactive picture.
@@ -374,27 +348,17 @@ impl<'a> Chapter<'a> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
             (Some(_), Some(problem)) => {
-                self.finish_problem(problem);
+                let start = problem.start;
+                match problem.finish(self.text, &self.expanded) {
+                    Some(Ok(problem)) => self.problems.push(problem),
+                    Some(Err(error)) => self.add_fault(start, error),
+                    None => {}
+                }
                 Ok("</details>\n</section>\n".to_owned())
             }
             (None, Some(_)) => Err(ChapterError::MissingAnswer),
             (None, None) => Err(ChapterError::EndWithoutBox),
         }
-    }
-
-    /// Takes in a problem whose answer ends.
-    fn finish_problem(&mut self, problem: OpenProblem) {
-        let [source_start, start] = problem.text_start;
-        let Some(([source_end, end], heading)) = problem.text_end.zip(problem.heading) else {
-            return;
-        };
-        if self.text[source_start..source_end].split_whitespace().count() > MAX_WORDS {
-            self.add_fault(problem.position, ChapterError::LongProblem(MAX_WORDS));
-        }
-        let result = problem.result_start.zip(problem.result_end);
-        let result = result.map_or("", |(start, end)| &self.expanded[start..end]).to_owned();
-        let text = self.expanded[start..end].trim().to_owned();
-        self.problems.push(Problem { heading, text, result });
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what

@@ -54,6 +54,72 @@ pub struct Problem {
     pub result: String,
 }
 
+/// A position in the text of a chapter, and in what the text is expanded to.
+#[derive(Clone, Copy, Debug)]
+pub struct Position {
+    pub in_text: usize,
+    pub in_expanded: usize,
+}
+
+/// A problem that has begun and hasn't ended yet.
+#[derive(Debug)]
+pub struct OpenProblem {
+    /// None if the first line is faulty.
+    heading: Option<Heading>,
+    /// The beginning of the first line.
+    pub start: usize,
+    /// The end of the first line.
+    text_start: Position,
+    /// The beginning of the answer.
+    text_end: Option<Position>,
+    /// The first bold words of the answer.
+    bold_start: Option<Position>,
+    bold_end: Option<Position>,
+}
+
+impl OpenProblem {
+    pub fn new(heading: Option<Heading>, start: usize, text_start: Position) -> Self {
+        Self { heading, start, text_start, text_end: None, bold_start: None, bold_end: None }
+    }
+
+    pub fn begin_answer(&mut self, position: Position) {
+        self.text_end = Some(position);
+    }
+
+    /// Notes where bold words begin, if they are the first of the answer.
+    pub fn begin_bold_words(&mut self, position: Position) {
+        if self.text_end.is_some() {
+            self.bold_start.get_or_insert(position);
+        }
+    }
+
+    /// Notes where bold words end, if they are the first of the answer.
+    pub fn end_bold_words(&mut self, position: Position) {
+        if self.bold_start.is_some() {
+            self.bold_end.get_or_insert(position);
+        }
+    }
+
+    /// The problem, once its answer has ended. None if there is no answer or the first line is
+    /// faulty, which has been reported before.
+    pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
+        let (start, end) = (self.text_start, self.text_end?);
+        let heading = self.heading?;
+        let words = text[start.in_text..end.in_text].split_whitespace();
+        if words.count() > MAX_WORDS {
+            return Some(Err(ChapterError::LongProblem(MAX_WORDS)));
+        }
+        let bold_words = self.bold_start.zip(self.bold_end);
+        let result =
+            bold_words.map_or("", |(start, end)| &expanded[start.in_expanded..end.in_expanded]);
+        Some(Ok(Problem {
+            heading,
+            text: expanded[start.in_expanded..end.in_expanded].trim().to_owned(),
+            result: result.to_owned(),
+        }))
+    }
+}
+
 /// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each of which is a title
 /// and problems, and then their answers without the way, which are what is bold in the chapter.
 pub fn sheet_markdown(
