@@ -130,12 +130,14 @@ mod tests {
     #[test]
     fn numbers_of_a_figure_are_computed_once() {
         let values = Values::default();
-        for name in ["row:D", "row:hRes", "step02_sphere:300,150:a0", "step02_sphere:300,150:b0"] {
-            values.text(name, Notation::Prose).expect(name);
-        }
-        let known = values.numbers.lock().expect("a map");
-        let pixel = Some("300,150".to_owned());
-        let keys = [("row".to_owned(), None), ("step02_sphere".to_owned(), pixel)];
-        assert!(known.keys().eq(&keys));
+        values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
+        // Had it computed the next number anew, it wouldn't find this one.
+        let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
+        let mut known = values.numbers.lock().expect("a map");
+        let numbers = known.get_mut(&key).expect("the numbers of the pixel");
+        numbers.insert("b0".to_owned(), "kept".to_owned());
+        drop(known);
+        assert_eq!(values.text("step02_sphere:300,150:b0", Notation::Prose).expect("text"), "kept");
+        assert_eq!(values.text("step02_sphere:b0", Notation::Prose).expect("text"), "−10");
     }
 }
