@@ -147,7 +147,7 @@ impl<'a> Chapter<'a> {
                 Event::End(_) => nesting -= 1,
                 _ => {}
             }
-            if MAX_NESTING < nesting {
+            if nesting > MAX_NESTING {
                 self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }

@@ -24,7 +24,7 @@ pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterRe
 /// The MathML of a formula without numbers that are still to be filled in.
 fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
-    if MAX_MARKS < latex.matches(['\\', '{']).count() {
+    if latex.matches(['\\', '{']).count() > MAX_MARKS {
         return Err(ChapterError::LongFormula(MAX_MARKS));
     }
     let convert = || LatexToMathML::default().convert_with_local_state(latex, style);

@@ -69,7 +69,7 @@ fn panels_html(
 /// The title of a mistake, with a capital letter, unless it begins with a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
-    let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
+    let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
     let title = match title.split_at_checked(1) {
         Some((first, rest)) if is_word => first.to_uppercase() + rest,
         _ => (*title).to_owned(),
@@ -98,7 +98,7 @@ fn symbols_as_formulas(text: &str) -> String {
     let is_symbol = |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');
     let formula = |(k, letter): (usize, &char)| match *letter {
         _ if is_symbol(k) => format!("${letter}"),
-        _ if 2 <= k && is_symbol(k - 2) => format!("{letter}$"),
+        _ if k >= 2 && is_symbol(k - 2) => format!("{letter}$"),
         _ => letter.to_string(),
     };
     letters.iter().enumerate().map(formula).collect()

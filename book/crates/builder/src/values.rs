@@ -96,7 +96,7 @@ fn count(name: &str) -> Option<usize> {
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
         // The sphere behind the eye: its roots are below 0.
-        "step03-behind" => count_rays(|ray| 0.0 <= discriminant(&OBJECTS[4].sphere, ray)),
+        "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => changes_without_gate().len(),
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
         _ => return None,
@@ -120,7 +120,7 @@ fn changes_without_gate() -> Vec<usize> {
     let picture = picture(&camera(), 1);
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));
-    changes.filter(|change| 0 < *change).collect()
+    changes.filter(|change| *change > 0).collect()
 }
 
 #[cfg(test)]
