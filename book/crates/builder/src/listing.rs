@@ -139,3 +139,37 @@ fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> Chapter
     let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
     Ok(index - lines_above.take_while(is_about_it).count())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LINES: [&str; 6] = ["use a;", "", "/// A b.", "struct B {", "}", "impl B {}"];
+
+    #[test]
+    fn part_begins_and_ends_before_the_comments_of_a_line() {
+        for (part, lines) in
+            [("..", 0..6), ("..struct", 0..2), ("struct..", 2..6), ("struct..impl", 2..5)]
+        {
+            assert_eq!(part_lines(part, &LINES).expect(part), lines, "{part}");
+        }
+    }
+
+    #[test]
+    fn part_that_is_not_there_is_an_error() {
+        assert!(matches!(part_lines("1:2", &LINES), Err(ChapterError::PartForm(_))));
+        for part in ["..enum", "impl..struct"] {
+            assert!(
+                matches!(part_lines(part, &LINES), Err(ChapterError::UnknownLine(_))),
+                "{part}"
+            );
+        }
+    }
+
+    #[test]
+    fn new_lines_are_marked_unless_they_are_more_than_half() {
+        let style = changed_lines_style("a\nb", "b\nc").expect("a style");
+        assert!(style.contains("calc(0 * 1lh)") && !style.contains("calc(1 * 1lh)"), "{style}");
+        assert_eq!(changed_lines_style("a\nb", "c"), None);
+    }
+}

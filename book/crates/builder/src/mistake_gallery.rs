@@ -103,3 +103,14 @@ fn symbols_as_formulas(text: &str) -> String {
     };
     letters.iter().enumerate().map(formula).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_become_formulas() {
+        assert_eq!(symbols_as_formulas("D_u is no step"), "$D_u$ is no step");
+        assert_eq!(symbols_as_formulas("a_b, V and V_0."), "a_b, V and $V_0$.");
+    }
+}
