@@ -52,6 +52,7 @@ mod tests {
         let parse = Directive::parse;
         assert_eq!(parse("{{#figure ray}}\n"), Some(Directive { kind: "figure", words: "ray" }));
         assert_eq!(parse("{{#end}}"), Some(Directive { kind: "end", words: "" }));
+        assert_eq!(parse("{{#value  a }}"), Some(Directive { kind: "value", words: "a" }));
         let inner = Directive { kind: "predict", words: "Is it {{#value a}}?" };
         assert_eq!(parse("{{#predict Is it {{#value a}}?}}"), Some(inner));
         for text in ["", "text", "{{figure ray}}", "{{#figure ray}} text"] {

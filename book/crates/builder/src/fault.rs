@@ -1,8 +1,8 @@
 //! What is wrong with a chapter or a page, and on which line: the sentences that stop a build.
 
 use crate::replace_between::MissingEnd;
+use anyhow::Chain;
 use math_core::LatexError;
-use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 use std::io;
 use thiserror::Error;
@@ -19,13 +19,8 @@ pub struct Fault {
 /// The line, the error, and its causes.
 impl Display for Fault {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{}: {}", self.line, self.error)?;
-        let mut source = self.error.source();
-        while let Some(cause) = source {
-            write!(f, ": {cause}")?;
-            source = cause.source();
-        }
-        Ok(())
+        write!(f, "{}", self.line)?;
+        Chain::new(&self.error).try_for_each(|error| write!(f, ": {error}"))
     }
 }
 

@@ -73,7 +73,7 @@ fn a_problem_is_short() {
 
 #[test]
 fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
-    let text = "# A title\n\n{{#problem 7 0.5}}\n\nHow *far* is $t$?\n\n{{#answer}}\n\n\
+    let text = "# A title\n\n{{#problem 7 0.5}}\n\nHow **far** is $t$?\n\n{{#answer}}\n\n\
                 It is **0.5 = $t$.** A **way**.\n\n{{#end}}\n\nText.\n";
     let texts = [("One: practice", text), ("None", "# None\n"), ("Two", &text.replace('7', "8"))];
     let chapters = texts.map(|(title, text)| (title.to_owned(), expand(text).problems));

@@ -10,6 +10,7 @@ use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
 use figures::{Figure, Numbers, discriminant, format_count};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::{Mutex, PoisonError};
 use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
@@ -59,12 +60,9 @@ impl Values {
         };
         let key = (name.to_owned(), pixel.map(str::to_owned));
         let mut known = self.numbers.lock().unwrap_or_else(PoisonError::into_inner);
-        let numbers = match known.get(&key) {
-            Some(numbers) => numbers,
-            None => {
-                let numbers = compute_numbers(figure, pixel)?;
-                known.entry(key).or_insert(numbers)
-            }
+        let numbers = match known.entry(key) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => entry.insert(compute_numbers(figure, pixel)?),
         };
         numbers.get(number).cloned()
     }
