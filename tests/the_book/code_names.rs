@@ -6,8 +6,8 @@ use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
 /// Names that are in no file of the steps: of Rust's standard, of insta, of OpenGL, of a workflow.
-const FOREIGN_NAMES: [&str; 6] =
-    ["f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
+const FOREIGN_NAMES: [&str; 7] =
+    ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
 /// The words of a text, each with what is before and after it.
 fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {

@@ -1,8 +1,9 @@
+use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
-use crate::preprocessor::{Course, fail_with_faults};
+use crate::preprocessor::Course;
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
-use anyhow::{Context, Error, Result, ensure};
+use anyhow::{Context, Result, ensure};
 use mdbook_driver::MDBook;
 use std::fs::{self, File};
 use std::io;
@@ -83,21 +84,34 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     book.build()?;
     let folder = book.build_dir_for("html");
     sources.generated.write(&folder.join(GENERATED))?;
-    let files = Files::read(&folder)?;
-    for (name, html) in files.texts_with_suffix(".html") {
-        let mut html = inline_stylesheets(html, &files)
-            .map_err(Error::msg)
-            .with_context(|| name.to_owned())?;
-        if name == "print.html" {
-            // A picture that waits to be seen would not be on paper.
-            html = html.replace(picture::LAZY, "");
-        }
-        fs::write(folder.join(name), html).with_context(|| name.to_owned())?;
+    let mut files = Files::read(&folder)?;
+    for (name, html) in finish_pages(&files)? {
+        write_page_file(&folder, &mut files, name, html)?;
     }
-    let site = Site::read(&folder)?;
-    fs::write(folder.join("search-index.js"), search::index_script(&site)?)?;
-    fail_with_faults(&links::find_faults(&site))?;
+    let mut site = Site::new(files);
+    let index = search::index_script(&site)?;
+    write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
+    Faults::ensure_none(links::find_faults(&site))?;
     Ok(site)
+}
+
+/// The pages that mdBook has written, each by its name, as readers get them.
+fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
+    let pages = files.texts_with_suffix(".html").map(|(name, html)| {
+        let mut html = inline_stylesheets(html, files).with_context(|| name.to_owned())?;
+        if name == "print.html" {
+            html = picture::load_all_pictures(&html);
+        }
+        Ok((name.to_owned(), html))
+    });
+    pages.collect()
+}
+
+/// Writes a file into `folder`, whose `files` have been read before.
+fn write_page_file(folder: &Path, files: &mut Files, name: String, text: String) -> Result<()> {
+    fs::write(folder.join(&name), &text).with_context(|| name.clone())?;
+    files.0.insert(name, text.into_bytes());
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,82 +1,139 @@
-use crate::markdown::{self, parse_directive};
+use crate::directive::{Directive, replace_directives};
+use crate::fault::{ChapterError, ChapterResult, Fault};
+use crate::markdown;
+use crate::picture::{self, Loading};
+use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
-    picture, pixel_panel, problem,
+    pixel_panel,
 };
 use figures::Figure;
-use mdbook_markdown::pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TextMergeWithOffset};
+use mdbook_markdown::pulldown_cmark::{
+    CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
+};
 use std::ops::Range;
 
 /// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
 const MAX_NESTING: usize = 20;
 
-/// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a
-/// chapter: gives Markdown as mdBook renders it, and what is wrong on which line. The
-/// problems of all chapters are there already, in Markdown.
-pub fn expand_directives(
-    text: &str,
-    sources: &Sources,
-    problem_sheet: &str,
-) -> (String, Vec<Fault>) {
+/// A chapter in Markdown as mdBook renders it, and what was found in it on the way.
+#[derive(Debug)]
+pub struct ExpandedChapter {
+    markdown: String,
+    /// What is wrong with it, from top to bottom.
+    pub faults: Vec<Fault>,
+    /// Its problems to be solved on paper.
+    pub problems: Vec<Problem>,
+    /// The position of `{{#problem-sheet}}` in the Markdown.
+    sheet_position: Option<usize>,
+}
+
+impl ExpandedChapter {
+    /// The Markdown, with the problems of all chapters where the chapter asks for them.
+    pub fn markdown_with_sheet(&self, sheet: &str) -> String {
+        let mut markdown = self.markdown.clone();
+        if let Some(position) = self.sheet_position {
+            markdown.insert_str(position, sheet);
+        }
+        markdown
+    }
+}
+
+/// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a chapter.
+/// `our_folder` says in Markdown where the source of the book is.
+pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
         sources,
-        problem_sheet,
+        our_folder,
         expanded: String::new(),
         expanded_end: 0,
         faults: vec![],
         listings: vec![],
+        loading: Loading::AtOnce,
         open_box: None,
         open_problem: None,
+        problems: vec![],
+        sheet_position: None,
+        missing_panel: None,
     };
     chapter.expand_blocks();
-    chapter.faults.sort_by_key(|(line, _)| *line);
-    let markdown = chapter.expanded + &text[chapter.expanded_end..];
-    // The first picture does not wait until it is near.
-    (markdown.replacen(picture::LAZY, " fetchpriority=\"high\"", 1), chapter.faults)
+    chapter.copy_until(text.len());
+    chapter.faults.sort_by_key(|fault| fault.line);
+    ExpandedChapter {
+        markdown: chapter.expanded,
+        faults: chapter.faults,
+        problems: chapter.problems,
+        sheet_position: chapter.sheet_position,
+    }
 }
-
-/// A fault in a chapter: its line, and a sentence about it.
-pub type Fault = (usize, String);
 
 /// A chapter as it is read once, from top to bottom.
 struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
-    problem_sheet: &'a str,
+    our_folder: &'a str,
     /// What the text becomes, up to `expanded_end` in it.
     expanded: String,
     expanded_end: usize,
     faults: Vec<Fault>,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// Places where the open box and the open problem begin.
+    /// How the next picture is loaded.
+    loading: Loading,
+    /// The position where the open box begins.
     open_box: Option<usize>,
-    open_problem: Option<usize>,
+    open_problem: Option<OpenProblem>,
+    problems: Vec<Problem>,
+    /// The position of the problem sheet in `expanded`.
+    sheet_position: Option<usize>,
+    /// The position and the name of a picture whose pixels can be chosen, until its panel begins.
+    missing_panel: Option<(usize, &'static str)>,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
 impl<'a> Chapter<'a> {
-    fn add_fault(&mut self, position: usize, sentence: impl Into<String>) {
+    fn add_fault(&mut self, position: usize, error: ChapterError) {
         let line = 1 + self.text[..position].matches('\n').count();
-        self.faults.push((line, sentence.into()));
+        self.faults.push(Fault { line, error });
+    }
+
+    /// Takes the text over as it is, from what is expanded to this position.
+    fn copy_until(&mut self, position: usize) {
+        self.expanded += &self.text[self.expanded_end..position];
+        self.expanded_end = position;
+    }
+
+    /// A position in the text, and in what the text before it is expanded to.
+    fn position(&mut self, in_text: usize) -> Position {
+        self.copy_until(in_text);
+        Position { in_text, in_expanded: self.expanded.len() }
     }
 
     /// Puts `part` in place of a range of the text. An error is a fault of it.
-    fn replace(&mut self, range: Range<usize>, part: Result<String, String>) {
-        self.expanded += &self.text[self.expanded_end..range.start];
+    fn replace(&mut self, range: Range<usize>, part: ChapterResult<String>) {
+        self.copy_until(range.start);
         self.expanded_end = range.end;
-        // A comma stays on the line of the formula before it.
+        match part {
+            Ok(part) => self.expanded += &part,
+            Err(error) => self.add_fault(range.start, error),
+        }
+    }
+
+    /// Puts MathML in place of a formula in a line. A comma or a full stop stays on the line of the
+    /// formula before it.
+    fn replace_inline_formula(&mut self, latex: &str, range: &Range<usize>) {
+        let formula = formula::formula_html(latex, false, &self.sources.values);
         let mark = self.text[range.end..].chars().next();
-        match (part, mark.filter(|mark| ",.;:?)".contains(*mark))) {
-            (Err(fault), _) => self.add_fault(range.start, fault),
-            (Ok(formula), Some(mark)) if formula.ends_with("</math>") => {
-                self.expanded += &format!("<span class=\"tight\">{formula}{mark}</span>");
-                self.expanded_end += mark.len_utf8();
+        match mark.filter(|mark| ",.;:?)".contains(*mark)) {
+            Some(mark) => {
+                let tight =
+                    formula.map(|html| format!("<span class=\"tight\">{html}{mark}</span>"));
+                self.replace(range.start..range.end + mark.len_utf8(), tight);
             }
-            (Ok(part), _) => self.expanded += &part,
+            None => self.replace(range.clone(), formula),
         }
     }
 
@@ -90,8 +147,8 @@ impl<'a> Chapter<'a> {
                 Event::End(_) => nesting -= 1,
                 _ => {}
             }
-            if MAX_NESTING < nesting {
-                self.add_fault(range.start, "this is nested too deeply");
+            if nesting > MAX_NESTING {
+                self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
             if self.expanded_end < range.end
@@ -100,8 +157,12 @@ impl<'a> Chapter<'a> {
                 self.replace(range.clone(), part);
             }
         }
-        if let Some(position) = self.open_problem.or(self.open_box) {
-            self.add_fault(position, "the box has no {{#end}}");
+        let problem_position = self.open_problem.as_ref().map(|problem| problem.start);
+        if let Some(position) = problem_position.or(self.open_box) {
+            self.add_fault(position, ChapterError::MissingEndOfBox);
+        }
+        if let Some((position, picture)) = self.missing_panel {
+            self.add_fault(position, ChapterError::MissingPanel(picture));
         }
     }
 
@@ -111,27 +172,51 @@ impl<'a> Chapter<'a> {
         event: &Event,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
+    ) -> Option<ChapterResult<String>> {
         let source = &self.text[range.clone()];
+        let values = &self.sources.values;
         Some(match event {
             Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
             Event::Start(Tag::Paragraph) => {
                 let html = self.expand_paragraph(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
             }
-            Event::Start(Tag::Image { dest_url, .. }) => {
-                picture::markdown_html(source, dest_url, self.sources)
+            Event::Start(Tag::TableRow) => match Directive::parse(source) {
+                Some(Directive { kind: "rows", words }) => {
+                    pixel_panel::rows_markdown(words, values)
+                }
+                _ => return None,
+            },
+            Event::Start(Tag::Strong) => {
+                let position = self.position(range.start);
+                self.open_problem.as_mut()?.begin_bold_words(position);
+                return None;
             }
-            Event::InlineMath(latex) => formula::formula_html(latex, false),
-            Event::DisplayMath(latex) => formula::formula_html(latex, true),
+            Event::End(TagEnd::Strong) => {
+                let position = self.position(range.end);
+                self.open_problem.as_mut()?.end_bold_words(position);
+                return None;
+            }
+            Event::Start(Tag::Image { dest_url, .. }) => {
+                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)
+            }
+            Event::InlineMath(latex) => {
+                self.replace_inline_formula(latex, range);
+                return None;
+            }
+            Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
             Event::Code(code) if is_name_with_break(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
-            Event::Code(_) => numbers::fill_in_text(source).map(|code| code.replace('−', "-")),
+            Event::Code(_) => numbers::fill_in_code(source, values),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.find_lone_dollar(source, range.start);
                 let first = source.find("{{#")?;
-                let text = numbers::fill_in_text(&source[first..]);
+                let our_folder = self.our_folder;
+                let text = replace_directives(&source[first..], |directive| match directive.kind {
+                    "our-folder" => Ok(our_folder.to_owned()),
+                    _ => numbers::number_html(directive, values),
+                });
                 self.replace(range.start + first..range.end, text);
                 return None;
             }
@@ -143,29 +228,28 @@ impl<'a> Chapter<'a> {
     fn find_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
-            self.add_fault(
-                position,
-                "a $ that is no formula is written \\$, and a formula has its end, pairs of \
-                 braces, and no HTML around it",
-            );
+            self.add_fault(position, ChapterError::LoneDollar);
         }
     }
 
     /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
     /// compiles.
-    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> Result<String, String> {
-        let CodeBlockKind::Fenced(info) = kind else { return numbers::fill_in_text(source) };
+    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
+        let CodeBlockKind::Fenced(info) = kind else {
+            return numbers::fill_in_code(source, &self.sources.values);
+        };
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
-        let html = if content.trim_start().starts_with("{{#include") {
-            listing::html(language, word, &content, self.sources, &mut self.listings)?
+        let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
+        let html = if let Some(Directive { words, .. }) = include {
+            listing::html(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
-            return Err("code is from a file: {{#include path}}".to_owned());
+            return Err(ChapterError::TypedCode);
         } else {
-            return numbers::fill_in_text(source);
+            return numbers::fill_in_code(source, &self.sources.values);
         };
         Ok(format!("\n{html}\n"))
     }
@@ -175,58 +259,115 @@ impl<'a> Chapter<'a> {
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
-        let source = self.text[range.clone()].trim();
-        let (kind, words) = parse_directive(source).unwrap_or_default();
-        Some(match (kind, words.trim()) {
-            ("figure", name) => figure::html(name),
+    ) -> Option<ChapterResult<String>> {
+        let directive = Directive::parse(&self.text[range.clone()]);
+        let Some(Directive { kind, words }) = directive else {
+            return self.expand_pictures_alone(events, range);
+        };
+        let values = &self.sources.values;
+        Some(match (kind, words) {
+            ("figure", name) => figure::html(name, values),
             ("check", name) => check_form::html(name, self.sources),
-            ("mistakes", step) => mistake_gallery::html(step, self.sources),
+            ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
             ("by-hand", test) => {
                 let name = markdown::code_with_break_hints(test);
                 Ok(format!("<p class=\"by-hand\">Test: {name}</p>\n"))
             }
-            ("rust", words) => markdown::inline_html(words)
+            ("rust", words) => markdown::inline_html(words, values)
                 .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
-            ("problem", _) if self.open_problem.or(self.open_box).is_some() => {
-                Err("a problem begins after the {{#end}} of another".to_owned())
+            ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
+                Err(ChapterError::ProblemInBox)
             }
             ("problem", words) => {
-                self.open_problem = Some(range.start);
-                problem::opening_html(words)
+                self.begin_problem(words, range);
+                return None;
             }
-            ("problem-sheet", _) => Ok(self.problem_sheet.to_owned()),
+            ("problem-sheet", _) => {
+                self.replace(range.clone(), Ok("\n\n".to_owned()));
+                // The sheet goes between the two.
+                self.sheet_position = Some(self.expanded.len() - 1);
+                return None;
+            }
             ("end", _) => self.end_box(),
-            (kind, words) => match folded_box::opening_html(kind, words) {
-                Some(_) if self.open_box.is_some() => {
-                    Err("a box can't hold another box".to_owned())
-                }
-                Some(html) => {
-                    self.open_box = Some(range.start);
-                    html
-                }
-                None => return self.expand_pictures_alone(events, range),
+            ("pixel-panel", picture) => {
+                let html = self.pixel_panel_html(picture);
+                self.begin_box(kind, range.start, html)
+            }
+            (kind, words) => match folded_box::opening_html(kind, words, values) {
+                Some(html) => self.begin_box(kind, range.start, html),
+                None => return None,
             },
         })
     }
 
+    /// Opens a box, even if there is an error in its first line: its `{{#end}}` is none. Boxes
+    /// don't nest.
+    fn begin_box(
+        &mut self,
+        kind: &str,
+        start: usize,
+        html: ChapterResult<String>,
+    ) -> ChapterResult<String> {
+        if self.open_box.is_some() {
+            return Err(ChapterError::BoxInBox);
+        }
+        self.open_box = Some(start);
+        let text_end = self.position(start);
+        match &mut self.open_problem {
+            Some(_) if kind != "answer" => return Err(ChapterError::MissingAnswer),
+            Some(problem) => problem.begin_answer(text_end),
+            None => {}
+        }
+        html
+    }
+
+    /// Opens a problem, even if its first line is faulty: its `{{#end}}` is none.
+    fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
+        let (heading, html) = match Heading::parse(words) {
+            Ok(heading) => {
+                let html = format!("\n{}\n", heading.html());
+                (Some(heading), Ok(html))
+            }
+            Err(error) => (None, Err(error)),
+        };
+        self.replace(range.clone(), html);
+        let text_start = self.position(range.end);
+        self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
+    }
+
+    /// The HTML that begins the panel of the last interactive picture.
+    fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
+        match self.missing_panel.take_if(|(_, picture)| *picture == name) {
+            Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
+            None => Err(ChapterError::PanelWithoutPicture(name.to_owned())),
+        }
+    }
+
     /// The end of the open box, and of the problem whose answer it is.
-    fn end_box(&mut self) -> Result<String, String> {
+    fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
-            (Some(_), Some(_)) => Ok("</details>\n</section>\n".to_owned()),
-            (None, Some(_)) => Err("the problem has no {{#answer}}".to_owned()),
-            (None, None) => Err("{{#end}} without a box to end".to_owned()),
+            (Some(_), Some(problem)) => {
+                let start = problem.start;
+                match problem.finish(self.text, &self.expanded) {
+                    Some(Ok(problem)) => self.problems.push(problem),
+                    Some(Err(error)) => self.add_fault(start, error),
+                    None => {}
+                }
+                Ok("</details>\n</section>\n".to_owned())
+            }
+            (None, Some(_)) => Err(ChapterError::MissingAnswer),
+            (None, None) => Err(ChapterError::EndWithoutBox),
         }
     }
 
     /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
     /// answers there.
     fn expand_pictures_alone(
-        &self,
+        &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<Result<String, String>> {
+    ) -> Option<ChapterResult<String>> {
         let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
@@ -237,41 +378,43 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live = parse_directive(remaining.trim()).filter(|(kind, _)| *kind == "live");
+        let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
-        (is_whole && !pictures.is_empty())
-            .then(|| self.figures_html(&pictures, live.map(|(_, name)| name)))
+        if !is_whole || pictures.is_empty() {
+            return None;
+        }
+        let live = match live.map(|directive| find_live(directive.words)).transpose() {
+            Ok(live) => live,
+            Err(error) => return Some(Err(error)),
+        };
+        if let Some(picture) = live.filter(|live| live.has_probe()) {
+            self.missing_panel = Some((range.start, picture.name));
+        }
+        Some(self.figures_html(&pictures, live))
     }
 
     /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
-    /// are several; below them is what the one says of a pixel that answers in them.
-    fn figures_html(&self, pictures: &[[&str; 3]], live: Option<&str>) -> Result<String, String> {
-        let find = |name| figures::find(name).ok_or(format!("nothing called {name:?} answers"));
-        let live = live.map(find).transpose()?;
+    /// are several.
+    fn figures_html(
+        &mut self,
+        pictures: &[[&str; 3]],
+        live: Option<&Figure>,
+    ) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
-            let image = picture::markdown_html(markdown, file, self.sources)?;
-            figures += &picture::figure_html(&image, caption, live)?;
+            let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
+            figures += &picture::figure_html(&image, caption, live, &self.sources.values)?;
         }
-        if 1 < pictures.len() {
+        if pictures.len() > 1 {
             // A reader view of a browser takes a `div` of pictures for decoration.
             figures = format!("<section class=\"pictures\">\n{figures}</section>\n");
         }
-        match live.filter(|live| live.has_probe()) {
-            Some(live) => Ok(figures + &self.pixel_panel_html(live)?),
-            None => Ok(figures),
-        }
+        Ok(figures)
     }
+}
 
-    /// What is said of a pixel of a picture, below it.
-    fn pixel_panel_html(&self, live: &Figure) -> Result<String, String> {
-        let (markdown, faults) =
-            expand_directives(&pixel_panel::panel_markdown(live), self.sources, "");
-        match faults.first() {
-            None => Ok(pixel_panel::panel_html(live, &markdown)),
-            Some((_, what)) => Err(format!("this pixel of {}: {what}", live.name)),
-        }
-    }
+fn find_live(name: &str) -> ChapterResult<&'static Figure> {
+    figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
 /// Whether code is a name such as `Ray::at`, which may be broken.

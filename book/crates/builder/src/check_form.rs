@@ -1,10 +1,11 @@
 use crate::Sources;
+use crate::fault::{ChapterError, ChapterResult};
 
 /// The form into which a reader drops a picture to ask whether it is right, for
 /// `{{#check name}}`; without a name, the file's own tells which picture it should be.
 ///
 /// Hidden where no script can answer; see book/theme/check_form.js.
-pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
+pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (name, words) = match name {
         "" => {
@@ -17,7 +18,7 @@ pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
         name if sources.generated.0.contains_key(&format!("{name}.png")) => {
             (name, format!("Drop your <code>{name}.png</code> here, or choose it."))
         }
-        name => return Err(format!("there is no locked picture {name}")),
+        name => return Err(ChapterError::UnknownLockedPicture(name.to_owned())),
     };
     Ok(format!(
         "<form class=\"check\" data-live=\"check\" data-name=\"{name}\" hidden>\

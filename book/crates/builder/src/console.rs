@@ -1,11 +1,12 @@
+use crate::fault::{ChapterError, ChapterResult};
 use figures::escape;
 
 /// Commands, under a caption that says in which folder they are meant, the reader's or ours.
-pub fn figure_markdown(folder: &str, commands: &str) -> Result<String, String> {
+pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
     let caption = match folder {
         "yours" | "yours,refused" | "yours,fails" => "in your folder",
         "ours" => "in <a href=\"how.html#two-folders\">our folder</a>",
-        _ => return Err("a console is ours or yours, or yours,refused or yours,fails".to_string()),
+        _ => return Err(ChapterError::ConsoleForm),
     };
     let folder = folder.replace(',', " ");
     // A prompt is not a part of a command that is copied.

@@ -1,13 +1,15 @@
 use crate::controls;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
+use crate::values::Values;
 use figures::Output;
 
 /// The HTML of the figure called `name`.
-pub fn html(name: &str) -> Result<String, String> {
+pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
     let Some((figure, Output::Drawing(drawing))) =
         figures::find(name).map(|figure| (figure, figure.default_output()))
     else {
-        return Err(format!("there is no figure {name}"));
+        return Err(ChapterError::UnknownFigure(name.to_owned()));
     };
     let (live, controls) = match figure.followed {
         Some(followed) => (format!(" data-companion=\"{followed}\""), String::new()),
@@ -18,6 +20,6 @@ pub fn html(name: &str) -> Result<String, String> {
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\
          <figcaption>{}</figcaption></figure>\n",
         drawing.html(figure.title),
-        inline_html(figure.caption)?
+        inline_html(figure.caption, values)?
     ))
 }

@@ -79,6 +79,18 @@ mod tests {
     use std::{env, process};
 
     #[test]
+    fn path_is_resolved_from_a_file_or_folder() {
+        for (base, path, resolved) in [
+            ("a/b.html", "c.html", "a/c.html"),
+            ("a/b/", "../c", "a/c"),
+            ("a/b/", "./c/./d", "a/b/c/d"),
+            ("b.html", "../c", "../c"),
+        ] {
+            assert_eq!(resolve_path(base, path), resolved, "{base} {path}");
+        }
+    }
+
+    #[test]
     fn file_is_replaced_and_an_error_leaves_nothing_behind() {
         let folder = env::temp_dir().join(format!("replace_file-{}", process::id()));
         let _ = fs::remove_dir_all(&folder);

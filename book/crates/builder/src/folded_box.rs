@@ -1,4 +1,6 @@
+use crate::fault::ChapterResult;
 use crate::markdown::inline_html;
+use crate::values::Values;
 
 /// The boxes a chapter can have, and what stands before the author's own words in
 /// their heading.
@@ -6,9 +8,9 @@ const KINDS: [(&str, &str); 4] =
     [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside"), ("answer", "Answer")];
 
 /// The HTML for `{{#predict a question}}`, which begins a box that a reader opens.
-pub fn opening_html(kind: &str, summary: &str) -> Option<Result<String, String>> {
+pub fn opening_html(kind: &str, summary: &str, values: &Values) -> Option<ChapterResult<String>> {
     let (kind, label) = KINDS.iter().find(|(name, _)| *name == kind)?;
-    Some(inline_html(summary).map(|words| {
+    Some(inline_html(summary, values).map(|words| {
         format!(
             "<details class=\"{kind}\"><summary><span class=\"kind\">{label}</span> \
              <span>{words}</span></summary>\n"

@@ -1,4 +1,6 @@
+use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
+use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
@@ -8,9 +10,9 @@ const MAX_MARKS: usize = 100;
 const STACK_BYTES: usize = 16 << 20;
 
 /// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
-pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
+pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = numbers::fill_in_formula(latex, |latex| convert(latex, style))?;
+    let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
     let mathml = escape_markdown(&mathml);
     Ok(if is_display {
         format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)
@@ -20,20 +22,21 @@ pub fn formula_html(latex: &str, is_display: bool) -> Result<String, String> {
 }
 
 /// The MathML of a formula without numbers that are still to be filled in.
-fn convert(latex: &str, style: MathDisplay) -> Result<String, String> {
+fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
-    if MAX_MARKS < latex.matches(['\\', '{']).count() {
-        return Err(format!("a formula has at most {MAX_MARKS} commands and braces"));
+    if latex.matches(['\\', '{']).count() > MAX_MARKS {
+        return Err(ChapterError::LongFormula(MAX_MARKS));
     }
     let convert = || LatexToMathML::default().convert_with_local_state(latex, style);
     let converted = thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, convert);
         thread.ok()?.join().ok()
     });
+    let formula_error = |source| ChapterError::Formula { latex: latex.to_owned(), source };
     match converted {
         Some(Ok(converted)) => Ok(converted.mathml),
-        Some(Err(error)) => Err(format!("the formula {latex} does not parse: {error}")),
-        None => Err(format!("the formula {latex} does not parse")),
+        Some(Err(error)) => Err(formula_error(Some(error))),
+        None => Err(formula_error(None)),
     }
 }
 
@@ -53,4 +56,23 @@ fn escape_markdown(mathml: &str) -> String {
         }
     }
     escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_is_escaped_outside_of_tags() {
+        assert_eq!(escape_markdown("<mi a_b=\"c\">a_*</mi>\n"), "<mi a_b=\"c\">a&#95;&#42;</mi> ");
+    }
+
+    #[test]
+    fn live_number_is_an_element_of_its_own() {
+        for name in ["row:D", "step02_sphere:t", "step05_phong:d warm"] {
+            let latex = format!("x = {{{{#number {name}}}}}");
+            let html = formula_html(&latex, false, &Values::default()).expect(name);
+            assert!(html.contains(&format!("<mn data-number=\"{name}\">")), "{html}");
+        }
+    }
 }

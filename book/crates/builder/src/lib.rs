@@ -5,27 +5,34 @@
 //! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages, puts the styles into them,
 //! and writes the index of the search. At the end each link is followed.
 //!
-//! A chapter is Markdown. What its author writes besides are *directives*, `{{#kind words}}`:
+//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most stand alone in a paragraph;
+//! `value`, `number` and `our-folder` stand within a sentence:
 //!
-//! - a *listing* is a file of a step or a part of it (`include` in a fence); it says where a
-//!   reader may edit it (`course::Place`), and as `rust,own_scene` it moves with that picture;
-//! - a *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
-//!   reader's, and `console,yours,refused` or `console,yours,fails` where a test expects that;
-//! - a *value* is computed by the steps when the book is built, a *number* moves on the
-//!   page with what answers;
-//! - a *figure* is a drawing of the crate `figures`, and a *picture* a PNG file, locked or made
-//!   from code; with `live` behind it, it *answers*: its *controls* set the parameters,
-//!   and where it has a *probe*, *this pixel* tells the way to the three bytes;
-//! - a *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader;
-//! - a `problem` is to be solved on paper: it has a number for an answer, and `answer` holds the way
-//!   to it; `problem-sheet` has those of all chapters once more;
-//! - `mistakes` are those of a step, with a picture each;
-//! - `check` is the form that a picture is dropped into, `by-hand` names the test of what
-//!   was worked out above it, and `rust` tells what a week of Rust does not;
+//! - A *listing* is a fence with one `include` of a file of a step or a part of it. It says where a
+//!   reader may edit it (`course::Place`). In a fence `rust,own_scene` it is updated on the page
+//!   when that picture changes.
+//! - A *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
+//!   reader's, and `console,yours,refused` or `console,yours,fails` where a test expects that.
+//! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
+//!   when its interactive figure changes.
+//! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made
+//!   from code. Followed by `live`, a picture is interactive: its *controls* set the parameters.
+//! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
+//!   text has a `number` for each step from the ray of the chosen pixel to its three bytes. In its
+//!   tables, `rows` with a picture and its columns is a row for each sphere or mirror.
+//! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader.
+//! - A `problem` is to be solved on paper. It has a number for an answer, and the box `answer` holds
+//!   the way to it. `problem-sheet` shows the problems of all chapters once more.
+//! - `mistakes` are those of a step, with a picture each.
+//! - `check` is the form that a picture is dropped into. `by-hand` names the test of what was worked
+//!   out above it. `rust` is a margin note on Rust that a beginner won't know yet.
 //! - `our-folder` says where the source of the book is.
 //!
-//! A *fault* is a sentence about what only the author can mend; it stops the build.
+//! A *fault* is an error on a line of a chapter, which only its author can mend. The build reports
+//! all faults and stops.
 
+mod directive;
+mod fault;
 mod figure_file;
 mod files;
 mod page;

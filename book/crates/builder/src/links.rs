@@ -6,10 +6,32 @@ use crate::page::Element;
 use crate::{Page, Site};
 use figures::{find, parse_address};
 use std::collections::BTreeSet;
+use thiserror::Error;
+
+/// A link of a page that leads nowhere, or fetches something from elsewhere.
+#[derive(Debug, Error)]
+#[error("{place}: {error}")]
+pub struct LinkFault {
+    /// The page, and the last id before the link.
+    place: String,
+    /// What is wrong with its address.
+    error: AddressError,
+}
+
+/// What can be wrong with an address.
+#[derive(Debug, Error)]
+enum AddressError {
+    #[error("{0} is outside the book")]
+    OutsideBook(String),
+    #[error("there is no {0} in the book")]
+    UnknownFile(String),
+    #[error("there is no #{id} in {path}")]
+    UnknownId { id: String, path: String },
+}
 
 /// Each link that leads nowhere, and all that would be fetched from elsewhere. The pages that repeat
 /// the chapters are left out.
-pub fn find_faults(site: &Site) -> Vec<String> {
+pub fn find_faults(site: &Site) -> Vec<LinkFault> {
     let with_id = site.pages.values().flat_map(|page| {
         page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
     });
@@ -23,9 +45,9 @@ pub fn find_faults(site: &Site) -> Vec<String> {
                 if is_link && is_outside_book(address) {
                     continue;
                 }
-                let fault = find_address_fault(site, &ids, &page.name, address);
-                let place = page.address_for_fault(element);
-                faults.extend(fault.map(|fault| format!("{place}: {fault}")));
+                if let Err(error) = check_address(site, &ids, &page.name, address) {
+                    faults.push(LinkFault { place: page.address_for_fault(element), error });
+                }
             }
         }
     }
@@ -58,19 +80,18 @@ fn is_outside_book(address: &str) -> bool {
     address.starts_with('/') || scheme.contains(':')
 }
 
-/// The fault of an address in the file `page_path`; None where it leads to something in the
-/// book.
-fn find_address_fault(
+/// Checks that an address in the file `page_path` leads to something in the book.
+fn check_address(
     site: &Site,
     ids: &BTreeSet<(&str, Option<&str>)>,
     page_path: &str,
     address: &str,
-) -> Option<String> {
+) -> Result<(), AddressError> {
     if address.starts_with("data:") {
-        return None;
+        return Ok(());
     }
     if is_outside_book(address) {
-        return Some(format!("{address} is outside the book"));
+        return Err(AddressError::OutsideBook(address.to_owned()));
     }
     let (path, id) = address.split_once('#').unwrap_or((address, ""));
     let path = match path.split('?').next().unwrap_or_default() {
@@ -78,12 +99,12 @@ fn find_address_fault(
         path => resolve_path(page_path, path),
     };
     if !site.files.0.contains_key(&path) {
-        return Some(format!("there is no {path} in the book"));
+        return Err(AddressError::UnknownFile(path));
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
         || site.pages.get(&path).is_some_and(|page| is_answered(page, id));
-    (!is_there).then(|| format!("there is no #{id} in {path}"))
+    if is_there { Ok(()) } else { Err(AddressError::UnknownId { id: id.to_owned(), path }) }
 }
 
 /// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture

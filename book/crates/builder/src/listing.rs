@@ -1,5 +1,7 @@
+use crate::Sources;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
-use crate::{Sources, values};
+use crate::values::Notation;
 use course::{Place, Step};
 use figures::escape;
 use std::fs;
@@ -23,17 +25,11 @@ pub fn html(
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
-) -> Result<String, String> {
-    let target = include
-        .trim()
-        .strip_prefix("{{#include ")
-        .and_then(|rest| rest.strip_suffix("}}"))
-        .filter(|rest| !rest.contains(['\n', '{', '}']))
-        .ok_or("a listing is one {{#include path}} and nothing else")?;
-    let (target, part) = target.split_once(':').unwrap_or((target, ".."));
+) -> ChapterResult<String> {
+    let (target, part) = include.split_once(':').unwrap_or((include, ".."));
     let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(sources.workspace.join(&path))
-        .map_err(|_| format!("there is no file {target} that can be read"))?;
+        .map_err(|source| ChapterError::UnreadableFile { path: target.to_owned(), source })?;
     let folders = ["book/reader/", "book/typed/"];
     let path = folders.iter().find_map(|folder| path.strip_prefix(folder)).unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
@@ -48,8 +44,8 @@ pub fn html(
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
     let mut attributes = places_attribute(path, &code);
     if !live.is_empty() {
-        let rust = values::value_text(&format!("{live}:rust"));
-        rust.map_err(|_| format!("nothing called {live:?} has Rust that moves"))?;
+        let rust = sources.values.text(&format!("{live}:rust"), Notation::Code);
+        rust.map_err(|_| ChapterError::UnknownProgram(live.to_owned()))?;
         attributes += &format!(" data-code=\"{live}\"");
     }
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
@@ -122,10 +118,9 @@ fn figure_markdown(
 
 /// The lines of a part such as `use..impl Ray`, which begins and ends before what
 /// begins with these words.
-fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
-    let (begin_words, end_words) = part
-        .split_once("..")
-        .ok_or(format!("a part is ..how its end begins, or how it begins.., not {part}"))?;
+fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
+    let (begin_words, end_words) =
+        part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
     let start = find_line_or_attributes(begin_words, lines, 0)?;
     let end = match end_words {
         "" => lines.len(),
@@ -136,11 +131,45 @@ fn part_lines(part: &str, lines: &[&str]) -> Result<Range<usize>, String> {
 
 /// The place of the first line, not before `start`, that begins with these words, or that of the
 /// comments and attributes above it.
-fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> Result<usize, String> {
+fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len()).find(has_words);
-    let index = index.ok_or(format!("no line there begins with {words:?}"))?;
+    let index = index.ok_or_else(|| ChapterError::UnknownLine(words.to_owned()))?;
     let lines_above = lines[start..index].iter().rev();
     let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
     Ok(index - lines_above.take_while(is_about_it).count())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LINES: [&str; 6] = ["use a;", "", "/// A b.", "struct B {", "}", "impl B {}"];
+
+    #[test]
+    fn part_begins_and_ends_before_the_comments_of_a_line() {
+        for (part, lines) in
+            [("..", 0..6), ("..struct", 0..2), ("struct..", 2..6), ("struct..impl", 2..5)]
+        {
+            assert_eq!(part_lines(part, &LINES).expect(part), lines, "{part}");
+        }
+    }
+
+    #[test]
+    fn part_that_is_not_there_is_an_error() {
+        assert!(matches!(part_lines("1:2", &LINES), Err(ChapterError::PartForm(_))));
+        for part in ["..enum", "impl..struct"] {
+            assert!(
+                matches!(part_lines(part, &LINES), Err(ChapterError::UnknownLine(_))),
+                "{part}"
+            );
+        }
+    }
+
+    #[test]
+    fn new_lines_are_marked_unless_they_are_more_than_half() {
+        let style = changed_lines_style("a\nb", "b\nc").expect("a style");
+        assert!(style.contains("calc(0 * 1lh)") && !style.contains("calc(1 * 1lh)"), "{style}");
+        assert_eq!(changed_lines_style("a\nb", "c"), None);
+    }
 }

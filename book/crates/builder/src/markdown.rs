@@ -1,3 +1,5 @@
+use crate::fault::{ChapterError, ChapterResult};
+use crate::values::Values;
 use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
@@ -16,13 +18,13 @@ pub fn markdown_options() -> Options {
 
 /// The HTML of one paragraph of Markdown, formulas included, without the tags of
 /// the paragraph.
-pub fn inline_html(markdown: &str) -> Result<String, String> {
+pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
         events.push(match event {
             Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => continue,
             Event::InlineMath(latex) | Event::DisplayMath(latex) => {
-                Event::InlineHtml(formula::formula_html(&latex, false)?.into())
+                Event::InlineHtml(formula::formula_html(&latex, false, values)?.into())
             }
             other => other,
         });
@@ -30,15 +32,9 @@ pub fn inline_html(markdown: &str) -> Result<String, String> {
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
     if text.contains('$') {
-        return Err("a lone $: a formula has two".to_string());
+        return Err(ChapterError::LoneDollarInWords);
     }
-    numbers::fill_in_text(&text.replace('\n', " "))
-}
-
-/// The kind and the words of a directive such as `{{#figure ray}}`.
-pub fn parse_directive(source: &str) -> Option<(&str, &str)> {
-    let inside = source.strip_prefix("{{#")?.strip_suffix("}}")?;
-    Some(inside.split_once(' ').unwrap_or((inside, "")))
+    numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
 /// A name in code, which a narrow column may break after :: and _ and nowhere else.

@@ -1,70 +1,80 @@
 use crate::Sources;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
-use crate::picture::{self, LAZY};
+use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
+use crate::values::Values;
 use course::{Mistake, Step, mistakes};
 use figures::escape;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
 /// shown in the picture of that step, and then each with its picture, ours, where they
 /// differ, the diff, and what is to be said of it.
-pub fn html(name: &str, sources: &Sources) -> Result<String, String> {
-    let step = Step::from_name(name).ok_or(format!("there is no step {name}"))?;
+pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
+    let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in &mistakes() {
         let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
             continue;
         };
-        let (title, source) = (title_html(mistake)?, format!("generated/mistake-{name}.png"));
-        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources)?;
+        let (title, source) =
+            (title_html(mistake, &sources.values)?, format!("generated/mistake-{name}.png"));
+        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
-            panels_html(&source, step, sources)?,
+            panels_html(&source, step, sources, loading)?,
             changed_lines_html(mistake),
-            reason_markdown(mistake)?,
+            reason_markdown(mistake, &sources.values)?,
         );
     }
     Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
 /// Why a mistake is wrong, and a link to the section that tells.
-fn reason_markdown(mistake: &Mistake) -> Result<String, String> {
+fn reason_markdown(mistake: &Mistake, values: &Values) -> ChapterResult<String> {
     let Mistake { step, section, reason, .. } = mistake;
     let is_of_program = mistake.file.ends_with("/program.rs");
     let chapter = if is_of_program { "step01_program" } else { step.name() };
     let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
     let id = section.to_lowercase().replace(' ', "-");
     let id: String = id.chars().filter(is_kept).collect();
-    let reason = inline_html(&symbols_as_formulas(reason))?;
+    let reason = inline_html(&symbols_as_formulas(reason), values)?;
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
 /// The picture with a mistake, ours of that step, and where they differ: the browser blends two
 /// pictures, one upon the other.
-fn panels_html(yours: &str, step: Step, sources: &Sources) -> Result<String, String> {
+fn panels_html(
+    yours: &str,
+    step: Step,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     let ours = format!("generated/{}", small_picture_name(step));
     let alt = format!("The picture of step {} with this mistake.", step.number());
-    let wrong = picture::html(&alt, yours, sources)?;
-    let right = picture::html("The right picture.", &ours, sources)?;
+    let wrong = picture::html(&alt, yours, sources, loading)?;
+    let right = picture::html("The right picture.", &ours, sources, loading)?;
+    let lazy = Loading::InView.attribute();
     Ok(format!(
         "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
          <span data-label=\"Ours\">{right}</span>\
          <span data-label=\"Difference\"><span class=\"differ\" role=\"img\" \
          aria-label=\"The difference.\">\
-         <img src=\"{yours}\" alt=\"Yours.\"{LAZY}>\
-         <img src=\"{ours}\" alt=\"Ours.\"{LAZY}></span></span></div>"
+         <img src=\"{yours}\" alt=\"Yours.\" {lazy}>\
+         <img src=\"{ours}\" alt=\"Ours.\" {lazy}></span></span></div>"
     ))
 }
 
 /// The title of a mistake, with a capital letter, unless it begins with a symbol.
-fn title_html(Mistake { title, .. }: &Mistake) -> Result<String, String> {
+fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
-    let is_word = 1 < word.len() && word.chars().all(|c| c.is_ascii_lowercase());
-    inline_html(&symbols_as_formulas(&match title.split_at_checked(1) {
+    let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
+    let title = match title.split_at_checked(1) {
         Some((first, rest)) if is_word => first.to_uppercase() + rest,
         _ => (*title).to_owned(),
-    }))
+    };
+    inline_html(&symbols_as_formulas(&title), values)
 }
 
 /// The lines of the file, and those that are written instead.
@@ -88,8 +98,19 @@ fn symbols_as_formulas(text: &str) -> String {
     let is_symbol = |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');
     let formula = |(k, letter): (usize, &char)| match *letter {
         _ if is_symbol(k) => format!("${letter}"),
-        _ if 2 <= k && is_symbol(k - 2) => format!("{letter}$"),
+        _ if k >= 2 && is_symbol(k - 2) => format!("{letter}$"),
         _ => letter.to_string(),
     };
     letters.iter().enumerate().map(formula).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_become_formulas() {
+        assert_eq!(symbols_as_formulas("D_u is no step"), "$D_u$ is no step");
+        assert_eq!(symbols_as_formulas("a_b, V and V_0."), "a_b, V and $V_0$.");
+    }
 }

@@ -1,39 +1,105 @@
-//! The numbers in a text: values, computed when the book is built, and those that move
-//! when a reader moves what answers.
+//! The numbers in a text: values, which are computed when the book is built, and live numbers,
+//! which the page keeps up to date while its reader moves a figure.
 
-use crate::replace_between::replace_between;
-use crate::values;
+use crate::directive::{Directive, replace_directives};
+use crate::fault::{ChapterError, ChapterResult};
+use crate::values::{Notation, Values};
 
 /// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
-pub fn fill_in_text(text: &str) -> Result<String, String> {
-    replace_between(text, "{{#", "}}", |directive| match directive.split_once(' ') {
-        Some(("value", name)) => values::value_text(name),
-        Some(("number", number_name)) => moving_number_html("span", number_name),
-        _ => Err(format!(
-            "{{{{#{directive}}}}} stands alone, in a paragraph or a fence of its own, \
-             or is none of the directives"
-        )),
+pub fn fill_in_text(text: &str, values: &Values) -> ChapterResult<String> {
+    replace_directives(text, |directive| number_html(directive, values))
+}
+
+/// The number of a directive in a text.
+pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<String> {
+    match directive.kind {
+        "value" => values.text(directive.words, Notation::Prose),
+        "number" => live_number_html("span", directive.words, values),
+        _ => Err(ChapterError::MisplacedDirective(directive.to_string())),
+    }
+}
+
+/// Code with the numbers of `{{#value name}}` in it.
+pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
+    replace_directives(code, |directive| match directive.kind {
+        "value" => values.text(directive.words, Notation::Code),
+        "number" => Err(ChapterError::NumberInCode(directive.to_string())),
+        _ => Err(ChapterError::MisplacedDirective(directive.to_string())),
     })
 }
 
-/// The same for a formula: `to_mathml` gets it with a mark where a number moves.
+/// A formula with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, which
+/// `to_mathml` converts. LaTeX can't say that a number is live, so each of those is converted as a
+/// text of its own, `live0`, `live1` and so on, which the number then replaces.
 pub fn fill_in_formula(
     latex: &str,
-    to_mathml: impl FnOnce(&str) -> Result<String, String>,
-) -> Result<String, String> {
-    let marked =
-        replace_between(latex, "{{#", "}}", |directive| match directive.split_once(' ') {
-            Some(("value", name)) => Ok(values::value_text(name)?.replace('−', "-")),
-            Some(("number", number_name)) => Ok(format!("\\text{{⟦{number_name}⟧}}")),
-            _ => Err(format!("a formula has no {{{{#{directive}}}}}")),
-        })?;
-    replace_between(&to_mathml(&marked)?, "<mtext>⟦", "⟧</mtext>", |number_name| {
-        moving_number_html("mn", number_name)
-    })
+    values: &Values,
+    to_mathml: impl FnOnce(&str) -> ChapterResult<String>,
+) -> ChapterResult<String> {
+    let mut live_numbers = vec![];
+    let latex = replace_directives(latex, |directive| match directive.kind {
+        "value" => values.text(directive.words, Notation::Code),
+        "number" => {
+            live_numbers.push(directive.words.to_owned());
+            Ok(format!("\\text{{live{}}}", live_numbers.len() - 1))
+        }
+        _ => Err(ChapterError::DirectiveInFormula(directive.to_string())),
+    })?;
+    let mathml = to_mathml(&latex)?;
+    let (mut filled, mut rest) = (String::new(), mathml.as_str());
+    for (k, name) in live_numbers.into_iter().enumerate() {
+        let number = live_number_html("mn", &name, values)?;
+        let text = format!("<mtext>live{k}</mtext>");
+        let (before, after) = rest.split_once(&text).ok_or(ChapterError::NumberInFormula(name))?;
+        filled += before;
+        filled += &number;
+        rest = after;
+    }
+    Ok(filled + rest)
 }
 
-/// A number that moves, as it is printed: a value of what answers.
-fn moving_number_html(tag: &str, number_name: &str) -> Result<String, String> {
-    let default_text = values::value_text(number_name)?;
-    Ok(format!("<{tag} data-number=\"{number_name}\">{default_text}</{tag}>"))
+/// The HTML of a number that the page keeps up to date, with its text for the default parameters.
+pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
+    let default_text = values.text(name, Notation::Prose)?;
+    Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn value_in_code_and_formulas_has_a_hyphen() {
+        let values = Values::default();
+        let b = "{{#value step02_sphere:300,150:b0}}";
+        assert_eq!(fill_in_text(b, &values).expect("a number"), "−10");
+        assert_eq!(fill_in_code(b, &values).expect("a number"), "-10");
+        let unchanged = |latex: &str| Ok(latex.to_owned());
+        assert_eq!(fill_in_formula(b, &values, unchanged).expect("a number"), "-10");
+    }
+
+    #[test]
+    fn live_numbers_of_a_formula_are_filled_in_in_their_order() {
+        let latex = "{{#number row:hRes}} {{#number row:D}} {{#number row:hRes}}";
+        let to_mathml =
+            |latex: &str| Ok(latex.replace("\\text{", "<mtext>").replace('}', "</mtext>"));
+        let filled = fill_in_formula(latex, &Values::default(), to_mathml).expect("a formula");
+        assert_eq!(
+            filled,
+            "<mn data-number=\"row:hRes\">7</mn> <mn data-number=\"row:D\">0.1925</mn> \
+             <mn data-number=\"row:hRes\">7</mn>"
+        );
+    }
+
+    #[test]
+    fn live_number_that_the_conversion_loses_is_an_error() {
+        let error = fill_in_formula("{{#number row:D}}", &Values::default(), |_| Ok(String::new()));
+        assert!(matches!(error, Err(ChapterError::NumberInFormula(name)) if name == "row:D"));
+    }
+
+    #[test]
+    fn live_number_is_no_part_of_code() {
+        let error = fill_in_code("{{#number row:D}}", &Values::default()).expect_err("an error");
+        assert!(matches!(error, ChapterError::NumberInCode(_)));
+    }
 }

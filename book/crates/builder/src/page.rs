@@ -23,10 +23,14 @@ pub struct Site {
 impl Site {
     /// Reads a book that was built into a folder.
     pub fn read(folder: &Path) -> Result<Self> {
-        let files = Files::read(folder)?;
+        Ok(Self::new(Files::read(folder)?))
+    }
+
+    /// The book that consists of these files.
+    pub fn new(files: Files) -> Self {
         let texts = files.texts_with_suffix(".html");
         let pages = texts.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
-        Ok(Self { files, pages })
+        Self { files, pages }
     }
 
     /// The pages in reading order, as the list of contents has them.

@@ -1,20 +1,55 @@
 use crate::controls;
+use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::sources::Sources;
+use crate::values::Values;
 use course::mistakes;
 use figures::{Figure, escape};
+use std::mem;
 
-/// Attribute that makes a picture load when it comes into view.
-pub const LAZY: &str = r#" loading="lazy""#;
+/// When a browser loads a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Loading {
+    /// At once and before others: the first picture of a page.
+    AtOnce,
+    /// When it comes into view.
+    InView,
+}
+
+impl Loading {
+    /// How the next picture of a page is loaded. The ones after it wait until they come into view.
+    pub fn next(&mut self) -> Self {
+        mem::replace(self, Self::InView)
+    }
+
+    /// The attribute of the picture.
+    pub fn attribute(self) -> &'static str {
+        match self {
+            Self::AtOnce => r#"fetchpriority="high""#,
+            Self::InView => r#"loading="lazy""#,
+        }
+    }
+}
+
+/// A page for printing, on which every picture is loaded: one that waits to come into view wouldn't
+/// be on paper.
+pub fn load_all_pictures(html: &str) -> String {
+    html.replace(&format!(" {}", Loading::InView.attribute()), "")
+}
 
 /// A picture as a chapter asks for it: `![what it shows](generated/name.png "Caption")`, without
 /// its caption; what a mistake's picture shows, the list of mistakes says.
-pub fn markdown_html(markdown: &str, source: &str, sources: &Sources) -> Result<String, String> {
+pub fn markdown_html(
+    markdown: &str,
+    source: &str,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     // The caption may hold links of its own; the alt text ends before the first.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
-    html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources)
+    html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
 /// The sentence of the list about the picture of a mistake; None for any other picture.
@@ -25,33 +60,46 @@ fn effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// A picture with this alt text, in its size; it loads when it comes into view.
-pub fn html(alt: &str, source: &str, sources: &Sources) -> Result<String, String> {
+/// A picture with this alt text, in its size.
+pub fn html(
+    alt: &str,
+    source: &str,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     if alt.is_empty() {
-        return Err(format!("the picture {source} has no alt text: say what it shows"));
+        return Err(ChapterError::MissingAltText(source.to_owned()));
     }
     if alt.contains("{{#") {
-        return Err(format!("the alt text of {source} is words alone, without directives"));
+        return Err(ChapterError::DirectiveInAltText(source.to_owned()));
     }
-    let (width, height) =
-        sources.picture_size(source).ok_or_else(|| match effect_of_picture(source) {
-            Some(_) => format!("{source}, of a listed mistake, isn't drawn yet: run `cargo xtask`"),
-            None => format!("there is no picture {source}"),
-        })?;
+    let (width, height) = sources.picture_size(source).ok_or_else(|| {
+        let source = source.to_owned();
+        match effect_of_picture(&source) {
+            Some(_) => ChapterError::UndrawnMistake(source),
+            None => ChapterError::UnknownPicture(source),
+        }
+    })?;
     Ok(format!(
-        r#"<img src="{}" alt="{}" width="{width}" height="{height}"{LAZY}>"#,
+        r#"<img src="{}" alt="{}" width="{width}" height="{height}" {}>"#,
         escape(source),
-        escape(alt)
+        escape(alt),
+        loading.next().attribute(),
     ))
 }
 
 /// A figure of an image with its caption in Markdown, in which what is `live` answers.
-pub fn figure_html(image: &str, caption: &str, live: Option<&Figure>) -> Result<String, String> {
+pub fn figure_html(
+    image: &str,
+    caption: &str,
+    live: Option<&Figure>,
+    values: &Values,
+) -> ChapterResult<String> {
     let data = live.map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
     let controls_html = live.map_or(String::new(), controls::html);
     let caption = match caption {
         "" => String::new(),
-        markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown)?),
+        markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown, values)?),
     };
     Ok(format!("<figure class=\"picture\"{data}>{image}{controls_html}{caption}</figure>\n"))
 }
@@ -65,7 +113,9 @@ mod tests {
     fn listed_mistake_without_its_picture_names_the_command_that_draws_it() {
         let mut sources = Sources::read(&workspace()).expect("the sources");
         let fault = |sources: &Sources, name: &str| {
-            html("A picture.", &format!("generated/{name}.png"), sources).err()
+            let source = format!("generated/{name}.png");
+            let html = html("A picture.", &source, sources, &mut Loading::AtOnce);
+            html.err().map(|error| error.to_string())
         };
         assert_eq!(fault(&sources, "mistake-first-in-list"), None);
         sources.generated.0.remove("mistake-first-in-list.png");
@@ -73,5 +123,19 @@ mod tests {
         assert!(drawn_later.contains("`cargo xtask`"), "{drawn_later}");
         let unknown = fault(&sources, "mistake-of-nobody").expect("a fault");
         assert_eq!(unknown, "there is no picture generated/mistake-of-nobody.png");
+    }
+
+    #[test]
+    fn only_the_first_picture_is_loaded_at_once() {
+        let mut loading = Loading::AtOnce;
+        let order = [loading.next(), loading.next(), loading.next()];
+        assert_eq!(order, [Loading::AtOnce, Loading::InView, Loading::InView]);
+    }
+
+    #[test]
+    fn printed_page_loads_all_pictures() {
+        let html = r#"<img src="a" loading="lazy"><img src="b" fetchpriority="high">"#;
+        let printed = r#"<img src="a"><img src="b" fetchpriority="high">"#;
+        assert_eq!(load_all_pictures(html), printed);
     }
 }

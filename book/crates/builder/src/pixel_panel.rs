@@ -1,65 +1,87 @@
-use figures::Figure;
+//! The box "This pixel" below an interactive picture: everything on the way from the pixel that a
+//! reader chooses to its three bytes.
+
+use crate::fault::{ChapterError, ChapterResult};
+use crate::numbers;
+use crate::values::{Notation, Values};
+use figures::short_name;
 use step03_nearest::OBJECTS;
 
-/// The text about a pixel, with a number for each `{{#number name}}`. A line that
-/// begins with `45` is for the pictures of these steps.
-const TEXT: &str = include_str!("pixel_trace_template.md");
-
-/// The same for the picture with mirrors.
-const MIRROR_TEXT: &str = include_str!("mirror_trace_template.md");
-
-/// The numbers of a sphere, in the columns of its row.
-const COLUMNS: [&str; 6] = ["a", "b", "c", "D", "near", "far"];
-
-/// The numbers of a hit of a mirrored ray, in the columns of its row.
-const MIRROR_COLUMNS: [&str; 4] = ["object", "t", "k", "I"];
-
-/// The rows of what a ray meets: the example `mirror` allows ten mirrors.
-const MIRROR_ROWS: usize = 11;
-
-/// Markdown of everything on the way from a pixel to its three bytes, of the one that the
-/// reader of the page asks.
-pub fn panel_markdown(live: &Figure) -> String {
-    let name = live.name;
-    let (text, rows): (_, Vec<_>) = if name == "mirror" {
-        let rows = (0..MIRROR_ROWS).map(|k| row_markdown(&MIRROR_COLUMNS, k));
-        (MIRROR_TEXT.to_owned(), rows.collect())
-    } else {
-        let lines = TEXT.lines().filter_map(|line| line_for_step(name, line));
-        let count = if name.starts_with("step02") { 1 } else { OBJECTS.len() };
-        let spheres = OBJECTS.iter().take(count).enumerate().map(|(k, object)| {
-            let name = figures::short_name(object.name);
-            format!("| {name} {}", row_markdown(&COLUMNS, k))
-        });
-        (lines.collect::<Vec<_>>().join("\n"), spheres.collect())
-    };
-    let text = text.replace("{{#rows}}", &rows.join("\n"));
-    let text = text.replace("{{#number ", &format!("{{{{#number {name}:"));
-    text.replace("NAME:", &format!("{name}:"))
-}
-
-/// The box with that text below a picture whose pixels can be asked.
+/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of this picture. Its text
+/// follows, with a `{{#number …}}` for each number that depends on the pixel, and `{{#end}}`.
 ///
 /// Hidden where no script can answer; see book/theme/figure.js.
-pub fn panel_html(live: &Figure, text: &str) -> String {
+pub fn opening_html(picture: &str) -> String {
     format!(
-        "<details data-panel=\"{}\" class=\"aside\" hidden>\
-         <summary><span class=\"kind\">This pixel</span></summary>\n\n{text}\n</details>\n",
-        live.name
+        "<details data-panel=\"{picture}\" class=\"aside\" hidden>\
+         <summary><span class=\"kind\">This pixel</span></summary>\n"
     )
 }
 
-/// A line as it is for the picture of a step; None where it is for other steps.
-fn line_for_step<'a>(name: &str, line: &'a str) -> Option<&'a str> {
-    match line.split_once(' ').filter(|(steps, _)| steps.parse::<u32>().is_ok()) {
-        Some((steps, rest)) => steps.contains(name.get(5..6)?).then_some(rest),
-        None => Some(line),
-    }
+/// The rows of a table for `{{#rows step04_diffuse sphere a b c}}`: the first row has the numbers
+/// a0, b0 and c0 of that picture, the next a1, b1 and c1, and so on for as long as the picture has
+/// the last of them. The column `sphere` has the name of the sphere.
+pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
+    let mut words = words.split_whitespace();
+    let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
+        return Err(ChapterError::RowsForm);
+    };
+    let last = columns.last().ok_or(ChapterError::RowsForm)?;
+    let count = (0..)
+        .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
+        .count();
+    // A name that doesn't exist is a fault of the first row.
+    (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 
-/// A row of these numbers, number `k` of the table.
-fn row_markdown(columns: &[&str], k: usize) -> String {
-    let cells: Vec<_> =
-        columns.iter().map(|column| format!("{{{{#number {column}{k}}}}}")).collect();
-    format!("| {} |", cells.join(" | "))
+fn row_markdown(
+    picture: &str,
+    columns: &[&str],
+    k: usize,
+    values: &Values,
+) -> ChapterResult<String> {
+    let mut row = String::new();
+    for column in columns {
+        row += "| ";
+        row += &match *column {
+            "sphere" => OBJECTS.get(k).map_or("", |object| short_name(object.name)).to_owned(),
+            name => numbers::live_number_html("span", &format!("{picture}:{name}{k}"), values)?,
+        };
+        row += " ";
+    }
+    Ok(row + "|\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_end_with_the_last_sphere() {
+        let values = Values::default();
+        let rows = rows_markdown("step03_nearest sphere a", &values).expect("rows");
+        assert_eq!(rows.lines().count(), OBJECTS.len());
+        let first = rows.lines().next().unwrap_or_default();
+        let a = values.text("step03_nearest:a0", Notation::Prose).expect("a number");
+        assert_eq!(first, format!("| red | <span data-number=\"step03_nearest:a0\">{a}</span> |"));
+    }
+
+    #[test]
+    fn rows_without_columns_or_numbers_are_an_error() {
+        for words in ["", "step03_nearest"] {
+            assert!(
+                matches!(rows_markdown(words, &Values::default()), Err(ChapterError::RowsForm)),
+                "{words}"
+            );
+        }
+        for words in ["step03_nearest nothing", "nowhere a"] {
+            assert!(
+                matches!(
+                    rows_markdown(words, &Values::default()),
+                    Err(ChapterError::UnknownValue(_))
+                ),
+                "{words}"
+            );
+        }
+    }
 }

@@ -1,9 +1,12 @@
+use crate::fault::{Fault, Faults};
 use crate::files::CHAPTERS;
 use crate::sources::{GENERATED, Sources};
 use crate::{chapter, problem};
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use std::collections::BTreeMap;
+use std::mem;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -44,28 +47,21 @@ impl Preprocessor for Course {
 
 /// Turns the chapters as they are written into plain Markdown.
 fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Result<()> {
-    let chapters = book.chapters().map(|c| (&c.name[..], &c.content[..]));
-    let sheet = problem::sheet_markdown(chapters);
-    let (sheet, sheet_faults) = chapter::expand_directives(&sheet, sources, "");
-    let mut faults = vec![];
-    book.for_each_chapter_mut(|chapter| {
-        let text = chapter.content.replace("{{#our-folder}}", our_folder);
-        let (markdown, wrong) = chapter::expand_directives(&text, sources, &sheet);
-        chapter.content = markdown;
-        let file = chapter.source_path.clone().unwrap_or_default();
-        faults.extend(
-            wrong.iter().map(|(line, what)| format!("{CHAPTERS}{}:{line}: {what}", file.display())),
-        );
-    });
-    // A fault of a problem is told in its chapter alone.
-    if faults.is_empty() {
-        faults.extend(sheet_faults.iter().map(|(_, what)| format!("the problem sheet: {what}")));
+    let (mut chapters, mut problems, mut faults) = (BTreeMap::new(), vec![], vec![]);
+    for chapter in book.chapters() {
+        let mut expanded = chapter::expand_chapter(&chapter.content, sources, our_folder);
+        let file = chapter.source_path.as_deref().unwrap_or(Path::new(""));
+        let in_file = |fault: &Fault| format!("{CHAPTERS}{}:{fault}", file.display());
+        faults.extend(expanded.faults.iter().map(in_file));
+        problems.push((chapter.name.clone(), mem::take(&mut expanded.problems)));
+        chapters.insert(chapter.path.clone(), expanded);
     }
-    fail_with_faults(&faults)
-}
-
-/// An error that tells all faults at once, if there are any; it stops the build.
-pub fn fail_with_faults(faults: &[String]) -> Result<()> {
-    ensure!(faults.is_empty(), "{}\nThe book is not done.", faults.join("\n"));
+    Faults::ensure_none(faults)?;
+    let sheet = problem::sheet_markdown(&problems, &sources.values)?;
+    book.for_each_chapter_mut(|chapter| {
+        if let Some(expanded) = chapters.get(&chapter.path) {
+            chapter.content = expanded.markdown_with_sheet(&sheet);
+        }
+    });
     Ok(())
 }

@@ -1,18 +1,47 @@
-/// A text in which each piece from `begin` to the next `end` is replaced by what is inside it, as
-/// `replacement` gives it.
-pub fn replace_between(
+use thiserror::Error;
+
+/// The beginning of a piece that has no end.
+#[derive(Debug, Error, PartialEq)]
+#[error("{begin} is without its {end} in the same line")]
+pub struct MissingEnd {
+    begin: &'static str,
+    end: &'static str,
+}
+
+/// A text in which each piece from `begin` to the next `end` is replaced by what `replacement`
+/// gives for the text between the two.
+pub fn replace_between<E: From<MissingEnd>>(
     text: &str,
-    begin: &str,
-    end: &str,
-    replacement: impl Fn(&str) -> Result<String, String>,
-) -> Result<String, String> {
+    begin: &'static str,
+    end: &'static str,
+    mut replacement: impl FnMut(&str) -> Result<String, E>,
+) -> Result<String, E> {
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (inside, tail) =
-            part.split_once(end).ok_or(format!("{begin} is without its {end} in the same line"))?;
+        let (inside, tail) = part.split_once(end).ok_or(MissingEnd { begin, end })?;
         replaced += &replacement(inside)?;
         replaced += tail;
     }
     Ok(replaced)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn replace(text: &str) -> Result<String, MissingEnd> {
+        replace_between(text, "<", ">", |inside| Ok(inside.to_uppercase()))
+    }
+
+    #[test]
+    fn each_piece_is_replaced() {
+        assert_eq!(replace("a <b> c<d>").as_deref(), Ok("a B cD"));
+        assert_eq!(replace("a > b").as_deref(), Ok("a > b"));
+    }
+
+    #[test]
+    fn piece_without_an_end_is_an_error() {
+        assert_eq!(replace("a <b> <c"), Err(MissingEnd { begin: "<", end: ">" }));
+    }
 }

@@ -1,3 +1,4 @@
+use crate::values::Values;
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -18,6 +19,8 @@ pub struct Sources {
     pub workspace: PathBuf,
     /// Pictures and scripts that the pages find in `generated/`.
     pub generated: Files,
+    /// Numbers in the text.
+    pub values: Values,
 }
 
 impl Sources {
@@ -49,7 +52,7 @@ impl Sources {
         }
         files.extend(figure_file::svg_files(workspace)?);
         insert_script(files, "mistakes", course::mistake_texts().join("\0").as_bytes());
-        Ok(Self { workspace: workspace.to_owned(), generated })
+        Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 
     /// Width and height, in pixels, of a picture that a chapter shows: a locked one, or one that

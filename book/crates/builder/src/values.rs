@@ -5,22 +5,80 @@
 //! - `R_d:OBJECT` is the R_d of an object of the scene, such as `R_d:salmon sphere`;
 //! - `NAME` is a count over the rays or pixels of a whole picture, or their largest change.
 //!
-//! A minus is one (−); code and formulas get a hyphen where it is put in.
+//! All numbers of a figure are computed at once, and kept for the others that chapters ask for.
 
+use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
-use figures::{discriminant, format_count};
+use figures::{Figure, Numbers, discriminant, format_count};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::sync::{Mutex, PoisonError};
 use step02_sphere::{Ray, SPHERE};
 use step03_nearest::{OBJECTS, nearest};
 use step05_phong::{picture, render, scene};
 
-/// The text of `{{#value …}}`.
-pub fn value_text(text: &str) -> Result<String, String> {
-    let number = match text.split_once(':') {
-        Some(("R_d", object)) => diffuse_reflectance_text(object),
-        Some((live, number)) => live_number_text(live, number),
-        None => count(text).map(format_count),
-    };
-    number.ok_or_else(|| format!("there is no value {text}"))
+/// How a number is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Notation {
+    /// For sentences, with a minus sign (−).
+    Prose,
+    /// For code and LaTeX, with a hyphen.
+    Code,
+}
+
+/// The values that the chapters ask for.
+#[derive(Debug, Default)]
+pub struct Values {
+    /// The numbers of each figure and pixel so far, since all numbers of a figure are computed
+    /// together.
+    numbers: Mutex<BTreeMap<FigureAndPixel, Numbers>>,
+}
+
+/// The name of a figure, and a pixel such as `470,120` if it isn't the default one.
+type FigureAndPixel = (String, Option<String>);
+
+impl Values {
+    /// The text of `{{#value name}}`.
+    pub fn text(&self, name: &str, notation: Notation) -> ChapterResult<String> {
+        let text = match name.split_once(':') {
+            Some(("R_d", object)) => diffuse_reflectance_text(object),
+            Some((figure, number)) => self.figure_number(figure, number),
+            None => count(name).map(format_count),
+        };
+        let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
+        Ok(match notation {
+            Notation::Prose => text,
+            Notation::Code => text.replace('−', "-"),
+        })
+    }
+
+    /// A number such as `D` of a figure at its defaults, or such as `470,120:t` of a picture with a
+    /// probe.
+    fn figure_number(&self, name: &str, number: &str) -> Option<String> {
+        let figure = figures::find(name)?;
+        let (pixel, number) = match number.split_once(':').filter(|_| figure.has_probe()) {
+            Some((pixel, number)) => (Some(pixel), number),
+            None => (None, number),
+        };
+        let key = (name.to_owned(), pixel.map(str::to_owned));
+        let mut known = self.numbers.lock().unwrap_or_else(PoisonError::into_inner);
+        let numbers = match known.entry(key) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => entry.insert(compute_numbers(figure, pixel)?),
+        };
+        numbers.get(number).cloned()
+    }
+}
+
+/// All numbers of a figure, for this pixel of a picture; None if there is no such pixel.
+fn compute_numbers(figure: &Figure, pixel: Option<&str>) -> Option<Numbers> {
+    let mut values = figure.default_values();
+    if let Some(pixel) = pixel {
+        let (i, j) = pixel.split_once(',')?;
+        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
+    }
+    let is_allowed = figure.snap_if_allowed(&values)? == values;
+    is_allowed.then(|| (figure.numbers)(&values))
 }
 
 /// The count of this name.
@@ -38,7 +96,7 @@ fn count(name: &str) -> Option<usize> {
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
         // The sphere behind the eye: its roots are below 0.
-        "step03-behind" => count_rays(|ray| 0.0 <= discriminant(&OBJECTS[4].sphere, ray)),
+        "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => changes_without_gate().len(),
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
         _ => return None,
@@ -50,23 +108,6 @@ fn diffuse_reflectance_text(object: &str) -> Option<String> {
     let object = scene().objects.into_iter().find(|one| one.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
     Some(format!("({r}, {g}, {b})"))
-}
-
-/// A number such as `D` of a live figure at its defaults, or such as `470,120:t` of a
-/// picture with a probe.
-fn live_number_text(live: &str, number: &str) -> Option<String> {
-    let live = figures::find(live)?;
-    let mut values = live.default_values();
-    let mut name = number;
-    if let Some((pixel, traced)) = number.split_once(':')
-        && live.has_probe()
-    {
-        let (i, j) = pixel.split_once(',')?;
-        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
-        name = traced;
-    }
-    let is_allowed = live.snap_if_allowed(&values)? == values;
-    is_allowed.then(|| (live.numbers)(&values).remove(name))?
 }
 
 fn count_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
@@ -86,7 +127,7 @@ fn changes_without_gate() -> Vec<usize> {
     let picture = picture(&camera(), 1);
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));
-    changes.filter(|change| 0 < *change).collect()
+    changes.filter(|change| *change > 0).collect()
 }
 
 #[cfg(test)]
@@ -94,12 +135,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_of_a_figure_are_computed_once() {
+        let values = Values::default();
+        values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
+        // Had it computed the next number anew, it wouldn't find this one.
+        let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
+        let mut known = values.numbers.lock().expect("a map");
+        let numbers = known.get_mut(&key).expect("the numbers of the pixel");
+        numbers.insert("b0".to_owned(), "kept".to_owned());
+        drop(known);
+        assert_eq!(values.text("step02_sphere:300,150:b0", Notation::Prose).expect("text"), "kept");
+        assert_eq!(values.text("step02_sphere:b0", Notation::Prose).expect("text"), "−10");
+    }
+
+    #[test]
     fn r_d_is_that_of_the_object_as_it_is_in_the_scene() {
         for object in OBJECTS {
             let [r, g, b] = object.material.to_array();
-            let text = value_text(&format!("R_d:{}", object.name));
-            assert_eq!(text, Ok(format!("({r}, {g}, {b})")), "{}", object.name);
+            let text = Values::default().text(&format!("R_d:{}", object.name), Notation::Prose);
+            assert_eq!(text.expect("a value"), format!("({r}, {g}, {b})"), "{}", object.name);
         }
-        assert!(value_text("R_d:no sphere").is_err());
+        assert!(Values::default().text("R_d:no sphere", Notation::Prose).is_err());
     }
 }
