@@ -174,6 +174,7 @@ fn answers_about_colours_are_as_locked() {
         let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
         seen.map_or_else(|| direction_colour(ray), |(_, one)| one.material)
     });
+    let brighten = |byte: u8| (u32::from(byte) * 3 / 2).min(255) as u8;
     let scene = step04_diffuse::scene();
     let scaled = draw(|ray| {
         let colour = step04_diffuse::colour(&scene, ray);
@@ -182,6 +183,7 @@ fn answers_about_colours_are_as_locked() {
     assert_rows_locked(
         "colours",
         [
+            ("1.5 times as bright", RAYS, map_locked(RAYS, |_, _, ours| ours.map(brighten))),
             ("at most 254", RAYS, map_locked(RAYS, |_, _, ours| ours.map(|byte| byte.min(254)))),
             ("a white to blue sky", RAYS, draw(white_to_blue)),
             ("a white to blue sky", NEAREST, below_sky),
