@@ -8,6 +8,9 @@ use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
+/// Columns and rows of a picture without options.
+const DEFAULT_SIZE: (u32, u32) = (640, 360);
+
 /// How many rays are drawn to compare a picture with some options; with all that come into
 /// question, twice as many.
 const RAYS: u32 = 1 << 23;
@@ -45,6 +48,25 @@ impl Options {
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
+    }
+
+    /// A sentence that follows one on mistakes that give the same picture.
+    pub fn same_picture_sentence(&self) -> String {
+        let (columns, rows) = self.size;
+        let mut options = format!("--fov {}", self.fov_degrees);
+        if self.size != DEFAULT_SIZE {
+            options += &format!(" --width {columns} --aspect {columns}:{rows}");
+        }
+        if self.samples != 1 {
+            options += &format!(" --samples {}", self.samples);
+        }
+        let all = columns as usize * rows as usize;
+        match self.compared {
+            compared if compared < all => format!(
+                "So may the right program with {options}: {compared} of {all} pixels were compared."
+            ),
+            _ => format!("So does the right program with {options}."),
+        }
     }
 
     /// Sentences about a picture that is drawn with these options.
