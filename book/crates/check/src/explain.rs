@@ -4,7 +4,7 @@ use crate::changed_number::find_changed_numbers;
 use crate::comparison::{Budget, Comparison};
 use crate::facts::tell_facts;
 use crate::listed_mistake::find_listed_mistakes;
-use crate::other_options::find_options;
+use crate::other_options::{Options, find_options};
 use crate::target::{Target, find_equal};
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::describe_wrong_pixel;
@@ -29,8 +29,8 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     let listed = target.name.as_ref().map(|name| find_listed_mistakes(yours, name));
     let mut causes = listed.unwrap_or_default();
     let options = target.drawing.as_ref().and_then(|drawing| find_options(drawing, yours));
-    // An angle that nobody types is the listed mistake's.
-    if let Some(options) = options
+    // An angle that hardly anybody types comes after a listed mistake.
+    if let Some(options) = &options
         && (options.is_plain_angle() || causes.is_empty())
     {
         return Answer::new(Verdict::OtherOptions, options.describe(title));
@@ -50,7 +50,7 @@ pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
     if whole.is_empty() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
-    let cause_lines = describe_causes(&causes);
+    let cause_lines = describe_causes(&causes, options.as_ref());
     let has_facts = whole.is_empty() && causes.is_empty();
     let facts = comparison.as_ref().filter(|_| has_facts).map(tell_facts).unwrap_or_default();
     let details = comparison.as_ref().map(|one| details(one, &facts)).unwrap_or_default();
@@ -83,8 +83,9 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { all }
 }
 
-/// Lines about causes: as many as there is room for, the files of all, and the first in full.
-fn describe_causes(causes: &[Cause]) -> String {
+/// Lines about causes: as many as there is room for, the files of all, and the first in full. Options
+/// with which a right program draws the picture are as good an explanation.
+fn describe_causes(causes: &[Cause], options: Option<&Options>) -> String {
     let Some(first) = causes.first() else { return String::new() };
     let is_listed = causes.iter().all(|cause| cause.file.is_some());
     let start = match (is_listed, causes.len()) {
@@ -104,7 +105,9 @@ fn describe_causes(causes: &[Cause]) -> String {
         words += &format!(", also in {}", files.join(", "));
     }
     let details = &first.details;
-    format!("{start} this very picture, as others may: {words}.\n{details}")
+    let options = options.map(|options| format!(" {}", options.same_picture_sentence()));
+    let options = options.unwrap_or_default();
+    format!("{start} this very picture, as others may: {words}.{options}\n{details}")
 }
 
 /// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
@@ -150,6 +153,6 @@ mod tests {
         let number = cause("another number", None);
         let both = [listed[0].clone(), number];
         let all = [&listed[..], &listed[..1], &both[1..], &both[..], &[]];
-        insta::assert_snapshot!(all.map(describe_causes).join("\n"));
+        insta::assert_snapshot!(all.map(|causes| describe_causes(causes, None)).join("\n"));
     }
 }

@@ -18,13 +18,16 @@ const LEAST_COLOURS: usize = 4;
 pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     let drawing = comparison.target.drawing.as_ref();
     let regions = drawing.map(|drawing| count_regions(comparison, drawing));
-    let mut facts: Vec<_> = undrawn_sentence(comparison).into_iter().collect();
+    let is_varied = is_varied(&comparison.wrong);
+    let varied = drawing.filter(|_| is_varied);
+    // Light that is too strong makes areas white, and a curve says more of them.
+    let curve = varied.and_then(|drawing| {
+        byte_curve(comparison, drawing).or_else(|| byte_map(comparison, drawing))
+    });
+    let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
+    let mut facts: Vec<_> = undrawn.into_iter().collect();
     if facts.is_empty() {
-        let is_varied = is_varied(&comparison.wrong);
-        let varied = drawing.filter(|_| is_varied);
-        facts.extend(varied.and_then(|drawing| {
-            byte_curve(comparison, drawing).or_else(|| byte_map(comparison, drawing))
-        }));
+        facts.extend(curve);
         facts.extend(regions.as_deref().and_then(hidden_sentence));
         if let Some(drawing) = varied {
             if are_above_1(&comparison.wrong, drawing) {

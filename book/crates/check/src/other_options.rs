@@ -8,6 +8,9 @@ use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
+/// Columns and rows of a picture without options.
+const DEFAULT_SIZE: (u32, u32) = (640, 360);
+
 /// How many rays are drawn to compare a picture with some options; with all that come into
 /// question, twice as many.
 const RAYS: u32 = 1 << 23;
@@ -26,6 +29,9 @@ const ROUNDING: f64 = 1e-6;
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
+/// One of so many bytes on the border may be that of an object that is as blue as the sky.
+const BYTES_PER_OBJECT_BYTE: i32 = 20;
+
 /// The options of a picture that a right program draws with them.
 pub(crate) struct Options {
     size: (u32, u32),
@@ -42,6 +48,25 @@ impl Options {
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
+    }
+
+    /// A sentence that follows one on mistakes that give the same picture.
+    pub fn same_picture_sentence(&self) -> String {
+        let (columns, rows) = self.size;
+        let mut options = format!("--fov {}", self.fov_degrees);
+        if self.size != DEFAULT_SIZE {
+            options += &format!(" --width {columns} --aspect {columns}:{rows}");
+        }
+        if self.samples != 1 {
+            options += &format!(" --samples {}", self.samples);
+        }
+        let all = columns as usize * rows as usize;
+        match self.compared {
+            compared if compared < all => format!(
+                "So may the right program with {options}: {compared} of {all} pixels were compared."
+            ),
+            _ => format!("So does the right program with {options}."),
+        }
     }
 
     /// Sentences about a picture that is drawn with these options.
@@ -121,7 +146,7 @@ fn plain_angles() -> impl Iterator<Item = f64> {
 fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
-    let (mut least, mut most) = (0.0_f64, f64::INFINITY);
+    let mut intervals = vec![];
     let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
     for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
         let colour = yours.get_pixel(i, j);
@@ -134,15 +159,42 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
             }
             let tan = |offset: f64| ((f64::from(byte) + offset) / 255.0 - 0.7) / 0.3 / factor;
             let (a, b) = (tan(-0.5 - ROUNDING), tan(0.5 + ROUNDING));
-            (least, most) = (least.max(a.min(b)), most.min(a.max(b)));
+            if 0.0 <= a.max(b) {
+                intervals.push((a.min(b).max(0.0), a.max(b)));
+            }
         }
     }
+    let (least, most) = find_common_bounds(&intervals);
     let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
     [100.0, 1000.0].into_iter().flat_map(move |scale| {
         let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;
         let is_finer = |number: &u32| !number.is_multiple_of(10);
         numbers.filter(is_finer).map(move |number| f64::from(number) / scale)
     })
+}
+
+/// The bounds of the numbers that lie in almost as many intervals as any number does: a few pixels
+/// that are taken for the sky show a highlight. Without intervals, the bounds of all from 0 on.
+fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
+    if intervals.is_empty() {
+        return (0.0, f64::INFINITY);
+    }
+    let starts = intervals.iter().map(|(start, _)| (*start, 1));
+    let ends = intervals.iter().map(|(_, end)| (*end, -1));
+    let mut changes: Vec<(f64, i32)> = starts.chain(ends).collect();
+    // A number where one interval ends and another begins lies in both.
+    changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    let counts = changes.iter().scan(0, |count, (_, change)| {
+        *count += change;
+        Some(*count)
+    });
+    let counts: Vec<_> = counts.collect();
+    let most = counts.iter().copied().max().unwrap_or(0);
+    let is_enough = |count: &i32| most - most / BYTES_PER_OBJECT_BYTE <= *count;
+    // After the last count that is enough, an interval ends.
+    let first = counts.iter().position(is_enough).unwrap_or(0);
+    let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
+    (changes[first].0, changes[last].0)
 }
 
 /// Places on the border of a picture, which shows the sky for most angles: its corner first.

@@ -137,7 +137,11 @@ fn describe_kind(info: &Info) -> Vec<String> {
         notes.push("The file has 16 bits per channel, which were rounded to 8.".to_owned());
     }
     if info.animation_control().is_some() {
-        notes.push("The file is animated; its first picture was looked at.".to_owned());
+        notes.push(
+            "The file is animated; its still image, which programs without animation show, was \
+             looked at."
+                .to_owned(),
+        );
     }
     notes
 }

@@ -12,42 +12,61 @@ const MOST_RECTANGLES: usize = 4;
 /// The largest distance of lines, or of pixels in reading order, that counts as a pattern.
 const LARGEST_PERIOD: u32 = 64;
 
-const COLOURS: [(&str, [u8; 3]); 2] = [("black", [0; 3]), ("white", [255; 3])];
+const BLACK: [u8; 3] = [0; 3];
+const WHITE: [u8; 3] = [255; 3];
 
 /// A sentence about wrong pixels that are black or white and have a plain shape, as those do that
-/// nothing draws; or any shape, if all others are right, and a part of the sky is.
+/// nothing draws; or black in any shape, if all others are right, and a part of the sky is. Too much
+/// light makes pixels white, too, so it is left open why they are.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
-    COLOURS.into_iter().find_map(|(name, colour)| {
-        let mask = Mask::new(comparison, colour);
-        if mask.count() < LEAST_PIXELS {
-            return None;
-        }
-        let plain = plain_shape_sentence(comparison, name, &mask);
-        let is_sky = |pixel: &Pixel| pixel.hit.is_none();
-        let has_sky = [&comparison.wrong, &comparison.right].map(|all| all.iter().any(is_sky));
-        plain.or_else(|| {
-            let Comparison { wrong, target, .. } = comparison;
-            let is_all = target.drawing.is_some() && wrong.len() == mask.count();
-            (is_all && has_sky == [true; 2])
-                .then(|| format!("All {} wrong pixels are {name}, as if never drawn.", wrong.len()))
-        })
-    })
+    black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
 
-fn plain_shape_sentence(comparison: &Comparison, name: &str, mask: &Mask) -> Option<String> {
-    let (count, Shape { words, drawn_by_program }) = (mask.count(), mask.find_shape()?);
-    let is_program = drawn_by_program && comparison.target.drawing.is_some();
-    let file = " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs.";
-    let file = if is_program { file } else { "" };
-    let simile = if drawn_by_program { ", as if never drawn" } else { "" };
-    Some(format!("{count} wrong pixels are {name}{simile}: {words}.{file}"))
+fn black_sentence(comparison: &Comparison) -> Option<String> {
+    let mask = Mask::new_with_enough(comparison, BLACK)?;
+    let Comparison { wrong, right, target, .. } = comparison;
+    let (count, has_drawing) = (mask.count(), target.drawing.is_some());
+    if let Some(Shape { words, cause }) = mask.find_shape() {
+        let is_undrawn = match cause {
+            ShapeCause::Loop => true,
+            ShapeCause::Editor => false,
+            ShapeCause::Unknown => wrong.len() == count,
+        };
+        let simile = if is_undrawn { ", as if never drawn" } else { "" };
+        let file = match cause {
+            ShapeCause::Loop if has_drawing => {
+                " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs."
+            }
+            _ => "",
+        };
+        return Some(format!("{count} wrong pixels are black{simile}: {words}.{file}"));
+    }
+    let has_sky = |pixels: &[Pixel]| pixels.iter().any(|pixel| pixel.hit.is_none());
+    let is_all = has_drawing && wrong.len() == count && has_sky(wrong) && has_sky(right);
+    is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
+}
+
+fn white_sentence(comparison: &Comparison) -> Option<String> {
+    let mask = Mask::new_with_enough(comparison, WHITE)?;
+    let Shape { words, .. } = mask.find_shape()?;
+    Some(format!("{} wrong pixels are white: {words}.", mask.count()))
 }
 
 /// A plain shape of undrawn pixels.
 struct Shape {
     words: String,
-    /// Whether loops of a program leave it out, rather than an editor around a picture.
-    drawn_by_program: bool,
+    cause: ShapeCause,
+}
+
+/// What most likely left out the pixels of a shape, if they are black.
+#[derive(Clone, Copy)]
+enum ShapeCause {
+    /// The loops of a program.
+    Loop,
+    /// An editor, which put more around a picture.
+    Editor,
+    /// Several scraps may be anything dark, if other pixels are wrong, too.
+    Unknown,
 }
 
 /// What a pixel says of a shape.
@@ -70,6 +89,13 @@ struct Mask {
 }
 
 impl Mask {
+    /// The mask of a colour; None where too few wrong pixels have it.
+    fn new_with_enough(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
+        let has_colour = |pixel: &&Pixel| pixel.yours == colour;
+        let count = comparison.wrong.iter().filter(has_colour).count();
+        (LEAST_PIXELS <= count).then(|| Self::new(comparison, colour))
+    }
+
     fn new(comparison: &Comparison, colour: [u8; 3]) -> Self {
         let (columns, rows) = comparison.target.picture.dimensions();
         let mut places = vec![Place::Outside; columns as usize * rows as usize];
@@ -151,10 +177,11 @@ impl Mask {
         let widths = bars.iter().map(|(side, width)| format!("{width} {side}"));
         let widths = widths.collect::<Vec<_>>().join(", ");
         // Loops may leave out the first and the last, but more is put around a finished picture.
-        let drawn_by_program = bars.iter().all(|(_, width)| *width == 1);
-        let simile = if drawn_by_program { "" } else { ", as editors add them" };
+        let is_loop = bars.iter().all(|(_, width)| *width == 1);
+        let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
+        let simile = if is_loop { "" } else { ", as editors add them" };
         let words = format!("{shape}{simile}, in pixels: {widths}");
-        Some(Shape { words, drawn_by_program })
+        Some(Shape { words, cause })
     }
 
     /// All crossings of some columns and rows.
@@ -164,7 +191,7 @@ impl Mask {
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
         let is_shape = self.is_shape(is_crossing);
         let words = join(&self.format_lines("column", &columns), &self.format_lines("row", &rows));
-        is_shape.then_some(Shape { words: words?, drawn_by_program: true })
+        is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
 
     /// All but the crossings of some columns and rows, such as lines between tiles.
@@ -182,7 +209,7 @@ impl Mask {
         }
         let words = [self.format_lines("column", &columns), self.format_lines("row", &rows)];
         let words = words.into_iter().flatten().collect::<Vec<_>>().join(" and ");
-        Some(Shape { words, drawn_by_program: true })
+        Some(Shape { words, cause: ShapeCause::Loop })
     }
 
     /// A few rectangles, such as the tiles of processors that drew nothing.
@@ -208,7 +235,8 @@ impl Mask {
                 &self.format_lines("row", &rows),
             )?);
         }
-        Some(Shape { words: words.join(", and "), drawn_by_program: true })
+        let cause = if words.len() == 1 { ShapeCause::Loop } else { ShapeCause::Unknown };
+        Some(Shape { words: words.join(", and "), cause })
     }
 
     /// Every so many pixels, counted row by row.
@@ -217,13 +245,13 @@ impl Mask {
         let (period, rests) = self.find_period(number)?;
         let pixels = format_rests("pixel", period, &rests);
         let words = format!("{pixels}, counted row by row");
-        Some(Shape { words, drawn_by_program: true })
+        Some(Shape { words, cause: ShapeCause::Loop })
     }
 
     fn find_diagonals(&self) -> Option<Shape> {
         let describe = |direction: &str, (period, rests): (u32, BTreeSet<u32>)| {
             let words = format!("{}, {direction}", format_rests("diagonal", period, &rests));
-            Shape { words, drawn_by_program: true }
+            Shape { words, cause: ShapeCause::Loop }
         };
         // The rows are added, so that the difference isn't below 0.
         let falling = self.find_period(|i, j| i + self.rows - j);

@@ -5,6 +5,7 @@ use check::check_png;
 use course::read_locked_picture;
 use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
+use std::slice;
 
 /// A PNG file that says of itself that it has so many columns and rows.
 fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
@@ -25,6 +26,14 @@ fn with_palette() -> Vec<u8> {
     writer.write_image_data(&[0; 320 * 360]).expect("pixels");
     drop(writer);
     file
+}
+
+/// A chunk of a PNG file.
+fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
+    let kind_and_contents = [kind, contents].concat();
+    let length = (contents.len() as u32).to_be_bytes();
+    let sum = crc32fast::hash(&kind_and_contents).to_be_bytes();
+    [&length[..], &kind_and_contents, &sum].concat()
 }
 
 /// The answer about a file that should be the picture of step 2.
@@ -94,11 +103,15 @@ fn other_kinds_of_png_are_as_locked() {
     let mut invisible_pixel = ours.to_rgba8();
     invisible_pixel[(9, 9)][3] = 0;
     let still = encode(ours.clone());
-    let animation = b"\0\0\0\x08acTL\0\0\0\x02\0\0\0\0";
-    let sum = crc32fast::hash(&animation[4..]).to_be_bytes();
+    let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
+    let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
+    // The number 0, 640×360 pixels at (0, 0), and how long and how they are shown.
+    let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
+    let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
     let one_grey = DynamicImage::new_luma16(1, 1);
     let answers = [
-        ("animated", [&still[..33], animation, &sum, &still[33..]].concat()),
+        ("animated, without the still image", with_chunks(slice::from_ref(&animation))),
+        ("animated, from the still image on", with_chunks(&[animation, first_frame])),
         ("grey", encode(ours.to_luma8())),
         ("16 bits", encode(ours.to_rgb16())),
         ("palette", with_palette()),

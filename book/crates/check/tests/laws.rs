@@ -54,6 +54,25 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     }
 }
 
+/// On the right border, a highlight is as blue as the sky.
+#[test]
+fn angles_with_highlights_on_the_border_are_found() {
+    let step = Step::Phong;
+    for (fov_degrees, columns, rows, samples) in [
+        (51.63, 640, 360, 1),
+        (52.55, 640, 360, 1),
+        (53.13, 640, 360, 1),
+        (53.13, 640, 360, 2),
+        (53.13, 1280, 720, 1),
+    ] {
+        let camera = Camera::new(columns, rows, f64::to_radians(fov_degrees));
+        let answer = check(step.picture()(&camera, samples), step.name());
+        assert_eq!(answer.verdict, Verdict::OtherOptions, "{fov_degrees}°: {}", answer.text);
+        let options = format!("{fov_degrees}° and {samples}×{samples} rays");
+        assert!(answer.text.contains(&options), "{options}: {}", answer.text);
+    }
+}
+
 /// No picture rules out that step 1 is wrong: its parts may be so in what the sky doesn't show.
 #[test]
 fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {

@@ -37,6 +37,9 @@ fn answers_about_whole_pictures_are_as_locked() {
     let narrow = Camera::new(640, 360, 5_f64.to_radians());
     let large = Camera::new(4096, 2304, 60_f64.to_radians());
     let twice_the_angle = Camera::new(640, 360, 120_f64.to_radians());
+    let listed_angle = Camera::new(640, 360, 81.787_f64.to_radians());
+    let almost_60 = Camera::new(640, 360, 59.969_f64.to_radians());
+    let wide = Camera::new(640, 360, 150.12345_f64.to_radians());
     let part = crop_imm(&ours, 100, 150, 300, 200).to_image();
     let mut spotted_part = part.clone();
     spotted_part[(7, 9)] = Rgb([9; 3]);
@@ -50,6 +53,9 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("5°", NEAREST, (Step::Nearest.picture())(&narrow, 1)),
             ("4096×2304", RAYS, (Step::Rays.picture())(&large, 1)),
             ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
+            ("81.787°", NEAREST, (Step::Nearest.picture())(&listed_angle, 1)),
+            ("59.969°", NEAREST, (Step::Nearest.picture())(&almost_60, 1)),
+            ("150.12345°", PHONG, (Step::Phong.picture())(&wide, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("upside down", PHONG, flip_vertical(&ours)),
             ("mirrored", "depth", flip_horizontal(&depth)),
@@ -174,6 +180,7 @@ fn answers_about_colours_are_as_locked() {
         let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
         seen.map_or_else(|| direction_colour(ray), |(_, one)| one.material)
     });
+    let brighten = |byte: u8| (u32::from(byte) * 3 / 2).min(255) as u8;
     let scene = step04_diffuse::scene();
     let scaled = draw(|ray| {
         let colour = step04_diffuse::colour(&scene, ray);
@@ -182,6 +189,7 @@ fn answers_about_colours_are_as_locked() {
     assert_rows_locked(
         "colours",
         [
+            ("1.5 times as bright", RAYS, map_locked(RAYS, |_, _, ours| ours.map(brighten))),
             ("at most 254", RAYS, map_locked(RAYS, |_, _, ours| ours.map(|byte| byte.min(254)))),
             ("a white to blue sky", RAYS, draw(white_to_blue)),
             ("a white to blue sky", NEAREST, below_sky),
