@@ -3,3 +3,4 @@
 mod programs;
 mod step01_rays;
 mod step02_sphere;
+mod step03_nearest;

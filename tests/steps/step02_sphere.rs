@@ -8,6 +8,11 @@ fn first_hit_of_a_tangent_ray_is_the_one_root() {
     assert_eq!(Roots::One(-5.0).first_hit(), None);
 }
 
+#[test]
+fn one_root_is_divided_by_2a() {
+    assert_eq!(quadratic(4.0, -8.0, 4.0), Roots::One(1.0));
+}
+
 #[cfg(debug_assertions)]
 #[test]
 #[should_panic(expected = "a is not above 0")]
