@@ -32,6 +32,9 @@ const COARSE_COLUMNS: u32 = 64;
 /// One of so many bytes on the border may be that of an object that is as blue as the sky.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
+/// How far the bounds of an angle may be apart so that four decimals are tried.
+const MOST_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
+
 /// The options of a picture that a right program draws with them.
 pub(crate) struct Options {
     size: (u32, u32),
@@ -142,7 +145,7 @@ fn plain_angles() -> impl Iterator<Item = f64> {
 }
 
 /// Angles with two and three decimals, as far as they fit what the upper border of a picture
-/// shows, taken for the sky.
+/// shows, taken for the sky; those with four, too, where that leaves few.
 fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -166,7 +169,9 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     }
     let (least, most) = find_common_bounds(&intervals);
     let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
-    [100.0, 1000.0].into_iter().flat_map(move |scale| {
+    let is_narrow = most - least < MOST_DEGREES_FOR_FOUR_DECIMALS;
+    let scales = if is_narrow { &[1e2, 1e3, 1e4][..] } else { &[1e2, 1e3] };
+    scales.iter().flat_map(move |scale| {
         let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;
         let is_finer = |number: &u32| !number.is_multiple_of(10);
         numbers.filter(is_finer).map(move |number| f64::from(number) / scale)

@@ -38,7 +38,7 @@ fn answers_about_whole_pictures_are_as_locked() {
     let large = Camera::new(4096, 2304, 60_f64.to_radians());
     let twice_the_angle = Camera::new(640, 360, 120_f64.to_radians());
     let listed_angle = Camera::new(640, 360, 81.787_f64.to_radians());
-    let almost_60 = Camera::new(640, 360, 59.969_f64.to_radians());
+    let four_decimals = Camera::new(640, 360, 59.9696_f64.to_radians());
     let wide = Camera::new(640, 360, 150.12345_f64.to_radians());
     let part = crop_imm(&ours, 100, 150, 300, 200).to_image();
     let mut spotted_part = part.clone();
@@ -54,7 +54,7 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("4096×2304", RAYS, (Step::Rays.picture())(&large, 1)),
             ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
             ("81.787°", NEAREST, (Step::Nearest.picture())(&listed_angle, 1)),
-            ("59.969°", NEAREST, (Step::Nearest.picture())(&almost_60, 1)),
+            ("59.9696°", NEAREST, (Step::Nearest.picture())(&four_decimals, 1)),
             ("150.12345°", PHONG, (Step::Phong.picture())(&wide, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("upside down", PHONG, flip_vertical(&ours)),
