@@ -58,17 +58,13 @@ fn measure(
 
 fn spheres(count: usize) -> Vec<Sphere> {
     let five = [
-        sphere([0.0, 0.0, -5.0], 1.0),
-        sphere([-2.0, 0.25, -6.0], 1.0),
-        sphere([1.75, -0.5, -4.5], 0.5),
-        sphere([0.625, 1.125, -4.0], 0.375),
-        sphere([0.0, -21.0, -8.0], 20.0),
+        Sphere::new([0.0, 0.0, -5.0], 1.0),
+        Sphere::new([-2.0, 0.25, -6.0], 1.0),
+        Sphere::new([1.75, -0.5, -4.5], 0.5),
+        Sphere::new([0.625, 1.125, -4.0], 0.375),
+        Sphere::new([0.0, -21.0, -8.0], 20.0),
     ];
     if count <= 5 { five[..count].into() } else { cloud(count, 0.06..0.38) }
-}
-
-fn sphere(centre: [f64; 3], radius: f64) -> Sphere {
-    Sphere { centre: DVec3::from_array(centre), radius }
 }
 
 /// Spheres anywhere in a box in front of the camera, and of any radius in a range.
@@ -81,7 +77,7 @@ fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
     };
     let mut next = || {
         let centre = [number(-6.0, 6.0), number(-3.5, 3.5), number(-14.0, -6.0)];
-        sphere(centre, number(radius.start, radius.end))
+        Sphere::new(centre, number(radius.start, radius.end))
     };
     (0..count).map(|_| next()).collect()
 }
