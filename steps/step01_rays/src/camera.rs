@@ -37,8 +37,9 @@ impl Camera {
         // the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
-        // Pixels are square, so D_u and D_v have the same length. V_0 is half of
-        // all steps to the left of the middle, and half of all steps above it.
+        // Pixels are square, so D_u and D_v have the same length. From the middle of
+        // the picture, (0, 0, −1), V_0 goes half of the steps to the left and half of
+        // the steps up.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

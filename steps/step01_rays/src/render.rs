@@ -2,9 +2,8 @@ use crate::{Camera, Ray, draw_pixels, rgb8};
 use glam::DVec3;
 use image::RgbImage;
 
-/// Splits a pixel into `samples` × `samples` sub-pixels. Returns how far the centre
-/// of each is to the right of the centre of the pixel, and how far below it, row by
-/// row.
+/// Splits a pixel into `samples` × `samples` sub-pixels. Returns the offset of each
+/// sub-pixel's centre from the pixel's centre, (right, down), row by row.
 /// # Panics
 /// If `samples` is 0, since a pixel without a ray has no colour.
 pub fn sub_pixel_offsets(samples: u32) -> Vec<(f64, f64)> {

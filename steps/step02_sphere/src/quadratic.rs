@@ -15,9 +15,9 @@ pub enum Roots {
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
 /// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
-/// digits are lost. In the other root, whichever it is, nothing cancels. So careful
-/// libraries use the formula only for that one. The product of both is c/a, which
-/// gives them the inaccurate root by a division. With 64 bits, the pictures of this
+/// digits are lost. Careful libraries use the formula only for the root in which
+/// nothing cancels. The product of the two roots is c/a, so they divide c/a by that
+/// root to get the other one accurately, too. With 64 bits, the pictures of this
 /// course are the same either way.
 /// ```
 /// use step02_sphere::{Roots, quadratic};

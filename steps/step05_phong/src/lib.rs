@@ -12,8 +12,8 @@
 //! 4. [`visible_point`] finds the [`SurfacePoint`] that a ray sees. A [`Scene`] has
 //!    objects and lights. On a [`Matte`] material, [`ambient`] is the light from
 //!    everywhere, and [`diffuse`] the light from one [`PointLight`].
-//! 5. On a shiny [`Material`], [`specular`] is the highlight of one [`Light`]. It
-//!    needs the direction to the light, mirrored, which [`reflect`] gives.
+//! 5. On a shiny [`Material`], [`specular`] is the highlight of one [`Light`].
+//!    [`reflect`] mirrors the direction to the light, as [`specular`] needs it.
 //!    [`light_terms`] computes what one light contributes at a point, and [`phong`]
 //!    adds up all the lights; both return [`Terms`]. [`colour`] is the colour that a
 //!    ray sees, and [`scene`] the scene of the book.
