@@ -39,7 +39,7 @@ impl Camera {
             (f64::from(h_res - 1), f64::from(v_res - 1));
         // Pixels are square, so D_u and D_v have the same length. From the middle of
         // the picture, (0, 0, −1), V_0 goes half of the steps to the left and half of
-        // the steps up.
+        // the steps up. Each is 2 tan / steps_right long, so the halves cancel the 2.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);
