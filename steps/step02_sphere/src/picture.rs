@@ -5,8 +5,7 @@ use image::RgbImage;
 /// The one sphere of this step.
 pub const SPHERE: Sphere = Sphere::new([0.0, 0.0, -5.0], 1.0);
 
-/// The colour that `ray` sees: red if it meets `sphere`, and
-/// otherwise the colour of its direction.
+/// The colour that `ray` sees: red if it meets `sphere`, or else that of the sky.
 pub fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
     match sphere.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),
