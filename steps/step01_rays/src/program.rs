@@ -66,8 +66,8 @@ pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let height = aspect.v_res(width);
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         let message = format!(
-            "--width {width} with this --aspect makes {width}×{height} pixels; \
-             a picture has at most as many as 8192×4608"
+            "--width {width} with this --aspect makes {width}×{height} pixels, \
+             and a picture may have {MOST_PIXELS} in all"
         );
         Options::command().error(ErrorKind::ValueValidation, message).exit();
     }
