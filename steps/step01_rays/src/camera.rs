@@ -32,14 +32,15 @@ impl Camera {
             h_res >= 2 && v_res >= 1,
             "a picture has at least 2×1 pixels, not {h_res}×{v_res}"
         );
+        // Half the width of the picture, at distance 1 in front of the eye.
         let tan = (field_of_view / 2.0).tan();
         // The steps from the first column to the last, and from the first row to
         // the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
-        // Pixels are square, so D_u and D_v have the same length. From the middle of
-        // the picture, (0, 0, −1), V_0 goes half of the steps to the left and half of
-        // the steps up. Each is 2 tan / steps_right long, so the halves cancel the 2.
+        // Pixels are square, so D_u and D_v have the same length, 2 tan / steps_right.
+        // From the middle of the picture, (0, 0, −1), V_0 goes tan to the left, which
+        // is half of the steps, and half of the steps up.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

@@ -80,7 +80,7 @@ pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     };
 
     let start = Instant::now();
-    // Whatever `picture` draws on several threads, it draws on those.
+    // Inside `install`, rayon uses the threads of this pool.
     let image = thread_pool.install(|| picture(&camera, samples));
     let time = start.elapsed();
 

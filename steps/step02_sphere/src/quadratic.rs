@@ -16,9 +16,9 @@ pub enum Roots {
 ///
 /// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
 /// digits are lost. Careful libraries use the formula only for the root in which
-/// nothing cancels. The product of the two roots is c/a, so they divide c/a by that
-/// root to get the other one accurately, too. With 64 bits, the pictures of this
-/// course are the same either way.
+/// nothing cancels. The product of the two roots is c/a, so c/a divided by this root
+/// is the other one, without the loss. With 64 bits, the pictures of this course are
+/// the same either way.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
@@ -39,7 +39,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The type of `up_to_two.into_iter().flatten()` below.
+    // Goes through an array of two `Option`s and skips each `None`. It's the type of
+    // the last line of `into_iter`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.

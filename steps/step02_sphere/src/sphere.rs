@@ -22,9 +22,9 @@ impl Sphere {
         Self { centre: DVec3::from_array(centre), radius }
     }
 
-    /// The a, b and c of at² + bt + c = 0, which holds where the line of `ray`
-    /// meets the sphere. The lecture's sphere is at the origin. This one may be
-    /// anywhere, so S is measured from its centre.
+    /// The a, b and c of at² + bt + c = 0, which is |S + tV|² = r² multiplied out.
+    /// It holds where the line of `ray` meets the sphere. The lecture's sphere is at
+    /// the origin. This one may be anywhere, so S is measured from its centre.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

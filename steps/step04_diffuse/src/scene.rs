@@ -12,7 +12,7 @@ pub struct Scene<M, L> {
     pub lights: Vec<L>,
 }
 
-/// L_a of the book's scene, a little blue.
+/// L_a of this scene, a little blue.
 pub const AMBIENT_LIGHT: DVec3 = DVec3::new(0.32, 0.32, 0.42);
 
 /// The warm light, up on the left, in front of the objects.
