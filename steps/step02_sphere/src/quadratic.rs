@@ -39,8 +39,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // Goes through an array of two `Option`s and skips each `None`. It's the type of
-    // the last line of `into_iter`.
+    // The iterator that `into_iter` returns goes through an array of two `Option`s,
+    // and `Flatten` skips each `None`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.

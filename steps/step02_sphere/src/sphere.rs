@@ -22,9 +22,9 @@ impl Sphere {
         Self { centre: DVec3::from_array(centre), radius }
     }
 
-    /// The a, b and c of at² + bt + c = 0, which is |S + tV|² = r² multiplied out.
-    /// It holds where the line of `ray` meets the sphere. The lecture's sphere is at
-    /// the origin. This one may be anywhere, so S is measured from its centre.
+    /// The a, b and c of at² + bt + c = 0. The line of `ray` meets the sphere where
+    /// |s + tV|² = r², and this is the same equation, multiplied out. Here s is the
+    /// start of the ray as seen from the centre of the sphere.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;

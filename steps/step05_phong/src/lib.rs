@@ -8,7 +8,7 @@
 //!    [`draw_and_save`] is the program around a picture.
 //! 2. A [`Sphere`] finds where a ray meets it.
 //! 3. [`nearest`] finds the first [`Hit`] among many objects. An [`Object`] is a
-//!    sphere with a material, and [`OBJECTS`] are the nine of the book.
+//!    sphere with a material, and [`OBJECTS`] are the nine of the course.
 //! 4. [`visible_point`] finds the [`SurfacePoint`] that a ray sees. A [`Scene`] has
 //!    objects and lights. On a [`Matte`] material, [`ambient`] is the light from
 //!    everywhere, and [`diffuse`] the light from one [`PointLight`].
@@ -16,7 +16,7 @@
 //!    [`reflect`] mirrors the direction to the light, as [`specular`] needs it.
 //!    [`light_terms`] computes what one light contributes at a point, and [`phong`]
 //!    adds up all the lights; both return [`Terms`]. [`colour`] is the colour that a
-//!    ray sees, and [`scene`] the scene of the book.
+//!    ray sees, and [`scene`] the scene of the course.
 
 pub use step04_diffuse::{
     AMBIENT_LIGHT, Attenuation, COOL_LIGHT, Camera, Hit, Matte, OBJECTS, Object,
