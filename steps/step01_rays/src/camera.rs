@@ -38,10 +38,10 @@ impl Camera {
         // the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
-        // Pixels are square, so D_u and D_v have the same length, 2 tan / steps_right.
-        // V_0 leads to the top left pixel. From the middle of the picture, (0, 0, −1),
-        // that's steps_right / 2 steps to the left, a way of length tan, and
-        // steps_down / 2 steps up, a way of length steps_down / steps_right * tan.
+        // Pixels are square, so a step right and a step down have the same length,
+        // 2 tan / steps_right. V_0 leads to the top left pixel. From the middle of the
+        // picture, (0, 0, −1), it goes left by steps_right / 2 of these steps, which
+        // is tan, and up by steps_down / 2 of them.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

@@ -14,10 +14,10 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// If b² is much larger than 4ac, −b and √D nearly cancel in one of the roots, and
-/// digits are lost. Careful libraries use the formula only for the root in which
-/// nothing cancels. The product of the two roots is c/a, so c/a divided by this root
-/// is the other one, without the loss. With 64 bits, the pictures of this course are
+/// If b² is much larger than 4ac, √D is nearly |b|, and one of the roots is the
+/// difference of two nearly equal numbers, so it loses digits. Careful libraries use
+/// the formula for the other root only. They get this one without the loss, from the
+/// product of the two, which is c/a. With 64 bits, the pictures of this course are
 /// the same either way.
 /// ```
 /// use step02_sphere::{Roots, quadratic};

@@ -22,9 +22,10 @@ impl Sphere {
         Self { centre: DVec3::from_array(centre), radius }
     }
 
-    /// The a, b and c of at² + bt + c = 0. The line of `ray` meets the sphere where
-    /// |s + tV|² = r², and this is the same equation, multiplied out. Here s is the
-    /// start of the ray as seen from the centre of the sphere.
+    /// The a, b and c of at² + bt + c = 0, for the t at which the line of `ray` meets
+    /// the sphere. Let s be the start of the ray minus the centre of the sphere. Then
+    /// the points of the sphere have |s + tV|² = r². Multiplied out, that's this
+    /// equation.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;
