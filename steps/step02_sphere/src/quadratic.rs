@@ -14,11 +14,9 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// If b² is much larger than 4ac, √D is nearly |b|, and one of the roots is the
-/// difference of two nearly equal numbers, so it loses digits. Careful libraries use
-/// the formula for the other root only. They get this one without the loss, from the
-/// product of the two, which is c/a. With 64 bits, the pictures of this course are
-/// the same either way.
+/// This is the plain formula of the lecture. If b² is much larger than 4ac, one of
+/// its roots is the difference of two nearly equal numbers, and loses digits. With 64
+/// bits, that doesn't change any picture of this course.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
@@ -39,8 +37,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The iterator that `into_iter` returns goes through an array of two `Option`s,
-    // and `Flatten` skips each `None`.
+    // The iterator that `into_iter` returns: it goes through an array of two `Option`s,
+    // and skips each `None`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
