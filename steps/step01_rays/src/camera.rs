@@ -34,14 +34,15 @@ impl Camera {
         );
         // Half the width of the picture, at distance 1 in front of the eye.
         let tan = (field_of_view / 2.0).tan();
-        // The steps from the first column to the last, and from the first row to
-        // the last.
+        // The number of steps from the first column to the last, and from the first
+        // row to the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
         // Pixels are square, so a step right and a step down have the same length,
-        // 2 tan / steps_right. V_0 leads to the top left pixel. From the middle of the
-        // picture, (0, 0, −1), it goes left by steps_right / 2 of these steps, which
-        // is tan, and up by steps_down / 2 of them.
+        // 2 tan / steps_right. From the middle of the picture, (0, 0, −1), V_0 goes
+        // half of the steps left: steps_right / 2 · 2 tan / steps_right = tan. And it
+        // goes half of the steps up:
+        // steps_down / 2 · 2 tan / steps_right = steps_down / steps_right · tan.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

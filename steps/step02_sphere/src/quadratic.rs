@@ -37,8 +37,7 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The iterator that `into_iter` returns: it goes through an array of two `Option`s,
-    // and skips each `None`.
+    // The type of `[Some(t), None].into_iter().flatten()`, which skips each `None`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
