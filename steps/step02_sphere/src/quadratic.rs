@@ -37,7 +37,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The type of `[Some(t), None].into_iter().flatten()`, which skips each `None`.
+    // The type of what `into_iter` returns below: an iterator over an array of two
+    // `Option`s (`array::IntoIter`) that leaves out each `None` (`Flatten`).
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.

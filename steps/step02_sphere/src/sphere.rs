@@ -23,9 +23,9 @@ impl Sphere {
     }
 
     /// The a, b and c of at² + bt + c = 0, for the t at which the line of `ray` meets
-    /// the sphere. Let s be the start of the ray minus the centre of the sphere. Then
-    /// the points of the sphere have |s + tV|² = r². Multiplied out, that's this
-    /// equation.
+    /// the sphere. Let s lead from the centre to the start of the ray. Then s + tV
+    /// leads from the centre to the point r(t), which is on the sphere if
+    /// |s + tV|² = r². Multiplied out, that is at² + bt + c = 0.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
         let v = ray.direction;
