@@ -39,9 +39,10 @@ impl Camera {
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
         // Pixels are square, so a step right and a step down have the same length,
-        // 2 tan / steps_right. From the middle of the picture, (0, 0, −1), the top
-        // left pixel is steps_right / 2 of these steps to the left, which makes tan,
-        // and steps_down / 2 of them up, which makes (steps_down / steps_right) tan.
+        // 2 tan / steps_right. The top left pixel lies half of the steps to the left
+        // of the middle, (0, 0, −1), and half of the steps above it:
+        //     (steps_right / 2) · (2 tan / steps_right) = tan
+        //     (steps_down / 2) · (2 tan / steps_right) = (steps_down / steps_right) tan
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

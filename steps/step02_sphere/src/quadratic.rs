@@ -37,8 +37,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // The type of what `into_iter` returns below: an iterator over an array of two
-    // `Option`s (`array::IntoIter`) that leaves out each `None` (`Flatten`).
+    // What `into_iter` returns below: `array::IntoIter<Option<f64>, 2>` goes through an
+    // array of two `Option`s, and `Flatten` around it leaves out each `None`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
