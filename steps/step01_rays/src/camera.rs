@@ -32,7 +32,7 @@ impl Camera {
             h_res >= 2 && v_res >= 1,
             "a picture has at least 2×1 pixels, not {h_res}×{v_res}"
         );
-        // Half the width of the picture, at distance 1 in front of the eye.
+        // Half of the way from the first column to the last, at distance 1 from the eye.
         let tan = (field_of_view / 2.0).tan();
         // The number of steps from the first column to the last, and from the first
         // row to the last.

@@ -10,9 +10,9 @@ use std::{fs, process, time::Instant};
 pub const MOST_PIXELS: u64 = 8192 * 4608;
 
 /// Draws one picture of the course and saves it as a PNG file.
-// The text of `--help` is the line above and the comments of the fields. With
-// `allow_hyphen_values`, the error for `--width -5` says which range is allowed.
-// Otherwise, clap would take the -5 for an unknown option.
+// The text of `--help` is the line above and the comments of the fields. In
+// `--width -5`, clap would take the -5 for an unknown option. With
+// `allow_hyphen_values`, it is a value, and the error says which range is allowed.
 #[derive(Parser)]
 struct Options {
     /// Columns of the picture, hRes: 2 to 8192
