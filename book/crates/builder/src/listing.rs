@@ -20,9 +20,10 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 ///
 /// The path is relative to the chapters. Files in `book/reader` and `book/typed` are captioned as
 /// files of the reader's own folder. The first listing of a file on a page gets an id for links,
-/// such as `listing-step01_rays-src-ray.rs`; `ids` collects them. `live` is the second word of a
-/// fence such as `rust,own_scene`, or empty: the page then replaces the code with the number `rust`
-/// of that figure whenever it changes.
+/// such as `listing-step01_rays-src-ray.rs`; `ids` collects them.
+///
+/// In a fence `rust,own_scene`, `live` is `own_scene`, and the page replaces the code with the
+/// number `rust` of that figure whenever the figure changes. In a fence `rust`, `live` is empty.
 pub fn html(
     language: &str,
     live: &str,
