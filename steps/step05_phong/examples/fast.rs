@@ -450,8 +450,8 @@ impl<'a> View<'a> {
         Rectangle { columns: 0..width as usize, rows: 0..height as usize }
     }
 
-    /// The pyramid that a rectangle sees, whose left and upper edges have to be edges
-    /// of blocks.
+    /// The pyramid that a rectangle sees, whose left and upper edges have to be
+    /// edges of blocks.
     fn pyramid(&self, Rectangle { columns, rows }: &Rectangle) -> Pyramid {
         Pyramid([
             self.left_edges[columns.start / BLOCK],
