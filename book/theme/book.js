@@ -1,10 +1,12 @@
 "use strict";
 
+// Everything that all pages need: the theme, the contents, code and problems. It also loads the other scripts.
+
 const root = document.documentElement;
 root.classList.add("js");
 
-// Under Trusted Types, what may be written into a page is what these scripts write, and what may be loaded is
-// theirs. Where a server allows no policy, what needs one says so.
+// A policy for Trusted Types: only HTML that these scripts write may be put into a page, and only scripts that
+// they name may be loaded. If the server doesn't allow the policy, the parts that need it report that.
 const ownAddresses = new Set();
 let isOwnHTML = false;
 try {
@@ -14,13 +16,13 @@ try {
     });
 } catch { /* not allowed */ }
 
-// Runs what writes HTML that is made here or by the modules.
+// Runs `act`, which may write HTML that was made by these scripts or by the modules.
 function writeHTML(act) {
     isOwnHTML = true;
     try { act(); } finally { isOwnHTML = false; }
 }
 
-// An element with these attributes and children.
+// Creates an element with these attributes and children.
 const make = (tag, attributes, ...children) => {
     const element = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
@@ -28,10 +30,10 @@ const make = (tag, attributes, ...children) => {
     return element;
 };
 
-// Writes a text, unless it is there already: then nothing is laid out anew for it.
+// Sets the text of an element, unless it is the same already, so that nothing is laid out again for nothing.
 const write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
-// Copies a text, if the browser lets a page do so, and says so on its button for a while.
+// Copies a text, if the browser allows it, and shows the result on the button for a moment.
 async function copyBy(button, text, words = "Copied") {
     const label = button.dataset.label ??= button.textContent;
     const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
@@ -39,14 +41,14 @@ async function copyBy(button, text, words = "Copied") {
     setTimeout(() => { button.textContent = label; }, 1500);
 }
 
-// A number as people type it: 58.72, 58,72, 1/2, −3 or 60°; NaN if it is none.
+// Parses a number as people type it, such as 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't a number.
 function readNumber(text) {
     const parts = text.replace(/[\s°]/g, "").replace(/−/g, "-").split("/").map(part => part.replace(",", "."));
     const numbers = parts.map(part => part ? Number(part) : NaN);
     return numbers.length < 3 ? numbers.reduce((numerator, denominator) => numerator / denominator) : NaN;
 }
 
-// Calls back, once for each element, when it comes near the view.
+// Calls `near` once for each element, when it comes near the view.
 function whenNear(elements, near) {
     const observer = new IntersectionObserver(entries => {
         for (const { isIntersecting, target } of entries) {
@@ -58,10 +60,10 @@ function whenNear(elements, near) {
     elements.forEach(element => observer.observe(element));
 }
 
-// What has come near stays laid out.
+// Parts of the page are laid out when they come near the view, and stay so.
 whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-// Theme: follow the system, or stay light, or stay dark.
+// The theme: it follows the system, or it stays light or dark.
 {
     const themes = ["auto", "light", "dark"];
     const button = document.getElementById("theme-toggle");
@@ -79,12 +81,12 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
     });
 }
 
-// Contents: mark this chapter and list its sections, to one of which a click leads.
+// The contents: mark this chapter, and list links to its sections.
 {
     const contents = document.getElementById("contents");
     contents.addEventListener("click", event => { if (event.target.closest("a")) contents.hidePopover(); });
     const links = [...contents.querySelectorAll("a")];
-    // Some servers leave out what ends the name of a file.
+    // Some servers leave out `.html`.
     const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
     const here = links.find(a => name(a) === name(location)) ?? (["", "index"].includes(name(location)) ? links[0] : null);
     if (here) {
@@ -95,15 +97,15 @@ whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisi
             list.append(make("li", {}, make("a", { href: `#${heading.id}` }, ...words)));
         }
         if (list.children.length) here.closest("li").append(list);
-        // Once the page is laid out, as it will be anyway.
+        // Wait until the page has been laid out, so that asking for heights costs nothing.
         requestAnimationFrame(() => {
             if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
         });
     }
 }
 
-// Loads a script, once, in turn with others unless it is large, and says whether it has come; one that failed is
-// loaded again.
+// Loads a script once, and returns whether that succeeded. Scripts run in the order of the calls, except large
+// ones, which run as soon as they arrive. A script that failed to load is loaded again by the next call.
 const scripts = {};
 const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
     const script = document.createElement("script");
@@ -121,21 +123,21 @@ const load = (file, isLarge = false) => scripts[file] ??= new Promise(done => {
     }
 });
 
-// Says, once, that a page lacks scripts.
+// Puts a message at the top of the page that a script is missing, but only one message.
 function sayMissing(file) {
     if (document.querySelector(".missing")) return;
-    const words = `A part of this page did not load (${file}), so some of what moves, answers or is searched doesn't here. `
+    const words = `A part of this page did not load (${file}), so some figures, forms or the search don't work here. `
         + "Perhaps the server's Content-Security-Policy forbids it.";
     document.querySelector("main").prepend(make("p", { class: "missing refused", role: "status" }, words));
 }
 
-// Code: colours, when it comes near the view, and a button that copies a listing.
+// Code: colour it when it comes near the view, and give each listing a button that copies it.
 const isWhole = document.body.matches(".whole");
 const colourCode = code => {
-    try { writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
+    try { writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* The code stays without colours. */ }
 };
 const colour = code => load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-    // A line that is being edited stays as it is, and one that has the focus keeps it.
+    // Leave listings with an edited line alone. A line that has the focus keeps it.
     if (code.querySelector("[data-book]")) return;
     const name = code.querySelector(":focus")?.dataset.line;
     colourCode(code);
@@ -150,7 +152,8 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
         const copy = code.cloneNode(true);
         const edited = copy.querySelectorAll("[data-book]");
         for (const line of edited) line.textContent = line.dataset.book;
-        // The file's own line ends and blank lines, so that its parts can be put below each other.
+        // Add the blank lines that the file has at the end of this part, so that its parts can be pasted one below
+        // the other.
         const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
         const ends = lines + 1 - copy.textContent.split("\n").length;
         const text = copy.textContent + "\n".repeat(Math.max(0, ends));
@@ -158,14 +161,14 @@ for (const code of document.querySelectorAll("pre > code[class^=language-]")) {
     });
 }
 
-// Problems on paper: a number is right if it is within the tolerance, a part of the answer.
+// Problems on paper: a number is right if its error is at most the tolerance, which is relative to the answer.
 for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
     const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
     const number = problem.querySelector(".number").textContent;
     const input = make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
     const verdict = make("output", {});
     const form = make("form", {}, input, make("button", {}, "Check"), verdict);
-    // A comma is a point, or parts the thousands.
+    // Try a comma as the decimal point and as the separator of thousands, and judge the closer number.
     const judge = text => {
         const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => readNumber(one) - answer).filter(Number.isFinite);
         const [error] = errors.sort((one, other) => Math.abs(one) - Math.abs(other));
@@ -182,13 +185,13 @@ for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
     problem.insertBefore(form, problem.querySelector("details"));
 }
 
-// What may scroll sideways takes the focus, so that the keyboard can scroll it.
+// Let everything that may scroll sideways take the focus, so that the keyboard can scroll it.
 document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-// A translator leaves code, formulas and labels as they are.
+// Keep translation by the browser away from code, formulas and labels.
 document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
-// The scripts of what answers, and what on a page needs them; each is run after those before it.
+// The scripts of the interactive parts, each with the selector of the elements that need it. They run in this order.
 const SCRIPTS = {
     wasm: "[data-live], [data-places]", handle: "figure[data-live]", own_scene: "figure[data-live=own_scene]",
     figure: "figure[data-live]", check_form: "form[data-live]", line_editor: "[data-places]",
@@ -196,7 +199,7 @@ const SCRIPTS = {
 
 const loadOrSay = file => load(file).then(isLoaded => isLoaded || sayMissing(file));
 
-// What a page can be read without comes once it is shown: colours, what answers, and the search.
+// Once the page is shown, load everything that it can be read without: colours, interactive parts and the search.
 requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
     whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), colour);
     for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {

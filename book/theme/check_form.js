@@ -1,9 +1,9 @@
 "use strict";
 
-// The forms that say whether a picture is right: what `check` says of the file, which goes nowhere else.
+// The forms that say whether a picture is right. They run `check` in the page, so the file isn't sent anywhere.
 {
-    // The module works in a worker: the page can be read and moved meanwhile, and a new file or Reset ends
-    // what is no longer wanted.
+    // The module runs in a worker. So the page stays responsive, and a new file or Reset can stop a check that is
+    // no longer wanted.
     const source = `${ask} ${startModule}
         onmessage = async ({ data: [module, file, request] }) => {
             const answer = ask(await startModule(module), request, new Uint8Array(file));
@@ -13,9 +13,9 @@
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     ownAddresses.add(address);
 
-    const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
+    const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
 
-    // What is shown of an answer: its lines, and the pictures side by side.
+    // The elements that show an answer: its text, and the pictures side by side.
     function makeReport({ text, size, pixels }) {
         const [verdict, ...lines] = text.split("\n");
         const report = make("span", { class: "report" }, make("b", {}, verdict), lines.join("\n"));
@@ -46,20 +46,20 @@
             try {
                 asked = worker = new Worker(address);
             } catch {
-                return show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+                return show(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             }
-            // What comes after Reset, or after a newer file, is dropped.
+            // Drop an answer that arrives after Reset or after a newer file.
             const answer = (...parts) => asked === worker && show(...parts);
             asked.onmessage = ({ data }) => answer(data.code, ...makeReport(data));
-            asked.onerror = () => answer(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+            asked.onerror = () => answer(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             const scene = form.elements.scene?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`;
-            // A larger file is too large, whatever follows.
+            // Read one byte more than a file may have: the module then reports that it's too large.
             Promise.all([wasmModules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), asked.onerror);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
-        // The same file, written again, is looked at again.
+        // Clear the field, so that choosing the same file again after a change is an event, too.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
         form.addEventListener("drop", ({ dataTransfer: { files } }) => {
@@ -71,6 +71,6 @@
 
     const forms = document.querySelectorAll("form[data-live=check]");
     forms.forEach(activate);
-    // A file that is dropped beside a form doesn't take the reader away from the page.
+    // If a file is dropped beside a form, the browser must not open it in place of the page.
     for (const kind of forms.length ? ["dragover", "drop"] : []) addEventListener(kind, event => event.preventDefault());
 }

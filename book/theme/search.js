@@ -1,33 +1,33 @@
 "use strict";
 
-// The search: MiniSearch finds the sections of the book, and a dialog shows them.
+// The search: MiniSearch finds sections of the book, and a dialog shows them.
 {
     const [box, toggle, field, status, list] = ["search", "search-toggle", "search-field", "search-status", "search-results"]
         .map(id => document.getElementById(id));
 
-    // What readers call by another name than the book.
+    // Words that readers use, each with the book's own word for it.
     const SYNONYMS = new Map(Object.entries({
         acne: "rash", antialiasing: "rays pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
         epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays pixel",
         shiny: "shininess", spotlight: "spot light", supersampling: "rays pixel", theta: "θ", zbuffer: "nearest hit",
     }));
-    // More take long, and find nothing.
+    // Longer queries take long and find nothing.
     const MOST_LETTERS = 100, MOST_WORDS = 16;
     field.maxLength = MOST_LETTERS;
     const WORD = /[\p{L}\p{N}_]+/gu;
     const findWords = text => text.match(WORD) ?? [];
-    // Words that say nothing of what is looked for.
+    // Words that say nothing about the subject of a query.
     const SMALL_WORDS = /^(an?|as|at|by|do(es)?|for|from|how|in|is|it|of|on|or|the|to|what|with)$/i;
     const findSubjects = query => {
         const words = findWords(query), subjects = words.filter(word => !SMALL_WORDS.test(word));
         return (subjects.length ? subjects : words).slice(0, MOST_WORDS);
     };
-    // A word in one spelling, without the endings of most plurals and nouns.
+    // Reduces a word to lower case, without the common endings of plurals and nouns.
     const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
-    // A name such as `to_radians` is found by its parts, too.
+    // The terms by which a word is found. A name such as `to_radians` is found by its parts, too.
     const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
-    // The chapters come first, and what stands in them early, as it is explained there; last comes what
-    // repeats them.
+    // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
+    // first. Pages that only repeat the chapters come last.
     const weigh = ({ page }, id) => (1.4 - id / sections.length)
         * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
 
@@ -47,7 +47,7 @@
         index.addAll(sections.map((section, id) => ({ id, ...section })));
     }
 
-    // The sections with all words of a query, with its hyphens or without.
+    // Finds the sections that have all words of a query, whether its hyphens separate words or join them.
     function findAll(query) {
         const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
             .map(word => SYNONYMS.get(word.toLowerCase()) ?? word).join(" "));
@@ -65,7 +65,7 @@
         write(status, all.length ? count : query && near);
     }
 
-    // A section that is found: its title, and the words around the first that is found in it.
+    // The list item of a section: its title, and the text around the first word that matches.
     function makeItem({ id, terms }) {
         const { page, hash, chapter, title, prose, listings } = sections[id];
         const text = `${prose} ${listings}`;
@@ -86,7 +86,7 @@
     toggle.addEventListener("click", open);
     box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
-    // Enter opens the first; the page may be this one.
+    // Enter opens the first result, which may be on this page.
     field.form.addEventListener("submit", event => {
         event.preventDefault();
         list.querySelector("a")?.click();
@@ -97,7 +97,7 @@
         const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
         if (event.altKey || event.ctrlKey || event.metaKey) return;
         if (box.open && step) {
-            // Up and down go through the results.
+            // The arrow keys move through the results.
             const stops = [field, ...list.querySelectorAll("a")];
             stops[stops.indexOf(document.activeElement) + step]?.focus();
         } else if (["/", "s"].includes(event.key) && !isTyping) open();

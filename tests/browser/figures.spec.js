@@ -1,16 +1,16 @@
-// A figure shows what is printed, changes by its handles and controls, and comes back by Reset.
+// A figure looks as it is printed, changes by its handles and controls, and is restored by Reset.
 import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
 for (const [name, figure, k] of figures) {
-  test(`${name}: the figure ${figure}, number ${k + 1} there, answers`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
+  test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
-    page.on('dialog', dialog => dialog.accept()); // A scene of one's own is not wiped unasked.
+    page.on('dialog', dialog => dialog.accept()); // The reader's own scene asks before it is wiped.
     const root = page.locator('figure[data-live]').nth(k);
     await root.scrollIntoViewIfNeeded();
     await root.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
 
-    // What is drawn, and where the handles are.
+    // Everything that is drawn, and the positions of the handles.
     const look = async () => {
       await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
       const pictures = await root.locator('.stage > :is(img, canvas)').all();
@@ -22,7 +22,7 @@ for (const [name, figure, k] of figures) {
     const reset = root.locator('.reset');
     const expectReset = async gesture => {
       await reset.evaluate(one => { one.disabled = false; one.click(); });
-      expect.soft(await look() === printed, `Reset after ${gesture} shows what is printed`).toBe(true);
+      expect.soft(await look() === printed, `Reset after ${gesture} shows the figure as printed`).toBe(true);
     };
     await expectReset('nothing');
     const expectChange = async gesture => {
@@ -45,7 +45,7 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    // A scene of one's own has 19, most of them alike.
+    // The reader's own scene has 19 controls, most of them alike.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({

@@ -1,5 +1,5 @@
-// Playwright's `test`, whose page knows where the book is and fails with every fault that a browser
-// tells: an error, a request that leaves the book, something that the policy forbids.
+// Playwright's `test`, with a `home` where the book is, and a page that fails the test if the browser reports
+// an error, a request that leaves the book, or something that the policy forbids.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
@@ -7,11 +7,11 @@ import { serve } from './server.js';
 
 export { expect };
 
-// Firefox says so of a formula that is drawn before all of it has come.
+// Firefox reports this for a formula that is drawn before all of it has arrived.
 const HARMLESS = /Incorrect number of children for <m/;
 
 export const test = base.extend({
-  // 'server' or 'folder'.
+  // Where the pages come from: 'server' or 'folder'.
   source: ['server', { option: true, scope: 'worker' }],
 
   home: [async ({ source }, use) => {
@@ -34,17 +34,17 @@ export const test = base.extend({
       console.error(`the policy forbids ${event.blockedURI} by ${event.effectiveDirective}`);
     }));
     await use(page);
-    expect(faults.filter(fault => !HARMLESS.test(fault)), 'what the browser tells').toEqual([]);
+    expect(faults.filter(fault => !HARMLESS.test(fault)), 'errors that the browser reports').toEqual([]);
   },
 });
 
-// Opens a page of the book; when it returns, all of its scripts have been asked for.
+// Opens a page of the book. When it returns, all of the page's scripts have been requested.
 export async function open(page, address) {
   await page.goto(address);
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
 
-// The pixels of an image or a canvas, as the address of a PNG file.
+// The pixels of an image or a canvas, as a data URL of a PNG file.
 export const readPixels = picture => picture.evaluate(async one => {
   one.loading = 'eager';
   await one.decode?.();

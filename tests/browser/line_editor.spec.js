@@ -1,10 +1,10 @@
-// A line of a listing that the reader edits is drawn, and the book's comes back.
+// When a reader edits a line of a listing, the picture is drawn, and the book's line can be restored.
 import { expect, open, readPixels, test } from './fixtures.js';
 
 const STEP = 'step04_diffuse';
 const NORMAL = '(p - sphere.centre) / sphere.radius';
 
-// The line of the normal, in view, and what belongs to it.
+// Opens the page with the line of the normal in view. Returns the line, its listing and its status.
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
@@ -19,7 +19,7 @@ test('an edit is drawn, a mistake is marked, Escape brings the line back, and un
   await line.focus();
   await page.keyboard.press('Enter');
   await expect(status).toContainText('sphere.centre');
-  if (source === 'server') { // Of a file, no page may read pixels.
+  if (source === 'server') { // A page opened from a folder can't read pixels.
     const printed = page.locator(`main img[src$="${STEP}.png"]`).first();
     expect(await readPixels(listing.locator('canvas')) === await readPixels(printed), 'the book’s line draws its picture').toBe(true);
   }
@@ -78,7 +78,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   await other.focus();
   await page.keyboard.press('ControlOrMeta+Z');
   await expect(other).toHaveText('(1.0');
-  await line.click(); // Undo then leads to another listing.
+  await line.click(); // Undo then leads to a different listing.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(listing.locator('canvas')).toBeInViewport();
 });

@@ -1,11 +1,11 @@
-// Pages tell what they can't do, and work in places that are strange.
+// Pages report what they can't do, and work in unusual places.
 import { expect, open, test } from './fixtures.js';
 import { picture } from './book.js';
 import { POLICY, serve } from './server.js';
 
 const name = 'step01_rays.html';
 
-// The first figure of a page, in view.
+// Opens a page with its first figure in view.
 async function findFigure(page, address) {
   await open(page, address);
   const figure = page.locator('figure[data-live]').first();
@@ -14,7 +14,7 @@ async function findFigure(page, address) {
 }
 
 test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
-  // A page of its own: here the browser has to complain of the first load.
+  // Not the fixture's page, since here the browser has to report that the first load failed.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
@@ -26,7 +26,7 @@ test('a module and a search that fail to load are loaded again', async ({ browse
     await page.keyboard.type('sphere');
     await expect(page.locator('#search-status')).toHaveText(words);
     await page.keyboard.press('Escape');
-    // The field of the closed dialog has the focus for a frame more.
+    // The field keeps the focus for one frame after the dialog has closed.
     await expect(page.locator('#search-field')).not.toBeFocused();
   }
 });
@@ -63,7 +63,7 @@ test('a prompt is not copied', async ({ page, home }) => {
   expect(copied).toMatch(/^cargo/);
 });
 
-// Runs a test on a page of its own, as here the browser has to complain, under another policy.
+// Runs a test under a different policy. It gets a page of its own, since the browser may report errors there.
 async function withPolicy(browser, policy, run) {
   const { server, address } = await serve(policy);
   const page = await browser.newPage();
@@ -76,7 +76,7 @@ async function withPolicy(browser, policy, run) {
   }
 }
 
-test('under a policy without inline scripts all works', async ({ browser }) => {
+test('everything works under a policy without inline scripts', async ({ browser }) => {
   const policy = POLICY.replace(`'wasm-unsafe-eval' 'unsafe-inline'`, `'wasm-unsafe-eval'`);
   expect(policy).not.toBe(POLICY);
   await withPolicy(browser, policy, async (page, home) => {
@@ -98,14 +98,14 @@ test('under a policy without inline scripts all works', async ({ browser }) => {
   });
 });
 
-test('where a server allows no trusted types, a page says what is missing', async ({ browser }) => {
+test('if a server allows no trusted types, a page says what is missing', async ({ browser }) => {
   await withPolicy(browser, `${POLICY}; trusted-types 'none'`, async (page, home) => {
     await page.goto(home + name);
     await expect(page.locator('.missing')).toHaveText(/did not load.*Content-Security-Policy/);
     await page.locator('#theme-toggle').click();
     await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
   });
-  // Without the demand for them, nothing is missing.
+  // If the policy doesn't require trusted types, nothing is missing.
   const policy = POLICY.replace(`; require-trusted-types-for 'script'`, '');
   await withPolicy(browser, `${policy}; trusted-types 'none'`, async (page, home) => {
     const figure = await findFigure(page, home + name);
@@ -114,7 +114,7 @@ test('where a server allows no trusted types, a page says what is missing', asyn
   });
 });
 
-test('under trusted types nothing comes through but what the page makes', async ({ browser }) => {
+test('under trusted types, only the HTML and scripts of the page itself are let through', async ({ browser }) => {
   await withPolicy(browser, `${POLICY}; trusted-types default`, async (page, home) => {
     const figure = await findFigure(page, home + name);
     await expect(figure).toHaveAttribute('data-ready', '', { timeout: 20_000 });

@@ -1,10 +1,10 @@
-// A scene of the reader's own is made by hand, undone, sent and kept.
+// A reader makes a scene, undoes changes, and shares and downloads it.
 import { expect, open, test } from './fixtures.js';
 
 test('a ball is dragged, coloured, undone and kept, and a sphere comes in', async ({ page, home }) => {
   await open(page, `${home}own_scene.html`);
   await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
-  // Firefox tells its driver nothing of a download.
+  // Firefox doesn't report a download to its driver.
   await page.evaluate(() => { HTMLAnchorElement.prototype.click = function () { window.kept = this.download; }; });
   const press = name => page.getByRole('button', { name }).click();
   const { x, y, width } = await page.locator('.stage').boundingBox();
@@ -23,7 +23,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Download PNG');
   await page.waitForFunction(() => window.kept === 'own_scene.png', null, { timeout: 30_000 });
 
-  // Reset asks; undone, it brings the scene back.
+  // Reset asks first, and Undo brings the scene back.
   page.once('dialog', dialog => dialog.dismiss());
   await press('Reset');
   await expect(page).toHaveURL(/tenth-sphere/);

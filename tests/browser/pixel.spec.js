@@ -1,9 +1,9 @@
-// A pixel is asked by a link that names it.
+// A link that names a pixel selects it.
 import { expect, open, test } from './fixtures.js';
 
-test('a link that names a pixel asks it, and Back leads to where one was', async ({ page, home }) => {
+test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // A reader who has come here has seen what is above, so that it has its height.
+  // Lay out everything above, as it is for a reader who has scrolled down to here.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   const figure = page.locator('figure[data-live="step03_nearest"]');
   const link = page.locator('a[href$="#pixel=195,237"]').first();
@@ -20,6 +20,6 @@ test('a link that names a pixel asks it, and Back leads to where one was', async
   await link.click();
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
   await page.evaluate(() => history.back());
-  // What is told below the picture may be a line longer than before.
+  // The text below the picture may be a line longer than before.
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
 });

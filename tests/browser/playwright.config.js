@@ -1,15 +1,15 @@
-// What is opened where: each project is a browser, a view and a way to come to the pages.
+// The projects: each is a browser, a size of its window, and a way to open the pages.
 import { defineConfig } from '@playwright/test';
 import { spawnSync } from 'node:child_process';
 
-// The first program of these names that is installed.
+// Finds the first installed program among these names.
 const find = (...names) => names.map(name => spawnSync('which', [name], { encoding: 'utf8' }).stdout.trim()).find(Boolean);
 const chromium = {
   browserName: 'chromium',
   launchOptions: { executablePath: find('chromium', 'google-chrome'), args: ['--no-sandbox', '--disable-gpu'] },
 };
-// Firefox as it is installed has no command to set the colour scheme. Playwright 1.65 gives that command all
-// the same, so package.json stays with 1.64.
+// An ordinary Firefox has no command that sets the colour scheme. Playwright 1.65 sends that command anyway, so
+// package.json stays with 1.64.
 const firefox = {
   browserName: 'firefox',
   channel: 'moz-firefox',
@@ -28,7 +28,7 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // One figure of a page will do, axe on the shorter pages, and the search's results in one browser.
+  // Usually, one figure per page is enough, and axe on the shorter pages, and the search's results in one browser.
   grepInvert: isThorough ? [] : /@thorough/,
   projects: [
     { name: 'chromium-wide', testIgnore: 'webkit.spec.js', use: { ...chromium, ...view(1280) } },
@@ -38,7 +38,7 @@ export default defineConfig({
       grepInvert: isThorough ? [] : /@thorough|first results/,
       use: { ...firefox, ...view(390), source: 'folder' },
     },
-    // By THOROUGH=1 alone: they take minutes, and find little that the others miss.
+    // Only with THOROUGH=1, since these take minutes and find little that the others miss.
     ...isThorough ? [
       { name: 'firefox-wide', testIgnore: ['webkit.spec.js', 'loading.spec.js'], use: { ...firefox, ...view(1280) } },
       { name: 'webkit', testMatch: 'webkit.spec.js' },

@@ -1,13 +1,13 @@
-// The search leads where a teacher would send a reader, and the page shows the place.
+// The search leads to the section to which a teacher would send a reader, and the page shows it.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// [what a reader types, the places that are right].
+// [what a reader types, the right places].
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 
-// Opens the search by its key, which works once its script has run, and types a query; returns the first result.
+// Opens the search by its key, which works once its script has run, and types a query. Returns the first result.
 async function search(page, query) {
   const field = page.locator('#search-field');
   await expect(async () => {
@@ -19,7 +19,7 @@ async function search(page, query) {
   return page.locator('#search-results a').first();
 }
 
-test('all first results but five are right', async ({ page, home }) => {
+test('all first results except at most five are right', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
   const wrong = [];
   for (const [query, places] of queries) {
@@ -35,22 +35,22 @@ test('Enter goes to the heading', async ({ page, home }) => {
   test.setTimeout(600_000);
   for (const [query] of queries.filter((_, k) => process.env.THOROUGH || k % 30 === 0)) {
     await open(page, `${home}introduction.html`);
-    // From another page, and then from the end of the page itself.
+    // First from a different page, then from the end of the page itself.
     for (const way of ['from another page', 'on its own page']) {
       const address = new URL(await (await search(page, query)).getAttribute('href'), page.url());
       await page.keyboard.press('Enter');
       await page.waitForURL(address.href);
       await expect(page.locator('#search')).toBeHidden();
-      await page.waitForTimeout(400); // What comes into view may still be laid out.
+      await page.waitForTimeout(400); // Parts that come into view may still be laid out.
       await expect.soft(page.locator(`[id="${address.hash.slice(1)}"]`), `${query} ${way}`).toBeInViewport();
       await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
     }
   }
 });
 
-test('the search keeps the reader’s place, and what is near is offered', async ({ page, home }) => {
+test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // What is laid out above moves the place, too.
+  // Lay out everything first, since parts that are laid out above move the reader's place, too.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);
@@ -60,7 +60,7 @@ test('the search keeps the reader’s place, and what is near is offered', async
   await expect(result).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(page.locator('#search')).toBeHidden();
-  // A figure that becomes ready may move it by a line.
+  // A figure that becomes ready may move the place by a line.
   expect(Math.abs(await page.evaluate(() => scrollY) - place)).toBeLessThan(30);
   await search(page, 'qqqqq');
   await expect(page.locator('#search-status')).toContainText('Nothing');
@@ -70,7 +70,7 @@ test('names of JavaScript are words, and ten thousand letters don\'t hold the pa
   await open(page, `${home}step03_nearest.html`);
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);
-    // Words near it may be found, but none of `function Object() { [native code] }`.
+    // Similar words may be found, but no words of `function Object() { [native code] }`.
     const found = await page.locator('#search-results em').allTextContents();
     expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
   }

@@ -1,5 +1,5 @@
-// The book as a careful web server gives it, on this machine alone: under a strict
-// Content-Security-Policy.
+// A server for the book that is reachable only from this machine, and strict, as a careful one would be: it
+// sends a Content-Security-Policy.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { once } from 'node:events';
@@ -10,19 +10,19 @@ const TYPES = { css: 'text/css', html: 'text/html; charset=utf-8', js: 'text/jav
 
 export const POLICY = [
   `default-src 'none'`,
-  // The modules are WebAssembly; a few lines of script and of style stand in the pages themselves.
+  // The modules are WebAssembly, and the pages contain a few lines of script and style themselves.
   `script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'`,
   `style-src 'unsafe-inline'`,
   `img-src 'self'`,
   `font-src 'self'`,
-  // `check` looks at a picture in a worker, whose few lines are in the page's own script.
+  // `check` runs in a worker, whose few lines are part of the page's own script.
   `worker-src blob:`,
-  // 404.html has a base where the book is published in a folder of its server.
+  // 404.html has a `<base>` if the book is published in a subfolder of a server.
   `base-uri 'self'`,
   `require-trusted-types-for 'script'`,
 ].join('; ');
 
-// Returns the server, which listens, and the address that it gives the book at, under a policy.
+// Starts a server with this policy. Returns the server and the address of the book there.
 export async function serve(policy = POLICY) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://127.0.0.1');

@@ -1,11 +1,11 @@
-// WebKit, by its own driver, as Playwright's build of it is no browser that anybody has: every
-// figure becomes ready.
+// Every figure becomes ready in WebKit. It's run by its own driver, because Playwright's build of WebKit isn't a
+// browser that anybody uses.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { figures } from './book.js';
 import { expect, test } from './fixtures.js';
 
-// Brings figure after figure of a page into view; returns those that do not become ready.
+// Brings one figure of a page after the other into view. Returns those that don't become ready.
 const wake = async () => {
   const asleep = () => [...document.querySelectorAll('figure[data-live]:not([data-ready])')];
   for (let k = 0; k < 1000 && asleep().length; k += 1) {
@@ -20,7 +20,7 @@ test('every figure becomes ready', async ({ home }) => {
   const screen = spawn('Xvfb', ['-displayfd', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
   const DISPLAY = `:${String(await once(screen.stdout, 'data')).trim()}`;
   const driver = spawn('WebKitWebDriver', ['--port=4444'], { stdio: 'ignore', env: { ...process.env, DISPLAY } });
-  // Posts a command to the driver; returns its value.
+  // Posts a command to the driver, and returns its result.
   const post = async (path, body) => {
     const response = await fetch(`http://127.0.0.1:4444/session${path}`, { method: 'POST', body: JSON.stringify(body) });
     return (await response.json()).value;

@@ -12,12 +12,13 @@ fn from_line(angle: f64) -> f64 {
     (angle - (angle / SPACING).round() * SPACING).abs()
 }
 
-/// The colour that `ray` sees: the colour of its direction, with lines over it that
-/// are two pixels wide. `pixel` is the angle that a pixel covers.
+/// The colour that `ray` sees: the colour of its direction, under lines that are
+/// two pixels wide. `pixel` is the angle that a pixel covers.
 fn colour(ray: &Ray, pixel: f64) -> DVec3 {
     let v = ray.direction.normalize();
     let (longitude, latitude) = (v.x.atan2(-v.z), v.y.asin());
-    // Meridians meet at the poles, so near them the same angle is a shorter way.
+    // Meridians meet at the poles, so near them the same angle covers a shorter
+    // distance.
     let away = from_line(latitude).min(from_line(longitude) * latitude.cos());
     let covered = (1.5 - away / pixel).clamp(0.0, 1.0);
     direction_colour(ray).lerp(DVec3::ONE, covered)

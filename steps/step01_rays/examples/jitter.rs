@@ -7,7 +7,7 @@ use step01_rays::{
     sub_pixel_offsets,
 };
 
-/// Two numbers from 0 to 1 that look random, the same for the same `x` and `y`.
+/// Two numbers from 0 to 1 that look random, but depend only on `x` and `y`.
 pub fn noise(x: u32, y: u32) -> [f64; 2] {
     let mut h = u64::from(x) << 32 | u64::from(y);
     for _ in 0..3 {

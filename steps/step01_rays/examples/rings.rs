@@ -1,4 +1,4 @@
-//! The rings: how long each ray is.
+//! Rings, which show how long each ray is.
 
 use glam::DVec3;
 use image::RgbImage;

@@ -1,10 +1,10 @@
-//! Where the exercises of step 1 begin: step 1's own picture.
+//! The starting point of the exercises of step 1: step 1's own picture.
 
 use glam::DVec3;
 use image::RgbImage;
 use step01_rays::{Camera, Ray, draw_and_save, render};
 
-/// The colour that `ray` sees: its direction.
+/// The colour that `ray` sees, which shows its direction.
 fn colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
     0.7 + 0.3 * DVec3::new(v.x, v.y, -v.z)

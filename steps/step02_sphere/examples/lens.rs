@@ -11,15 +11,16 @@ use step02_sphere::{
 pub struct Interval {
     /// The t where it begins.
     pub enter: f64,
-    /// The t where it ends; above `enter`.
+    /// The t where it ends, greater than `enter`.
     pub leave: f64,
 }
 
-/// The ray itself: all t from 0.
+/// The whole ray: all t from 0 on.
 pub const RAY: Interval = Interval { enter: 0.0, leave: f64::INFINITY };
 
 impl Interval {
-    /// The piece of `ray` inside `sphere`, even if it is behind the start.
+    /// The piece of `ray` inside `sphere`, even if it is behind the start. Returns
+    /// None if the ray misses, or only touches.
     pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
         match sphere.intersect(ray) {
             Roots::Two(enter, leave) => Some(Self { enter, leave }),
@@ -46,8 +47,8 @@ pub fn inside_all(spheres: &[Sphere], ray: &Ray) -> Option<Interval> {
 pub const SPHERES: [Sphere; 2] =
     [Sphere::new([-0.75, -0.15, -5.4], 1.5), Sphere::new([0.75, 0.15, -4.6], 1.5)];
 
-/// The colour `behind`, seen through coloured glass that fills what all `spheres`
-/// share. The longer the way through it, the less of `behind` is left.
+/// The colour `behind`, seen through coloured glass that fills the part that all
+/// `spheres` share. The longer the way through it, the less of `behind` is left.
 fn through(spheres: &[Sphere], glass: DVec3, behind: DVec3, ray: &Ray) -> DVec3 {
     let Some(piece) = inside_all(spheres, ray) else { return behind };
     let length = (piece.leave - piece.enter) * ray.direction.length();

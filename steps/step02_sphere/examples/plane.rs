@@ -1,4 +1,4 @@
-//! An infinite plane, checkered, under the sphere.
+//! An infinite checkered plane under the sphere.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -10,12 +10,13 @@ use step02_sphere::{
 pub struct Plane {
     /// q, any point on it.
     pub point: DVec3,
-    /// n, perpendicular to it, of any length but 0.
+    /// n, perpendicular to it, of any length except 0.
     pub normal: DVec3,
 }
 
 impl Plane {
-    /// The t above 0 at which `ray` meets the plane, t = n·(q − S) / n·V.
+    /// The positive t at which `ray` meets the plane, t = n·(q − S) / n·V. Returns
+    /// None if there is none.
     pub fn first_hit(&self, ray: &Ray) -> Option<f64> {
         let along = self.normal.dot(ray.direction);
         if along == 0.0 {
@@ -41,7 +42,7 @@ fn checker(p: DVec3) -> DVec3 {
     }
 }
 
-/// The colour that `ray` sees: the nearer of sphere and ground, else its direction.
+/// The colour that `ray` sees: the nearer of sphere and ground, or else the sky.
 fn colour(sphere: &Sphere, ground: &Plane, ray: &Ray) -> DVec3 {
     let sphere = sphere.intersect(ray).first_hit();
     let ground = ground.first_hit(ray);
@@ -50,7 +51,7 @@ fn colour(sphere: &Sphere, ground: &Plane, ray: &Ray) -> DVec3 {
             DVec3::new(0.91, 0.34, 0.28)
         }
         (_, Some(t)) => {
-            // Far away the squares are smaller than pixels: the sky takes over.
+            // Far away, the squares are smaller than pixels, so fade to the sky.
             let far = ray.at(t).distance(ray.start) / 12.0;
             direction_colour(ray).lerp(checker(ray.at(t)), 1.0 / (1.0 + far * far))
         }

@@ -9,7 +9,8 @@ use step02_sphere::{
 /// A quadric, the points p with p·Qp + 2u·p + w = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadric {
-    /// Q, symmetric: the squares and the products of two coordinates.
+    /// Q, symmetric: the coefficients of x², y² and z², and half of those of xy, xz
+    /// and yz.
     pub squares: DMat3,
     /// u, half of the coefficients of x, y and z.
     pub linear: DVec3,
@@ -24,8 +25,8 @@ impl Quadric {
         Self { squares: q, linear, constant: centre.dot(q * centre) + w }
     }
 
-    /// The a, b and c of at² + bt + c = 0. Its roots are where `ray` meets the
-    /// quadric.
+    /// The a, b and c of at² + bt + c = 0. Its roots are the t at which `ray` meets
+    /// the quadric.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let Self { squares: q, linear: u, constant: w } = *self;
         let (s, v) = (ray.start, ray.direction);

@@ -1,4 +1,4 @@
-//! Where the exercises of step 2 begin: step 2's own picture.
+//! The starting point of the exercises of step 2: step 2's own picture.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -7,7 +7,7 @@ use step02_sphere::{Camera, Ray, Sphere, direction_colour, draw_and_save, render
 /// The one sphere.
 const SPHERE: Sphere = Sphere::new([0.0, 0.0, -5.0], 1.0);
 
-/// The colour that `ray` sees: red for the sphere, or else that of the sky.
+/// The colour that `ray` sees: red for the sphere, or else the sky.
 fn colour(sphere: &Sphere, ray: &Ray) -> DVec3 {
     match sphere.intersect(ray).first_hit() {
         Some(_) => DVec3::new(0.91, 0.34, 0.28),

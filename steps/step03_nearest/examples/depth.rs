@@ -1,4 +1,4 @@
-//! The depth: how far away the nearest hit is, as a grey.
+//! The depth: how far away the nearest hit is, as a shade of grey.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -11,7 +11,8 @@ pub fn distance(objects: &[Object<DVec3>], ray: &Ray) -> Option<f64> {
     nearest(objects, ray).map(|hit| hit.t * ray.direction.length())
 }
 
-/// The colour that `ray` sees: white at 4, and black at 14 or if it hits nothing.
+/// The colour that `ray` sees: white at a distance of 4, black at 14 or if it hits
+/// nothing.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     let (white, black) = (4.0, 14.0);
     let d = distance(objects, ray).unwrap_or(black);

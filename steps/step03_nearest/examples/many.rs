@@ -8,12 +8,12 @@ use step03_nearest::{
     nearest, render,
 };
 
-/// A box whose sides are along the axes.
+/// A box with sides parallel to the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The corner with the smallest x, y and z.
     pub low: DVec3,
-    /// The corner with the largest.
+    /// The corner with the largest x, y and z.
     pub high: DVec3,
 }
 
@@ -33,9 +33,11 @@ impl Bounds {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The t at which `ray` enters the box; 0 from inside, infinity for a miss.
+    /// The t at which `ray` enters the box: 0 if it starts inside, infinity if it
+    /// misses.
     ///
-    /// It is inside while it is between the two planes of each of the three axes.
+    /// The ray is inside while it is between the two planes of each of the three
+    /// axes.
     pub fn enter(&self, ray: &Ray) -> f64 {
         let one = (self.low - ray.start) / ray.direction;
         let other = (self.high - ray.start) / ray.direction;
@@ -64,7 +66,7 @@ pub enum Content<'a, M> {
 }
 
 impl<'a, M> Tree<'a, M> {
-    /// The tree around all `objects`, which it sorts.
+    /// Builds the tree around all `objects`, and puts them into its order.
     pub fn new(objects: &'a mut [Object<M>]) -> Self {
         let boxes = objects.iter().map(|object| Bounds::around(&object.sphere));
         let bounds = boxes.fold(Bounds::EMPTY, Bounds::with);
@@ -80,7 +82,8 @@ impl<'a, M> Tree<'a, M> {
         Self { bounds, content: Content::Halves(Box::new(halves)) }
     }
 
-    /// The hit with the smallest t below `end`; `ask` finds it among a few objects.
+    /// The hit with the smallest t below `end`. `ask` finds the nearest hit among a
+    /// few objects.
     pub fn nearest(
         &self,
         ray: &Ray,
@@ -96,7 +99,7 @@ impl<'a, M> Tree<'a, M> {
         let mut found: Option<Hit<M>> = None;
         for (enter, half) in order {
             let end = found.as_ref().map_or(end, |hit| hit.t);
-            // What begins behind the nearest hit can't hold a nearer one.
+            // A box that begins behind the nearest hit can't hold a nearer one.
             if enter < end {
                 found = half.nearest(ray, end, ask).or(found);
             }

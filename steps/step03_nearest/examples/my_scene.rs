@@ -28,7 +28,7 @@ pub fn objects() -> Vec<Object<DVec3>> {
         ball("right eye", [-0.12, 1.46, -6.57], 0.05, coal),
         ball("left eye", [0.16, 1.46, -6.57], 0.05, coal),
     ];
-    // Three, one above the other.
+    // Three buttons, one above the other.
     let button = |y| ball("button", [0.0, y, -6.37], 0.06, coal);
     objects.extend([0.3, 0.55, 0.8].map(button));
     // A nose of nine balls, each smaller than the last and further out.

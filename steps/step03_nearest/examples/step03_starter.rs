@@ -1,4 +1,4 @@
-//! Where the exercises of step 3 begin: step 3's own picture.
+//! The starting point of the exercises of step 3: step 3's own picture.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -6,7 +6,7 @@ use step03_nearest::{
     Camera, OBJECTS, Object, Ray, direction_colour, draw_and_save, nearest, render,
 };
 
-/// The colour that `ray` sees: that of the nearest object, or else that of the sky.
+/// The colour that `ray` sees: the nearest object's, or else the sky's.
 fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     match nearest(objects, ray) {
         Some(hit) => hit.object.material,

@@ -19,7 +19,8 @@ pub fn rgb8(intensity: DVec3) -> Rgb<u8> {
     Rgb((255.0 * encoded + 0.5).to_array().map(|channel| channel as u8))
 }
 
-/// The picture: as `render` draws it, with the curve after each pixel's mean.
+/// The picture that `render` draws, but with the curve applied to each pixel's
+/// mean.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     let centres = sub_pixel_offsets(samples);

@@ -7,7 +7,7 @@ use step04_diffuse::{
     direction_colour, draw_and_save, render, scene, visible_point,
 };
 
-/// A point light that shines into a cone only.
+/// A point light that shines only into a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLight {
     /// Its position, L_d and attenuation.
@@ -16,7 +16,7 @@ pub struct SpotLight {
     pub axis: DVec3,
     /// The angle from the axis up to which the light is full, in radians.
     pub inner: f64,
-    /// The angle from which on there is no light; above `inner`.
+    /// The angle from which on there is no light, greater than `inner`.
     pub outer: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Where the exercises of step 4 begin: step 4's own picture.
+//! The starting point of the exercises of step 4: step 4's own picture.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -7,7 +7,7 @@ use step04_diffuse::{
     draw_and_save, render, scene, visible_point,
 };
 
-/// The colour that `ray` sees: that of the lit point, or else that of the sky.
+/// The colour that `ray` sees: the lit point's, or else the sky's.
 fn colour(scene: &Scene<Matte, PointLight>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

@@ -10,7 +10,7 @@ use step04_diffuse::{
 /// A light so far away that its direction and brightness are the same everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {
-    /// The direction to it, of any length but 0.
+    /// The direction to it, of any length except 0.
     pub direction: DVec3,
     /// L_d, its intensity in red, green and blue; 0 or more.
     pub diffuse: DVec3,
@@ -43,7 +43,7 @@ fn colour(scene: &Scene<Matte, PointLight>, sun: &Sun, ray: &Ray) -> DVec3 {
     intensity
 }
 
-/// The picture: the cool light stays, and the sun is new.
+/// The picture: the sun replaces the warm light, and the cool light stays.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = Scene { lights: vec![COOL_LIGHT], ..scene() };
     render(camera, samples, |ray| colour(&scene, &SUN, ray))

@@ -1,5 +1,5 @@
-//! How fast the picture is drawn, at 1920×1080: `cargo bench`. All of it takes about two
-//! minutes; `cargo bench -- fast` measures only `fast`.
+//! Measures how fast pictures of 1920×1080 pixels are drawn. `cargo bench` takes
+//! about two minutes, and `cargo bench -- fast` measures only `fast`.
 
 use divan::{Bencher, counter::ItemsCount};
 use glam::DVec3;
@@ -11,10 +11,10 @@ fn main() {
     divan::main();
 }
 
-/// A number of spheres in front of the camera; 5 of them have been placed by hand.
+/// Numbers of spheres in front of the camera. Up to five are placed by hand.
 const SIZES: [usize; 8] = [0, 1, 5, 100, 1000, 10_000, 100_000, 1_000_000];
 
-/// Step 5 as it is, with as many spheres as don't take minutes.
+/// Step 5 as it is, with the numbers of spheres that don't take minutes.
 #[divan::bench(args = SIZES[..5].iter().copied(), sample_count = 3)]
 fn clear(bencher: Bencher, count: usize) {
     measure(bencher, 1, lit(spheres(count)), |camera, scene| {
@@ -22,7 +22,7 @@ fn clear(bencher: Bencher, count: usize) {
     });
 }
 
-/// Step 5's own scene, on one thread, and on as many as there are.
+/// Step 5's own scene, on one thread and on all threads.
 #[divan::bench(args = [1, 0], sample_count = 5)]
 fn clear_step05(bencher: Bencher, threads: usize) {
     measure(bencher, threads, scene(), |camera, scene| {
@@ -41,7 +41,7 @@ fn camera() -> Camera {
     Camera::new(1920, 1080, 60_f64.to_radians())
 }
 
-/// Measures `draw` on this number of threads; 0 is all that there are.
+/// Measures `draw` on this number of threads, where 0 means all of them.
 fn measure(
     bencher: Bencher,
     threads: usize,
@@ -67,7 +67,7 @@ fn spheres(count: usize) -> Vec<Sphere> {
     if count <= 5 { five[..count].into() } else { cloud(count, 0.06..0.38) }
 }
 
-/// Spheres anywhere in a box in front of the camera, and of any radius in a range.
+/// Spheres anywhere in a box in front of the camera, with any radii in a range.
 fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
     // Numbers that look random: a multiplication and an addition, modulo 2⁶⁴.
     let mut state = 1_u64;
@@ -82,7 +82,8 @@ fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
     (0..count).map(|_| next()).collect()
 }
 
-/// The spheres, of the materials of the locked scene in turn, in one white light.
+/// A scene of these spheres in one white light. They take the materials of step 5's
+/// scene in turn.
 fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
     let point_light = PointLight {
         position: DVec3::new(3.0, 4.0, 0.0),
@@ -100,25 +101,25 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
     }
 }
 
-/// The example, of which the benchmark needs no program.
+/// The example. Its program is dead code here.
 #[allow(dead_code)]
 #[path = "../examples/fast.rs"]
 mod example;
 
-/// The same pictures, to the byte.
+/// `fast`, which draws the same pictures, to the byte.
 #[divan::bench(args = SIZES, sample_count = 9)]
 fn fast(bencher: Bencher, count: usize) {
     measure_fast(bencher, 1, lit(spheres(count)));
 }
 
-/// Step 5's own scene, on one thread, and on as many as there are.
+/// Step 5's own scene, on one thread and on all threads.
 #[divan::bench(args = [1, 0], sample_count = 9)]
 fn fast_step05(bencher: Bencher, threads: usize) {
     measure_fast(bencher, threads, scene());
 }
 
-/// A million grains, between which a ray goes through nearly always, so that little
-/// hides what is behind it.
+/// A million grains, so small that most rays pass between them and little is
+/// hidden.
 #[divan::bench(sample_count = 3)]
 fn fast_grains(bencher: Bencher) {
     measure_fast(bencher, 1, lit(cloud(1_000_000, 0.002..0.002)));

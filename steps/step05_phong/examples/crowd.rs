@@ -23,8 +23,8 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// The material of the marble with this number: one of the scene's, but not that of
-/// the ground, the white or the green sphere. Every fifth is a good mirror.
+/// The material of the marble with this number: one of the scene's, except those of
+/// the ground, the white and the green sphere. Every fifth is a good mirror.
 fn material(number: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][number % 6];
     let material = scene.objects[painted].material.material;

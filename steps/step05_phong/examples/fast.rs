@@ -1,5 +1,5 @@
-//! Any scene of step 5, fast: nearest spheres first, eight pixels at once, and the
-//! same bytes as `render` with `colour`.
+//! Draws any scene of step 5 fast: nearest spheres first, eight pixels at once. The
+//! bytes are the same as those of `render` with `colour`.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DVec3};
@@ -13,28 +13,28 @@ use step05_phong::{
 
 // 1. Which spheres a block of pixels may see, the nearest first.
 
-/// A sphere, with what all rays from the camera have in common.
+/// A sphere, with the numbers that are the same for all rays from the camera.
 #[derive(Clone, Copy)]
 struct Candidate {
     /// Its index among the objects of the scene.
     index: usize,
-    /// S, the place of the camera, measured from the centre of the sphere.
+    /// S, the position of the camera, relative to the centre of the sphere.
     s: DVec3,
-    /// c, the same for all rays.
+    /// The c of the quadratic, which is the same for all rays.
     c: f64,
-    /// The radius, and a margin.
+    /// The radius plus a margin.
     reach: f64,
     /// No ray meets the sphere nearer to the camera than this.
     begin: f64,
 }
 
 impl Candidate {
-    /// The margins are for rounding errors, so that nothing is left out that the
-    /// computed a, b and c of a ray would hit. These errors change D / 4a by less
+    /// The margins allow for rounding errors, so that no sphere is left out that a
+    /// ray would hit by its computed a, b and c. These errors change D / 4a by less
     /// than 1e-14 (|s|² + r²). So the computed D may be positive for rays that pass
-    /// the sphere at a distance of √(r² + 1e-14 (|s|² + r²)), and √D may be wrong by
-    /// the root of this error, as if t |V| were off by 1e-7 (|s| + r). We allow for
-    /// at least ten times as much of both.
+    /// the sphere at a distance of √(r² + 1e-14 (|s|² + r²)), and √D may be wrong
+    /// by the root of this error, as if t |V| were off by 1e-7 (|s| + r). We allow
+    /// for at least ten times as much of both.
     fn new(
         index: usize,
         object: &Object<Material>,
@@ -45,28 +45,28 @@ impl Candidate {
         let (distance, c) = (s.length(), s.dot(s) - r * r);
         let widened = (r * r + 1e-12 * (s.dot(s) + r * r)).sqrt();
         let begin = (distance - r).abs() - 1e-6 * (distance + r);
-        // `max` also makes a number of what overflowed: such a sphere begins at 0.
+        // After an overflow this may be NaN, and `max` makes 0 of it.
         let begin = begin.max(0.0);
         Self { index, s, c, reach: widened + slack * (distance + widened), begin }
     }
 }
 
-/// Four planes through the camera, the sides of the pyramid that a rectangle of
-/// pixels sees, by their unit normals, which point inwards.
+/// The pyramid that a rectangle of pixels sees. Its sides are four planes through
+/// the camera, given by their unit normals, which point inwards.
 #[derive(Clone, Copy)]
 struct Pyramid([DVec3; 4]);
 
 impl Pyramid {
     /// Returns true only if all of the sphere is on the outer side of a plane.
     fn misses(&self, sphere: &Candidate) -> bool {
-        // The centre is at −s. What isn't a number is no reason to leave it out.
+        // The centre is at −s. If a number is NaN, the sphere isn't left out.
         self.0.iter().any(|normal| normal.dot(sphere.s) > sphere.reach)
     }
 }
 
-/// A list of candidates that begins with the nearest, and grows when it's asked to.
+/// A list of candidates that begins with the nearest, and grows on demand.
 trait Candidates {
-    /// Those found so far.
+    /// The candidates found so far.
     fn found(&self) -> &[Candidate];
     /// Returns true if there's no more to be found.
     fn is_complete(&self) -> bool;
@@ -74,7 +74,7 @@ trait Candidates {
     fn find_more(&mut self);
 }
 
-/// A list of which everything is known.
+/// A list that is complete from the beginning.
 impl Candidates for &[Candidate] {
     fn found(&self) -> &[Candidate] {
         self
@@ -87,9 +87,9 @@ impl Candidates for &[Candidate] {
     fn find_more(&mut self) {}
 }
 
-/// Those candidates from a longer list that a pyramid doesn't miss.
-// `draw_band` has one on the stack, and with this alignment it aligns all that the
-// stack holds. A vector of 64 bytes then lies in one cache line rather than in two.
+/// The candidates from a longer list that a pyramid doesn't miss.
+// `draw_band` has one on the stack, so this also aligns everything else on its
+// stack. A vector of 64 bytes then lies in one cache line rather than in two.
 #[repr(align(64))]
 struct Sieve<C> {
     source: C,
@@ -105,7 +105,7 @@ impl<C: Candidates> Sieve<C> {
         Self { source, looked_at: 0, pyramid, found: vec![], is_complete: false }
     }
 
-    /// Begins again, with another pyramid.
+    /// Starts over with a different pyramid.
     fn restart(&mut self, pyramid: Pyramid) {
         self.pyramid = pyramid;
         self.looked_at = 0;
@@ -128,7 +128,7 @@ impl<C: Candidates> Candidates for Sieve<C> {
     #[cold]
     #[inline(never)]
     fn find_more(&mut self) {
-        // Twice as many, since whoever asks begins again with the first.
+        // Find twice as many, since the caller starts over with the first.
         let enough = 2 * self.found.len() + 4;
         while self.found.len() < enough {
             match self.source.found().get(self.looked_at) {
@@ -153,7 +153,8 @@ impl<C: Candidates> Candidates for Sieve<C> {
 /// Eight vectors: the x of each, the y of each and the z of each.
 type Vectors<S> = [f64x8<S>; 3];
 
-/// Eight vectors by their axes, 0 to 2. `std::array::from_fn` isn't always inlined.
+/// Makes eight vectors, axis by axis, 0 to 2. It's here because
+/// `std::array::from_fn` isn't always inlined.
 #[inline(always)]
 fn vectors<S: Simd>(axis: impl Fn(usize) -> f64x8<S>) -> Vectors<S> {
     [axis(0), axis(1), axis(2)]
@@ -164,8 +165,8 @@ fn dot<S: Simd>(v: Vectors<S>, w: Vectors<S>) -> f64x8<S> {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
 }
 
-/// The method of `DVec3` of this name, eight times. What has no direction gets
-/// (1, 0, 0) and 0.
+/// The method of `DVec3` with this name, eight times. A vector without a direction
+/// gives (1, 0, 0) and 0.
 #[inline(always)]
 fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S>) {
     let splat = |x| simd.splat_f64x8(x);
@@ -182,7 +183,7 @@ fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S
     (unit, length)
 }
 
-/// xⁿ, for n above 0, by the multiplications of `powi`.
+/// xⁿ for n > 0, by the same multiplications as `powi`.
 #[inline(always)]
 fn power<S: Simd>(simd: S, mut x: f64x8<S>, mut n: i32) -> f64x8<S> {
     let mut product = simd.splat_f64x8(1.0);
@@ -217,8 +218,8 @@ struct Hits<S: Simd> {
 }
 
 impl<S: Simd> Packet<S> {
-    /// `nearest`, eight times. Among equal t, the first in the scene wins, as there.
-    /// Returns None if a candidate that isn't found yet may be nearer.
+    /// `nearest`, eight times. Among equal t, the first in the scene wins, as
+    /// there. Returns None if a candidate that isn't found yet may be nearer.
     #[inline(always)]
     fn nearest(&self, found: &[Candidate], is_complete: bool) -> Option<Hits<S>> {
         let &Self { simd, v, a, .. } = self;
@@ -239,7 +240,7 @@ impl<S: Simd> Packet<S> {
             if d.simd_lt(zero).all_true() {
                 continue;
             }
-            // Below 0, D has a root that is not a number; no comparison holds.
+            // If D is negative, its root is NaN, for which no comparison holds.
             let root = d.sqrt();
             let mut t = (-b - root) / (2.0 * a);
             if t.simd_le(zero).any_true() {
@@ -330,8 +331,9 @@ impl<S: Simd> Packet<S> {
 #[inline(always)]
 fn write_rgb8<S: Simd>(colours: Vectors<S>, pixels: &mut [u8]) {
     let byte = |i: f64x8<S>| (255.0 * i + 0.5).max_precise(0.0).min(255.0).floor();
-    // The three bytes of a pixel as one number, then the six of two neighbours. An
-    // f64 holds whole numbers up to 2⁵³, and with 2⁵² added, its low bits are theirs.
+    // Put the three bytes of a pixel into one number, then the six of two
+    // neighbours. An f64 holds whole numbers up to 2⁵³ exactly. Once 2⁵² is added
+    // to such a number, its bits are the low bits of the f64.
     let [r, g, b] = colours;
     let pixel = byte(r) + 256.0 * byte(g) + 65536.0 * byte(b);
     let (even, odd) = pixel.deinterleave(pixel);
@@ -343,7 +345,8 @@ fn write_rgb8<S: Simd>(colours: Vectors<S>, pixels: &mut [u8]) {
     if let Some(pixels) = pixels.first_chunk_mut() {
         *pixels = bytes;
     } else {
-        // At the right edge. A copy of a length that isn't known would cost more.
+        // This is only for the right edge: copying a length that isn't known in
+        // advance is slower.
         pixels.iter_mut().zip(bytes).for_each(|(pixel, byte)| *pixel = byte);
     }
 }
@@ -377,16 +380,17 @@ impl Rectangle {
     }
 }
 
-/// All that the threads share.
+/// Everything that the threads share.
 struct View<'a> {
     camera: &'a Camera,
     scene: &'a Scene<Material, Light>,
-    /// Where in a pixel its rays go.
+    /// The points of a pixel that its rays go through.
     sub_pixel_offsets: Vec<(f64, f64)>,
     /// The spheres that the picture may show, from front to back.
     candidates: Vec<Candidate>,
     /// The normals of planes through the camera, each along the left edge of a
-    /// column of blocks, and the last along the right edge. They point to the right.
+    /// column of blocks, and the last along the right edge. They point to the
+    /// right.
     left_edges: Vec<DVec3>,
     /// The same for the upper edges of the rows of blocks. They point down.
     upper_edges: Vec<DVec3>,
@@ -403,8 +407,9 @@ impl<'a> View<'a> {
             let blocks = count.div_ceil(BLOCK as u32);
             (0..=blocks).map(|k| f64::from(k) * BLOCK as f64 - 0.5)
         };
-        // The plane along column i has the directions xi + z and y. The determinant
-        // is below 0 in a picture that is mirrored, where the normal turns round.
+        // The plane along column i has the directions xi + z and y. If the picture
+        // is mirrored, the determinant is negative, and the normal has to be turned
+        // round.
         let determinant = camera.matrix.determinant();
         let sign = determinant.signum();
         let left = |i: f64| sign * y.cross(x * i + z).normalize();
@@ -418,10 +423,10 @@ impl<'a> View<'a> {
             upper_edges: edges(camera.v_res).map(upper).collect(),
         };
         // V and the normals are rounded, too. The terms of V are at most as long as
-        // `longest`, and V itself is at least as long as `shortest`, the distance of
-        // the plane of all V from the camera, so an error of 1e-14 `longest` is an
-        // angle of 1e-14 `longest` / `shortest`. Again, there's room for more. In a
-        // picture without depth, that's infinite, and no sphere is left out.
+        // `longest`, and V itself is at least as long as `shortest`, the distance
+        // of the plane of all V from the camera, so an error of 1e-14 `longest` is
+        // an angle of 1e-14 `longest` / `shortest`. Again, there's room for more.
+        // In a picture without depth, that's infinite, and no sphere is left out.
         let (right, down) = (x.length(), y.length());
         let longest = f64::from(camera.h_res) * right
             + f64::from(camera.v_res) * down
@@ -445,7 +450,8 @@ impl<'a> View<'a> {
         Rectangle { columns: 0..width as usize, rows: 0..height as usize }
     }
 
-    /// What the pixels of a rectangle see, whose left and upper edges are blocks'.
+    /// The pyramid that a rectangle sees, whose left and upper edges have to be
+    /// edges of blocks.
     fn pyramid(&self, Rectangle { columns, rows }: &Rectangle) -> Pyramid {
         Pyramid([
             self.left_edges[columns.start / BLOCK],
@@ -455,11 +461,12 @@ impl<'a> View<'a> {
         ])
     }
 
-    /// Draws some whole rows, `top` and those below it, into their bytes.
+    /// Draws a band, which consists of whole rows and begins with row `top`, into
+    /// its bytes.
     ///
     /// The lists of a band, of a tile in it and of a block in that are sieves, one
-    /// below the other. Each asks the one above only for as much as it's asked for,
-    /// so what is far behind a block's hits is never looked at.
+    /// below the other. Each takes from the one above no more than it needs, so the
+    /// spheres far behind a block's hits are never looked at.
     #[inline(always)]
     fn draw_band<S: Simd>(&self, simd: S, top: usize, bytes: &mut [u8]) {
         let mut band = self.rectangle();
@@ -495,9 +502,10 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Draws a rectangle of a band, eight pixels at once. Returns None when all of it
-    /// is drawn. If an incomplete list isn't enough for a row, returns that row; it
-    /// and those below it have to be drawn again, with a longer list.
+    /// Draws a rectangle of a band, eight pixels at once. Returns None once all of
+    /// it is drawn. If the list isn't complete and not enough for a row, returns
+    /// that row. It and the rows below it have to be drawn again with a longer
+    /// list.
     #[inline(always)]
     fn draw_rectangle<S: Simd>(
         &self,

@@ -16,13 +16,14 @@ use step05_phong::{
 
 /// A material that may be glass.
 pub struct Glass {
-    /// Its material, of which glass has the highlights only.
+    /// Its material, of which glass shows only the highlights.
     pub material: Material,
     /// The refractive index, or None if it isn't glass.
     pub index: Option<f64>,
 }
 
-/// The scene of step 5, its red and its white object of glass with this index.
+/// The scene of step 5, with its red and its white sphere made of glass with this
+/// refractive index.
 pub fn glasses(index: f64) -> Scene<Glass, Light> {
     let Scene { objects, ambient_light, lights } = scene();
     let objects = objects.into_iter().map(|object| {

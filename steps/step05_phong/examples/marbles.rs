@@ -30,7 +30,8 @@ fn polished(
     object.with_material(Material { matte, specular, shininess })
 }
 
-/// A part of the snowman, in the material for its name; the carrot is amber now.
+/// A part of the snowman in its new material, which depends on its name. The carrot
+/// is amber now.
 fn repainted(part: Object<DVec3>) -> Object<Material> {
     match part.name {
         "ground" => polished(part, [0.30, 0.31, 0.42], STONE),

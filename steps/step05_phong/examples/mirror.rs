@@ -14,8 +14,8 @@ use step05_phong::{
     visible_point,
 };
 
-/// The terms at `point` in this material, as `phong` has them, but without the
-/// light of the lamps that are hidden from it.
+/// The terms at `point` in this material, as `phong` computes them, but without the
+/// lamps that are hidden from the point.
 pub fn shadowed_phong<M>(
     point: &SurfacePoint<M>,
     ray: &Ray,

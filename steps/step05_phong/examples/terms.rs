@@ -1,10 +1,10 @@
-//! The scene in one term of its light at a time.
+//! The scene, drawn with one term of its light at a time.
 
 use glam::DVec3;
 use image::{ImageResult, RgbImage};
 use step05_phong::{Camera, Terms, direction_colour, render, scene, terms};
 
-/// The scene in the one term of the sum that `term` takes out.
+/// The scene, drawn with only one term of the sum, which `term` picks.
 pub fn picture(camera: &Camera, term: fn(Terms) -> DVec3) -> RgbImage {
     let scene = scene();
     render(camera, 1, |ray| match terms(&scene, ray) {

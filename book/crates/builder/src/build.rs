@@ -1,3 +1,5 @@
+//! The build as a whole: every page is written into a draft, which then replaces the old book.
+
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::Course;
@@ -10,18 +12,18 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Builds the book of a workspace into `folder`, one at a time; returns what is in it.
+/// Builds the book of a workspace into `folder`, and returns the files and pages there.
 ///
-/// Writes it beside the folder and puts it in place when it is complete, so that a fault
-/// leaves the book that was there.
+/// A lock makes builds wait for each other. The book is written to a draft beside the folder, which
+/// replaces the folder once it is complete, so after a fault the old book is still there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
-    let around = folder.parent().context("the book has a folder of its own")?;
-    fs::create_dir_all(around).with_context(|| format!("{} can't be made", around.display()))?;
+    let around = folder.parent().context("the book needs a folder of its own")?;
+    fs::create_dir_all(around).with_context(|| format!("{} can't be created", around.display()))?;
     let lock = open_lock(&around.join("book.lock"))?;
     lock.lock()?;
     restore_folder(folder)?;
     let draft = around.join("book.draft");
-    // What a build with a fault left, or a killed one.
+    // An earlier build left it if it was killed or found a fault.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
     replace_folder(&draft, folder)
@@ -29,8 +31,8 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the file that one build at a time locks. Nothing is written to it, and a link in its
-/// place is not followed.
+/// Opens the lock file. Nothing is ever written to it, and if it is a symbolic link, the build
+/// stops rather than follow it.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} is not a file; remove it", path.display());
@@ -38,13 +40,13 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// The first places beside a folder where its old contents may be put aside. A place may be taken
-/// by what can't be removed.
+/// The paths beside a folder to which its old contents may be moved. There are several because an
+/// old folder there may be impossible to remove, for instance if a program has it open.
 fn places_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
-/// Puts back a folder that a killed build has put aside, and removes what others have.
+/// Restores a folder that a killed build moved aside, and removes any other old folders.
 fn restore_folder(folder: &Path) -> Result<()> {
     for aside in places_aside(folder).filter(|aside| aside.exists()) {
         if folder.exists() {
@@ -57,28 +59,28 @@ fn restore_folder(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Puts a draft in the place of a folder, which is put aside before and removed at last.
+/// Replaces a folder with a draft. The old folder is moved aside first and removed last.
 fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
     if !folder.exists() {
         return fs::rename(draft, folder);
     }
     let free = places_aside(folder).find(|aside| !aside.exists());
-    let aside = free.ok_or_else(|| io::Error::other("too many old ones are beside it"))?;
+    let aside = free.ok_or_else(|| io::Error::other("too many old copies are beside it"))?;
     fs::rename(folder, &aside)?;
     if let Err(error) = fs::rename(draft, folder) {
         let _ = fs::rename(&aside, folder);
         return Err(error);
     }
-    // What can't be removed now is tried again by the next build.
+    // If that fails, the next build tries again.
     let _ = fs::remove_dir_all(aside);
     Ok(())
 }
 
-/// Writes all pages into `folder`. A fault in a chapter stops it before any page is written; a
-/// link that leads nowhere is found when all are.
+/// Writes all pages into `folder`. A fault in a chapter stops the build before any page is written.
+/// Broken links are found once all pages are there.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
-    let mut book = MDBook::load(workspace.join("book")).context("no book")?;
+    let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;
     book.config.build.build_dir = folder.to_owned();
     book.with_preprocessor(Course(sources.clone()));
     book.build()?;
@@ -95,7 +97,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// The pages that mdBook has written, each by its name, as readers get them.
+/// The name and final HTML of each page that mdBook has written.
 fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
         let mut html = inline_stylesheets(html, files).with_context(|| name.to_owned())?;
@@ -107,7 +109,7 @@ fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Writes a file into `folder`, whose `files` have been read before.
+/// Writes a file into `folder`, and updates it in `files`, the files that were read from there.
 fn write_page_file(folder: &Path, files: &mut Files, name: String, text: String) -> Result<()> {
     fs::write(folder.join(&name), &text).with_context(|| name.clone())?;
     files.0.insert(name, text.into_bytes());
@@ -119,7 +121,7 @@ mod tests {
     use super::*;
     use std::{env, process};
 
-    /// A folder with a draft and an old book in it.
+    /// Creates a folder with a draft and an old book in it, and returns all three paths.
     fn create_folders(name: &str) -> (PathBuf, PathBuf, PathBuf) {
         let around = env::temp_dir().join(format!("{name}-{}", process::id()));
         let _ = fs::remove_dir_all(&around);
@@ -159,7 +161,7 @@ mod tests {
         fs::rename(&book, book.with_extension("old1")).expect("put aside");
         restore_folder(&book).expect("put back");
         assert_eq!(read_index(&book), "old");
-        // What is aside besides is removed, and a place that is taken is passed over.
+        // Other old folders are removed, and a path that is taken is skipped.
         fs::create_dir_all(book.with_extension("old2")).expect("a folder");
         restore_folder(&book).expect("removed");
         assert!(!book.with_extension("old2").exists());

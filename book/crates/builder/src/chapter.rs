@@ -1,3 +1,5 @@
+//! The expansion of a chapter: every directive, formula and listing becomes HTML.
+
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::markdown;
@@ -13,23 +15,25 @@ use mdbook_markdown::pulldown_cmark::{
 };
 use std::ops::Range;
 
-/// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
+/// The most lists, quotations and emphases inside one another. mdBook overflows its stack if there
+/// are thousands.
 const MAX_NESTING: usize = 20;
 
-/// A chapter in Markdown as mdBook renders it, and what was found in it on the way.
+/// A chapter as Markdown for mdBook to render, with the faults and problems that were found in it.
 #[derive(Debug)]
 pub struct ExpandedChapter {
     markdown: String,
-    /// What is wrong with it, from top to bottom.
+    /// Its faults, from top to bottom.
     pub faults: Vec<Fault>,
-    /// Its problems to be solved on paper.
+    /// Its problems, which readers solve on paper.
     pub problems: Vec<Problem>,
     /// The position of `{{#problem-sheet}}` in the Markdown.
     sheet_position: Option<usize>,
 }
 
 impl ExpandedChapter {
-    /// The Markdown, with the problems of all chapters where the chapter asks for them.
+    /// The Markdown, with `sheet` (the problems of all chapters) inserted if the chapter has a
+    /// `{{#problem-sheet}}`.
     pub fn markdown_with_sheet(&self, sheet: &str) -> String {
         let mut markdown = self.markdown.clone();
         if let Some(position) = self.sheet_position {
@@ -39,8 +43,8 @@ impl ExpandedChapter {
     }
 }
 
-/// Puts listings, formulas, figures, numbers, pictures and boxes into the `text` of a chapter.
-/// `our_folder` says in Markdown where the source of the book is.
+/// Expands the listings, formulas, figures, numbers, pictures and boxes in the `text` of a chapter.
+/// `our_folder` is Markdown that says where the source of the book is.
 pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
@@ -68,13 +72,13 @@ pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> Expand
     }
 }
 
-/// A chapter as it is read once, from top to bottom.
+/// A chapter while it is being expanded, in one pass from top to bottom.
 struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
     our_folder: &'a str,
-    /// What the text becomes, up to `expanded_end` in it.
+    /// The result for the text up to the position `expanded_end`.
     expanded: String,
     expanded_end: usize,
     faults: Vec<Fault>,
@@ -88,7 +92,7 @@ struct Chapter<'a> {
     problems: Vec<Problem>,
     /// The position of the problem sheet in `expanded`.
     sheet_position: Option<usize>,
-    /// The position and the name of a picture whose pixels can be chosen, until its panel begins.
+    /// The position and name of an interactive picture with a probe, until its panel begins.
     missing_panel: Option<(usize, &'static str)>,
 }
 
@@ -100,19 +104,19 @@ impl<'a> Chapter<'a> {
         self.faults.push(Fault { line, error });
     }
 
-    /// Takes the text over as it is, from what is expanded to this position.
+    /// Copies the text unchanged, from where the expansion has got to, up to this position.
     fn copy_until(&mut self, position: usize) {
         self.expanded += &self.text[self.expanded_end..position];
         self.expanded_end = position;
     }
 
-    /// A position in the text, and in what the text before it is expanded to.
+    /// Pairs a position in the text with the matching one in the expanded text.
     fn position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.len() }
     }
 
-    /// Puts `part` in place of a range of the text. An error is a fault of it.
+    /// Replaces a range of the text with `part`, or adds a fault if `part` is an error.
     fn replace(&mut self, range: Range<usize>, part: ChapterResult<String>) {
         self.copy_until(range.start);
         self.expanded_end = range.end;
@@ -122,8 +126,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Puts MathML in place of a formula in a line. A comma or a full stop stays on the line of the
-    /// formula before it.
+    /// Replaces an inline formula with MathML. A comma or full stop after it is kept on the same
+    /// line.
     fn replace_inline_formula(&mut self, latex: &str, range: &Range<usize>) {
         let formula = formula::formula_html(latex, false, &self.sources.values);
         let mark = self.text[range.end..].chars().next();
@@ -166,7 +170,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// What stands in place of a part of the chapter; None for text that stays as it is.
+    /// The replacement for a part of the chapter, or None if the text stays as it is.
     fn expand_event(
         &mut self,
         event: &Event,
@@ -224,7 +228,7 @@ impl<'a> Chapter<'a> {
         })
     }
 
-    /// Finds a $ in the `source` at this position, which is text or HTML.
+    /// Adds a fault if there is a $ in `source`, a piece of text or HTML that begins at `start`.
     fn find_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
@@ -232,8 +236,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A fence: an include becomes a listing, commands get a caption. Rust is from a file, which
-    /// compiles.
+    /// Expands a code block: an include becomes a listing, and commands get a caption. Rust typed
+    /// into the chapter itself is a fault, since nothing would compile it.
     fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_code(source, &self.sources.values);
@@ -254,7 +258,7 @@ impl<'a> Chapter<'a> {
         Ok(format!("\n{html}\n"))
     }
 
-    /// A paragraph that is one directive, or nothing but pictures.
+    /// Expands a paragraph that consists of one directive, or only of pictures.
     fn expand_paragraph(
         &mut self,
         events: &Events,
@@ -284,7 +288,7 @@ impl<'a> Chapter<'a> {
             }
             ("problem-sheet", _) => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
-                // The sheet goes between the two.
+                // The sheet goes between the two newlines.
                 self.sheet_position = Some(self.expanded.len() - 1);
                 return None;
             }
@@ -300,8 +304,8 @@ impl<'a> Chapter<'a> {
         })
     }
 
-    /// Opens a box, even if there is an error in its first line: its `{{#end}}` is none. Boxes
-    /// don't nest.
+    /// Opens a box. It counts as open even if its first line is an error, so that its `{{#end}}`
+    /// isn't reported as well. Boxes don't nest.
     fn begin_box(
         &mut self,
         kind: &str,
@@ -321,7 +325,8 @@ impl<'a> Chapter<'a> {
         html
     }
 
-    /// Opens a problem, even if its first line is faulty: its `{{#end}}` is none.
+    /// Opens a problem. It counts as open even if its first line is an error, so that its
+    /// `{{#end}}` isn't reported as well.
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
         let (heading, html) = match Heading::parse(words) {
             Ok(heading) => {
@@ -335,7 +340,8 @@ impl<'a> Chapter<'a> {
         self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
     }
 
-    /// The HTML that begins the panel of the last interactive picture.
+    /// The HTML that begins the panel of the interactive picture above it, which has to be this
+    /// one.
     fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
         match self.missing_panel.take_if(|(_, picture)| *picture == name) {
             Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
@@ -343,7 +349,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// The end of the open box, and of the problem whose answer it is.
+    /// Closes the open box and, if the box is the answer of a problem, that problem.
     fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
@@ -361,8 +367,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
-    /// answers there.
+    /// Expands a paragraph that consists only of pictures. A directive such as `{{#live
+    /// own_scene}}` after them makes them interactive.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -393,8 +399,8 @@ impl<'a> Chapter<'a> {
         Some(self.figures_html(&pictures, live))
     }
 
-    /// Figures of pictures, each of its Markdown, its file and its caption, side by side if there
-    /// are several.
+    /// The figures for some pictures, given as `[markdown, file, caption]`. Several stand side by
+    /// side.
     fn figures_html(
         &mut self,
         pictures: &[[&str; 3]],
@@ -406,7 +412,7 @@ impl<'a> Chapter<'a> {
             figures += &picture::figure_html(&image, caption, live, &self.sources.values)?;
         }
         if pictures.len() > 1 {
-            // A reader view of a browser takes a `div` of pictures for decoration.
+            // A browser's reader view would drop a `div` of pictures as decoration.
             figures = format!("<section class=\"pictures\">\n{figures}</section>\n");
         }
         Ok(figures)
@@ -417,7 +423,7 @@ fn find_live(name: &str) -> ChapterResult<&'static Figure> {
     figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
-/// Whether code is a name such as `Ray::at`, which may be broken.
+/// Whether code is a name such as `Ray::at`, which may be broken across lines.
 fn is_name_with_break(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])

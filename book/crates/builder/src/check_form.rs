@@ -1,10 +1,12 @@
+//! The form that says whether a reader's picture is right.
+
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// The form into which a reader drops a picture to ask whether it is right, for
-/// `{{#check name}}`; without a name, the file's own tells which picture it should be.
+/// The HTML for `{{#check name}}`: a form into which a reader drops a picture to find out whether
+/// it is right. Without a name, the name of the file says which picture it should be.
 ///
-/// Hidden where no script can answer; see book/theme/check_form.js.
+/// The form is hidden until book/theme/check_form.js shows it, since nothing works without scripts.
 pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (name, words) = match name {

@@ -1,3 +1,5 @@
+//! The controls of an interactive figure: sliders, number fields, switches and choices.
+
 use figures::{ControlKind, Figure, Parameter, escape, italic_letter};
 
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
@@ -5,12 +7,12 @@ const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the c
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure or picture: one for each parameter but [`ControlKind::Columns`].
-/// Number fields for what a handle sets are folded away. Where parameters have groups, the page
-/// shows those of one at a time.
+/// The controls below a figure or picture: one for each parameter, except those of
+/// [`ControlKind::Columns`]. The number fields of parameters that a handle sets are folded away. If
+/// parameters have groups, the page shows one group at a time.
 ///
-/// Hidden where no script can answer, and there from the first where one
-/// will, to be set as soon as it can; see book/theme/figure.js.
+/// The controls are printed with the page, so that nothing moves when they start working. Without
+/// scripts they stay hidden; see book/theme/figure.js.
 pub fn html(live: &Figure) -> String {
     let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
     groups.dedup();
@@ -40,7 +42,7 @@ pub fn html(live: &Figure) -> String {
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
-/// The folded number fields, in a row for each object that they are of.
+/// The folded number fields, with a row for each object that they belong to.
 fn exact_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
@@ -54,19 +56,20 @@ fn exact_html(exact: &[Control]) -> String {
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// A parameter, its number, and what it is called.
+/// The control of a parameter, with the words of its label.
 struct Control<'a> {
     live: &'a Figure,
     k: usize,
     parameter: &'a Parameter,
     symbol: &'static str,
     words: String,
-    /// Whether a handle sets it, or another coordinate of the same object.
+    /// Whether a handle sets this parameter, or a different coordinate of the same object.
     is_exact: bool,
 }
 
 impl<'a> Control<'a> {
-    /// A coordinate of a handle is called by it.
+    /// Describes the control of the parameter with index `k`. A coordinate of a handle is named
+    /// after the handle.
     fn new(live: &'a Figure, k: usize, parameter: &'a Parameter) -> Self {
         let Parameter { words, group, .. } = parameter;
         let handle = live.handles.iter().find(|handle| handle.parameters.contains(&k));
@@ -85,7 +88,8 @@ impl<'a> Control<'a> {
         Self { live, k, parameter, symbol, words, is_exact }
     }
 
-    /// The control at its default. What a handle sets has no range beside its number field.
+    /// The HTML of the control, set to its default. A parameter that a handle sets has only a
+    /// number field, without a slider.
     fn html(&self) -> String {
         let Self { live, k, parameter, symbol, words, .. } = self;
         let Parameter { range: [min, max], steps_per_unit, default, group, .. } = parameter;

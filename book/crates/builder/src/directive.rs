@@ -1,4 +1,4 @@
-//! How a directive is read: the only place that knows the braces of `{{#kind words}}`.
+//! Directives, `{{#kind words}}`: only this file parses their braces.
 
 use crate::fault::ChapterResult;
 use crate::replace_between::replace_between;
@@ -7,27 +7,27 @@ use std::fmt::{self, Display, Formatter};
 /// A directive such as `{{#figure ray}}`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directive<'a> {
-    /// What it is, such as `figure`.
+    /// Its kind, such as `figure`.
     pub kind: &'a str,
-    /// The rest of it, such as `ray`. There may be directives inside, as in
+    /// The rest of it, such as `ray`. It may hold further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }
 
 impl<'a> Directive<'a> {
-    /// The directive that the whole text is; None for any other text.
+    /// Parses a text that is one directive and nothing else. Returns None for any other text.
     pub fn parse(text: &'a str) -> Option<Self> {
         text.trim().strip_prefix("{{#")?.strip_suffix("}}").map(Self::from_inside)
     }
 
-    /// The directive with this between its braces.
+    /// Parses the text between the braces.
     fn from_inside(inside: &'a str) -> Self {
         let (kind, words) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
         Self { kind, words: words.trim() }
     }
 }
 
-/// The directive as its author wrote it.
+/// Writes the directive as its author did.
 impl Display for Directive<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let space = if self.words.is_empty() { "" } else { " " };
@@ -35,7 +35,7 @@ impl Display for Directive<'_> {
     }
 }
 
-/// A text in which each directive is replaced by what `replacement` gives for it.
+/// Replaces each directive in a text with what `replacement` returns for it.
 pub fn replace_directives(
     text: &str,
     mut replacement: impl FnMut(Directive) -> ChapterResult<String>,

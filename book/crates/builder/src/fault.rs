@@ -1,4 +1,4 @@
-//! What is wrong with a chapter or a page, and on which line: the sentences that stop a build.
+//! The faults of a chapter, and the error that reports all faults of a build.
 
 use crate::replace_between::MissingEnd;
 use anyhow::Chain;
@@ -7,16 +7,16 @@ use std::fmt::{self, Display, Formatter};
 use std::io;
 use thiserror::Error;
 
-/// What is wrong on one line of a chapter. Only the author can mend it.
+/// An error on one line of a chapter, for its author to mend.
 #[derive(Debug)]
 pub struct Fault {
     /// The line, counted from 1.
     pub line: usize,
-    /// What is wrong there.
+    /// The error there.
     pub error: ChapterError,
 }
 
-/// The line, the error, and its causes.
+/// Writes the line, the error, and the error's causes.
 impl Display for Fault {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{}", self.line)?;
@@ -24,14 +24,14 @@ impl Display for Fault {
     }
 }
 
-/// What can be wrong with a directive, a formula, a picture or a listing of a chapter.
+/// Everything that can be wrong with a directive, formula, picture or listing.
 #[derive(Debug, Error)]
 pub enum ChapterError {
     #[error(transparent)]
     MissingEnd(#[from] MissingEnd),
     #[error(
-        "{0} stands alone, in a paragraph or a fence of its own, or is none of the \
-         directives"
+        "{0} can't stand here: either there is no such directive, or it needs a paragraph or a \
+         fence of its own"
     )]
     MisplacedDirective(String),
 
@@ -39,9 +39,9 @@ pub enum ChapterError {
     UnknownValue(String),
     #[error("there is no figure {0}")]
     UnknownFigure(String),
-    #[error("nothing called {0:?} answers")]
+    #[error("nothing called {0:?} is interactive")]
     UnknownLive(String),
-    #[error("nothing called {0:?} has Rust that moves")]
+    #[error("nothing called {0:?} writes Rust code")]
     UnknownProgram(String),
     #[error("there is no step {0}")]
     UnknownStep(String),
@@ -49,12 +49,12 @@ pub enum ChapterError {
     UnknownLockedPicture(String),
     #[error("there is no picture {0}")]
     UnknownPicture(String),
-    #[error("{0}, of a listed mistake, isn't drawn yet: run `cargo xtask`")]
+    #[error("{0}, the picture of a listed mistake, isn't drawn yet: run `cargo xtask`")]
     UndrawnMistake(String),
 
     #[error("the picture {0} has no alt text: say what it shows")]
     MissingAltText(String),
-    #[error("the alt text of {0} is words alone, without directives")]
+    #[error("the alt text of {0} can't have directives in it")]
     DirectiveInAltText(String),
     #[error(
         "{{{{#pixel-panel {0}}}}} is not below a picture with {{{{#live {0}}}}} that has a probe"
@@ -62,48 +62,48 @@ pub enum ChapterError {
     PanelWithoutPicture(String),
     #[error("the picture {0} has no {{{{#pixel-panel {0}}}}} below it")]
     MissingPanel(&'static str),
-    #[error("rows are {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
+    #[error("rows are written {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
     RowsForm,
 
     #[error(
-        "a $ that is no formula is written \\$, and a formula has its end, pairs of braces, and \
+        "a lone $: write \\$ for a dollar sign; a formula needs a second $, braces in pairs, and \
          no HTML around it"
     )]
     LoneDollar,
-    #[error("a lone $: a formula has two")]
+    #[error("a lone $: a formula begins and ends with one")]
     LoneDollarInWords,
-    #[error("a formula has no {0}")]
+    #[error("{0} can't be used in a formula")]
     DirectiveInFormula(String),
-    #[error("a formula can't have the number {0}")]
+    #[error("the number {0} can't be used at this place in a formula")]
     NumberInFormula(String),
-    #[error("code has no {0}")]
+    #[error("{0} can't be used in code")]
     NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
-    /// A formula that the parser refuses, or one that it can't cope with.
-    #[error("the formula {latex} does not parse")]
+    /// A formula that the parser rejects, or, without a source, one on which it fails altogether.
+    #[error("the formula {latex} can't be parsed")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 
-    #[error("code is from a file: a listing is one {{{{#include path}}}} and nothing else")]
+    #[error("a listing has to come from a file: write one {{{{#include path}}}} and nothing else")]
     TypedCode,
-    #[error("there is no file {path} that can be read")]
+    #[error("the file {path} can't be read")]
     UnreadableFile { path: String, source: io::Error },
-    #[error("a part is ..how its end begins, or how it begins.., not {0}")]
+    #[error("a part of a file is BEGIN..END, the first words of two of its lines, not {0}")]
     PartForm(String),
     #[error("no line there begins with {0:?}")]
     UnknownLine(String),
-    #[error("a console is ours or yours, or yours,refused or yours,fails")]
+    #[error("a console is marked ours, yours, yours,refused or yours,fails")]
     ConsoleForm,
 
     #[error("a box can't hold another box")]
     BoxInBox,
     #[error("the box has no {{{{#end}}}}")]
     MissingEndOfBox,
-    #[error("{{{{#end}}}} without a box to end")]
+    #[error("{{{{#end}}}} has no box to end")]
     EndWithoutBox,
-    #[error("a problem is {{{{#problem NUMBER ANSWER}}}}, two numbers")]
+    #[error("a problem begins with {{{{#problem NUMBER ANSWER}}}}, two numbers")]
     ProblemForm,
-    #[error("a problem begins after the {{{{#end}}}} of another")]
+    #[error("a problem can't be inside a box or another problem")]
     ProblemInBox,
     #[error("the problem has no {{{{#answer}}}}")]
     MissingAnswer,
@@ -116,9 +116,9 @@ pub enum ChapterError {
 /// The result of expanding a part of a chapter.
 pub type ChapterResult<T> = Result<T, ChapterError>;
 
-/// Every fault of a book, a sentence each. They stop the build.
+/// All faults of a book, one sentence each. They stop the build.
 #[derive(Debug, Error)]
-#[error("{}\nThe book is not done.", .0.join("\n"))]
+#[error("{}\nThe book was not built.", .0.join("\n"))]
 pub struct Faults(Vec<String>);
 
 impl Faults {
@@ -138,13 +138,13 @@ mod tests {
         let source = io::Error::other("a cause");
         let error = ChapterError::UnreadableFile { path: "a.rs".to_owned(), source };
         let fault = Fault { line: 3, error };
-        assert_eq!(fault.to_string(), "3: there is no file a.rs that can be read: a cause");
+        assert_eq!(fault.to_string(), "3: the file a.rs can't be read: a cause");
     }
 
     #[test]
     fn faults_are_listed_and_none_is_no_error() {
         assert!(Faults::ensure_none([""; 0]).is_ok());
         let error = Faults::ensure_none(["a", "b"]).expect_err("two faults");
-        assert_eq!(error.to_string(), "a\nb\nThe book is not done.");
+        assert_eq!(error.to_string(), "a\nb\nThe book was not built.");
     }
 }

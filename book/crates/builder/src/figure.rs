@@ -1,3 +1,5 @@
+//! The HTML of a figure that is a drawing.
+
 use crate::controls;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;

@@ -1,19 +1,21 @@
+//! The drawings as SVG files of their own, for slides.
+
 use anyhow::Result;
 use figures::{FIGURES, Output};
 use std::fs;
 use std::path::Path;
 
-/// All drawings at their defaults as SVG files such as `figure-row.svg`, for slides: each has
-/// the style of the theme inside, with its light colours.
+/// All drawings with their default parameters, as SVG files such as `figure-row.svg`. Each contains
+/// the rules of the theme, in its light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
-    // A picture has no title, and takes long to draw.
+    // Pictures, which have no title, are left out: they take long to draw.
     let figures = FIGURES.iter().filter(|figure| !figure.title.is_empty());
     let files = figures.filter_map(|figure| {
         let Output::Drawing(drawing) = figure.default_output() else { return None };
         let svg = drawing.html(figure.title);
-        // Room at both sides for letters that are wider than ours.
+        // Leave room on both sides, since the program that shows it may use a wider font.
         let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
         let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
         let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
@@ -22,8 +24,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(files.collect())
 }
 
-/// The rules that begin with the class of all drawings, without it, and with values in place of
-/// variables, which few programs but browsers know.
+/// The rules that begin with `.drawing `, without that class. Variables are replaced by their
+/// values, since few programs except browsers support them.
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();

@@ -1,3 +1,5 @@
+//! The files of a folder in memory, and paths between them.
+
 use anyhow::{Context, Result};
 use course::replace_file;
 use std::collections::BTreeMap;
@@ -7,7 +9,7 @@ use std::path::Path;
 /// The folder of the chapters, as seen from the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
-/// The path to which `path` leads from the file or folder/ `base`.
+/// Resolves `path` relative to `base`, which is a file, or a folder if it ends in `/`.
 pub fn resolve_path(base: &str, path: &str) -> String {
     let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();
@@ -21,12 +23,12 @@ pub fn resolve_path(base: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// The files of a folder in memory, each by its path in that folder.
+/// The files of a folder in memory, keyed by their paths in that folder.
 #[derive(Clone, Debug, Default)]
 pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
 impl Files {
-    /// Reads every file in `folder` and in the folders in it.
+    /// Reads every file in `folder` and its subfolders.
     pub fn read(folder: &Path) -> Result<Self> {
         let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
         while let Some(inner) = folders.pop() {
@@ -44,11 +46,11 @@ impl Files {
         Ok(Self(files))
     }
 
-    /// Writes the files into a folder that holds nothing else then. A file that is there as it
-    /// should be is not touched, since `mdbook serve` would see a change.
+    /// Writes the files into a folder and removes all others there. A file that is already right
+    /// isn't touched, since `mdbook serve` would notice and build again.
     pub fn write(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
-            .with_context(|| format!("{} can't be made", folder.display()))?;
+            .with_context(|| format!("{} can't be created", folder.display()))?;
         let old = Self::read(folder)?.0;
         for (name, bytes) in self.0.iter().filter(|(name, bytes)| old.get(*name) != Some(bytes)) {
             let path = folder.join(name);
@@ -61,12 +63,12 @@ impl Files {
         Ok(())
     }
 
-    /// The text of the file at `path`, if it is there and is text.
+    /// The text of the file at `path`, or None if there is no such file or it isn't UTF-8.
     pub fn text(&self, path: &str) -> Option<&str> {
         str::from_utf8(self.0.get(path)?).ok()
     }
 
-    /// The paths and texts of all files whose path ends in `suffix`.
+    /// The paths and texts of all text files whose paths end in `suffix`.
     pub fn texts_with_suffix(&self, suffix: &str) -> impl Iterator<Item = (&str, &str)> {
         let paths = self.0.keys().filter(move |path| path.ends_with(suffix));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))
@@ -101,7 +103,7 @@ mod tests {
             replace_file(&file, text.as_bytes()).expect("a file");
             assert_eq!(fs::read_to_string(&file).expect("a file"), text);
         }
-        // A folder with something in it can't be replaced by a file.
+        // A folder that isn't empty can't be replaced by a file.
         assert!(replace_file(&inner, b"text").is_err());
         assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2);
         fs::remove_dir_all(folder).expect("removed");

@@ -1,15 +1,18 @@
+//! Formulas: LaTeX becomes MathML.
+
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
 use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
-/// Commands and braces that a formula may have: the parser takes up to 60 kB of the stack for
-/// each that is inside another.
+/// The most commands and braces in a formula. For each one inside another, the parser uses up to
+/// 60 kB of stack.
 const MAX_MARKS: usize = 100;
+/// Stack of the thread that parses a formula.
 const STACK_BYTES: usize = 16 << 20;
 
-/// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
+/// The MathML of a LaTeX formula, escaped so that it can be put into a line of Markdown.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
@@ -21,7 +24,7 @@ pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterRe
     })
 }
 
-/// The MathML of a formula without numbers that are still to be filled in.
+/// Converts a formula whose numbers have been filled in.
 fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
     if latex.matches(['\\', '{']).count() > MAX_MARKS {
@@ -40,8 +43,7 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     }
 }
 
-/// Writes as entities what Markdown would read as markup between the tags of
-/// `mathml`.
+/// Escapes the characters between the tags of `mathml` that Markdown would read as markup.
 fn escape_markdown(mathml: &str) -> String {
     let mut escaped = String::with_capacity(mathml.len());
     let mut in_tag = false;

@@ -1,35 +1,36 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! `Sources` are what the chapters show: the workspace, and the pictures and scripts that pages
-//! find in `generated/`. `Course` is an mdBook preprocessor: it expands the chapters, for
-//! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages, puts the styles into them,
-//! and writes the index of the search. At the end each link is followed.
+//! `Sources` is everything that the chapters show: files of the workspace, and the pictures and
+//! scripts in `generated/`. `Course` is the mdBook preprocessor that expands the chapters, both for
+//! `mdbook serve` and for `cargo run`. `build` lets mdBook write the pages, copies the stylesheets
+//! into them and writes the search index. Finally it checks every link.
 //!
 //! A chapter is Markdown with *directives*, `{{#kind words}}`. Most stand alone in a paragraph;
 //! `value`, `number` and `our-folder` stand within a sentence:
 //!
-//! - A *listing* is a fence with one `include` of a file of a step or a part of it. It says where a
-//!   reader may edit it (`course::Place`). In a fence `rust,own_scene` it is updated on the page
-//!   when that picture changes.
+//! - A *listing* is a fence with one `include` of a file, or a part of a file. It marks the places
+//!   that a reader may edit (`course::Place`). In a fence `rust,own_scene`, it is updated on the
+//!   page when that picture changes.
 //! - A *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
-//!   reader's, and `console,yours,refused` or `console,yours,fails` where a test expects that.
+//!   reader's, and `console,yours,refused` or `console,yours,fails` if a test expects that.
 //! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made
 //!   from code. Followed by `live`, a picture is interactive: its *controls* set the parameters.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
-//!   text has a `number` for each step from the ray of the chosen pixel to its three bytes. In its
-//!   tables, `rows` with a picture and its columns is a row for each sphere or mirror.
-//! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is opened by its reader.
-//! - A `problem` is to be solved on paper. It has a number for an answer, and the box `answer` holds
-//!   the way to it. `problem-sheet` shows the problems of all chapters once more.
-//! - `mistakes` are those of a step, with a picture each.
-//! - `check` is the form that a picture is dropped into. `by-hand` names the test of what was worked
-//!   out above it. `rust` is a margin note on Rust that a beginner won't know yet.
+//!   text has a `number` for each step from the ray of the chosen pixel to its three bytes. In a
+//!   table there, `rows` with a picture and columns becomes a row for each sphere or mirror.
+//! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is folded until the reader opens it.
+//! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
+//!   there. `problem-sheet` repeats the problems of all chapters.
+//! - `mistakes` is a gallery of the mistakes of a step, each with its picture.
+//! - `check` is the form that says whether a picture is right. `by-hand` names the test of the
+//!   numbers that were worked out above it.
+//! - `rust` is a margin note on Rust that a beginner won't know yet.
 //! - `our-folder` says where the source of the book is.
 //!
-//! A *fault* is an error on a line of a chapter, which only its author can mend. The build reports
-//! all faults and stops.
+//! A *fault* is an error on a line of a chapter, for its author to mend. The build reports all
+//! faults and stops.
 
 mod directive;
 mod fault;

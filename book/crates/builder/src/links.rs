@@ -1,4 +1,4 @@
-//! Every link, anchor and picture leads to something in the book, and nothing is
+//! Checks that every link, anchor and picture leads to something in the book, and that nothing is
 //! fetched from elsewhere.
 
 use crate::files::resolve_path;
@@ -14,11 +14,11 @@ use thiserror::Error;
 pub struct LinkFault {
     /// The page, and the last id before the link.
     place: String,
-    /// What is wrong with its address.
+    /// The error in its address.
     error: AddressError,
 }
 
-/// What can be wrong with an address.
+/// Everything that can be wrong with an address.
 #[derive(Debug, Error)]
 enum AddressError {
     #[error("{0} is outside the book")]
@@ -29,8 +29,8 @@ enum AddressError {
     UnknownId { id: String, path: String },
 }
 
-/// Each link that leads nowhere, and all that would be fetched from elsewhere. The pages that repeat
-/// the chapters are left out.
+/// Finds the links that lead nowhere, and everything that would be fetched from elsewhere. Skips
+/// the pages that only repeat the chapters.
 pub fn find_faults(site: &Site) -> Vec<LinkFault> {
     let with_id = site.pages.values().flat_map(|page| {
         page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
@@ -54,16 +54,16 @@ pub fn find_faults(site: &Site) -> Vec<LinkFault> {
     faults
 }
 
-/// Everything that an element leads to or loads, with the attribute that says so; a style
-/// has none.
+/// Every address that an element links to or loads, with the name of its attribute. The name is
+/// empty for an address inside a `<style>`.
 fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
     let mut addresses: Vec<(&str, &str)> = vec![];
     for (name, value) in &element.attributes {
         match &**name {
-            // Says where the book is, and fetches nothing.
+            // This says where the book is, and fetches nothing.
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
-            // Words for readers.
+            // These are words for readers, not addresses.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),
             _ => addresses.extend(style_urls(value).map(|address| (&**name, address))),
@@ -80,7 +80,7 @@ fn is_outside_book(address: &str) -> bool {
     address.starts_with('/') || scheme.contains(':')
 }
 
-/// Checks that an address in the file `page_path` leads to something in the book.
+/// Checks that an address on the page `page_path` leads to something in the book.
 fn check_address(
     site: &Site,
     ids: &BTreeSet<(&str, Option<&str>)>,
@@ -107,8 +107,9 @@ fn check_address(
     if is_there { Ok(()) } else { Err(AddressError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture
-/// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
+/// Whether the scripts of the page understand the end of an address: `pixel=470,120` if the page
+/// has the panel of a pixel, `line=gate:true` if it has that editable line, or `scene=…` if it has
+/// the reader's own scene.
 fn is_answered(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
@@ -127,7 +128,7 @@ fn is_answered(page: &Page, id: &str) -> bool {
     }
 }
 
-/// The address of everything that a style fetches: what is in `url(…)`, or after `@import`.
+/// The addresses that a stylesheet fetches: those in `url(…)` and after `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());

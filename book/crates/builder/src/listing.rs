@@ -1,3 +1,6 @@
+//! Listings: code from a file, with a caption, marks for new lines, and the places that a reader
+//! may edit.
+
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
@@ -11,14 +14,16 @@ use std::sync::LazyLock;
 
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
-/// The listing for `{{#include path}}` or a part of a file, such as
-/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`, under a
-/// caption that says which file it is from, and whether a part begins it or goes on at its end.
+/// The listing for `{{#include path}}`, or for a part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the file
+/// and says whether a part is its beginning or is added below.
 ///
-/// A path is relative to the chapters; what is in `book/reader` and `book/typed` is of the
-/// reader's own folder. The first listing of a file on a page has an id for links to it, such
-/// as `listing-step01_rays-src-ray.rs`; `ids` holds those. In a fence `rust,own_scene` the
-/// file is the number `rust` of that picture, and moves with it.
+/// The path is relative to the chapters. Files in `book/reader` and `book/typed` are captioned as
+/// files of the reader's own folder. The first listing of a file on a page gets an id for links,
+/// such as `listing-step01_rays-src-ray.rs`; `ids` collects them.
+///
+/// In a fence `rust,own_scene`, `live` is `own_scene`, and the page replaces the code with the
+/// number `rust` of that figure whenever the figure changes. In a fence `rust`, `live` is empty.
 pub fn html(
     language: &str,
     live: &str,
@@ -51,7 +56,7 @@ pub fn html(
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
 }
 
-/// The text of the file of the same name in the last step before that has one.
+/// The text of the file of the same name in the nearest earlier step that has one.
 fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let mut earlier_names = Step::NAMES.into_iter().rev().skip_while(|name| *name != step).skip(1);
@@ -59,8 +64,8 @@ fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
         .find_map(|name| fs::read_to_string(workspace.join("steps").join(name).join(file)).ok())
 }
 
-/// The style that paints a bar beside each line which the `old` text doesn't have; None where
-/// those are more than half of all.
+/// The style that paints a bar beside each line of the code that isn't in the `old` text. Returns
+/// None if more than half of the lines are new.
 fn changed_lines_style(code: &str, old: &str) -> Option<String> {
     let is_new = |line: &str| !old.lines().any(|known| known == line);
     let new: Vec<_> = code.lines().enumerate().filter(|(_, line)| is_new(line)).collect();
@@ -73,8 +78,8 @@ fn changed_lines_style(code: &str, old: &str) -> Option<String> {
     (2 * new.len() <= code.lines().count()).then(|| format!("; --changed: {bars}"))
 }
 
-/// The attribute that says where a reader may edit the code: for each place its name, and its
-/// start and length in letters as JavaScript counts them. See book/theme/line_editor.js.
+/// The attribute that says where a reader may edit the code. For each place, it has the name, and
+/// the start and length in UTF-16 code units, as JavaScript counts. See book/theme/line_editor.js.
 fn places_attribute(path: &str, code: &str) -> String {
     let letters = |text: &str| text.encode_utf16().count();
     let file = path.strip_prefix("steps/");
@@ -90,8 +95,8 @@ fn places_attribute(path: &str, code: &str) -> String {
     }
 }
 
-/// Code, after its language, from the file `path` under its caption; `part` says which of it, and
-/// the style `changed` marks lines.
+/// The Markdown of a listing. `part` is the HTML that says which part of the file at `path` it
+/// shows, and `changed` is the style that marks the new lines.
 fn figure_markdown(
     path: &str,
     attributes: &str,
@@ -116,8 +121,8 @@ fn figure_markdown(
     )
 }
 
-/// The lines of a part such as `use..impl Ray`, which begins and ends before what
-/// begins with these words.
+/// The lines of a part such as `use..impl Ray`: from the item that begins with the first words up
+/// to, but not including, the item that begins with the last. Either may be empty.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
@@ -129,8 +134,8 @@ fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     Ok(start..end)
 }
 
-/// The place of the first line, not before `start`, that begins with these words, or that of the
-/// comments and attributes above it.
+/// The index of the first line from `start` on that begins with these words. If there are comments
+/// and attributes directly above it, the index of the first of those.
 fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len()).find(has_words);

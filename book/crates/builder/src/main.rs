@@ -15,7 +15,7 @@ fn main() -> ExitCode {
     let result = match words[..] {
         [] => build_and_report(false),
         ["--open"] => build_and_report(true),
-        // What book/book.toml has mdBook run; it asks first.
+        // The command in book/book.toml. mdBook first asks whether it supports the output format.
         ["preprocess", "supports", _] => Ok(()),
         ["preprocess"] => preprocess_stdin(),
         _ => Err(anyhow!("Usage: cargo run -- [--open], where --open opens the book in a browser")),
@@ -25,14 +25,15 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Reads the book that mdBook hands over, and writes it with its chapters expanded.
+/// Reads the book that mdBook sends to stdin, and writes it to stdout with expanded chapters.
 fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
     let book = Course::beside_chapters(&workspace())?.run(&context, book)?;
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
-/// Says what it does. Where nobody listens any more, the book is built all the same.
+/// Builds the book and prints its progress. Errors of printing are ignored: the book is built even
+/// if nobody reads the output any more.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
     let _ = writeln!(stdout(), "Building the book …");
@@ -41,10 +42,10 @@ fn build_and_report(opens_browser: bool) -> Result<()> {
     let (count, time) = (site.chapters_in_order().len(), start.elapsed());
     let index = folder.join("index.html");
     let place = index.display();
-    let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nIt begins at {place}");
+    let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nThe first page is {place}");
     let patience = Duration::from_secs(2);
     if opens_browser && open::that_detached_with_timeout(&index, patience).is_err() {
-        let _ = writeln!(stdout(), "There is no browser here to open it with.");
+        let _ = writeln!(stdout(), "No browser could be started to open it.");
     }
     Ok(())
 }

@@ -1,3 +1,5 @@
+//! The gallery of a step's mistakes, each with its picture, its diff and its reason.
+
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
@@ -7,9 +9,9 @@ use crate::values::Values;
 use course::{Mistake, Step, mistakes};
 use figures::escape;
 
-/// The Markdown for `{{#mistakes step01_rays}}`: a contact sheet of the mistakes that are
-/// shown in the picture of that step, and then each with its picture, ours, where they
-/// differ, the diff, and what is to be said of it.
+/// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
+/// that step's picture, then a section for each, with its picture, ours, their difference, the diff
+/// and the reason.
 pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
@@ -31,7 +33,7 @@ pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResu
     Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
-/// Why a mistake is wrong, and a link to the section that tells.
+/// Why a mistake is wrong, with a link to the section that explains it.
 fn reason_markdown(mistake: &Mistake, values: &Values) -> ChapterResult<String> {
     let Mistake { step, section, reason, .. } = mistake;
     let is_of_program = mistake.file.ends_with("/program.rs");
@@ -43,8 +45,8 @@ fn reason_markdown(mistake: &Mistake, values: &Values) -> ChapterResult<String> 
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
-/// The picture with a mistake, ours of that step, and where they differ: the browser blends two
-/// pictures, one upon the other.
+/// The picture with a mistake, ours of that step, and their difference, for which the browser
+/// blends the two pictures.
 fn panels_html(
     yours: &str,
     step: Step,
@@ -66,7 +68,7 @@ fn panels_html(
     ))
 }
 
-/// The title of a mistake, with a capital letter, unless it begins with a symbol.
+/// The title of a mistake. It begins with a capital letter, unless it begins with a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
@@ -77,7 +79,7 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
     inline_html(&symbols_as_formulas(&title), values)
 }
 
-/// The lines of the file, and those that are written instead.
+/// The diff of a mistake: the right lines, and the wrong ones in their place.
 fn changed_lines_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {
@@ -92,7 +94,7 @@ fn changed_lines_html(mistake: &Mistake) -> String {
     )
 }
 
-/// The text, with symbols such as D_u as formulas.
+/// Turns symbols such as D_u into formulas.
 fn symbols_as_formulas(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let is_symbol = |k: usize| letters[k].is_uppercase() && letters.get(k + 1) == Some(&'_');

@@ -1,16 +1,16 @@
 //! The numbers in a text: values, which are computed when the book is built, and live numbers,
-//! which the page keeps up to date while its reader moves a figure.
+//! which the page updates while the reader moves a figure.
 
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
-/// A text with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it.
+/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a text.
 pub fn fill_in_text(text: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(text, |directive| number_html(directive, values))
 }
 
-/// The number of a directive in a text.
+/// The number for a directive in a text.
 pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<String> {
     match directive.kind {
         "value" => values.text(directive.words, Notation::Prose),
@@ -19,7 +19,7 @@ pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<Strin
     }
 }
 
-/// Code with the numbers of `{{#value name}}` in it.
+/// Fills in `{{#value name}}` in code.
 pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(code, |directive| match directive.kind {
         "value" => values.text(directive.words, Notation::Code),
@@ -28,9 +28,9 @@ pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     })
 }
 
-/// A formula with the numbers of `{{#value name}}` and `{{#number row:hRes}}` in it, which
-/// `to_mathml` converts. LaTeX can't say that a number is live, so each of those is converted as a
-/// text of its own, `live0`, `live1` and so on, which the number then replaces.
+/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts it by
+/// `to_mathml`. LaTeX has no notation for a live number, so each of them is converted as a
+/// placeholder, the text `live0`, `live1` and so on, which the number then replaces.
 pub fn fill_in_formula(
     latex: &str,
     values: &Values,
@@ -58,7 +58,7 @@ pub fn fill_in_formula(
     Ok(filled + rest)
 }
 
-/// The HTML of a number that the page keeps up to date, with its text for the default parameters.
+/// The HTML of a number that the page updates. Its text is that for the default parameters.
 pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
     let default_text = values.text(name, Notation::Prose)?;
     Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))

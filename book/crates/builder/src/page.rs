@@ -1,3 +1,5 @@
+//! The finished book as its readers get it: its pages, and the elements and text of each.
+
 use crate::Files;
 use anyhow::Result;
 use html5ever::tendril::StrTendril;
@@ -14,9 +16,9 @@ use std::path::Path;
 /// The book as a reader gets it.
 #[derive(Clone, Debug)]
 pub struct Site {
-    /// Every file of it.
+    /// All its files.
     pub files: Files,
-    /// Every page of it, by the name of its file.
+    /// All its pages, keyed by file name.
     pub pages: BTreeMap<String, Page>,
 }
 
@@ -33,9 +35,9 @@ impl Site {
         Self { files, pages }
     }
 
-    /// The pages in reading order, as the list of contents has them.
+    /// The pages in the order of the table of contents.
     ///
-    /// `index.html` is not one of them: it is the first page again.
+    /// `index.html` is not among them, since it repeats the first page.
     pub fn chapters_in_order(&self) -> Vec<&Page> {
         let page = &self.pages["index.html"];
         let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
@@ -48,29 +50,29 @@ impl Site {
 /// A page of the book: its elements, and its text.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// File name, such as `step01_rays.html`.
+    /// Its file name, such as `step01_rays.html`.
     pub name: String,
-    /// Each before those inside it.
+    /// Its elements, each before those inside it.
     pub elements: Vec<Element>,
-    /// With that of scripts and styles.
+    /// Its text, including that of scripts and styles.
     text: String,
 }
 
 /// An element of a page.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// Name of its tag, such as `figure`.
+    /// The name of its tag, such as `figure`.
     pub tag: String,
-    /// Names and values.
+    /// The names and values of its attributes.
     pub attributes: Vec<(String, String)>,
     /// The indices of the elements inside it.
     descendants: Range<usize>,
-    /// Range of its text in that of the page, in bytes.
+    /// The range of its text in the text of the page, in bytes.
     pub text: Range<usize>,
 }
 
 impl Element {
-    /// The value of an attribute.
+    /// The value of an attribute, or None if the element doesn't have it.
     pub fn attr(&self, name: &str) -> Option<&str> {
         let value = self.attributes.iter().find(|(other, _)| other == name);
         value.map(|(_, value)| &**value)
@@ -78,13 +80,13 @@ impl Element {
 }
 
 impl Page {
-    /// Reads the HTML of the page `name`. An element that has no end tag has nothing inside.
+    /// Parses the HTML of the page `name`. An element without an end tag counts as empty.
     pub fn parse(name: &str, html: &str) -> Self {
         let mut elements: Vec<Element> = vec![];
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for token in tokens(html) {
-            // What is before it and what is behind are no one word.
+            // The text before such a tag and the text after it are separate words.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
             }
@@ -118,22 +120,22 @@ impl Page {
         Self { name: name.to_owned(), elements, text }
     }
 
-    /// The values of an attribute, wherever it stands.
+    /// The values of an attribute, over all elements of the page.
     pub fn attribute_values(&self, attribute: &str) -> impl Iterator<Item = &str> {
         self.elements.iter().filter_map(move |element| element.attr(attribute))
     }
 
-    /// All elements inside another, from top to bottom.
+    /// All elements inside an element, from top to bottom.
     pub fn descendants(&self, element: &Element) -> &[Element] {
         &self.elements[element.descendants.clone()]
     }
 
-    /// The text of an element, with that of the elements in it.
+    /// The text of an element, including the elements inside it.
     pub fn text(&self, element: &Element) -> &str {
         &self.text[element.text.clone()]
     }
 
-    /// The text of an element without that of some in it.
+    /// The text of an element, without the elements inside it for which `is_left_out` is true.
     pub fn text_without(
         &self,
         element: &Element,
@@ -149,8 +151,7 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Address of an element, for the sentence about a fault: its page, and the last id
-    /// before it.
+    /// Where an element is, to be named in a fault: its page, and the last id before it.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));
@@ -158,7 +159,7 @@ impl Page {
     }
 }
 
-/// The tags and texts of a page.
+/// Splits the HTML of a page into tags and text.
 fn tokens(html: &str) -> Vec<Token> {
     let queue = BufferQueue::default();
     queue.push_back(StrTendril::from(html));
@@ -168,6 +169,7 @@ fn tokens(html: &str) -> Vec<Token> {
     tokenizer.sink.0.take()
 }
 
+/// Collects the tokens. The contents of scripts and styles aren't parsed as HTML.
 #[derive(Default)]
 struct Tokens(RefCell<Vec<Token>>);
 

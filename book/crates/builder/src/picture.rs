@@ -1,3 +1,5 @@
+//! Pictures: their alt text, their size, when they are loaded, and the figure around them.
+
 use crate::controls;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
@@ -10,19 +12,20 @@ use std::mem;
 /// When a browser loads a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loading {
-    /// At once and before others: the first picture of a page.
+    /// At once and before others, as the first picture of a page.
     AtOnce,
     /// When it comes into view.
     InView,
 }
 
 impl Loading {
-    /// How the next picture of a page is loaded. The ones after it wait until they come into view.
+    /// Returns how the next picture of a page is loaded. All later ones wait until they come into
+    /// view.
     pub fn next(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
 
-    /// The attribute of the picture.
+    /// The HTML attribute for this.
     pub fn attribute(self) -> &'static str {
         match self {
             Self::AtOnce => r#"fetchpriority="high""#,
@@ -31,28 +34,28 @@ impl Loading {
     }
 }
 
-/// A page for printing, on which every picture is loaded: one that waits to come into view wouldn't
-/// be on paper.
+/// Makes the page for printing load every picture at once. A picture that waits to come into view
+/// would be missing on paper.
 pub fn load_all_pictures(html: &str) -> String {
     html.replace(&format!(" {}", Loading::InView.attribute()), "")
 }
 
-/// A picture as a chapter asks for it: `![what it shows](generated/name.png "Caption")`, without
-/// its caption; what a mistake's picture shows, the list of mistakes says.
+/// The HTML of `![alt text](generated/name.png "Caption")`, without the caption. The alt text of a
+/// mistake's picture comes from the list of mistakes.
 pub fn markdown_html(
     markdown: &str,
     source: &str,
     sources: &Sources,
     loading: &mut Loading,
 ) -> ChapterResult<String> {
-    // The caption may hold links of its own; the alt text ends before the first.
+    // The caption may contain links, too, so the alt text ends at the first match.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
     html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
-/// The sentence of the list about the picture of a mistake; None for any other picture.
+/// What the list of mistakes says about a mistake's picture, or None for any other picture.
 fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
@@ -60,7 +63,7 @@ fn effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// A picture with this alt text, in its size.
+/// The HTML of a picture with this alt text, and with its width and height.
 pub fn html(
     alt: &str,
     source: &str,
@@ -88,7 +91,7 @@ pub fn html(
     ))
 }
 
-/// A figure of an image with its caption in Markdown, in which what is `live` answers.
+/// A figure with an image and a caption in Markdown. If `live` is given, it has its controls, too.
 pub fn figure_html(
     image: &str,
     caption: &str,

@@ -1,5 +1,5 @@
-//! The box "This pixel" below an interactive picture: everything on the way from the pixel that a
-//! reader chooses to its three bytes.
+//! The box "This pixel" below an interactive picture, which shows every number on the way from the
+//! chosen pixel's ray to its three bytes.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
@@ -7,10 +7,11 @@ use crate::values::{Notation, Values};
 use figures::short_name;
 use step03_nearest::OBJECTS;
 
-/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of this picture. Its text
-/// follows, with a `{{#number …}}` for each number that depends on the pixel, and `{{#end}}`.
+/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of this picture. The
+/// chapter goes on with its text, in which a `{{#number …}}` stands for each number that depends on
+/// the pixel, and ends it with `{{#end}}`.
 ///
-/// Hidden where no script can answer; see book/theme/figure.js.
+/// The box is hidden until book/theme/figure.js shows it, since nothing works without scripts.
 pub fn opening_html(picture: &str) -> String {
     format!(
         "<details data-panel=\"{picture}\" class=\"aside\" hidden>\
@@ -18,9 +19,9 @@ pub fn opening_html(picture: &str) -> String {
     )
 }
 
-/// The rows of a table for `{{#rows step04_diffuse sphere a b c}}`: the first row has the numbers
-/// a0, b0 and c0 of that picture, the next a1, b1 and c1, and so on for as long as the picture has
-/// the last of them. The column `sphere` has the name of the sphere.
+/// The rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has the numbers
+/// a0, b0 and c0 of that picture, the second a1, b1 and c1, and so on, as long as the picture has a
+/// number for the last column. The column `sphere` has the names of the spheres.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
@@ -30,7 +31,7 @@ pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let count = (0..)
         .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
         .count();
-    // A name that doesn't exist is a fault of the first row.
+    // If the last name doesn't exist at all, the first row reports it.
     (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 

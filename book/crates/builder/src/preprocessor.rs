@@ -1,3 +1,5 @@
+//! The preprocessor that mdBook calls to expand the chapters.
+
 use crate::fault::{Fault, Faults};
 use crate::files::CHAPTERS;
 use crate::sources::{GENERATED, Sources};
@@ -10,12 +12,12 @@ use std::mem;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The preprocessor of the chapters: expands directives.
+/// The preprocessor, which expands the directives of all chapters.
 pub struct Course(pub Arc<Sources>);
 
 impl Course {
-    /// Reads what the chapters of a workspace show, and writes beside them what mdBook copies
-    /// from there.
+    /// Reads the sources of a workspace, and writes the generated files beside the chapters, from
+    /// where mdBook copies them.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
         let sources = Sources::read(workspace)?;
@@ -25,15 +27,15 @@ impl Course {
 }
 
 impl Preprocessor for Course {
-    /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
+    /// The name is the one in `book.toml`, so that `cargo run` uses this preprocessor in place of
     /// the command there.
     fn name(&self) -> &str {
         "course"
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A book that is published has a link to our folder. One built at home was built in it, but
-        // may be copied elsewhere, so it doesn't name it.
+        // A published book links to the repository. A book that was built at home doesn't name the
+        // folder it was built in, since it may be copied elsewhere.
         let our_folder = match context.config.get::<String>("output.html.git-repository-url")? {
             Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
             None => {
@@ -45,7 +47,7 @@ impl Preprocessor for Course {
     }
 }
 
-/// Turns the chapters as they are written into plain Markdown.
+/// Expands all chapters in place, or reports the faults of all of them.
 fn expand_chapters(book: &mut Book, sources: &Sources, our_folder: &str) -> Result<()> {
     let (mut chapters, mut problems, mut faults) = (BTreeMap::new(), vec![], vec![]);
     for chapter in book.chapters() {

@@ -1,24 +1,24 @@
-//! Problems to be solved on paper, and the sheet that has those of all chapters once more.
+//! Problems to solve on paper, and the sheet that repeats those of all chapters.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box;
 use crate::values::Values;
 
-/// The words that a problem's text may have.
+/// The most words in the text of a problem.
 pub const MAX_WORDS: usize = 80;
 
-/// The line `{{#problem 7 0.622}}` that begins a problem. The problem's text follows,
-/// `{{#answer}}`, the way to the answer, and `{{#end}}`.
+/// The line that begins a problem, such as `{{#problem 7 0.622}}`. After it come the text of the
+/// problem, `{{#answer}}`, the way to the answer, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     /// The number of the problem, such as 7.
     pub number: String,
-    /// The number that solves it, as its author wrote it, such as 1,543,680.
+    /// The answer as the author wrote it, such as 1,543,680.
     pub answer: String,
 }
 
 impl Heading {
-    /// Reads the words of the directive.
+    /// Parses the words of the directive.
     pub fn parse(words: &str) -> ChapterResult<Self> {
         let (number, answer) = words.split_once(' ').ok_or(ChapterError::ProblemForm)?;
         let heading = Self { number: number.to_owned(), answer: answer.to_owned() };
@@ -26,13 +26,13 @@ impl Heading {
         if is_number { Ok(heading) } else { Err(ChapterError::ProblemForm) }
     }
 
-    /// The answer as programs read it.
+    /// The answer without commas, as programs read it.
     fn answer_digits(&self) -> String {
         self.answer.replace(',', "")
     }
 
-    /// The HTML that begins the problem. What a reader types in is compared by
-    /// book/theme/book.js: a whole number exactly, any other within 1 %.
+    /// The HTML that begins the problem. In the browser, book/theme/book.js compares the reader's
+    /// number with the answer: exactly if the answer is a whole number, otherwise within 1 %.
     pub fn html(&self) -> String {
         let (number, answer) = (&self.number, self.answer_digits());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
@@ -54,25 +54,25 @@ pub struct Problem {
     pub result: String,
 }
 
-/// A position in the text of a chapter, and in what the text is expanded to.
+/// A position in the text of a chapter, and the matching one in the expanded text.
 #[derive(Clone, Copy, Debug)]
 pub struct Position {
     pub in_text: usize,
     pub in_expanded: usize,
 }
 
-/// A problem that has begun and hasn't ended yet.
+/// A problem whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// None if the first line is faulty.
+    /// The first line, or None if it is an error.
     heading: Option<Heading>,
-    /// The beginning of the first line.
+    /// The start of the first line.
     pub start: usize,
     /// The end of the first line.
     text_start: Position,
-    /// The beginning of the answer.
+    /// The start of the answer.
     text_end: Option<Position>,
-    /// The first bold words of the answer.
+    /// The start and end of the first bold words of the answer.
     bold_start: Option<Position>,
     bold_end: Option<Position>,
 }
@@ -86,22 +86,22 @@ impl OpenProblem {
         self.text_end = Some(position);
     }
 
-    /// Notes where bold words begin, if they are the first of the answer.
+    /// Records where bold words begin, if they are the first of the answer.
     pub fn begin_bold_words(&mut self, position: Position) {
         if self.text_end.is_some() {
             self.bold_start.get_or_insert(position);
         }
     }
 
-    /// Notes where bold words end, if they are the first of the answer.
+    /// Records where bold words end, if they are the first of the answer.
     pub fn end_bold_words(&mut self, position: Position) {
         if self.bold_start.is_some() {
             self.bold_end.get_or_insert(position);
         }
     }
 
-    /// The problem, once its answer has ended. None if there is no answer or the first line is
-    /// faulty, which has been reported before.
+    /// Returns the problem, once its `{{#end}}` has been reached. Returns None if it has no answer
+    /// or its first line is an error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
         let (start, end) = (self.text_start, self.text_end?);
         let heading = self.heading?;
@@ -120,8 +120,9 @@ impl OpenProblem {
     }
 }
 
-/// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, each of which is a title
-/// and problems, and then their answers without the way, which are what is bold in the chapter.
+/// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, then their answers. Of each
+/// answer, only the first bold words are repeated, without the way to it. Each chapter is given by
+/// its title and its problems.
 pub fn sheet_markdown(
     chapters: &[(String, Vec<Problem>)],
     values: &Values,

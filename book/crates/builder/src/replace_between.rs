@@ -1,15 +1,17 @@
+//! Replaces the pieces of a text that stand between two marks.
+
 use thiserror::Error;
 
-/// The beginning of a piece that has no end.
+/// The error for a piece that begins but doesn't end.
 #[derive(Debug, Error, PartialEq)]
-#[error("{begin} is without its {end} in the same line")]
+#[error("{begin} isn't closed by {end}")]
 pub struct MissingEnd {
     begin: &'static str,
     end: &'static str,
 }
 
-/// A text in which each piece from `begin` to the next `end` is replaced by what `replacement`
-/// gives for the text between the two.
+/// Replaces each piece of a text from `begin` to the next `end` with what `replacement` returns for
+/// the text between the two.
 pub fn replace_between<E: From<MissingEnd>>(
     text: &str,
     begin: &'static str,

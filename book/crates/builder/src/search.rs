@@ -1,9 +1,11 @@
+//! The index that the search of the pages uses.
+
 use crate::page::Element;
 use crate::{Page, Site};
 use anyhow::Result;
 
-/// The script from which the search has the text of the book: for each page its name, its
-/// title, and the id, the title, the prose and the listings of each section.
+/// The script that gives the search the text of the book. For each page, it has the name, the
+/// title, and the id, title, prose and listings of each section.
 pub fn index_script(site: &Site) -> Result<String> {
     let pages = site.chapters_in_order().into_iter().map(|page| {
         let sections = sections(page);
@@ -20,7 +22,7 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // The text of what is inside a part was taken with it; the cover is a frame around parts.
+        // Elements inside a part have been read with it. The cover is only a frame around parts.
         if part.text.start < end || part.attr("class") == Some("cover") {
             continue;
         }
@@ -38,8 +40,8 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     sections.iter().map(|texts| texts.each_ref().map(join_words)).collect()
 }
 
-/// Whether an element isn't seen, is drawn, or is an answer or a hint, which a search would give
-/// away.
+/// Whether the search skips an element: it is hidden or a drawing, or it is an answer or a hint,
+/// which the search would give away.
 fn is_hidden(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"

@@ -1,3 +1,5 @@
+//! Everything that the chapters show: pictures, modules, and computed values.
+
 use crate::values::Values;
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
@@ -9,23 +11,23 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder, beside the chapters, of what a build makes for them.
+/// The folder, beside the chapters, of the files that a build generates for them.
 pub const GENERATED: &str = "generated/";
 
-/// What the chapters show.
+/// Everything that the chapters show.
 #[derive(Debug)]
 pub struct Sources {
-    /// Root of the workspace.
+    /// The root of the workspace.
     pub workspace: PathBuf,
-    /// Pictures and scripts that the pages find in `generated/`.
+    /// The pictures and scripts in `generated/`.
     pub generated: Files,
-    /// Numbers in the text.
+    /// The numbers in the text.
     pub values: Values,
 }
 
 impl Sources {
-    /// Takes the locked snapshots as they are, the pictures of the mistakes, the figures, and the
-    /// modules.
+    /// Reads the locked pictures, the pictures of the mistakes and the modules, and draws the
+    /// figures.
     pub fn read(workspace: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
@@ -55,21 +57,20 @@ impl Sources {
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 
-    /// Width and height, in pixels, of a picture that a chapter shows: a locked one, or one that
-    /// is made from code. None for any other.
+    /// The width and height, in pixels, of a picture in `generated/`, or None if it isn't there.
     pub fn picture_size(&self, source: &str) -> Option<(u32, u32)> {
         let file = self.generated.0.get(source.strip_prefix(GENERATED)?)?;
         ImageReader::new(Cursor::new(file)).with_guessed_format().ok()?.into_dimensions().ok()
     }
 }
 
-/// The name of a step's picture that is as small as those of mistakes.
+/// The name of a step's right picture at the size of the pictures of mistakes.
 pub fn small_picture_name(step: Step) -> String {
     format!("{}-small.png", step.name())
 }
 
-/// Inserts a script with these bytes in it: a page that was opened from a folder may load scripts,
-/// and nothing else.
+/// Inserts a script that contains these bytes. A page that was opened from a folder can load
+/// scripts but not data, so data has to come as a script.
 fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");

@@ -1,4 +1,4 @@
-//! What a chapter may hold, what its author is told, and what is done to a page.
+//! Tests of what a chapter may contain, which faults are reported, and how pages are checked.
 
 use crate::chapter::{ExpandedChapter, expand_chapter};
 use crate::problem::{self, Problem};
@@ -44,7 +44,7 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
         if !list.contains(&format!("*{kind}*")) && !list.contains(&format!("`{kind}`")) {
             faults.insert(format!("The list at the top of lib.rs has no {kind}."));
         }
-        // It is not expanded with its chapter, but before.
+        // The caller of `expand_chapter` gives the text of this one.
         if kind != "our-folder" && !expanded.contains(kind) {
             faults.insert(format!("tests/one_of_each.md has no {{{{#{kind}}}}}."));
         }
@@ -55,12 +55,12 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
 #[test]
 fn each_fault_is_told_with_its_line() {
     let faults = list_faults(include_str!("tests/faults.md"));
-    // Each system has its own words for a file that isn't there.
+    // The message for a file that doesn't exist differs between systems.
     let not_found = io::Error::from_raw_os_error(2).to_string();
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// What few programs but browsers know.
+/// Few programs except browsers support variables and `light-dark`.
 #[test]
 fn files_of_figures_have_a_plain_style() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
@@ -116,7 +116,7 @@ fn problems_are_numbered_as_they_are_read_and_answered_in_bold() {
     for (number, problem) in (1..).zip(&problems) {
         let Problem { heading, text, result } = problem;
         assert_eq!(heading.number, number.to_string(), "{text}");
-        // The sheet shows what is bold.
+        // The sheet repeats the bold words.
         let bold = result.trim_matches('*').trim_end_matches(['.', '°', '%']).trim_end();
         assert_eq!(heading.answer, bold, "{text}");
     }

@@ -1,11 +1,11 @@
 //! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
 //!
-//! - `LIVE:NAME` is a number of a figure at its defaults, such as `row:D`;
-//! - `LIVE:I,J:NAME` is one of the trace of a pixel, such as `step04_diffuse:470,120:t`;
-//! - `R_d:OBJECT` is the R_d of an object of the scene, such as `R_d:salmon sphere`;
-//! - `NAME` is a count over the rays or pixels of a whole picture, or their largest change.
+//! - `LIVE:NAME` is a number of a figure with its default parameters, such as `row:D`.
+//! - `LIVE:I,J:NAME` is a number from the trace of a pixel, such as `step04_diffuse:470,120:t`.
+//! - `R_d:OBJECT` is the R_d of an object of the scene, such as `R_d:salmon sphere`.
+//! - `NAME` is a count of rays or pixels over a whole picture, or their largest change.
 //!
-//! All numbers of a figure are computed at once, and kept for the others that chapters ask for.
+//! All numbers of a figure are computed together and kept, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
@@ -26,15 +26,14 @@ pub enum Notation {
     Code,
 }
 
-/// The values that the chapters ask for.
+/// The values that the chapters use.
 #[derive(Debug, Default)]
 pub struct Values {
-    /// The numbers of each figure and pixel so far, since all numbers of a figure are computed
-    /// together.
+    /// The numbers of each figure and pixel that has been used so far.
     numbers: Mutex<BTreeMap<FigureAndPixel, Numbers>>,
 }
 
-/// The name of a figure, and a pixel such as `470,120` if it isn't the default one.
+/// The name of a figure, and a pixel such as `470,120`, or None for the default one.
 type FigureAndPixel = (String, Option<String>);
 
 impl Values {
@@ -52,8 +51,8 @@ impl Values {
         })
     }
 
-    /// A number such as `D` of a figure at its defaults, or such as `470,120:t` of a picture with a
-    /// probe.
+    /// A number of a figure with its default parameters, such as `D`, or of a pixel of a picture
+    /// with a probe, such as `470,120:t`.
     fn figure_number(&self, name: &str, number: &str) -> Option<String> {
         let figure = figures::find(name)?;
         let (pixel, number) = match number.split_once(':').filter(|_| figure.has_probe()) {
@@ -70,7 +69,8 @@ impl Values {
     }
 }
 
-/// All numbers of a figure, for this pixel of a picture; None if there is no such pixel.
+/// Computes all numbers of a figure, at this pixel if one is given. Returns None if there is no
+/// such pixel.
 fn compute_numbers(figure: &Figure, pixel: Option<&str>) -> Option<Numbers> {
     let mut values = figure.default_values();
     if let Some(pixel) = pixel {
@@ -81,7 +81,7 @@ fn compute_numbers(figure: &Figure, pixel: Option<&str>) -> Option<Numbers> {
     is_allowed.then(|| (figure.numbers)(&values))
 }
 
-/// The count of this name.
+/// The count with this name.
 fn count(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -95,7 +95,7 @@ fn count(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // The sphere behind the eye: its roots are below 0.
+        // The sphere behind the eye, whose roots are negative.
         "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => changes_without_gate().len(),
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
@@ -103,7 +103,7 @@ fn count(name: &str) -> Option<usize> {
     })
 }
 
-/// The R_d of the object of this name in the scene.
+/// The R_d of the object with this name in the scene.
 fn diffuse_reflectance_text(object: &str) -> Option<String> {
     let object = scene().objects.into_iter().find(|one| one.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
@@ -114,13 +114,13 @@ fn count_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
     primary_rays().filter(predicate).count()
 }
 
-/// The places in the list of the objects that a ray meets.
+/// The indices of the objects that a ray hits.
 fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     let has_hit = |k: &usize| OBJECTS[*k].sphere.intersect(ray).first_hit().is_some();
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// How far each pixel changes without the test of n·l, where it does.
+/// By how much the pixels change without the test of n·l, for those that do.
 fn changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));
@@ -138,7 +138,7 @@ mod tests {
     fn numbers_of_a_figure_are_computed_once() {
         let values = Values::default();
         values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
-        // Had it computed the next number anew, it wouldn't find this one.
+        // If the numbers were computed again, this one would be lost.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
         let mut known = values.numbers.lock().expect("a map");
         let numbers = known.get_mut(&key).expect("the numbers of the pixel");

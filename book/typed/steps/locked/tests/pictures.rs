@@ -1,3 +1,5 @@
+//! The picture of each step, compared with a snapshot.
+
 use std::{fs, path, process::Command};
 
 fn lock(step: &str) {
