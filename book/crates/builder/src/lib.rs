@@ -24,8 +24,11 @@
 //! - A `problem` is to be solved on paper. It has a number for an answer, and the box `answer` holds
 //!   the way to it. `problem-sheet` shows the problems of all chapters once more.
 //! - `mistakes` are those of a step, with a picture each.
-//! - `check` is the form that a picture is dropped into. `by-hand` names the test of what was worked
-//!   out above it. `rust` is a margin note on Rust that a beginner won't know yet.
+//! - `check` is the form that a picture is dropped into.
+//! - A `note` is one paragraph, about something beside the line of the chapter, such as history, an
+//!   opinion or a letter that is used twice. Bold words at its beginning are its label. `rust` is a
+//!   note on Rust that a beginner won't know yet, and `by-hand` names the test of what was worked
+//!   out. Notes follow the block that they stand beside, in the margin if there is room for one.
 //! - `our-folder` says where the source of the book is.
 //!
 //! A *fault* is an error on a line of a chapter, which only its author can mend. The build reports
@@ -51,6 +54,7 @@ mod figure;
 mod folded_box;
 mod listing;
 mod mistake_gallery;
+mod note;
 mod picture;
 mod pixel_panel;
 mod problem;

@@ -20,8 +20,9 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // The text of what is inside a part was taken with it; the cover is a frame around parts.
-        if part.text.start < end || part.attr("class") == Some("cover") {
+        // The text of what is inside a part was taken with it. Some elements are frames around parts.
+        let is_frame = matches!(part.attr("class"), Some("cover" | "with-margin"));
+        if part.text.start < end || is_frame {
             continue;
         }
         end = part.text.end;
