@@ -6,8 +6,8 @@ use crate::markdown;
 use crate::picture::{self, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
-    Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, numbers,
-    pixel_panel,
+    Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, note,
+    numbers, pixel_panel,
 };
 use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{
@@ -55,6 +55,7 @@ pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> Expand
         faults: vec![],
         listings: vec![],
         loading: Loading::AtOnce,
+        noted_blocks: vec![],
         open_box: None,
         open_problem: None,
         problems: vec![],
@@ -86,6 +87,8 @@ struct Chapter<'a> {
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: Loading,
+    /// The ranges of the text that are a block and the notes beside it.
+    noted_blocks: Vec<Range<usize>>,
     /// The position where the open box begins.
     open_box: Option<usize>,
     open_problem: Option<OpenProblem>,
@@ -145,9 +148,15 @@ impl<'a> Chapter<'a> {
         let mut nesting = 0;
         let parser = Parser::new_ext(self.text, markdown::markdown_options());
         let events: Vec<_> = TextMergeWithOffset::new(parser.into_offset_iter()).collect();
+        self.noted_blocks = note::find_noted_blocks(self.text, &events);
         for (index, (event, range)) in events.iter().enumerate() {
             match event {
-                Event::Start(_) => nesting += 1,
+                Event::Start(_) => {
+                    nesting += 1;
+                    if nesting == 1 {
+                        self.begin_noted_block(range.start);
+                    }
+                }
                 Event::End(_) => nesting -= 1,
                 _ => {}
             }
@@ -168,6 +177,27 @@ impl<'a> Chapter<'a> {
         if let Some((position, picture)) = self.missing_panel {
             self.add_fault(position, ChapterError::MissingPanel(picture));
         }
+    }
+
+    /// Opens the frame around a block and its notes, if the block at this position has any.
+    fn begin_noted_block(&mut self, start: usize) {
+        if self.noted_blocks.iter().any(|block| block.start == start) {
+            self.copy_until(start);
+            self.expanded += note::OPENING_HTML;
+        }
+    }
+
+    /// A note, and the end of the frame around its block if it is the last one there.
+    fn expand_note(
+        &self,
+        html: ChapterResult<String>,
+        range: &Range<usize>,
+    ) -> ChapterResult<String> {
+        let is_inside = |block: &&Range<usize>| block.contains(&range.start);
+        let block = self.noted_blocks.iter().find(is_inside);
+        let block = block.ok_or(ChapterError::NoteWithoutBlock)?;
+        let closing = if block.end == range.end { note::CLOSING_HTML } else { "" };
+        html.map(|html| html + closing)
     }
 
     /// The replacement for a part of the chapter, or None if the text stays as it is.
@@ -269,16 +299,13 @@ impl<'a> Chapter<'a> {
             return self.expand_pictures_alone(events, range);
         };
         let values = &self.sources.values;
+        if let Some(html) = note::html(Directive { kind, words }, values) {
+            return Some(self.expand_note(html, range));
+        }
         Some(match (kind, words) {
             ("figure", name) => figure::html(name, values),
             ("check", name) => check_form::html(name, self.sources),
             ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
-            ("by-hand", test) => {
-                let name = markdown::code_with_break_hints(test);
-                Ok(format!("<p class=\"by-hand\">Test: {name}</p>\n"))
-            }
-            ("rust", words) => markdown::inline_html(words, values)
-                .map(|words| format!("<p class=\"new-rust\"><b>New Rust here</b> {words}</p>\n")),
             ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
                 Err(ChapterError::ProblemInBox)
             }

@@ -95,6 +95,12 @@ pub enum ChapterError {
     #[error("a console is marked ours, yours, yours,refused or yours,fails")]
     ConsoleForm,
 
+    #[error(
+        "a note follows the block that it stands beside: a paragraph, a list, a table, a listing, \
+         a picture or a figure"
+    )]
+    NoteWithoutBlock,
+
     #[error("a box can't hold another box")]
     BoxInBox,
     #[error("the box has no {{{{#end}}}}")]

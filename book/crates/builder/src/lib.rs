@@ -24,9 +24,12 @@
 //! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
 //!   there. `problem-sheet` repeats the problems of all chapters.
 //! - `mistakes` is a gallery of the mistakes of a step, each with its picture.
-//! - `check` is the form that says whether a picture is right. `by-hand` names the test of the
-//!   numbers that were worked out above it.
-//! - `rust` is a margin note on Rust that a beginner won't know yet.
+//! - `check` is the form that says whether a picture is right.
+//! - A `note` is one paragraph about something beside the line of the chapter, such as history, an
+//!   opinion, or a letter that is used twice. Bold words at its beginning are its label. `rust` is a
+//!   note on Rust that a beginner won't know yet, and `by-hand` names the test of the numbers that
+//!   were worked out above it. Notes follow the block that they stand beside, and go into the margin
+//!   if there is room for one.
 //! - `our-folder` says where the source of the book is.
 //!
 //! A *fault* is an error on a line of a chapter, for its author to mend. The build reports all
@@ -52,6 +55,7 @@ mod figure;
 mod folded_box;
 mod listing;
 mod mistake_gallery;
+mod note;
 mod picture;
 mod pixel_panel;
 mod problem;

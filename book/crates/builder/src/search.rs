@@ -22,8 +22,9 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // Elements inside a part have been read with it. The cover is only a frame around parts.
-        if part.text.start < end || part.attr("class") == Some("cover") {
+        // Elements inside a part have been read with it. Some elements are only frames around parts.
+        let is_frame = matches!(part.attr("class"), Some("cover" | "with-margin"));
+        if part.text.start < end || is_frame {
             continue;
         }
         end = part.text.end;

@@ -1,0 +1,112 @@
+//! Notes, which stand in the margin beside the block of the chapter that they follow.
+
+use crate::directive::Directive;
+use crate::fault::ChapterResult;
+use crate::markdown;
+use crate::values::Values;
+use mdbook_markdown::pulldown_cmark::{Event, Tag};
+use std::ops::Range;
+
+/// Begins a block and the notes that stand beside it.
+pub const OPENING_HTML: &str = "<div class=\"with-margin\">\n\n";
+/// Ends the last of the notes.
+pub const CLOSING_HTML: &str = "\n</div>\n\n";
+
+/// The HTML of a note: `{{#note words}}`, `{{#rust words}}` or the name of a test, `{{#by-hand
+/// test}}`. None for a directive of another kind.
+pub fn html(directive: Directive, values: &Values) -> Option<ChapterResult<String>> {
+    let label = match directive.kind {
+        "note" => "",
+        "rust" => "<strong>New Rust here</strong> ",
+        "by-hand" => {
+            let name = markdown::code_with_break_hints(directive.words);
+            return Some(Ok(format!("<p class=\"by-hand\" role=\"note\">Test: {name}</p>\n")));
+        }
+        _ => return None,
+    };
+    let class = if label.is_empty() { "note" } else { "note rust" };
+    Some(
+        markdown::inline_html(directive.words, values).map(|words| {
+            format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n")
+        }),
+    )
+}
+
+/// The ranges of the chapter that are a block and the notes after it. A heading is no such block,
+/// nor is what begins or ends a box, nor HTML.
+pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
+    let mut noted: Vec<Range<usize>> = vec![];
+    // The last block, with its notes so far, if it can have any.
+    let mut block: Option<Range<usize>> = None;
+    let mut nesting = 0;
+    for (event, range) in events {
+        match event {
+            Event::Start(tag) => {
+                nesting += 1;
+                if nesting > 1 {
+                    continue;
+                }
+                let directive = Directive::parse(&text[range.clone()]);
+                let kind = directive.filter(|_| *tag == Tag::Paragraph).map(|found| found.kind);
+                if !matches!(kind, Some("note" | "rust" | "by-hand")) {
+                    block = can_have_notes(tag, kind).then(|| range.clone());
+                } else if let Some(block) = &mut block {
+                    noted.pop_if(|last| last.start == block.start);
+                    block.end = range.end;
+                    noted.push(block.clone());
+                }
+            }
+            Event::End(_) => nesting -= 1,
+            _ if nesting == 0 => block = None,
+            _ => {}
+        }
+    }
+    noted
+}
+
+/// Whether notes may follow a block, which may be a paragraph with one directive of this `kind`.
+fn can_have_notes(tag: &Tag, kind: Option<&str>) -> bool {
+    match tag {
+        Tag::Paragraph => matches!(kind, None | Some("figure" | "check" | "value" | "number")),
+        Tag::List(_) | Tag::Table(_) | Tag::CodeBlock(_) | Tag::BlockQuote(_) => true,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mdbook_markdown::pulldown_cmark::Parser;
+
+    /// The blocks of a chapter that have notes, with their notes.
+    fn noted_blocks(text: &str) -> Vec<&str> {
+        let parser = Parser::new_ext(text, markdown::markdown_options());
+        let events: Vec<_> = parser.into_offset_iter().collect();
+        let ranges = find_noted_blocks(text, &events).into_iter();
+        ranges.map(|range| text[range].trim_end()).collect()
+    }
+
+    #[test]
+    fn notes_belong_to_the_block_before_them() {
+        let two = "A.\n\n{{#note B.}}\n\n{{#by-hand c}}";
+        let list = "- D\n\n  E\n\n{{#rust F.}}";
+        let listing = "```rust\n# G\n```\n{{#note\nH.}}";
+        let text = format!("{two}\n\nText.\n\n{list}\n\n{listing}\n");
+        assert_eq!(noted_blocks(&text), [two, list, listing]);
+    }
+
+    #[test]
+    fn note_without_a_block_before_it_has_none() {
+        for text in [
+            "{{#note A.}}",
+            "# A\n\n{{#note B.}}",
+            "A.\n\n</div>\n\n{{#note B.}}",
+            "A.\n\n---\n\n{{#note B.}}",
+            "{{#predict A?}}\n\n{{#note B.}}",
+            "A.\n\n{{#end}}\n\n{{#note B.}}",
+            "> {{#note A.}}",
+        ] {
+            assert_eq!(noted_blocks(text), [""; 0], "{text}");
+        }
+    }
+}

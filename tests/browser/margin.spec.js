@@ -1,0 +1,121 @@
+// Notes stand in the margin, level with their blocks, where there is room for a margin; elsewhere they follow
+// their blocks.
+import { chapters } from './book.js';
+import { expect, open, test } from './fixtures.js';
+
+const SIDE_BY_SIDE = [1100, 1280, 1440, 1920];
+
+// Opens a page, with all of it laid out.
+async function openWhole(page, address) {
+  await open(page, address);
+  await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
+}
+
+// The boxes of the text and of each block with its notes, in pixels of the page.
+const measure = () => {
+  const box = part => {
+    const { left, right, top, bottom } = part.getBoundingClientRect();
+    return { name: part.textContent.trim().slice(0, 30), left, right, top: top + scrollY, bottom: bottom + scrollY };
+  };
+  const main = document.querySelector('main');
+  return {
+    page: document.documentElement.clientWidth,
+    edge: box(document.querySelector('main > h1, main > .cover')).left + Number.parseFloat(getComputedStyle(document.querySelector('footer')).maxWidth),
+    // All that a reader sees in the text: each ends at its right edge, or before.
+    blocks: [...main.querySelectorAll(':scope > :not(.with-margin, .panels), :scope > .with-margin > :first-child')].map(box),
+    frames: [...main.querySelectorAll(':scope > .with-margin')].map(frame => ({
+      block: box(frame.firstElementChild),
+      notes: [...frame.querySelectorAll(':scope > .note, :scope > .by-hand')].map(note => ({ ...box(note), cut: note.clientWidth && note.scrollWidth - note.clientWidth })),
+    })),
+    tools: [...main.querySelectorAll('.tool')].map(box),
+    height: document.documentElement.scrollHeight,
+  };
+};
+
+// What is wrong with notes that stand beside their blocks.
+function findFaults({ page, edge, blocks, frames, height }) {
+  const faults = blocks.filter(({ right }) => right > edge + 1).map(({ name, right }) => `${name} ends ${right - edge} px behind the text`);
+  let end = 0;
+  for (const { block, notes } of frames) {
+    for (const { name, left, right, top, bottom, cut } of notes) {
+      const level = Math.max(block.top, end);
+      if (top < end) faults.push(`${name} covers the note before it`);
+      if (top > level + 30) faults.push(`${name} begins ${top - level} px below its place`);
+      if (left < edge + 20 || right > page || cut > 0 || bottom > height) faults.push(`${name} is not in the margin, or cut off`);
+      end = bottom;
+    }
+  }
+  return faults;
+}
+
+for (const width of SIDE_BY_SIDE) {
+  test(`notes stand beside their blocks at ${width} pixels, and none covers another`, async ({ page, home }) => {
+    test.setTimeout(180_000);
+    await page.setViewportSize({ width, height: 900 });
+    let count = 0;
+    for (const name of chapters) {
+      await openWhole(page, home + name);
+      const layout = await page.evaluate(measure);
+      expect.soft(findFaults(layout), name).toEqual([]);
+      count += layout.frames.flatMap(({ notes }) => notes).length;
+    }
+    expect(count).toBeGreaterThan(50);
+  });
+}
+
+test('notes that are too long for their blocks push each other down, and do not move the text', async ({ page, home }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openWhole(page, `${home}step02_sphere.html`);
+  const { blocks } = await page.evaluate(measure);
+  await page.locator('.with-margin > .note').evaluateAll(notes => notes.forEach(note => { note.textContent = note.textContent.repeat(9); }));
+  const layout = await page.evaluate(measure);
+  expect(findFaults(layout)).toEqual([]);
+  expect(layout.frames.some(({ block, notes }) => notes.some(({ top }) => top > block.bottom)), 'one is pushed down').toBe(true);
+  // A figure that becomes ready grows meanwhile.
+  const gaps = blocks => blocks.slice(1).map(({ top }, k) => Math.round(top - blocks[k].bottom));
+  expect(gaps(layout.blocks)).toEqual(gaps(blocks));
+});
+
+for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']]) {
+  test(`notes follow their blocks at ${width} pixels (${media})`, async ({ page, home, browserName }) => {
+    test.skip(media === 'print' && browserName !== 'chromium', 'only Chromium shows a page as if printed');
+    await page.setViewportSize({ width, height: 900 });
+    await page.emulateMedia({ media });
+    await openWhole(page, `${home}step02_sphere.html`);
+    const { frames } = await page.evaluate(measure);
+    for (const { block, notes } of frames) {
+      let end = block.bottom - 30; // The name of a test may end the last line.
+      for (const { name, top, bottom, right, cut } of notes) {
+        expect.soft(top, name).toBeGreaterThan(end);
+        expect.soft(right, name).toBeLessThanOrEqual(width);
+        expect.soft(cut, name).toBeLessThanOrEqual(0);
+        end = bottom - 30;
+      }
+    }
+  });
+}
+
+test('a tool that is open takes the margin, and the notes beside it follow their blocks', async ({ page, home }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openWhole(page, `${home}step02_sphere.html`);
+  const index = 2; // With notes above it and below.
+  await page.evaluate(index => {
+    const tool = Object.assign(document.createElement('div'), { className: 'tool', textContent: 'A tool' });
+    document.querySelectorAll('main > .with-margin')[index].firstElementChild.after(tool);
+  }, index);
+  const { edge, frames, tools: [{ left, top, bottom }] } = await page.evaluate(measure);
+  const { block } = frames[index];
+  expect(left).toBeGreaterThan(edge);
+  expect(bottom - top).toBeGreaterThan(block.bottom - block.top - 1);
+  expect(top).toBeGreaterThan(Math.max(block.top, frames[index - 1].notes.at(-1).bottom) - 1);
+  expect(top).toBeLessThan(block.top + 30);
+  for (const { notes } of frames.slice(0, index)) {
+    for (const { left, name } of notes) expect.soft(left, name).toBeGreaterThan(edge);
+  }
+  for (const { block, notes } of frames.slice(index)) {
+    for (const { right, top, name } of notes) {
+      expect.soft(right, name).toBeLessThanOrEqual(edge + 1);
+      expect.soft(top, name).toBeGreaterThan(block.bottom - 30);
+    }
+  }
+});
