@@ -3,7 +3,7 @@
 import { chapters } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-const SIDE_BY_SIDE = [1100, 1280, 1440, 1920];
+const SIDE_BY_SIDE = [1100, 1440, 1920];
 
 // Opens a page, with all of it laid out.
 async function openWhole(page, address) {
