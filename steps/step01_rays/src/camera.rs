@@ -32,7 +32,7 @@ impl Camera {
             h_res >= 2 && v_res >= 1,
             "a picture has at least 2×1 pixels, not {h_res}×{v_res}"
         );
-        // Half of the way from the first column to the last, at distance 1 from the eye.
+        // Half of the way from the first column to the last, at a distance of 1.
         let tan = (field_of_view / 2.0).tan();
         // The number of steps from the first column to the last, and from the first
         // row to the last.
@@ -41,8 +41,8 @@ impl Camera {
         // Pixels are square, so a step right and a step down have the same length,
         // 2 tan / steps_right. The top left pixel lies half of the steps to the left
         // of the middle, (0, 0, −1), and half of the steps above it:
-        //     (steps_right / 2) · (2 tan / steps_right) = tan
-        //     (steps_down / 2) · (2 tan / steps_right) = (steps_down / steps_right) tan
+        // (steps_right / 2) (2 tan / steps_right) = tan, and
+        // (steps_down / 2) (2 tan / steps_right) = (steps_down / steps_right) tan.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

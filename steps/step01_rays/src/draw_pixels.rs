@@ -10,8 +10,8 @@ pub fn draw_pixels(
 ) -> RgbImage {
     let mut image = RgbImage::new(camera.h_res, camera.v_res);
     let rows = image.enumerate_rows_mut();
-    // Each row comes with its number, which isn't needed: each pixel of the row comes
-    // with its own i and j.
+    // Each row comes with its number, which isn't needed: each pixel of the row
+    // comes with its own i and j.
     rows.par_bridge().for_each(|(_, row)| {
         for (i, j, rgb) in row {
             *rgb = pixel(f64::from(i), f64::from(j));

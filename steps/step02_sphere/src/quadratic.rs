@@ -14,9 +14,9 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// This is the plain formula of the lecture. If b² is much larger than 4ac, one of
-/// its roots is the difference of two nearly equal numbers, and loses digits. With 64
-/// bits, that doesn't change any picture of this course.
+/// This is the plain formula of the lecture. Careful libraries compute a root in
+/// which nearly equal numbers are subtracted in another way, since it loses digits.
+/// With 64 bits, that doesn't change any picture of this course.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
@@ -37,8 +37,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Roots {
 
 impl IntoIterator for Roots {
     type Item = f64;
-    // What `into_iter` returns below: `array::IntoIter<Option<f64>, 2>` goes through an
-    // array of two `Option`s, and `Flatten` around it leaves out each `None`.
+    // What `into_iter` returns below: an `array::IntoIter` over two `Option`s, and
+    // around it a `Flatten`, which leaves out each `None`.
     type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.

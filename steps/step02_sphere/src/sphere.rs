@@ -22,9 +22,9 @@ impl Sphere {
         Self { centre: DVec3::from_array(centre), radius }
     }
 
-    /// The a, b and c of at² + bt + c = 0, for the t at which the line of `ray` meets
-    /// the sphere. Let s lead from the centre to the start of the ray. Then s + tV
-    /// leads from the centre to the point at t, which is on the sphere if
+    /// The a, b and c of at² + bt + c = 0, for the t at which the line of `ray`
+    /// meets the sphere. Let s lead from the centre to the start of the ray. Then
+    /// s + tV leads from the centre to the point at t, which is on the sphere if
     /// |s + tV|² = radius². Multiplied out, that is at² + bt + c = 0.
     pub fn coefficients(&self, ray: &Ray) -> (f64, f64, f64) {
         let s = ray.start - self.centre;
