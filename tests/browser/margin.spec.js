@@ -27,14 +27,19 @@ const measure = () => {
       block: box(frame.firstElementChild),
       notes: [...frame.querySelectorAll(':scope > .note, :scope > .by-hand')].map(note => ({ ...box(note), cut: note.clientWidth && note.scrollWidth - note.clientWidth })),
     })),
+    // Listings that scroll, though their lines have at most 84 columns.
+    narrow: [...main.querySelectorAll('.listing > pre')]
+      .filter(pre => pre.scrollWidth > pre.clientWidth && pre.textContent.split('\n').every(line => line.length <= 84))
+      .map(pre => pre.parentElement.dataset.path),
     tools: [...main.querySelectorAll('.tool')].map(box),
     height: document.documentElement.scrollHeight,
   };
 };
 
 // What is wrong with notes that stand beside their blocks.
-function findFaults({ page, edge, blocks, frames, height }) {
+function findFaults({ page, edge, blocks, frames, narrow, height }) {
   const faults = blocks.filter(({ right }) => right > edge + 1).map(({ name, right }) => `${name} ends ${right - edge} px behind the text`);
+  faults.push(...narrow.map(path => `${path} scrolls`));
   let end = 0;
   for (const { block, notes } of frames) {
     for (const { name, left, right, top, bottom, cut } of notes) {
