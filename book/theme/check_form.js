@@ -16,9 +16,8 @@
     const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
 
     // What is shown of an answer: its lines, and the pictures side by side.
-    function makeReport({ text, size, pixels }) {
-        const [verdict, ...lines] = text.split("\n");
-        const report = make("span", { class: "report" }, make("b", {}, verdict), lines.join("\n"));
+    function makeReport({ lines: [headline, ...details], size, pixels }) {
+        const report = make("span", { class: "report" }, make("b", {}, headline), details.join("\n"));
         if (!size) return [report];
         const width = size[0] / 3;
         const panels = LABELS.map((label, k) => {

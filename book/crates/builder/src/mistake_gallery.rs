@@ -13,7 +13,7 @@ use figures::escape;
 pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
-    for mistake in &mistakes() {
+    for mistake in mistakes() {
         let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
             continue;
         };

@@ -51,7 +51,8 @@ impl Sources {
             insert_script(files, &format!("{name}-module"), &module);
         }
         files.extend(figure_file::svg_files(workspace)?);
-        insert_script(files, "mistakes", course::mistake_texts().join("\0").as_bytes());
+        let texts = course::mistake_texts().map(|texts| texts.join()).unwrap_or_default();
+        insert_script(files, "mistakes", texts.as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 

@@ -3,7 +3,8 @@
 //! green 0.7 + 0.3 V_y, and V is D_u i + D_v j + V_0, so that each byte bounds the number.
 
 use crate::comparison::{Budget, Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::number_format::with_minus;
+use crate::step_scene::StepScene;
 use course::{Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
@@ -18,24 +19,24 @@ struct MatrixNumber {
 /// The cameras that give the reader's picture in every pixel, in words.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
     let mut gives_picture = |camera: &Camera| {
-        let ray = |pixel: &Pixel| camera.ray(pixel.place.0.into(), pixel.place.1.into());
-        budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours)
+        let ray = |pixel: &Pixel| camera.ray(pixel.position.0.into(), pixel.position.1.into());
+        budget.holds_for_all(&mut pixels, 1, |pixel| scene.bytes(&ray(pixel)) == pixel.yours)
     };
     let written = written_cameras().into_iter().filter(|(camera, _)| gives_picture(camera));
     let mut words: Vec<_> = written.map(|(_, words)| words).collect();
     if words.is_empty() {
         words.extend(MatrixNumber::all().filter_map(|number| {
-            let mut values = values_told_by_sky(comparison, drawing, number).into_iter();
+            let mut values = values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
         }));
     }
-    if drawing.step == Step::Rays && !words.is_empty() {
+    if scene.step == Step::Rays && !words.is_empty() {
         words.push("other colours of the directions".into());
     }
     words
@@ -61,7 +62,7 @@ impl MatrixNumber {
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
-        format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()).replace('-', "−")
+        with_minus(&format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()))
     }
 }
 
@@ -113,12 +114,8 @@ fn written_cameras() -> Vec<(Camera, String)> {
 
 /// Values of a number that fit the sky, those with the fewest digits first: the objects need it
 /// more exactly than the sky tells. None where ours fits, too.
-fn values_told_by_sky(
-    comparison: &Comparison,
-    drawing: &Drawing,
-    number: MatrixNumber,
-) -> Vec<f64> {
-    let Some(bounds) = bound_by_sky(comparison, drawing, number) else { return vec![] };
+fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
+    let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.ours(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
@@ -141,28 +138,29 @@ fn values_told_by_sky(
 /// None where no value does.
 fn bound_by_sky(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     MatrixNumber { column, row }: MatrixNumber,
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
     // The sky is 255 in blue, and the other number of V is ours. Lights make such pixels of
     // objects, too, but hardly any above.
-    let rows = if drawing.step < Step::Diffuse { 0..360 } else { 0..120 };
+    let rows = if scene.step < Step::Diffuse { 0..360 } else { 0..120 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
         hit.is_none() && yours[2] == 255 && yours[1 - row] == ours[1 - row]
     };
-    for pixel in comparison.pixels().filter(|pixel| rows.contains(&pixel.place.1)).filter(is_sky) {
+    for pixel in comparison.pixels().filter(|pixel| rows.contains(&pixel.position.1)).filter(is_sky)
+    {
         let byte = f64::from(pixel.yours[row]);
         if !(1.0..255.0).contains(&byte) {
             continue;
         }
-        let factor = f64::from([pixel.place.0, pixel.place.1, 1][column]);
+        let factor = f64::from([pixel.position.0, pixel.position.1, 1][column]);
         let other_terms = pixel.ray.direction[row] - factor * matrix.col(column)[row];
         let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - other_terms;
         let [low, high] = [bound(byte - 0.5), bound(byte + 0.5)];
-        if 0.0 < factor {
+        if factor > 0.0 {
             (least, most) = (least.max(low / factor), most.min(high / factor));
         }
         if most < least || factor == 0.0 && !(low..=high).contains(&0.0) {

@@ -1,28 +1,34 @@
+//! Numbers of the scene that a reader may have typed differently.
+
 use crate::comparison::{Budget, Comparison};
-use crate::drawing::Drawing;
+use crate::number_format::{format_as_typed, with_minus};
+use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Typed};
 
 /// All single numbers of the scene, typed otherwise, that give the reader's picture in every
 /// pixel, in words.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
-    let own = OwnScene::new(drawing.own.scene.clone());
-    let mut changed = Drawing { own, ..*drawing };
+    let own = OwnScene::new(scene.own.scene.clone());
+    let mut changed = StepScene { own, ..*scene };
     let mut words = vec![];
     for quantity in QUANTITIES {
-        let Some(typed) = quantity.typed.filter(|typed| typed.since <= drawing.step) else {
+        let Some(typed) = quantity.typed.filter(|typed| typed.since <= scene.step) else {
             continue;
         };
-        for (k, owner) in owner_names(drawing, quantity.owner).into_iter().enumerate() {
-            let (old, count) = ((quantity.get)(&drawing.own, k), quantity.numbers.len());
+        for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
+            let (old, count) = ((quantity.get)(&scene.own, k), quantity.numbers.len());
             for new in all_with_one_number_changed(old, count, typed) {
                 (quantity.set)(&mut changed.own, k, new);
-                if budget.all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours) {
-                    let [new, old] = [new, old].map(|one| format_numbers(&one[..count]));
+                if budget
+                    .holds_for_all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours)
+                {
+                    let [new, old] =
+                        [new, old].map(|one| with_minus(&format_as_typed(&one[..count])));
                     words.push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                 }
             }
@@ -33,10 +39,10 @@ pub(crate) fn find_changed_numbers(
 }
 
 /// The names of all that have a quantity.
-pub(crate) fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
+pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
-        Owner::Object => drawing.object_names(),
-        Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
+        Owner::Object => scene.object_names(),
+        Owner::Light => scene.light_names.map(str::to_owned).to_vec(),
         Owner::Scene | Owner::Camera => vec!["the scene".to_owned()],
     }
 }
@@ -57,11 +63,4 @@ fn all_with_one_number_changed(
             new
         })
     })
-}
-
-/// (1, −2.5, 0), or the number alone.
-pub(crate) fn format_numbers(numbers: &[f64]) -> String {
-    let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
-    let all = all.join(", ").replace('-', "−");
-    if numbers.len() == 1 { all } else { format!("({all})") }
 }

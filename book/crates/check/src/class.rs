@@ -11,9 +11,11 @@ mod student;
 mod table;
 mod write_folder;
 
-pub use names::{normalize_name, read_names};
+pub use folder::FolderError;
+pub use names::{NamesError, normalize_name, read_names};
 pub use report::{ClassReport, OwnReport};
-pub use scene_sheet::{format_sheet, write_sheets};
+pub use scene_sheet::{SheetError, format_sheet, write_sheets};
+pub use write_folder::WriteFolderError;
 
 use crate::class::folder::{
     StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
@@ -29,7 +31,7 @@ pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,
     required: &[&'static str],
-) -> Result<ClassReport, String> {
+) -> Result<ClassReport, FolderError> {
     let class = read_class_folder(folder)?;
     let doubles = Doubles::new(&class.students);
     let named = names.map(|names| NamedFolders::new(names, &class.students));
@@ -51,7 +53,7 @@ pub fn report_on_class(
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
-) -> Result<OwnReport, String> {
+) -> Result<OwnReport, FolderError> {
     let own = check_student(String::new(), find_own_pictures(folder)?, required);
     Ok(OwnReport { own })
 }

@@ -1,4 +1,6 @@
-use crate::drawing::ObjectHit;
+//! A picture beside ours, pixel by pixel, and the budget for what is tried on them.
+
+use crate::step_scene::ObjectHit;
 use crate::target::Target;
 use course::{camera_with_size, largest_channel_difference};
 use image::{Rgb, RgbImage};
@@ -19,7 +21,7 @@ pub(crate) struct Comparison<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct Pixel {
     /// Column and row.
-    pub place: (u32, u32),
+    pub position: (u32, u32),
     /// The ray of our camera.
     pub ray: Ray,
     /// The hit that ours shows, None where it shows the sky.
@@ -38,7 +40,7 @@ impl Pixel {
 impl<'a> Comparison<'a> {
     /// Compares a picture with a target; None where their sizes differ, or no pixel does.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
-        let Target { drawing, picture: ours, .. } = target;
+        let Target { scene, picture: ours, .. } = target;
         let (columns, rows) = ours.dimensions();
         if yours.dimensions() != (columns, rows) {
             return None;
@@ -46,11 +48,11 @@ impl<'a> Comparison<'a> {
         let camera = camera_with_size(columns, rows);
         let pixel = |(i, j): (u32, u32)| {
             let ray = camera.ray(i.into(), j.into());
-            let hit = drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
+            let hit = scene.as_ref().and_then(|scene| scene.visible_hit(&ray));
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
-            Pixel { place: (i, j), ray, hit, yours, ours }
+            Pixel { position: (i, j), ray, hit, yours, ours }
         };
-        let pixels = scattered_places((columns, rows)).map(pixel);
+        let pixels = scattered_positions((columns, rows)).map(pixel);
         let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|one| one.yours == one.ours);
         let farthest = *wrong.iter().max_by_key(|one| one.largest_difference())?;
         Some(Self { target, wrong, right, farthest })
@@ -63,12 +65,12 @@ impl<'a> Comparison<'a> {
 }
 
 /// Column and row of every pixel, in an order that soon comes to each part of the picture.
-pub(crate) fn scattered_places(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
-    // 7919 is a prime, so it visits every place unless it divides the count.
+    // 7919 is a prime, so it visits every position unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
-    let place = move |n: u64| n * stride % count;
-    (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
+    let index = move |n: u64| n * stride % count;
+    (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
 /// Rays that may still be computed, or pixels compared, to try something: the bound of its time,
@@ -93,7 +95,7 @@ impl Budget {
 
     /// Whether something is so of all items, each of which has this cost; false where the budget
     /// doesn't suffice. What refutes it is asked first the next time.
-    pub fn all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
+    pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {
             items[..=k].rotate_right(1);
@@ -123,28 +125,28 @@ mod tests {
     fn item_that_refutes_comes_first_the_next_time() {
         let mut items = [1, 2, 3, 4];
         let budget = Budget::new(100);
-        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        assert!(budget.all(&mut items, 15, |item| *item < 5));
+        assert!(budget.holds_for_all(&mut items, 15, |item| *item < 5));
         assert!(budget.is_spent());
-        assert!(!budget.all(&mut items, 1, |_| true));
-        assert!(Budget::new(4).all(&mut items, 1, |_| true));
-        assert!(!Budget::new(3).all(&mut items, 1, |_| true));
+        assert!(!budget.holds_for_all(&mut items, 1, |_| true));
+        assert!(Budget::new(4).holds_for_all(&mut items, 1, |_| true));
+        assert!(!Budget::new(3).holds_for_all(&mut items, 1, |_| true));
     }
 
     #[test]
-    fn scattered_places_are_each_place_once() {
+    fn scattered_positions_are_each_position_once() {
         for (columns, rows) in [(640, 360), (64, 36), (7919, 2), (1, 1)] {
-            let places: Vec<_> = scattered_places((columns, rows)).collect();
-            let different: BTreeSet<_> = places.iter().collect();
-            assert_eq!(places.len(), (columns * rows) as usize);
-            assert_eq!(different.len(), places.len());
-            assert!(places.iter().all(|(i, j)| *i < columns && *j < rows));
+            let positions: Vec<_> = scattered_positions((columns, rows)).collect();
+            let different: BTreeSet<_> = positions.iter().collect();
+            assert_eq!(positions.len(), (columns * rows) as usize);
+            assert_eq!(different.len(), positions.len());
+            assert!(positions.iter().all(|(i, j)| *i < columns && *j < rows));
         }
         // Among the first hundred, all ninths of a picture.
-        let first = scattered_places((640, 360)).take(100);
+        let first = scattered_positions((640, 360)).take(100);
         let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);
     }

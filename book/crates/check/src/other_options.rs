@@ -1,8 +1,8 @@
 //! Options of the programs (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program
 //! draws the reader's picture.
 
-use crate::comparison::{Budget, scattered_places};
-use crate::drawing::Drawing;
+use crate::comparison::{Budget, scattered_positions};
+use crate::step_scene::StepScene;
 use crate::transformed::uniform_colour;
 use image::RgbImage;
 use std::iter;
@@ -43,7 +43,7 @@ pub(crate) struct Options {
     /// How many pixels were compared; all, unless there are many rays.
     compared: usize,
     /// Whether the picture has one colour, as it has with many options.
-    is_uniform: bool,
+    is_one_colour: bool,
 }
 
 impl Options {
@@ -72,66 +72,74 @@ impl Options {
         }
     }
 
-    /// Sentences about a picture that is drawn with these options.
-    pub fn describe(&self, title: &str) -> String {
+    /// Whether the picture has one colour, as it has with many options.
+    pub fn is_one_colour(&self) -> bool {
+        self.is_one_colour
+    }
+
+    /// A sentence about a picture that is drawn with these options.
+    pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let all = columns as usize * rows as usize;
         let options = format!(
             "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
             self.fov_degrees
         );
-        let equal = match self.compared {
-            _ if self.is_uniform => format!(
-                "As with other options: this is {options}, in every pixel, but one colour tells \
-                 little: further options and mistakes may give it, too."
+        match self.compared {
+            _ if self.is_one_colour => format!(
+                "This is {options}, in every pixel, but one colour says little: further options \
+                 and mistakes may give it, too."
             ),
-            compared if compared < all => format!(
-                "As with other options: {compared} of {all} pixels were compared, and are those \
-                 of {options}."
-            ),
-            _ => format!("Right, with other options: this is {options}, in every pixel."),
-        };
-        format!(
-            "{equal}\n\
-             Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
-             --samples 1.\n\
-             If you gave no other options, look at how your program reads them, and at its camera."
-        )
+            compared if compared < all => {
+                format!("{compared} of {all} pixels were compared, and are those of {options}.")
+            }
+            _ => format!("This is what a right program draws, in every pixel: {options}."),
+        }
+    }
+
+    /// The lines after the headline.
+    pub fn details(&self) -> Vec<String> {
+        vec![
+            "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
+                .to_owned(),
+            "If you gave no other options, look at how your program reads them, and at its camera."
+                .to_owned(),
+        ]
     }
 }
 
-/// The plainest options that give a picture, with which a drawing is a right one; None where none
+/// The plainest options that give a picture, with which a scene is a right one; None where none
 /// do, or too much would have to be tried.
-pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Options> {
+pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Options> {
     let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
-    let mut border_probes: Vec<_> = border_places(size).take(PROBES).collect();
-    let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
+    let mut border_probes: Vec<_> = border_positions(size).take(PROBES).collect();
+    let mut probes: Vec<_> = scattered_positions(size).take(PROBES).collect();
     for fov_degrees in plain_angles().chain(fine_angles(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let may_be_right = |place: &_| may_be_right(drawing, &camera, yours, *place);
-        if !probe_budget.all(&mut border_probes, 1, may_be_right) {
+        let may_be_right = |position: &_| may_be_right(scene, &camera, yours, *position);
+        if !probe_budget.holds_for_all(&mut border_probes, 1, may_be_right) {
             continue;
         }
         for (samples, offsets) in (1..).zip(&all_offsets) {
             let rays = samples * samples;
             let is_equal = |&(i, j): &(u32, u32)| {
                 let (x, y) = (f64::from(i), f64::from(j));
-                let ours = mean_colour(offsets, |u, v| drawing.colour(&camera.ray(x + u, y + v)));
+                let ours = mean_colour(offsets, |u, v| scene.colour(&camera.ray(x + u, y + v)));
                 *yours.get_pixel(i, j) == rgb8(ours)
             };
-            if !probe_budget.all(&mut probes, rays, is_equal) {
+            if !probe_budget.holds_for_all(&mut probes, rays, is_equal) {
                 continue;
             }
             let compared = yours.pixels().len().min((RAYS / rays) as usize);
-            let mut places = scattered_places(size).take(compared);
-            if places.all(|place| budget.spend(rays) && is_equal(&place)) {
-                let is_uniform = uniform_colour(yours).is_some();
-                return Some(Options { size, fov_degrees, samples, compared, is_uniform });
+            let mut positions = scattered_positions(size).take(compared);
+            if positions.all(|position| budget.spend(rays) && is_equal(&position)) {
+                let is_one_colour = uniform_colour(yours).is_some();
+                return Some(Options { size, fov_degrees, samples, compared, is_one_colour });
             }
         }
     }
@@ -162,7 +170,7 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
             }
             let tan = |offset: f64| ((f64::from(byte) + offset) / 255.0 - 0.7) / 0.3 / factor;
             let (a, b) = (tan(-0.5 - ROUNDING), tan(0.5 + ROUNDING));
-            if 0.0 <= a.max(b) {
+            if a.max(b) >= 0.0 {
                 intervals.push((a.min(b).max(0.0), a.max(b)));
             }
         }
@@ -203,7 +211,7 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
 }
 
 /// Places on the border of a picture, which shows the sky for most angles: its corner first.
-fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
     let sides = downwards.flat_map(move |j| [(0, j), (columns - 1, j)]);
@@ -212,10 +220,10 @@ fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)
 
 /// Whether a pixel may be right, whatever the samples are. The sky is linear, so that its mean over
 /// a pixel is that of the centre. Within one object, the mean is near to that, if pixels are small.
-fn may_be_right(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
+fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
-    let seen_at = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
-    let (intensity, seen) = (drawing.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
+    let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
+    let (intensity, seen) = (scene.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
     let tolerance = match seen {
         None => 0.5 + ROUNDING,
         Some(_) => OBJECT_TOLERANCE,

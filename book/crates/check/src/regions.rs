@@ -1,6 +1,8 @@
+//! How many pixels of the sky and of each object are wrong.
+
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::step_scene::StepScene;
 use std::cmp::Reverse;
 use step01_rays::{direction_colour, rgb8};
 
@@ -16,12 +18,12 @@ pub(crate) struct Region {
 }
 
 /// The sky and the objects that ours shows, in their order.
-pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<Region> {
-    let names = [vec!["the sky".to_owned()], drawing.object_names()].concat();
+pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
+    let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
     let mut regions: Vec<_> = regions.collect();
     let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
-        let colours = drawing.object_hits(ray).map(|hit| drawing.colour_at_hit(ray, hit));
+        let colours = scene.object_hits(ray).map(|hit| scene.colour_at_hit(ray, hit));
         colours.chain([direction_colour(ray)]).any(|colour| rgb8(colour).0 == *yours)
     };
     let number = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);
@@ -30,7 +32,7 @@ pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<R
         regions[number(pixel)].wrong += 1;
         regions[number(pixel)].hidden += usize::from(is_hidden(pixel));
     }
-    regions.retain(|region| 0 < region.all);
+    regions.retain(|region| region.all > 0);
     regions
 }
 
@@ -57,17 +59,20 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
 /// A sentence about the regions with the most wrong pixels, and those that are right.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
-    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| 0 < region.wrong);
-    let told = wrong
+    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);
+    let words = wrong
         .iter()
         .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
-    let told = join_first(told.collect(), MOST_REGIONS, "; ");
+    let words = join_first(words.collect(), MOST_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
-        [] => format!("Wrong: {told}."),
+        [] => format!("It differs from ours in {words}."),
         [_, ..] if wrong.len() == 1 && wrong[0].name == "the sky" => {
             let count: usize = right.iter().map(|region| region.all).sum();
-            format!("Wrong: {told}. All {count} pixels of the objects are right.")
+            format!("It differs from ours in {words}. All {count} pixels of the objects are right.")
         }
-        ref names => format!("Wrong: {told}. Right in every pixel: {}.", names.join(", ")),
+        ref names => {
+            let names = names.join(", ");
+            format!("It differs from ours in {words}. Right in every pixel: {names}.")
+        }
     }
 }

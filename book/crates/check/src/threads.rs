@@ -1,3 +1,5 @@
+//! The threads that draw.
+
 use rayon::ThreadPoolBuilder;
 use std::thread;
 

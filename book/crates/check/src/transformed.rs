@@ -1,15 +1,17 @@
-use crate::comparison::{Budget, scattered_places};
+//! Pictures that are ours as a whole, turned, cut out or enlarged, or of one colour.
+
+use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
 /// How many pixels may be compared to find a part, and the least that a part has.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// The place in a turned picture of a column and row of ours, of which the last are given.
+/// The position in a turned picture of a column and row of ours, of which the last are given.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
-    ("", |place, _| place),
+    ("", |position, _| position),
     ("upside down", |(i, j), (_, row)| (i, row - j)),
     ("mirrored left to right", |(i, j), (column, _)| (column - i, j)),
     ("turned by 180°", |(i, j), (column, row)| (column - i, row - j)),
@@ -25,19 +27,17 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
 ];
 
 /// A sentence about a picture of one colour, or about one that is the whole of ours, of this
-/// title, turned, cut or enlarged; else nothing.
-pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> String {
+/// title, turned, cut out or enlarged; None for any other.
+pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
-        return format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n");
+        return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
     }
     let mut clauses = turned_or_swapped_clauses(picture, ours);
     if clauses.is_empty() {
         clauses.extend(cut_or_enlarged_clause(picture, ours));
     }
-    match clauses.join(", or ") {
-        none if none.is_empty() => none,
-        clause => format!("This is {title}, {clause}.\n"),
-    }
+    let is_ours = !clauses.is_empty();
+    is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
 /// The colour of all pixels, where it is one.
@@ -58,9 +58,9 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     let clauses = TURNS.iter().filter_map(|(turned, turn)| {
         // A grey picture is the same in any order.
         let (swapped, _) = ORDERS.iter().find(|(_, order)| {
-            scattered_places((columns, rows)).all(|place| {
-                let (i, j) = turn(place, (columns - 1, rows - 1));
-                let colour = order.map(|k| ours[place][k]);
+            scattered_positions((columns, rows)).all(|position| {
+                let (i, j) = turn(position, (columns - 1, rows - 1));
+                let colour = order.map(|k| ours[position][k]);
                 yours.get_pixel_checked(i, j).is_some_and(|yours| yours.0 == colour)
             })
         })?;
@@ -83,18 +83,18 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// The corner of a place in `whole` where all pixels of `part` are.
+/// The corner of the part of `whole` in which all pixels of `part` are.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
     if !(LEAST_PIXELS..whole.pixels().len()).contains(&part.pixels().len()) {
         return None;
     }
-    let mut places: Vec<_> = scattered_places((w, h)).collect();
+    let mut positions: Vec<_> = scattered_positions((w, h)).collect();
     let budget = Budget::new(PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
     corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
-        budget.all(&mut places, 1, is_there)
+        budget.holds_for_all(&mut positions, 1, is_there)
     })
 }

@@ -25,7 +25,7 @@ pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
 fn black_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::new_with_enough(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
-    let (count, has_drawing) = (mask.count(), target.drawing.is_some());
+    let (count, has_scene) = (mask.count(), target.scene.is_some());
     if let Some(Shape { words, cause }) = mask.find_shape() {
         let is_undrawn = match cause {
             ShapeCause::Loop => true,
@@ -34,7 +34,7 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
         };
         let simile = if is_undrawn { ", as if never drawn" } else { "" };
         let file = match cause {
-            ShapeCause::Loop if has_drawing => {
+            ShapeCause::Loop if has_scene => {
                 " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs."
             }
             _ => "",
@@ -42,7 +42,7 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
         return Some(format!("{count} wrong pixels are black{simile}: {words}.{file}"));
     }
     let has_sky = |pixels: &[Pixel]| pixels.iter().any(|pixel| pixel.hit.is_none());
-    let is_all = has_drawing && wrong.len() == count && has_sky(wrong) && has_sky(right);
+    let is_all = has_scene && wrong.len() == count && has_sky(wrong) && has_sky(right);
     is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
 }
 
@@ -71,7 +71,7 @@ enum ShapeCause {
 
 /// What a pixel says of a shape.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+enum Membership {
     /// Wrong, and of the colour: in the shape.
     Inside,
     /// Right, and of the colour all the same.
@@ -85,7 +85,7 @@ struct Mask {
     columns: u32,
     rows: u32,
     /// All pixels, row by row.
-    places: Vec<Place>,
+    memberships: Vec<Membership>,
 }
 
 impl Mask {
@@ -98,27 +98,29 @@ impl Mask {
 
     fn new(comparison: &Comparison, colour: [u8; 3]) -> Self {
         let (columns, rows) = comparison.target.picture.dimensions();
-        let mut places = vec![Place::Outside; columns as usize * rows as usize];
+        let mut memberships = vec![Membership::Outside; columns as usize * rows as usize];
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
-        let mut set = |pixels: &[Pixel], place| {
-            for Pixel { place: (i, j), .. } in pixels.iter().filter(has_colour) {
-                places[*j as usize * columns as usize + *i as usize] = place;
+        let mut set = |pixels: &[Pixel], membership| {
+            for Pixel { position: (i, j), .. } in pixels.iter().filter(has_colour) {
+                memberships[*j as usize * columns as usize + *i as usize] = membership;
             }
         };
-        set(&comparison.wrong, Place::Inside);
-        set(&comparison.right, Place::Either);
-        Self { columns, rows, places }
+        set(&comparison.wrong, Membership::Inside);
+        set(&comparison.right, Membership::Either);
+        Self { columns, rows, memberships }
     }
 
-    /// Column, row and place of each pixel.
-    fn pixels(&self) -> impl Iterator<Item = (u32, u32, Place)> {
+    /// Column, row and membership of each pixel.
+    fn pixels(&self) -> impl Iterator<Item = (u32, u32, Membership)> {
         let index = |k: usize| k as u32;
-        let places = self.places.iter().enumerate();
-        places.map(move |(k, place)| (index(k) % self.columns, index(k) / self.columns, *place))
+        let memberships = self.memberships.iter().enumerate();
+        memberships.map(move |(k, membership)| {
+            (index(k) % self.columns, index(k) / self.columns, *membership)
+        })
     }
 
     fn inside(&self) -> impl Iterator<Item = (u32, u32)> {
-        let inside = self.pixels().filter(|(_, _, place)| *place == Place::Inside);
+        let inside = self.pixels().filter(|(_, _, membership)| *membership == Membership::Inside);
         inside.map(|(i, j, _)| (i, j))
     }
 
@@ -128,16 +130,16 @@ impl Mask {
 
     /// Whether a shape has all pixels that are inside, and none that are outside.
     fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
-        self.pixels().all(|(i, j, place)| match place {
-            Place::Inside => contains(i, j),
-            Place::Either => true,
-            Place::Outside => !contains(i, j),
+        self.pixels().all(|(i, j, membership)| match membership {
+            Membership::Inside => contains(i, j),
+            Membership::Either => true,
+            Membership::Outside => !contains(i, j),
         })
     }
 
     /// The first shape of those we know that fits; None where it is the whole picture.
     fn find_shape(&self) -> Option<Shape> {
-        if !self.places.contains(&Place::Outside) {
+        if !self.memberships.contains(&Membership::Outside) {
             return None;
         }
         let shapes = [
@@ -153,7 +155,7 @@ impl Mask {
 
     /// Bars on both sides, or above and below, or a frame.
     fn find_border(&self) -> Option<Shape> {
-        let kept = self.pixels().filter(|(_, _, place)| *place == Place::Outside);
+        let kept = self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept: Vec<_> = kept.collect();
         let first_column = kept.iter().map(|(i, _, _)| *i).min()?;
         let last_column = kept.iter().map(|(i, _, _)| *i).max()?;
@@ -198,7 +200,8 @@ impl Mask {
     fn find_rest(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
-        let outside = || self.pixels().filter(|(_, _, place)| *place == Place::Outside);
+        let outside =
+            || self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept_columns: BTreeSet<_> = outside().map(|(i, _, _)| i).collect();
         let kept_rows: BTreeSet<_> = outside().map(|(_, j, _)| j).collect();
         let is_shape = self.is_shape(|i, j| !kept_columns.contains(&i) || !kept_rows.contains(&j));
@@ -214,20 +217,21 @@ impl Mask {
 
     /// A few rectangles, such as the tiles of processors that drew nothing.
     fn find_rectangles(&self) -> Option<Shape> {
-        let mut rest = self.places.clone();
+        let mut rest = self.memberships.clone();
         let index = |i: u32, j: u32| (j * self.columns + i) as usize;
         let mut words = vec![];
-        while let Some(first) = rest.iter().position(|place| *place == Place::Inside) {
+        while let Some(first) = rest.iter().position(|membership| *membership == Membership::Inside)
+        {
             if words.len() == MOST_RECTANGLES {
                 return None;
             }
             let (left, top) = (first as u32 % self.columns, first as u32 / self.columns);
-            let is_inside = |i, j| rest[index(i, j)] == Place::Inside;
+            let is_inside = |i, j| rest[index(i, j)] == Membership::Inside;
             let right = (left..self.columns).take_while(|i| is_inside(*i, top)).last()?;
             let is_row = |j: &u32| (left..=right).all(|i| is_inside(i, *j));
             let bottom = (top..self.rows).take_while(is_row).last()?;
             for j in top..=bottom {
-                rest[index(left, j)..=index(right, j)].fill(Place::Either);
+                rest[index(left, j)..=index(right, j)].fill(Membership::Either);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
             words.push(join(

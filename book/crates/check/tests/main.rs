@@ -10,7 +10,7 @@ mod pictures;
 mod program;
 mod small_pictures;
 
-use check::{Answer, check_png};
+use check::{Answer, CheckError, check_png};
 use course::{camera, locked_picture_path, named_scene, read_locked_picture};
 use glam::DVec3;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
@@ -52,14 +52,20 @@ fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
-    check_png(&encode(picture), "my.png", Some(name), read_locked_picture)
+    let answer = check_png(&encode(picture), "my.png", Some(name), read_locked_picture);
+    answer.expect("a picture")
 }
 
 /// An answer as a snapshot has it.
-fn format_answer(Answer { verdict, text, causes, .. }: Answer) -> String {
+fn format_answer(result: Result<Answer, CheckError>) -> String {
+    let answer = match result {
+        Ok(answer) => answer,
+        Err(error) => return format!("[error]\n{error}"),
+    };
+    let text = answer.to_string();
     assert!(text.lines().count() <= 12, "{text}");
-    let causes: String = causes.iter().map(|one| format!("\n[{}]", one.words_and_file())).collect();
-    format!("[{}]\n{text}{causes}", verdict.words())
+    let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
+    format!("[{}]\n{text}{causes}", answer.verdict.words())
 }
 
 /// Compares answers below their titles with the snapshot of this name.

@@ -6,6 +6,7 @@
 
 use crate::Step;
 use crate::mistake_files::mistake_texts;
+use std::sync::OnceLock;
 
 /// Mistake that a reader may make: a place of a file, and the text written there instead.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,22 +33,31 @@ pub struct Mistake {
     pub effect: &'static str,
 }
 
-/// All mistakes, in the order of the lists.
-pub fn mistakes() -> Vec<Mistake> {
+/// All mistakes, in the order of the lists, which are parsed once. There are none in a module of a
+/// page before the page has provided the lists.
+pub fn mistakes() -> &'static [Mistake] {
+    static MISTAKES: OnceLock<Vec<Mistake>> = OnceLock::new();
+    let Some(texts) = mistake_texts() else { return &[] };
+    MISTAKES.get_or_init(|| {
+        let lists = Step::ALL.into_iter().zip(texts.lists);
+        lists.flat_map(|(step, list)| parse_list(step, list)).collect()
+    })
+}
+
+/// Parses the list of a step.
+fn parse_list(step: Step, list: &'static str) -> Vec<Mistake> {
     let mut mistakes = vec![];
-    for (step, list) in Step::ALL.into_iter().zip(mistake_texts()) {
-        let mut file = String::new();
-        for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
-            match block.strip_prefix("@ ") {
-                Some(path) => file = format!("steps/{}/src/{path}", step.name()),
-                None => mistakes.extend(parse_mistake(step, &file, block)),
-            }
+    let mut file = String::new();
+    for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
+        match block.strip_prefix("@ ") {
+            Some(path) => file = format!("steps/{}/src/{path}", step.name()),
+            None => mistakes.extend(parse_mistake(step, &file, block)),
         }
     }
     mistakes
 }
 
-/// The mistake that a block of a list tells.
+/// Parses a block of a list. Returns None for a comment, which has one line.
 fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake> {
     let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
@@ -87,15 +97,81 @@ impl Mistake {
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// The text of its file with the mistake in it and no line indented, if its place is there
-    /// once.
-    pub fn apply_and_unindent(&self, file_text: &str) -> Option<String> {
-        let bare = |file_text: &str| {
-            let lines: Vec<_> = file_text.split('\n').map(str::trim_start).collect();
-            lines.join("\n")
-        };
-        let (file_text, old) = (bare(file_text), bare(&self.old));
-        let is_once = file_text.matches(&old).count() == 1;
-        is_once.then(|| file_text.replace(&old, &self.new))
+    /// The text of its file with the mistake in it and without indentation. If the right text
+    /// isn't there exactly once, returns how many times it is.
+    pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
+        let (file_text, old) = (unindent(file_text), unindent(&self.old));
+        match file_text.matches(&old).count() {
+            1 => Ok(file_text.replace(&old, &self.new)),
+            count => Err(count),
+        }
+    }
+}
+
+/// The text without the blanks at the start of each line.
+fn unindent(text: &str) -> String {
+    let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = "# A comment.
+
+@ camera.rs
+
+a short one
+- let a = 1;
+-     let b = 2;
++ let a = 2;
+
+@ ray.rs
+
+one that the book shows
+- a
++ b
+! shown
+! later step05_phong
+! no step
+? It should be a.
+/ The ray
+\" Everything is blue.
+";
+
+    #[test]
+    fn block_is_a_mistake_of_the_file_above_it() {
+        let [short, shown] = &parse_list(Step::Nearest, LIST)[..] else { panic!("two mistakes") };
+        assert_eq!(short.title, "a short one");
+        assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
+        assert_eq!(short.old, "let a = 1;\n    let b = 2;");
+        assert_eq!(short.new, "let a = 2;");
+        assert_eq!((&short.pictures[..], short.reason), (&[][..], ""));
+        assert_eq!(shown.file, "steps/step03_nearest/src/ray.rs");
+        assert_eq!(
+            shown.pictures,
+            [("shown", Step::Nearest), ("later", Step::Phong), ("no step", Step::Nearest)]
+        );
+        assert_eq!(shown.reason, "It should be a.");
+        assert_eq!(shown.section, "The ray");
+        assert_eq!(shown.effect, "Everything is blue.");
+    }
+
+    #[test]
+    fn mistake_affects_its_step_and_the_later_ones() {
+        let [mistake, _] = &parse_list(Step::Diffuse, LIST)[..] else { panic!("two mistakes") };
+        let steps: Vec<_> = mistake.affected_steps().collect();
+        assert_eq!(steps, [Step::Diffuse, Step::Phong]);
+    }
+
+    #[test]
+    fn mistake_is_applied_if_its_text_is_there_once() {
+        let [mistake, _] = &parse_list(Step::Rays, LIST)[..] else { panic!("two mistakes") };
+        assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
+        let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
+        assert_eq!(mistake.apply_and_unindent(once).as_deref(), Ok("fn f() {\nlet a = 2;\n}"));
+        assert_eq!(mistake.apply_and_unindent(&format!("{once}\n{once}")), Err(2));
+        assert_eq!(mistake.apply_and_unindent("let a = 1;"), Err(0));
     }
 }

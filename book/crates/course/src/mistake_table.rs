@@ -10,8 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn table_lines() -> std::str::Lines<'static> {
-    let [.., table] = mistake_texts();
-    table.lines()
+    mistake_texts().map(|texts| texts.table).unwrap_or_default().lines()
 }
 
 /// A number that hardly any two pictures share: FNV-1a, 64 bits of it, of the columns, the
@@ -22,10 +21,15 @@ pub fn hash_picture(picture: &RgbImage) -> u64 {
     fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
-/// A line of the table, of one mistake: a hash of what decided about its pictures when they were
-/// drawn; then the hash of the picture of its step and of each later one, None where that is right
-/// all the same, or can't be drawn.
-pub type TableRow = (u32, Vec<Option<u64>>);
+/// The row of a mistake in the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableRow {
+    /// A hash of everything that determined its pictures when they were drawn.
+    pub key: u32,
+    /// The hash of the picture of its step and of each later one. A hash is None if that picture
+    /// is right in spite of the mistake, or can't be drawn.
+    pub hashes: Vec<Option<u64>>,
+}
 
 /// The hashes of all pictures that are right, by their names.
 pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
@@ -41,19 +45,19 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
         let (key, hashes) = line.split_once(' ')?;
         let key = u32::from_str_radix(key, 16).ok()?;
         let hashes = hashes.split(' ').map(|hash| u64::from_str_radix(hash, 16).ok());
-        Some((key, hashes.collect()))
+        Some(TableRow { key, hashes: hashes.collect() })
     })
 }
 
 /// The mistakes that give a picture, to the last pixel, each with the name of what was drawn,
 /// once for each name; the likeliest first, which are those that the book shows and small ones.
-pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
-    let all = mistakes().into_iter().zip(table_rows());
+pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
+    let all = mistakes().iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
-        .flat_map(|(mistake, (_, hashes))| {
-            let steps = mistake.affected_steps().zip(hashes);
-            let steps = steps.filter(|(_, one)| *one == Some(hash));
-            steps.map(|(step, _)| (mistake.clone(), step.name())).collect::<Vec<_>>()
+        .flat_map(|(mistake, row)| {
+            let steps = mistake.affected_steps().zip(row.hashes);
+            let steps = steps.filter(move |(_, drawn)| *drawn == Some(hash));
+            steps.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
     mistakes_and_names.sort_by_key(|(mistake, _)| {

@@ -1,5 +1,6 @@
 //! The table of the mistakes, and the small pictures of those that the book shows.
 
+use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
@@ -9,8 +10,7 @@ use course::{
 use image::RgbImage;
 use image::imageops::replace;
 use std::collections::HashMap;
-use std::error::Error;
-use std::{fs, io};
+use std::fs;
 
 /// The most mistakes in one program: as many as a compiler takes with little memory. What is
 /// drawn is written after each program, and not drawn again where the command was stopped.
@@ -22,30 +22,30 @@ pub struct Table {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
     /// All mistakes, each with its key.
-    all: Vec<(u32, Mistake)>,
+    all: Vec<(u32, &'static Mistake)>,
     rows: HashMap<u32, Vec<Option<u64>>>,
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
 /// Draws the mistakes that the table does not know.
-pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
+pub fn draw_unknown() -> XtaskResult<()> {
     let mut table = Table::read()?;
-    let unknown: Vec<_> = table.unknown().cloned().collect();
+    let unknown: Vec<_> = table.unknown().copied().collect();
     println!("Mistakes to draw: {}", unknown.len());
     for batch in unknown.chunks(BATCH_SIZE) {
-        let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| mistake).collect();
+        let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
         for ((key, mistake), pictures) in batch.iter().zip(mistake_program::draw(&mistakes)?) {
             table.insert(*key, mistake, &pictures);
         }
         table.write()?;
         println!("{} drawn", batch.len());
     }
-    Ok(table.write()?)
+    table.write()
 }
 
 /// A hash of what decides about a mistake's pictures: its code, what is right, and the names and
 /// steps of those that the book shows.
-pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
+pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
@@ -56,22 +56,23 @@ pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
 
 impl Table {
     /// Reads the list, the right pictures, and what was made from both.
-    pub fn read() -> Result<Self, Box<dyn Error>> {
+    pub fn read() -> XtaskResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
             right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in mistakes() {
-            all.push((key(&mistake, &right)?, mistake));
+            all.push((key(mistake, &right)?, mistake));
         }
-        let rows = table_rows().filter(|(_, hashes)| hashes.iter().any(Option::is_some));
+        let rows = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+        let rows = rows.map(|row| (row.key, row.hashes)).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
-        Ok(Self { right, all, rows: rows.collect(), small_pictures })
+        Ok(Self { right, all, rows, small_pictures })
     }
 
     /// The mistakes that were not drawn with the code and the right pictures of today.
-    pub fn unknown(&self) -> impl Iterator<Item = &(u32, Mistake)> {
+    pub fn unknown(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let mut names = mistake.pictures.iter().map(|(name, _)| name);
             !self.rows.contains_key(key) || names.any(|one| !self.small_pictures.contains_key(one))
@@ -124,7 +125,7 @@ impl Table {
     }
 
     /// Writes the small pictures, then the table.
-    fn write(&self) -> io::Result<()> {
+    fn write(&self) -> XtaskResult<()> {
         for step in Step::ALL {
             let pictures = self.step_pictures(step);
             let [columns, rows] = SMALL_SIZE;
@@ -134,10 +135,11 @@ impl Table {
             }
             let path = small_pictures_path(&workspace(), step);
             if !image::open(&path).is_ok_and(|old| old.into_rgb8() == column) {
-                fs::write(path, encode_png(&column))?;
+                fs::write(&path, encode_png(&column)).map_err(XtaskError::of_file(&path))?;
             }
         }
-        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text())
+        let path = workspace().join("book/crates/course/mistakes/table.txt");
+        fs::write(&path, self.text()).map_err(XtaskError::of_file(&path))
     }
 }
 
@@ -155,11 +157,11 @@ mod tests {
         let read = || Table::read().expect("the list and the table");
         let (mut without_row, mut without_picture) = (read(), read());
         let known = unknown_titles(&without_row);
-        let is_shown = |(_, mistake): &&(u32, Mistake)| {
+        let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             !mistake.pictures.is_empty() && !known.contains(&title_and_file(mistake))
         };
-        let (key, mistake) = without_row.all.iter().rfind(is_shown).expect("a mistake").clone();
-        let expected = [title_and_file(&mistake)];
+        let (key, mistake) = without_row.all.iter().rfind(is_shown).copied().expect("a mistake");
+        let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures[0].0);
         for table in [without_row, without_picture] {

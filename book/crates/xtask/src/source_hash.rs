@@ -1,9 +1,10 @@
 //! Hashes of source text. What a page neither draws nor shows doesn't count: lines of comments and
 //! documentation, blank lines, indentation.
 
+use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// The folders of what a module may be made from.
 const FOLDERS: [&str; 5] =
@@ -19,18 +20,18 @@ const SHOWN: [&str; 3] =
 
 /// The hash of what the modules are made from: the code of all sources and manifests, and what a
 /// page shows.
-pub fn source_hash() -> io::Result<String> {
+pub fn source_hash() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
         push_files(&workspace().join(folder), &mut files)?;
     }
     files.sort();
     let source_text = |path: &PathBuf| {
-        let text = fs::read_to_string(path)?;
+        let text = fs::read_to_string(path).map_err(XtaskError::of_file(path))?;
         let is_shown = SHOWN.iter().any(|end| path.ends_with(end));
         Ok(if is_shown { text } else { code_lines(&text) })
     };
-    let texts: io::Result<Vec<_>> = files.iter().map(source_text).collect();
+    let texts: XtaskResult<Vec<_>> = files.iter().map(source_text).collect();
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
@@ -46,9 +47,9 @@ pub fn code_lines(code: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
+fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
+    for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
+        let path = entry.map_err(XtaskError::of_file(folder))?.path();
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
         if NO_SOURCES.contains(&name) {

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, DirEntry};
 use std::path::{Path, PathBuf};
+use thiserror::Error;
 
 /// The most entries of a class's folder, and the most that a student's has with all below it.
 pub(crate) const MOST_ENTRIES: usize = 10_000;
@@ -22,6 +23,29 @@ const PICTURE_EXTENSIONS: [&str; 14] = [
     "png", "jpg", "jpeg", "jfif", "webp", "gif", "bmp", "ppm", "tif", "tiff", "heic", "avif",
     "svg", "pdf",
 ];
+
+/// Why there is nothing to report on. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum FolderError {
+    /// The path is no folder, or one that the system refuses to read.
+    #[error("{0} is no folder that can be read")]
+    Unreadable(String),
+    /// The folder has more entries than are read.
+    #[error("{0} has more than {MOST_ENTRIES} entries")]
+    TooManyEntries(String),
+    /// The folder of a class has no folders.
+    #[error("{folder} has no folders, one for each student{}", with_semicolon(.not_looked_at))]
+    NoStudents {
+        /// The folder of the class.
+        folder: String,
+        /// A clause that names what is there, if anything is.
+        not_looked_at: Option<String>,
+    },
+}
+
+fn with_semicolon(clause: &Option<String>) -> String {
+    clause.as_ref().map(|clause| format!("; {clause}")).unwrap_or_default()
+}
 
 /// The folder of a class.
 pub(crate) struct ClassFolder {
@@ -65,7 +89,7 @@ impl FoundFile {
 }
 
 /// Reads the folder of a class, in which each folder is a student's.
-pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
+pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderError> {
     let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
     for entry in read_top_folder(folder)? {
         let (name, path, kind) = (entry.file_name(), entry.path(), entry.file_type());
@@ -79,15 +103,14 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
     }
     if class.students.is_empty() {
         let folder = printable_name(folder.as_os_str());
-        let clause = class.not_looked_at.clause();
-        let clause = clause.map(|clause| format!("; {clause}")).unwrap_or_default();
-        return Err(format!("{folder} has no folders, one for each student{clause}"));
+        let not_looked_at = class.not_looked_at.clause();
+        return Err(FolderError::NoStudents { folder, not_looked_at });
     }
     Ok(class)
 }
 
 /// Finds somebody's own pictures in a folder; what is below it isn't looked at.
-pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, String> {
+pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> {
     let mut contents = Contents::default();
     for entry in read_top_folder(folder)? {
         let (path, printable_path) = (entry.path(), printable_name(&entry.file_name()));
@@ -154,11 +177,11 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
 }
 
 /// The entries of the folder that somebody names.
-fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, String> {
+fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     let printable = printable_name(folder.as_os_str());
     read_entries(folder, MOST_ENTRIES).map_err(|reason| match reason {
-        SkipReason::TooManyEntries => format!("{printable} has more than {MOST_ENTRIES} entries"),
-        _ => format!("{printable} is no folder that can be read"),
+        SkipReason::TooManyEntries => FolderError::TooManyEntries(printable),
+        _ => FolderError::Unreadable(printable),
     })
 }
 

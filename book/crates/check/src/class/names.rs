@@ -2,22 +2,41 @@
 
 use crate::class::folder::{MOST_ENTRIES, StudentFolder, printable_name};
 use crate::class::student::Note;
-use crate::read_bounded_file;
+use crate::{ReadFileError, read_bounded_file};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
+use thiserror::Error;
 use unicode_normalization::UnicodeNormalization;
 
-/// The names in a list, one a line.
-pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
+/// Why a list of names can't be used. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum NamesError {
+    /// The file can't be read.
+    #[error(transparent)]
+    Read(#[from] ReadFileError),
+    /// The file has some other encoding.
+    #[error("{0} is not in UTF-8")]
+    NotUtf8(String),
+    /// The file has only empty lines.
+    #[error("{0} has no names, one a line")]
+    Empty(String),
+    /// The file has more names than a class has folders.
+    #[error("{0} has more than {MOST_ENTRIES} names")]
+    TooMany(String),
+}
+
+/// Reads the names in a list, one a line.
+pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     let printable = printable_name(list.as_os_str());
-    let text = String::from_utf8(read_bounded_file(list)?);
-    let text = text.map_err(|_| format!("{printable} is not in UTF-8"))?;
+    let Ok(text) = String::from_utf8(read_bounded_file(list)?) else {
+        return Err(NamesError::NotUtf8(printable));
+    };
     let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
     let names: Vec<_> = names.filter(|name| !name.is_empty()).map(normalize_name).collect();
     match names.len() {
-        0 => Err(format!("{printable} has no names, one a line")),
+        0 => Err(NamesError::Empty(printable)),
         1..=MOST_ENTRIES => Ok(names),
-        _ => Err(format!("{printable} has more than {MOST_ENTRIES} names")),
+        _ => Err(NamesError::TooMany(printable)),
     }
 }
 

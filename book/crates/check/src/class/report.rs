@@ -2,10 +2,14 @@
 //! spreadsheet, and as JSON.
 
 use crate::Verdict;
+use crate::class::feedback::FileVerdict;
 use crate::class::not_looked_at::NotLookedAt;
 use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
 use crate::class::table::align;
 use course::json;
+
+/// The verdict on a picture without a file.
+const MISSING: &str = "missing";
 
 /// The report on a class.
 pub struct ClassReport {
@@ -141,7 +145,8 @@ impl OwnReport {
 
     fn right_count(&self) -> usize {
         let counted = self.own.pictures.iter().filter(|picture| picture.counts);
-        let is_right = |file: &FileReport| file.feedback.verdict == Verdict::Right;
+        let is_right =
+            |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
         counted.filter(|one| !one.files.is_empty() && one.files.iter().all(is_right)).count()
     }
 }
@@ -182,7 +187,7 @@ fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
         return vec![PictureRow {
             picture: name,
             point,
-            verdict: Verdict::Missing.words().to_owned(),
+            verdict: MISSING.to_owned(),
             feedback: String::new(),
             file: None,
             is_one_of_several: false,
@@ -212,13 +217,13 @@ fn pictures_json(student: &StudentReport) -> String {
 }
 
 fn file_json(file: &FileReport) -> String {
-    let fields = [
+    let mut fields = vec![
         ("found", json::quote(&file.printable_path)),
-        ("feedback", json::quote(&file.feedback.sentence)),
         ("verdict", json::quote(file.feedback.verdict.words())),
+        ("feedback", json::quote(&file.feedback.sentence)),
     ];
-    let answer = file.answer.json_fields().into_iter().filter(|(name, _)| *name != "verdict");
-    format!("\n      {}", json::object(fields.into_iter().chain(answer)))
+    fields.extend(file.result.iter().map(|answer| ("answer", answer.to_json())));
+    format!("\n      {}", json::object(fields))
 }
 
 fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
@@ -241,7 +246,7 @@ fn needs_a_person(student: &StudentReport) -> bool {
 }
 
 fn has_missing_or_unreadable(student: &StudentReport) -> bool {
-    let is_unreadable = |file: &FileReport| file.feedback.verdict == Verdict::Unreadable;
+    let is_unreadable = |file: &FileReport| file.feedback.verdict == FileVerdict::Unreadable;
     student.pictures.iter().any(|one| one.files.is_empty() || one.files.iter().any(is_unreadable))
 }
 

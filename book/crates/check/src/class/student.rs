@@ -3,7 +3,8 @@
 use crate::class::feedback::{Feedback, judge};
 use crate::class::folder::{Contents, FoundFile};
 use crate::class::not_looked_at::{NotLookedAt, SkipReason};
-use crate::{Answer, check_png, escape_for_terminal, find_name_in_file_name, read_bounded_file};
+use crate::target::find_name_in_file_name;
+use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
 use course::{locked_names, read_locked_picture};
 
 /// The most files of one picture that are looked at.
@@ -33,7 +34,7 @@ pub(crate) struct PictureReport {
 /// What is known of one file.
 pub(crate) struct FileReport {
     pub printable_path: String,
-    pub answer: Answer,
+    pub result: Result<Answer, CheckError>,
     pub feedback: Feedback,
 }
 
@@ -150,13 +151,11 @@ fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
 
 /// Compares a file with the locked picture that it should be.
 fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
-    let bytes = read_bounded_file(&file.path);
-    let answer = match &bytes {
-        Ok(png) => check_png(png, file.printable_name(), Some(picture), read_locked_picture),
-        Err(why) => Answer::error(why),
-    };
-    let feedback = judge(&answer, &bytes.unwrap_or_default(), picture, earlier);
-    // The pictures that an answer compares aren't kept.
-    let answer = Answer { compared: None, ..answer };
-    FileReport { printable_path: file.printable_path.clone(), answer, feedback }
+    let png = read_bounded_file(&file.path).map_err(CheckError::from);
+    let result = png
+        .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture));
+    // The pictures of a whole class would take too much memory.
+    let result = result.map(|answer| Answer { compared: None, ..answer });
+    let feedback = judge(&result, earlier);
+    FileReport { printable_path: file.printable_path.clone(), result, feedback }
 }

@@ -1,10 +1,12 @@
+//! A scene, drawn by the functions of a step.
+
 use course::{OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
 use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
 
 /// A scene, and the functions of a step that draw it.
-pub(crate) struct Drawing {
+pub(crate) struct StepScene {
     pub step: Step,
     pub own: OwnScene,
     /// Names of the lights, in their order.
@@ -19,8 +21,8 @@ pub(crate) struct ObjectHit {
     pub object: usize,
 }
 
-impl Drawing {
-    /// The drawing of a step: its scene has only the objects that the step has.
+impl StepScene {
+    /// The scene of a step: its scene has only the objects that the step has.
     pub fn of_step(step: Step) -> Self {
         let mut scene = step05_phong::scene();
         match step {
@@ -36,7 +38,7 @@ impl Drawing {
         Self { step, own: OwnScene::new(scene), light_names }
     }
 
-    /// The drawing of the scene that belongs to a name.
+    /// The scene of the scene that belongs to a name.
     pub fn of_name(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
         Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
