@@ -169,3 +169,80 @@ fn bound_by_sky(
     }
     Some(least..=most)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::target::Target;
+    use image::RgbImage;
+    use step01_rays::{picture, render};
+
+    const D_U: MatrixNumber = MatrixNumber { column: 0, row: 0 };
+    const D_V: MatrixNumber = MatrixNumber { column: 1, row: 1 };
+    const V_0: MatrixNumber = MatrixNumber { column: 2, row: 1 };
+
+    fn target() -> Target {
+        Target::of_locked("step01_rays", picture(&camera(), 1))
+    }
+
+    fn bounds(yours: &RgbImage, number: MatrixNumber) -> Option<RangeInclusive<f64>> {
+        let target = target();
+        let scene = target.scene.as_ref().expect("a step");
+        let comparison = Comparison::new(&target, yours).expect("a different picture");
+        bound_by_sky(&comparison, scene, number)
+    }
+
+    #[test]
+    fn number_of_each_column_is_found_by_the_sky() {
+        let target = target();
+        let scene = target.scene.as_ref().expect("a step");
+        for (number, value, words) in [
+            (D_U, 0.0017, "x of D_u = 0.0017 instead of 0.001807"),
+            (D_V, -0.002, "y of D_v = −0.002 instead of −0.001807"),
+            (V_0, 0.3, "y of V_0 = 0.3 instead of 0.324364"),
+        ] {
+            let yours = picture(&number.camera_with(value), 1);
+            let comparison = Comparison::new(&target, &yours).expect("a different picture");
+            let cameras = find_cameras(&comparison, scene, &Budget::new(10_000_000));
+            assert_eq!(cameras, [words, "other colours of the directions"]);
+        }
+    }
+
+    #[test]
+    fn no_number_fits_a_byte_on_which_it_has_no_influence() {
+        let mut yours = picture(&D_U.camera_with(0.0017), 1);
+        let range = bounds(&yours, D_U).expect("a range");
+        assert!(range.contains(&0.0017) && !range.contains(&D_U.ours()), "{range:?}");
+        // The ray of column 0 is V_0, whatever D_u is.
+        yours[(0, 5)][0] += 1;
+        assert_eq!(bounds(&yours, D_U), None);
+    }
+
+    #[test]
+    fn no_number_fits_bytes_that_contradict_each_other() {
+        let mut yours = picture(&D_U.camera_with(0.0017), 1);
+        yours[(639, 5)][0] += 1;
+        assert_eq!(bounds(&yours, D_U), None);
+    }
+
+    #[test]
+    fn clamped_bytes_and_other_channels_bound_nothing() {
+        let ours = picture(&camera(), 1);
+        // Each byte of red is clamped, so any number would do.
+        let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
+        assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
+        // Green is wrong, too, so it isn't D_u alone.
+        let green = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
+        assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
+    }
+
+    #[test]
+    fn written_cameras_are_all_different_from_ours() {
+        let ours = camera().matrix;
+        let cameras = written_cameras();
+        assert!(cameras.iter().all(|(camera, _)| camera.matrix != ours));
+        let (camera, words) = &cameras[1];
+        assert_eq!(words, "y of D_v = −2 tan(θ/2)/hRes instead of −0.001807");
+        assert_eq!(camera.matrix.y_axis.y, ours.y_axis.y * 639.0 / 640.0);
+    }
+}

@@ -104,6 +104,16 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, _| ours[((i + 2).min(63), j)].0),
             ),
+            (
+                "two columns to the right",
+                Nearest,
+                map_small(Nearest, |i, j, _| ours[(i.saturating_sub(2), j)].0),
+            ),
+            (
+                "two rows down",
+                Nearest,
+                map_small(Nearest, |i, j, _| ours[(i, j.saturating_sub(2))].0),
+            ),
             ("two rows up", Nearest, map_small(Nearest, |i, j, _| ours[(i, (j + 2).min(35))].0)),
             (
                 "15 wrong pixels",
