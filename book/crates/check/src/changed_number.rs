@@ -64,3 +64,41 @@ fn all_with_one_number_changed(
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TYPED: Typed = Typed { since: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
+
+    #[test]
+    fn one_number_is_changed_at_a_time() {
+        let changed: Vec<_> = all_with_one_number_changed([0.0, 1.0, 7.0], 3, TYPED).collect();
+        let expected = [
+            [0.5, 1.0, 7.0],
+            [1.0, 1.0, 7.0],
+            [0.0, 0.0, 7.0],
+            [0.0, 0.5, 7.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 1.0, 0.5],
+            [0.0, 1.0, 1.0],
+        ];
+        assert_eq!(changed, expected);
+    }
+
+    #[test]
+    fn single_number_is_changed_in_all_places() {
+        let changed: Vec<_> = all_with_one_number_changed([0.5; 3], 1, TYPED).collect();
+        assert_eq!(changed, [[0.0; 3], [1.0; 3]]);
+    }
+
+    #[test]
+    fn owners_have_names() {
+        let scene = StepScene::of_step(course::Step::Sphere);
+        assert_eq!(owner_names(&scene, Owner::Object), ["the sphere"]);
+        assert_eq!(owner_names(&scene, Owner::Light), ["the warm light", "the cool light"]);
+        assert_eq!(owner_names(&scene, Owner::Scene), ["the scene"]);
+        let named = StepScene::of_name("ada");
+        assert_eq!(owner_names(&named, Owner::Object)[..2], ["ball 1", "the ground"]);
+    }
+}

@@ -150,4 +150,22 @@ mod tests {
         let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);
     }
+
+    #[test]
+    fn pixels_are_right_or_wrong_and_the_farthest_is_wrong_most() {
+        let ours = RgbImage::from_pixel(4, 3, Rgb([9, 9, 9]));
+        let target = Target::of_locked("rings", ours.clone());
+        assert!(Comparison::new(&target, &ours).is_none());
+        assert!(Comparison::new(&target, &RgbImage::new(3, 4)).is_none());
+        let mut yours = ours;
+        yours[(1, 2)] = Rgb([9, 8, 9]);
+        yours[(3, 0)] = Rgb([9, 9, 19]);
+        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        assert_eq!((comparison.wrong.len(), comparison.right.len()), (2, 10));
+        assert_eq!(comparison.farthest.position, (3, 0));
+        assert_eq!(comparison.farthest.largest_difference(), 10);
+        let first_two = comparison.pixels().take(2);
+        assert!(first_two.into_iter().all(|pixel| pixel.yours != pixel.ours));
+        assert_eq!(comparison.pixels().count(), 12);
+    }
 }

@@ -87,3 +87,24 @@ fn missing_light(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let names = names.collect::<Vec<_>>().join(" and ");
     Some(format!("Each wrong pixel is ours without {names}."))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixel(ours: [u8; 3]) -> Pixel {
+        let ray = course::camera().ray(0.0, 0.0);
+        Pixel { position: (0, 0), ray, hit: None, yours: [0; 3], ours }
+    }
+
+    #[test]
+    fn pixels_are_varied_if_they_are_many_and_differ() {
+        let pixels = |count: u8, colours: u8| {
+            let pixels = (0..count).map(|k| pixel([k % colours, 0, 0]));
+            pixels.collect::<Vec<_>>()
+        };
+        assert!(is_varied(&pixels(16, 4)));
+        assert!(!is_varied(&pixels(15, 4)));
+        assert!(!is_varied(&pixels(16, 3)));
+    }
+}

@@ -237,3 +237,56 @@ fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u
     let is_coarse = seen.is_some() && camera.h_res < COARSE_COLUMNS;
     (0..3).all(is_near) || is_coarse || has_edge()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_those_of_almost_all_intervals() {
+        assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
+        assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
+        assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
+        // One of twenty-one may be wrong.
+        let mut intervals = vec![(1.0, 2.0); 20];
+        intervals.push((5.0, 6.0));
+        assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));
+    }
+
+    #[test]
+    fn plain_angles_come_once_and_the_default_first() {
+        let angles: Vec<_> = plain_angles().collect();
+        assert_eq!((angles[0], angles[1]), (60.0, 1.0));
+        assert_eq!(angles.len(), 1 + 179 + 1799 - 179);
+        assert_eq!(angles.last(), Some(&179.9));
+    }
+
+    #[test]
+    fn border_is_visited_on_all_sides() {
+        let positions: Vec<_> = border_positions((64, 36)).collect();
+        assert!(positions.iter().all(|(i, j)| [0, 63].contains(i) || [0, 35].contains(j)));
+        for corner in [(0, 0), (63, 0), (0, 35)] {
+            assert!(positions.contains(&corner), "{corner:?}");
+        }
+        assert!(border_positions((5000, 5000)).count() <= 200);
+    }
+
+    #[test]
+    fn options_are_named_as_they_are_typed() {
+        let options = |size, samples, compared| Options {
+            size,
+            fov_degrees: 75.5,
+            samples,
+            compared,
+            is_one_colour: false,
+        };
+        let all = options((640, 360), 1, 230_400);
+        assert_eq!(all.same_picture_sentence(), "So does the right program with --fov 75.5.");
+        let some = options((64, 32), 2, 100);
+        let sentence = "So may the right program with --fov 75.5 --width 64 --aspect 64:32 \
+                        --samples 2: 100 of 2048 pixels were compared.";
+        assert_eq!(some.same_picture_sentence(), sentence);
+        assert!(all.is_plain_angle());
+        assert!(!Options { fov_degrees: 75.55, ..all }.is_plain_angle());
+    }
+}

@@ -76,3 +76,40 @@ pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn region(name: &str, all: usize, wrong: usize, hidden: usize) -> Region {
+        Region { name: name.to_owned(), all, wrong, hidden }
+    }
+
+    #[test]
+    fn sentence_names_the_wrong_regions_and_the_right_ones() {
+        let [sky, ball] = [region("the sky", 9, 0, 0), region("ball 1", 7, 2, 0)];
+        let words =
+            "It differs from ours in 2 of 7 pixels of ball 1. Right in every pixel: the sky.";
+        assert_eq!(region_sentence(vec![sky, ball]), words);
+        let [sky, ball] = [region("the sky", 9, 1, 0), region("ball 1", 7, 0, 0)];
+        let words = "It differs from ours in 1 of 9 pixels of the sky. All 7 pixels of the objects \
+                     are right.";
+        assert_eq!(region_sentence(vec![sky, ball]), words);
+        let wrong = ["a", "b", "c", "d", "e"].into_iter().zip(1..);
+        let wrong = wrong.map(|(name, count)| region(name, 5, count, 0));
+        let words = "It differs from ours in 5 of 5 pixels of e; 4 of 5 pixels of d; 3 of 5 pixels \
+                     of c; 2 more.";
+        assert_eq!(region_sentence(wrong.collect()), words);
+    }
+
+    #[test]
+    fn few_hidden_pixels_say_nothing() {
+        let hidden =
+            |hidden| hidden_sentence(&[region("a", 200, 100, hidden), region("b", 9, 0, 0)]);
+        assert_eq!(hidden(9), None);
+        assert!(hidden(10).is_some_and(|sentence| sentence.starts_with("10 of 100 wrong pixels")));
+        let sentence = hidden_sentence(&[region("a", 200, 100, 1), region("b", 2, 2, 2)]);
+        let end = "lies behind, among them all that show b in ours.";
+        assert!(sentence.is_some_and(|sentence| sentence.ends_with(end)));
+    }
+}

@@ -114,3 +114,16 @@ impl StepScene {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scene_of_a_step_has_the_objects_of_that_step() {
+        let counts = Step::ALL.map(|step| StepScene::of_step(step).own.scene.objects.len());
+        assert_eq!(counts, [0, 1, 9, 9, 9]);
+        let sphere = StepScene::of_step(Step::Sphere);
+        assert_eq!(sphere.own.scene.objects[0].sphere, step02_sphere::SPHERE);
+    }
+}

@@ -17,3 +17,13 @@ pub fn run_on_threads<T: Send>(act: impl FnOnce() -> T + Send) -> T {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn result_is_returned() {
+        assert_eq!(run_on_threads(|| 6 * 7), 42);
+    }
+}

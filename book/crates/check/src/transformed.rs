@@ -98,3 +98,55 @@ fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
         budget.holds_for_all(&mut positions, 1, is_there)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture in which all pixels are different.
+    fn numbered(columns: u32, rows: u32) -> RgbImage {
+        RgbImage::from_fn(columns, rows, |i, j| [i as u8, j as u8, 200].into())
+    }
+
+    #[test]
+    fn turned_picture_is_named_by_its_turn() {
+        use image::imageops::{flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
+        let ours = numbered(20, 10);
+        let clauses = |yours: &RgbImage| turned_or_swapped_clauses(yours, &ours);
+        assert_eq!(clauses(&ours), [""]);
+        assert_eq!(clauses(&flip_vertical(&ours)), ["upside down"]);
+        assert_eq!(clauses(&flip_horizontal(&ours)), ["mirrored left to right"]);
+        assert_eq!(clauses(&rotate180(&ours)), ["turned by 180°"]);
+        assert_eq!(clauses(&rotate90(&ours)), ["turned by 90° to the right"]);
+        assert_eq!(clauses(&rotate270(&ours)), ["turned by 90° to the left"]);
+        let swapped = RgbImage::from_fn(20, 10, |i, j| {
+            let [r, g, b] = ours[(i, 9 - j)].0;
+            [g, r, b].into()
+        });
+        assert_eq!(clauses(&swapped), ["upside down, with red and green exchanged"]);
+        assert!(clauses(&numbered(10, 20)).is_empty());
+    }
+
+    #[test]
+    fn part_and_enlarged_picture_are_named_by_their_numbers() {
+        let ours = numbered(20, 10);
+        let clause = |yours: &RgbImage| cut_or_enlarged_clause(yours, &ours);
+        let part = RgbImage::from_fn(15, 7, |i, j| ours[(i + 4, j + 2)]);
+        let words = "cut out: its columns 4 to 18 and rows 2 to 8";
+        assert_eq!(clause(&part).as_deref(), Some(words));
+        // It has fewer than 100 pixels.
+        assert_eq!(clause(&RgbImage::from_fn(11, 9, |i, j| ours[(i, j)])), None);
+        let enlarged = RgbImage::from_fn(60, 30, |i, j| ours[(i / 3, j / 3)]);
+        assert_eq!(clause(&enlarged).as_deref(), Some("enlarged 3 times"));
+        assert_eq!(clause(&RgbImage::from_fn(60, 20, |i, j| ours[(i / 3, j / 2)])), None);
+    }
+
+    #[test]
+    fn colour_is_uniform_if_no_pixel_differs() {
+        let mut picture = RgbImage::from_pixel(3, 2, [1, 2, 3].into());
+        assert_eq!(uniform_colour(&picture), Some([1, 2, 3]));
+        picture[(2, 1)] = [1, 2, 4].into();
+        assert_eq!(uniform_colour(&picture), None);
+        assert_eq!(uniform_colour(&RgbImage::new(0, 0)), None);
+    }
+}

@@ -246,15 +246,16 @@ impl Mask {
     /// Every so many pixels, counted row by row.
     fn find_stride(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
-        let (period, rests) = self.find_period(number)?;
-        let pixels = format_rests("pixel", period, &rests);
+        let (period, remainders) = self.find_period(number)?;
+        let pixels = format_remainders("pixel", period, &remainders);
         let words = format!("{pixels}, counted row by row");
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
     fn find_diagonals(&self) -> Option<Shape> {
-        let describe = |direction: &str, (period, rests): (u32, BTreeSet<u32>)| {
-            let words = format!("{}, {direction}", format_rests("diagonal", period, &rests));
+        let describe = |direction: &str, (period, remainders): (u32, BTreeSet<u32>)| {
+            let words =
+                format!("{}, {direction}", format_remainders("diagonal", period, &remainders));
             Shape { words, cause: ShapeCause::Loop }
         };
         // The rows are added, so that the difference isn't below 0.
@@ -263,13 +264,13 @@ impl Mask {
         falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
     }
 
-    /// The smallest period of a number of each pixel whose rests tell the shape, and these rests.
+    /// The smallest period of a number of each pixel whose remainders tell the shape, and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
-            let rests: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
-            let is_shape = self.is_shape(|i, j| rests.contains(&(number(i, j) % period)));
-            is_shape.then_some((period, rests))
+            let remainders: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
+            let is_shape = self.is_shape(|i, j| remainders.contains(&(number(i, j) % period)));
+            is_shape.then_some((period, remainders))
         })
     }
 
@@ -296,8 +297,8 @@ fn join(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     (!both.is_empty()).then(|| both.join(" of "))
 }
 
-fn format_rests(word: &str, period: u32, rests: &BTreeSet<u32>) -> String {
-    match rests.len() {
+fn format_remainders(word: &str, period: u32, remainders: &BTreeSet<u32>) -> String {
+    match remainders.len() {
         1 => format!("every {} {word}", format_ordinal(period)),
         count => format!("{count} of every {period} {word}s"),
     }
@@ -312,4 +313,73 @@ fn format_ordinal(number: u32) -> String {
         _ => "th",
     };
     format!("{number}{end}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A mask with ten rows.
+    fn mask(columns: u32, contains: impl Fn(u32, u32) -> bool) -> Mask {
+        let pixels = (0..10).flat_map(|j| (0..columns).map(move |i| (i, j)));
+        let membership = |(i, j)| match contains(i, j) {
+            true => Membership::Inside,
+            false => Membership::Outside,
+        };
+        Mask { columns, rows: 10, memberships: pixels.map(membership).collect() }
+    }
+
+    #[test]
+    fn lines_are_named_by_their_first_their_last_and_their_step() {
+        let mask = mask(12, |_, _| true);
+        let format =
+            |word, lines: &[u32]| mask.format_lines(word, &lines.iter().copied().collect());
+        assert_eq!(format("row", &[3]).as_deref(), Some("row 3"));
+        assert_eq!(format("row", &[3, 4, 5]).as_deref(), Some("rows 3 to 5"));
+        assert_eq!(format("column", &[1, 4, 7]).as_deref(), Some("every 3rd column from 1 to 7"));
+        assert_eq!(format("row", &[1, 2, 4]).as_deref(), Some("3 rows between 1 and 4"));
+        assert_eq!(format("row", &[]), None);
+        let all: Vec<_> = (0..10).collect();
+        assert_eq!(format("row", &all), None);
+        assert_eq!(format("column", &all).as_deref(), Some("columns 0 to 9"));
+    }
+
+    #[test]
+    fn ordinals_end_as_in_english() {
+        let ordinals = [1, 2, 3, 4, 11, 12, 13, 21, 22, 23, 111, 112].map(format_ordinal);
+        let expected = [
+            "1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "22nd", "23rd", "111th",
+            "112th",
+        ];
+        assert_eq!(ordinals, expected);
+    }
+
+    #[test]
+    fn remainders_are_counted_unless_there_is_one() {
+        assert_eq!(format_remainders("pixel", 3, &BTreeSet::from([2])), "every 3rd pixel");
+        assert_eq!(format_remainders("pixel", 5, &BTreeSet::from([0, 1])), "2 of every 5 pixels");
+    }
+
+    #[test]
+    fn shape_is_the_first_that_fits() {
+        let words = |contains: fn(u32, u32) -> bool| {
+            mask(12, contains).find_shape().map(|shape| shape.words)
+        };
+        assert_eq!(words(|_, _| true), None);
+        assert_eq!(words(|_, j| j == 4).as_deref(), Some("row 4"));
+        assert_eq!(words(|i, j| i < 3 && j > 7).as_deref(), Some("columns 0 to 2 of rows 8 to 9"));
+        let lines = "every 4th column from 3 to 11 and every 5th row from 4 to 9";
+        assert_eq!(words(|i, j| i % 4 == 3 || j % 5 == 4).as_deref(), Some(lines));
+        let two = "columns 0 to 1 of row 0, and columns 5 to 6 of row 7";
+        assert_eq!(
+            words(|i, j| (i < 2 && j == 0) || ((5..7).contains(&i) && j == 7)).as_deref(),
+            Some(two)
+        );
+        let pixels = "every 7th pixel, counted row by row";
+        assert_eq!(words(|i, j| (12 * j + i) % 7 == 2).as_deref(), Some(pixels));
+        let wide = mask(40, |i, j| (i + 10 - j) % 5 == 1).find_shape();
+        let falling = "every 5th diagonal, falling to the right";
+        assert!(wide.is_some_and(|shape| shape.words == falling));
+        assert_eq!(words(|i, j| (i * i + 3 * j) % 11 == 0), None);
+    }
 }

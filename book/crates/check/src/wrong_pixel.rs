@@ -41,3 +41,22 @@ fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> Stri
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_those_that_the_step_computes() {
+        let ray = course::camera().ray(320.0, 180.0);
+        let values = |step| {
+            let scene = StepScene::of_step(step);
+            computed_values(&scene, &ray, scene.visible_hit(&ray))
+        };
+        assert!(values(Step::Rays).starts_with(": the sky, V = (0.0009, −0.0009, −1.0000)"));
+        assert_eq!(values(Step::Sphere), ": the sphere at t = 4.0000");
+        assert!(values(Step::Diffuse).contains("; the warm light: n·l = "));
+        assert!(!values(Step::Diffuse).contains("I_s"));
+        assert!(values(Step::Phong).contains(", I_s = ("));
+    }
+}

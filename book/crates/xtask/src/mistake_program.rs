@@ -133,3 +133,24 @@ fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> Xta
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn picture_is_named_by_its_mistake_and_its_step() {
+        assert_eq!(picture_name(7, Step::Nearest), "src/m7/step03_nearest");
+    }
+
+    #[test]
+    fn mistake_whose_code_is_gone_is_an_error() {
+        let mut mistake = course::mistakes()[0].clone();
+        assert!(text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new)));
+        mistake.old = "no such code".to_owned();
+        let error = text_with_mistake(&mistake).expect_err("the code isn't there");
+        let message = "the code of the mistake \"the angle is in degrees\" is 0 times in \
+                       steps/step01_rays/src/program.rs, and not once";
+        assert_eq!(error.to_string(), message);
+    }
+}

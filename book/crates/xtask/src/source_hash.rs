@@ -63,3 +63,22 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_blank_lines_and_indentation_are_no_code() {
+        let code = "//! A file.\n\nfn f() {\n    // Why.\n    g(); // here\n}\n";
+        assert_eq!(code_lines(code), "fn f() {\ng(); // here\n}");
+    }
+
+    #[test]
+    fn hash_depends_on_where_a_text_ends() {
+        let hash = |texts: &[&str]| hash_texts(texts.iter().map(|&text| text.to_owned()));
+        assert_ne!(hash(&["ab", "c"]), hash(&["a", "bc"]));
+        assert_ne!(hash(&["a"]), hash(&["a", ""]));
+        assert_eq!(hash(&["a", "b"]), hash(&["a", "b"]));
+    }
+}

@@ -220,4 +220,17 @@ mod tests {
         let names = [b"J\x94rg", b"J\x81rg"].map(|bytes| printable_name(OsStr::from_bytes(bytes)));
         assert_eq!(names, ["J\\x94rg", "J\\x81rg"]);
     }
+
+    #[test]
+    fn files_that_may_be_pictures_are_known_by_the_end_of_their_name() {
+        let file = |path: &str| FoundFile { path: path.into(), printable_path: path.to_owned() };
+        for path in ["a.png", "b/c.JPEG", "d.old.svg"] {
+            assert!(file(path).may_be_picture(), "{path}");
+        }
+        for path in ["png", "a.png.zip", "a", ".png"] {
+            assert!(!file(path).may_be_picture(), "{path}");
+        }
+        assert_eq!(file("b/c.png").printable_name(), "c.png");
+        assert_eq!(file("c.png").printable_name(), "c.png");
+    }
 }

@@ -96,3 +96,33 @@ impl<'a> NamedFolders<'a> {
         names.filter(|name| !self.has_folder[name])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn student(name: &str) -> StudentFolder {
+        StudentFolder { name: name.into(), path: name.into() }
+    }
+
+    #[test]
+    fn names_are_equal_in_each_unicode_form() {
+        assert_eq!(normalize_name("Do\u{308}ra"), "D\u{f6}ra");
+        let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
+        let doubles = Doubles::new(&students);
+        let notes = students.each_ref().map(|student| doubles.note(student));
+        let both = Some(Note::SameNameInOtherForm);
+        assert!(notes == [both, both, None]);
+    }
+
+    #[test]
+    fn folder_without_a_name_and_name_without_a_folder_are_found() {
+        let names = ["Ada", "D\u{f6}ra"].map(str::to_owned);
+        let students = [student("Do\u{308}ra"), student("Bob")];
+        let named = NamedFolders::new(&names, &students);
+        assert!(
+            students.each_ref().map(|student| named.note(student)) == [None, Some(Note::NotInList)]
+        );
+        assert_eq!(named.absent().collect::<Vec<_>>(), ["Ada"]);
+    }
+}

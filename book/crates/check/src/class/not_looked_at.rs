@@ -75,3 +75,23 @@ impl Display for Skipped {
         write!(formatter, "{}{reason}", self.printable_path)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clause_has_first_what_has_a_reason_and_counts_the_rest() {
+        let mut skipped = NotLookedAt::default();
+        assert_eq!(skipped.clause(), None);
+        skipped.add("a.txt".to_owned(), SkipReason::OtherName);
+        skipped.add("b".to_owned(), SkipReason::Link);
+        assert_eq!(skipped.clause().as_deref(), Some("not looked at: b (a link), a.txt"));
+        for k in 0..200 {
+            skipped.add(format!("{k}"), SkipReason::OtherName);
+        }
+        let clause = "not looked at: b (a link), a.txt, 0, 1, 2, 3, 4, 5, 194 more";
+        assert_eq!(skipped.clause().as_deref(), Some(clause));
+        assert_eq!((skipped.first.len(), skipped.count), (100, 202));
+    }
+}

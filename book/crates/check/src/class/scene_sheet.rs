@@ -319,3 +319,27 @@ fn html_list(items: &[String]) -> String {
 fn escape_html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn name_of_a_file_has_nothing_that_systems_refuse() {
+        assert_eq!(file_name("Ada Lövelace"), "Ada Lövelace.md");
+        assert_eq!(file_name("../a\\b:c\n?"), "___a_b_c__.md");
+    }
+
+    #[test]
+    fn html_is_escaped() {
+        assert_eq!(escape_html("a < b & c > d"), "a &lt; b &amp; c &gt; d");
+        assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
+    }
+
+    #[test]
+    fn table_has_a_row_of_heads_and_numbers_as_in_rust() {
+        let table = number_table(&StepScene::of_name("ada"), Owner::Object);
+        assert_eq!(table[0], ["", "the position", "the radius", "R_s", "n", "the colour"]);
+        assert_eq!(table[1][..3], ["ball 1", "(0.65, -0.3, -7.4)", "1.06"]);
+    }
+}

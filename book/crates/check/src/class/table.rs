@@ -10,3 +10,15 @@ pub(crate) fn align(rows: &[Vec<String>]) -> String {
     };
     rows.iter().map(line).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_their_longest_word() {
+        let rows = [["a", "bc", ""], ["öä", "", "d"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(align(&rows), "a   bc\nöä      d\n");
+        assert_eq!(align(&[]), "");
+    }
+}
