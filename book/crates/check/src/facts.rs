@@ -50,7 +50,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 /// Whether wrong pixels are many, and differ in ours.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
-    LEAST_PIXELS <= wrong.len() && LEAST_COLOURS <= colours.len()
+    wrong.len() >= LEAST_PIXELS && colours.len() >= LEAST_COLOURS
 }
 
 /// Whether each pixel is brighter in ours than a byte can tell.

@@ -203,7 +203,7 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     });
     let counts: Vec<_> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0);
-    let is_enough = |count: &i32| most - most / BYTES_PER_OBJECT_BYTE <= *count;
+    let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
     // After the last count that is enough, an interval ends.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);

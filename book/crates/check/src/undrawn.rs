@@ -93,7 +93,7 @@ impl Mask {
     fn new_with_enough(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
-        (LEAST_PIXELS <= count).then(|| Self::new(comparison, colour))
+        (count >= LEAST_PIXELS).then(|| Self::new(comparison, colour))
     }
 
     fn new(comparison: &Comparison, colour: [u8; 3]) -> Self {
@@ -169,7 +169,7 @@ impl Mask {
             ("above", first_row),
             ("below", self.rows - 1 - last_row),
         ];
-        let bars: Vec<_> = sides.into_iter().filter(|(_, width)| 0 < *width).collect();
+        let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
         // A bar on one side alone is a rectangle, and may be a loop that ends too soon; and a border
         // is around something.
         if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
