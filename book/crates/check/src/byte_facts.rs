@@ -7,13 +7,13 @@ use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// How many values of a byte have to be others before a file is named for them.
+/// A file is named only if at least this many values of a byte have changed.
 const CURVE_VALUES: usize = 16;
 
-/// How many bytes a sentence names.
+/// The most bytes that a sentence names.
 const MOST_BYTES: usize = 3;
 
-/// How many pixels are asked for a curve before all are.
+/// This many pixels are tried before all pixels are.
 const FIRST_PIXELS: usize = 500;
 
 /// Sentences about the bytes of each wrong pixel.
@@ -36,22 +36,22 @@ pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// The pixel itself and those around it, of which some may lie outside the picture on the right
-/// and below.
+/// The pixel itself and the pixels around it. On the right and below, they may lie outside the
+/// picture.
 fn neighbours((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let rows = j.saturating_sub(1)..=j + 1;
     rows.flat_map(move |row| (i.saturating_sub(1)..=i + 1).map(move |column| (column, row)))
 }
 
-/// A sentence about wrong pixels that all have one colour.
+/// A sentence about the wrong pixels if they all have the same colour.
 pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     let [r, g, b] = wrong.first()?.yours;
     let is_one = wrong.iter().all(|pixel| pixel.yours == [r, g, b]);
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// A sentence about bytes that follow from our bytes alone, in any order: one byte always becomes
-/// the same other.
+/// A sentence about bytes that follow from our bytes alone: each value of a byte is always replaced
+/// by the same value. Returns None if they don't.
 pub(crate) fn byte_map(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
@@ -70,28 +70,30 @@ pub(crate) fn byte_map(comparison: &Comparison, scene: &StepScene) -> Option<Str
     let file = curve_file(changed.len(), scene);
     let words = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
     let words = join_first(words.collect(), MOST_BYTES, ", ");
-    Some(format!("Each byte follows from ours alone: {words}.{file}"))
+    Some(format!("Each byte depends only on ours: {words}.{file}"))
 }
 
-/// Whether the sky or the objects alone are wrong, so that their colours may be others.
+/// Whether only the sky or only the objects differ. Then their colours may be wrong, and not the
+/// conversion to bytes.
 fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// The files to compare for some changed values of bytes. In steps 1 and 2 other colours of the
-/// directions look the same.
+/// A sentence that names the files to compare if this many values of a byte have changed. In steps
+/// 1 and 2 it is empty, since there wrong colours of the directions look the same.
 fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
     let is_known = value_count >= CURVE_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// A sentence about bytes that follow from our intensity alone, and grow or fall with it.
+/// A sentence about bytes that follow from our intensity alone, and grow or fall with it. Returns
+/// None if they don't.
 pub(crate) fn byte_curve(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if is_sky_or_objects_alone(comparison, scene) {
         return None;
     }
-    // Most pictures are refuted by a few pixels.
+    // For most pictures, a few pixels are enough to see that there is no curve.
     sorted_curve(comparison.pixels().take(FIRST_PIXELS), scene)?;
     let mut curve = sorted_curve(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
@@ -101,11 +103,11 @@ pub(crate) fn byte_curve(comparison: &Comparison, scene: &StepScene) -> Option<S
     points.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
     let file = curve_file(values.len(), scene);
-    Some(format!("Each byte follows from our intensity alone: {}.{file}", points.join(", ")))
+    Some(format!("Each byte depends only on our intensity: {}.{file}", points.join(", ")))
 }
 
-/// Intensities of pixels in their order, with your bytes and ours; None where yours neither grow
-/// nor fall with them.
+/// The intensities of these pixels in ascending order, each with your byte and ours. Returns None
+/// if your bytes neither grow nor fall with them.
 fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,

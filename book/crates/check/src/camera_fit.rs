@@ -1,6 +1,9 @@
-//! Cameras other than ours. Those are tried that somebody may have written, and those in which the
-//! sky tells one other number of D_u, D_v and V_0: where nothing is hit, red is 0.7 + 0.3 V_x and
-//! green 0.7 + 0.3 V_y, and V is D_u i + D_v j + V_0, so that each byte bounds the number.
+//! Cameras other than ours that give the reader's picture.
+//!
+//! First come cameras with a formula that somebody may have written. If none of them fits, the sky
+//! says which number of D_u, D_v or V_0 may be different: where nothing is hit, red is
+//! 0.7 + 0.3 V_x and green is 0.7 + 0.3 V_y. Since V = D_u i + D_v j + V_0, each byte of the sky
+//! gives an interval for the number.
 
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::number_format::with_minus;
@@ -9,14 +12,14 @@ use course::{Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
-/// A number of the camera's matrix: of D_u, D_v or V_0, and of x or y in it.
+/// One of six numbers of the camera's matrix: x or y of D_u, D_v or V_0.
 #[derive(Clone, Copy)]
 struct MatrixNumber {
     column: usize,
     row: usize,
 }
 
-/// The cameras that give the reader's picture in every pixel, in words.
+/// Describes the cameras that give the reader's picture in every pixel.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
     scene: &StepScene,
@@ -51,14 +54,14 @@ impl MatrixNumber {
         camera().matrix.col(self.column)[self.row]
     }
 
-    /// Our camera with another value.
+    /// Our camera with this value instead of ours.
     fn camera_with(self, value: f64) -> Camera {
         let mut camera = camera();
         camera.matrix.col_mut(self.column)[self.row] = value;
         camera
     }
 
-    /// Such as `x of D_u = 0.002 instead of 0.001807`.
+    /// Describes a change to this value, such as `x of D_u = 0.002 instead of 0.001807`.
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
@@ -66,8 +69,8 @@ impl MatrixNumber {
     }
 }
 
-/// Cameras in which somebody may have written another formula for a number, or for the height of
-/// the view, each with its formula.
+/// Cameras in which somebody may have written a different formula for one number, or for the
+/// height of the view. Each comes with words that give its formula.
 fn written_cameras() -> Vec<(Camera, String)> {
     let ours = camera();
     let (tan, h_res, v_res) = (-ours.matrix.z_axis.x, 640.0, 360.0);
@@ -112,15 +115,16 @@ fn written_cameras() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Values of a number that fit the sky, those with the fewest digits first: the objects need it
-/// more exactly than the sky tells. None where ours fits, too.
+/// Values of a number that fit the sky. Those with the fewest digits come first, since the sky
+/// leaves an interval, and only the objects decide. There are none if our value fits, too.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.ours(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
-    // Counted from a start in a unit.
+    // A rounded value is a start plus a round multiple of a unit: the number itself, a round
+    // multiple of ours, or ours moved by pixels.
     let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
@@ -130,12 +134,12 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
             .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
     });
     let values = values.chain([middle]).filter(|value| bounds.contains(value));
-    // What is tried is what an answer says.
+    // Try the rounded number, since that is what the answer reports.
     values.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// The values of a number that give all bytes of its channel where both pictures show the sky;
-/// None where no value does.
+/// The interval of values that give all bytes of the number's channel wherever both pictures show
+/// the sky. Returns None if no value does.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -143,8 +147,8 @@ fn bound_by_sky(
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    // The sky is 255 in blue, and the other number of V is ours. Lights make such pixels of
-    // objects, too, but hardly any above.
+    // A pixel is taken for the sky if its blue is 255 and the other channel is ours. A highlight
+    // may look like that, too, but hardly in the upper third of the picture.
     let rows = if scene.step < Step::Diffuse { 0..360 } else { 0..120 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;

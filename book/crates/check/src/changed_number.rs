@@ -5,8 +5,8 @@ use crate::number_format::{format_as_typed, with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Typed};
 
-/// All single numbers of the scene, typed otherwise, that give the reader's picture in every
-/// pixel, in words.
+/// Describes each change of one number of the scene that gives the reader's picture in every
+/// pixel.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     scene: &StepScene,
@@ -38,7 +38,7 @@ pub(crate) fn find_changed_numbers(
     words
 }
 
-/// The names of all that have a quantity.
+/// The names of all owners of one kind, such as all objects.
 pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
         Owner::Object => scene.object_names(),
@@ -47,7 +47,8 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// One number or three, one of them changed to another that somebody may have typed.
+/// All ways to change one of these numbers to a value that somebody may have typed. If the
+/// quantity has one number, it is in all three places.
 fn all_with_one_number_changed(
     old: [f64; 3],
     count: usize,

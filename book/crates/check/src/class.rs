@@ -1,5 +1,5 @@
-//! What a class has handed in: each folder in a folder is a student's, with whatever is in it and
-//! below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
+//! What a class has handed in: a folder with one folder for each student, and whatever is in it
+//! and below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
 
 mod feedback;
 mod folder;
@@ -25,8 +25,8 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Says of each picture in the folders of a class whether it is right. A line of `names` is the
-/// whole name of a folder; without a list, each folder may have any name.
+/// Reports on each picture in the folders of a class. Each item of `names` is the whole name of a
+/// folder. Without a list, folders may have any name.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,
@@ -48,8 +48,7 @@ pub fn report_on_class(
     Ok(ClassReport { students, not_looked_at: class.not_looked_at })
 }
 
-/// Says of each of one's own pictures in a folder whether it is right. What lies in folders below
-/// it isn't looked at.
+/// Reports on somebody's own pictures in a folder. Folders inside it aren't looked at.
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],

@@ -7,38 +7,38 @@ use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
-/// A reader's picture beside ours of the same size.
+/// A reader's picture and ours, which have the same size.
 pub(crate) struct Comparison<'a> {
     pub target: &'a Target,
-    /// Pixels that are wrong, at least one, scattered over the picture.
+    /// The pixels that differ, at least one. The first ones are scattered over the picture.
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
-    /// A wrong pixel that is off most.
+    /// The wrong pixel with the largest difference.
     pub farthest: Pixel,
 }
 
 /// A pixel of the reader's picture and of ours.
 #[derive(Clone, Copy)]
 pub(crate) struct Pixel {
-    /// Column and row.
+    /// The column and the row.
     pub position: (u32, u32),
-    /// The ray of our camera.
+    /// The ray of our camera through it.
     pub ray: Ray,
-    /// The hit that ours shows, None where it shows the sky.
+    /// The hit that our picture shows there, or None if it shows the sky.
     pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
 }
 
 impl Pixel {
-    /// How far the channel is apart that differs most.
+    /// The difference of the channel that differs most.
     pub fn largest_difference(&self) -> u8 {
         largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))
     }
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares a picture with a target; None where their sizes differ, or no pixel does.
+    /// Compares a picture with a target. Returns None if the sizes differ, or if no pixel does.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
         let Target { scene, picture: ours, .. } = target;
         let (columns, rows) = ours.dimensions();
@@ -58,13 +58,14 @@ impl<'a> Comparison<'a> {
         Some(Self { target, wrong, right, farthest })
     }
 
-    /// All pixels, first those that are wrong, so that what doesn't give them fails soon.
+    /// All pixels. The wrong ones come first, so that a cause that doesn't give them is ruled out
+    /// soon.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
 }
 
-/// Column and row of every pixel, in an order that soon comes to each part of the picture.
+/// The column and row of every pixel, in an order that soon reaches each part of the picture.
 pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
     // 7919 is a prime, so it visits every position unless it divides the count.
@@ -73,8 +74,8 @@ pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32
     (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
-/// Rays that may still be computed, or pixels compared, to try something: the bound of its time,
-/// the same on every machine.
+/// How many rays may still be computed, or pixels compared. It limits the time, and unlike a clock
+/// it is the same on every machine.
 pub(crate) struct Budget(Cell<u32>);
 
 impl Budget {
@@ -86,15 +87,15 @@ impl Budget {
         self.0.get() == 0
     }
 
-    /// Takes a cost from the budget; false where it doesn't suffice.
+    /// Takes a cost from the budget. Returns false if it isn't enough, which also spends the rest.
     pub fn spend(&self, cost: u32) -> bool {
         let rest = self.0.get().checked_sub(cost);
         self.0.set(rest.unwrap_or(0));
         rest.is_some()
     }
 
-    /// Whether something is so of all items, each of which has this cost; false where the budget
-    /// doesn't suffice. What refutes it is asked first the next time.
+    /// Whether `is_so` holds for every item, at this cost each. Returns false if the budget runs
+    /// out. The first counterexample moves to the front, so that the next call fails fast.
     pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {
@@ -116,7 +117,7 @@ mod tests {
         assert!(budget.spend(3) && !budget.is_spent());
         assert!(budget.spend(2) && budget.is_spent());
         assert!(!budget.spend(1));
-        // What it doesn't suffice for takes the rest.
+        // A cost that is too high spends the rest.
         let budget = Budget::new(5);
         assert!(!budget.spend(6) && budget.is_spent());
     }
@@ -145,7 +146,7 @@ mod tests {
             assert_eq!(different.len(), positions.len());
             assert!(positions.iter().all(|(i, j)| *i < columns && *j < rows));
         }
-        // Among the first hundred, all ninths of a picture.
+        // The first hundred are in all ninths of a picture.
         let first = scattered_positions((640, 360)).take(100);
         let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);

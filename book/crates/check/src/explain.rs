@@ -124,7 +124,7 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     }
     let options = options.map(|options| format!(" {}", options.same_picture_sentence()));
     let options = options.unwrap_or_default();
-    let mut lines = vec![format!("{start} this very picture, as others may: {words}.{options}")];
+    let mut lines = vec![format!("{start} this very picture (others may, too): {words}.{options}")];
     if let Cause::Mistake(mistake) = first {
         lines.extend(describe_mistake(mistake));
     }

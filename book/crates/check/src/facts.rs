@@ -11,8 +11,8 @@ use step01_rays::rgb8;
 
 const MOST_FACTS: usize = 3;
 
-/// How many pixels, and how many right colours of theirs, a sentence on each of them needs: of
-/// fewer, much is true by chance.
+/// A sentence about each wrong pixel needs this many wrong pixels, with this many different colours
+/// in our picture. Of fewer, too much is true by chance.
 const LEAST_PIXELS: usize = 16;
 const LEAST_COLOURS: usize = 4;
 
@@ -23,7 +23,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
-    // Light that is too strong makes areas white, and a curve says more of them.
+    // Light that is too strong makes areas white, and a curve says more about those.
     let curve = varied
         .and_then(|scene| byte_curve(comparison, scene).or_else(|| byte_map(comparison, scene)));
     let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
@@ -47,18 +47,19 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether wrong pixels are many, and differ in ours.
+/// Whether there are many wrong pixels, with different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= LEAST_PIXELS && colours.len() >= LEAST_COLOURS
 }
 
-/// Whether each pixel is brighter in ours than a byte can tell.
+/// Whether each pixel has an intensity in our picture that no byte can hold.
 fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|one| scene.colour(&one.ray).max_element() > 1.0)
 }
 
-/// A sentence about the least light of ours without which it is yours in each wrong pixel.
+/// A sentence about the light that is missing from each wrong pixel, if our sum without some of its
+/// terms gives your colour there. It names as few terms as possible.
 fn missing_light(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
     let ambient = ["the ambient term".to_owned()];
@@ -69,7 +70,7 @@ fn missing_light(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // Without all of them, it would be black.
+    // Without any term, each pixel would be black.
     let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
     choices.sort_by_key(|choice| choice.count_ones());
     let lights = &scene.own.scene.lights;

@@ -15,49 +15,48 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-/// Tells whether a picture is right and, if it is not, what happened.
+/// Reports whether a picture is right and, if it isn't, what's wrong with it.
 ///
-/// Without a file, it looks for the pictures of the course in the current folder,
-/// and says which are right.
+/// Without a file, it looks for the pictures of the course in the current folder
+/// and reports which of them are right.
 ///
-/// The exit code is 0 if all is right, 1 if something is wrong, and 2 if something
-/// is missing, unreadable or, in the folder of a class, not looked at.
+/// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
+/// something is missing, unreadable or, in the folder of a class, not looked at.
 #[derive(Parser)]
 #[command(name = "check", after_help = format!("Names: {}", locked_names().join(", ")))]
 #[command(group = ArgGroup::new("use_of_names").args(["folder", "out"]))]
 struct Arguments {
     /// The picture to look at, a PNG file
     file: Option<PathBuf>,
-    /// The expected picture (default: the one that the file name tells)
+    /// The expected picture (default: taken from the name of the file)
     #[arg(value_parser = locked_name_parser(), hide_possible_values = true)]
     name: Option<String>,
-    /// What a class has handed in: each folder in this one is a student's, with whatever is in
-    /// it and below
+    /// The folder of a class, with one folder for each student and whatever is in it and below
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the sheet of a name: the numbers of the scene that belongs to it, and problems on
-    /// paper. With a file, tells whether it is this scene
+    /// paper. With a file, reports whether it is the picture of this scene
     #[arg(long, value_name = "NAME", group = "sheet", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| normalize_name(&name)))]
     scene: Option<String>,
-    /// A class's list of names, one a line. With --out, writes the sheet of each. With --in, a
-    /// line is the whole name of a student's folder, and the report says which folders are
-    /// missing
+    /// A file with the names of a class, one on each line. With --out, writes the sheet of each.
+    /// With --in, each line is the whole name of a student's folder, and the report says which
+    /// folders are missing
     #[arg(long, value_name = "FILE", group = "sheet", requires = "use_of_names")]
     #[arg(conflicts_with_all = ["file", "scene"])]
     names: Option<PathBuf>,
-    /// The folder to write sheets into, which doesn't exist yet: each as its name and .md, and
-    /// all as sheets.html, to be printed
+    /// The folder to write sheets into, which mustn't exist yet. Each sheet is a .md file, and
+    /// sheets.html has all of them for printing
     #[arg(long, value_name = "FOLDER", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     out: Option<PathBuf>,
-    /// Writes the answers to the problems as well, as answers.html
+    /// Also writes the answers to the problems, as answers.html
     #[arg(long, requires = "out")]
     answers: bool,
-    /// A word that chooses another scene for each name, and that no sheet shows
+    /// A word that chooses a different scene for each name and isn't on any sheet
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| normalize_name(&word)))]
     secret: Option<String>,
-    /// The pictures that count, with commas between them (default: all that are there)
+    /// The pictures that count, separated by commas (default: all that are there)
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene", "out"])]
     #[arg(value_delimiter = ',', value_parser = locked_name_parser(), hide_possible_values = true)]
     require: Vec<String>,
@@ -134,7 +133,7 @@ fn main() -> ExitCode {
         Arguments { csv: true, .. } => Form::Csv,
         _ => Form::Plain,
     };
-    // Errors in writing are ignored: the output may be a closed pipe.
+    // Errors in writing are ignored, since the output may be a closed pipe.
     match run_on_threads(|| run(arguments)) {
         Ok(output) => {
             let _ = writeln!(io::stdout(), "{}", output.format(form).trim_end());
@@ -187,7 +186,7 @@ fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
     })
 }
 
-/// The names of locked pictures that the option `--require` has.
+/// The locked pictures named by the option `--require`.
 fn required_names(require: &[String]) -> Vec<&'static str> {
     locked_names().into_iter().filter(|name| require.iter().any(|one| one == name)).collect()
 }
@@ -205,7 +204,7 @@ fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<An
     Ok(answer)
 }
 
-/// Saves the picture of a difference in the target folder. Returns a line that says where.
+/// Saves the picture of the difference in the target folder. Returns a line that says where.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

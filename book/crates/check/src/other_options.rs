@@ -8,52 +8,52 @@ use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
-/// Columns and rows of a picture without options.
+/// The columns and rows of a picture that is drawn without options.
 const DEFAULT_SIZE: (u32, u32) = (640, 360);
 
-/// How many rays are drawn to compare a picture with some options; with all that come into
-/// question, twice as many.
+/// The most rays that are drawn to compare a picture with one choice of options. All choices
+/// together may use twice as many.
 const RAYS: u32 = 1 << 23;
 
-/// How many rays are drawn to find those that come into question.
+/// The most rays that are drawn to rule out choices of options.
 const PROBE_RAYS: u32 = 6_000_000;
 
-/// How many pixels refute most options, before all are compared.
+/// This many pixels rule out most choices, before all pixels are compared.
 const PROBES: usize = 200;
 
-/// How far rounding may move an intensity of the sky, in parts of a byte.
+/// How far rounding may move a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
-/// How far the mean of a pixel of one object may be from its centre, in bytes, and the least
-/// columns of a picture of which that is so.
+/// How far the mean of a pixel that shows one object may be from the colour at its centre, and the
+/// least columns that a picture needs for this to be so.
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// One of so many bytes on the border may be that of an object that is as blue as the sky.
+/// One in this many bytes on the border may belong to an object that is as blue as the sky.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
-/// How far the bounds of an angle may be apart so that four decimals are tried.
+/// Angles with four decimals are tried if the bounds of the angle are closer than this.
 const MOST_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
-/// The options of a picture that a right program draws with them.
+/// Options with which a right program draws the reader's picture.
 pub(crate) struct Options {
     size: (u32, u32),
     fov_degrees: f64,
     samples: u32,
-    /// How many pixels were compared; all, unless there are many rays.
+    /// How many pixels were compared. It is all of them unless that takes too many rays.
     compared: usize,
     /// Whether the picture has one colour, as it has with many options.
     is_one_colour: bool,
 }
 
 impl Options {
-    /// Whether somebody would type this angle: it has one decimal at most.
+    /// Whether somebody would type this angle, since it has one decimal at most.
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
 
-    /// A sentence that follows one on mistakes that give the same picture.
+    /// A sentence to follow one about mistakes that give the same picture.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -108,8 +108,8 @@ impl Options {
     }
 }
 
-/// The plainest options that give a picture, with which a scene is a right one; None where none
-/// do, or too much would have to be tried.
+/// Finds the plainest options with which a right program draws this picture of a scene. Returns
+/// None if there are none, or if it would take too many rays to find them.
 pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Options> {
     let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
@@ -146,14 +146,14 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
     None
 }
 
-/// Angles in degrees: that of the locked pictures, whole ones, then those with one decimal.
+/// Angles in degrees: the default, then whole ones, then those with one decimal.
 fn plain_angles() -> impl Iterator<Item = f64> {
     let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
     iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
 }
 
-/// Angles with two and three decimals, as far as they fit what the upper border of a picture
-/// shows, taken for the sky; those with four, too, where that leaves few.
+/// Angles with two and three decimals that fit the upper border of a picture, if that shows the
+/// sky. If the border leaves only a few angles, those with four decimals come, too.
 fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -186,8 +186,9 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// The bounds of the numbers that lie in almost as many intervals as any number does: a few pixels
-/// that are taken for the sky show a highlight. Without intervals, the bounds of all from 0 on.
+/// The bounds of the numbers that lie in almost as many intervals as any number does. It is almost,
+/// since a few of the pixels that are taken for the sky may show a highlight. Without intervals,
+/// all numbers from 0 on are within the bounds.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -204,13 +205,14 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let counts: Vec<_> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0);
     let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
-    // After the last count that is enough, an interval ends.
+    // The change after the last count that is enough is the end of an interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first].0, changes[last].0)
 }
 
-/// Places on the border of a picture, which shows the sky for most angles: its corner first.
+/// Positions on the border of a picture, beginning at a corner. For most angles, the border shows
+/// the sky.
 fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
@@ -218,8 +220,9 @@ fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel may be right, whatever the samples are. The sky is linear, so that its mean over
-/// a pixel is that of the centre. Within one object, the mean is near to that, if pixels are small.
+/// Whether a pixel may be right with some number of samples. The sky is linear, so its mean over a
+/// pixel is its colour at the centre. Within one object, the mean is close to that if pixels are
+/// small.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
@@ -247,7 +250,7 @@ mod tests {
         assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
         assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
         assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
-        // One of twenty-one may be wrong.
+        // One in twenty-one doesn't matter.
         let mut intervals = vec![(1.0, 2.0); 20];
         intervals.push((5.0, 6.0));
         assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));

@@ -6,7 +6,7 @@ use std::io::{Cursor, ErrorKind};
 use step01_rays::MOST_PIXELS;
 use thiserror::Error;
 
-/// How PNG files begin.
+/// The first bytes of a PNG file.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
@@ -17,8 +17,8 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
-/// the beginnings of PNG files that a copy has damaged.
+/// Files that are not PNG files: where certain bytes begin, these bytes, and what the file is. At
+/// the end come PNG files whose first bytes were damaged by a copy.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
@@ -48,7 +48,7 @@ const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
-/// The pictures of Netpbm, P1 to P7, and what they are.
+/// What the files of Netpbm are, from P1 to P7.
 const NETPBM: [&str; 7] = [
     "a PBM picture, written as text (P1); save it as PNG",
     "a PGM picture, written as text (P2); save it as PNG",
@@ -59,13 +59,13 @@ const NETPBM: [&str; 7] = [
     "a PAM picture (P7); save it as PNG",
 ];
 
-/// How long the second header of a BMP file may be, from its oldest version to the fifth.
+/// How many bytes the second header of a BMP file may have, in the order of its versions.
 const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
 
-/// The most bytes of a file, and the most that a chunk of it is unpacked to.
+/// The most bytes of a file, and the most bytes into which one of its chunks is unpacked.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The most bytes that are unpacked: of all pixels with alpha and 8 bits.
+/// The most bytes that are unpacked: enough for all pixels with alpha and 8 bits per channel.
 const MOST_BYTES: u64 = 4 * MOST_PIXELS;
 
 /// What a PNG file holds.
@@ -128,7 +128,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     }
     let limits = Limits { bytes: FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
-    // Palettes become colours, transparent colours alpha, and few bits eight.
+    // Turns palettes into colours, transparent colours into alpha, and fewer bits into eight.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info().map_err(PngError::Damaged)?;
@@ -136,7 +136,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if u64::from(columns) * u64::from(rows) > MOST_PIXELS {
         return Err(PngError::TooManyPixels { columns, rows });
     }
-    // It is None if the number is larger than any memory.
+    // It is None if no memory could be large enough.
     let byte_count = reader.output_buffer_size().unwrap_or(usize::MAX);
     if byte_count as u64 > MOST_BYTES {
         return Err(PngError::TooMuchMemory { columns, rows });
@@ -159,7 +159,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     Ok(DecodedPng { rgb, is_transparent: transparent.count > 0, notes })
 }
 
-/// Sentences about a kind of PNG file that the programs don't write.
+/// Sentences about features of a PNG file that the programs of the course don't use.
 fn describe_kind(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
@@ -182,7 +182,7 @@ fn describe_kind(info: &Info) -> Vec<String> {
     notes
 }
 
-/// Samples of 8 bits, for those of 16.
+/// Rounds samples of 16 bits to 8.
 fn round_samples(bytes: &[u8]) -> Vec<u8> {
     let round = |pair: &[u8]| {
         let sample = u32::from(pair[0]) << 8 | u32::from(pair[1]);
@@ -195,11 +195,11 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
 #[derive(Default)]
 struct Transparent {
     count: usize,
-    /// The number of the first, counted row by row.
+    /// The index of the first, counted row by row.
     first: Option<usize>,
 }
 
-/// Red, green and blue of each pixel, whatever its channels are, and which are not opaque.
+/// Splits samples into red, green and blue of each pixel, and the pixels that are not opaque.
 fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
     let mut transparent = Transparent::default();
     let mut note_alpha = |number: usize, alpha: u8| {
@@ -231,8 +231,8 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
     (rgb, transparent)
 }
 
-/// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
-/// first bytes, behind blanks and in any case; None for a PNG file.
+/// Recognises the format of a file by its first bytes, in any case and after any blanks. Returns a
+/// clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
 fn find_other_format(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         return None;
@@ -251,7 +251,7 @@ fn find_other_format(file: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What a picture of Netpbm is: a P, a digit, and a blank or a comment.
+/// What a file of Netpbm is, which begins with a P, a digit, and a blank or a comment.
 fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
     let [b'P', digit, behind, ..] = file else { return None };
     let number = digit.checked_sub(b'1')?;

@@ -8,7 +8,7 @@ use step01_rays::{direction_colour, rgb8};
 
 const MOST_REGIONS: usize = 3;
 
-/// The pixels in which ours shows the sky, or one object.
+/// The pixels that show the sky in our picture, or one of the objects.
 pub(crate) struct Region {
     name: String,
     all: usize,
@@ -17,7 +17,7 @@ pub(crate) struct Region {
     hidden: usize,
 }
 
-/// The sky and the objects that ours shows, in their order.
+/// Counts the pixels of the sky and of each object that our picture shows, in this order.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
@@ -36,13 +36,14 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     regions
 }
 
-/// A sentence about the hidden pixels, unless they are few, and the objects that show nowhere.
+/// A sentence about the pixels that show what lies behind, unless there are few of them, and about
+/// the objects that show nowhere in your picture.
 pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
     let hidden: usize = regions.iter().map(|region| region.hidden).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong).sum();
     let nowhere = regions.iter().filter(|region| region.hidden == region.all);
     let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
-    // Few may be so by chance.
+    // A few may have such a colour by chance.
     if nowhere.is_empty() && 10 * hidden < wrong {
         return None;
     }
@@ -51,12 +52,12 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
          behind"
     );
     if !nowhere.is_empty() {
-        sentence += &format!(", among them all that show {} in ours", nowhere.join(", "));
+        sentence += &format!(", including all that show {} in ours", nowhere.join(", "));
     }
     Some(sentence + ".")
 }
 
-/// A sentence about the regions with the most wrong pixels, and those that are right.
+/// A sentence about the regions with the most wrong pixels, and about those that are right.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
     let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);
@@ -109,7 +110,7 @@ mod tests {
         assert_eq!(hidden(9), None);
         assert!(hidden(10).is_some_and(|sentence| sentence.starts_with("10 of 100 wrong pixels")));
         let sentence = hidden_sentence(&[region("a", 200, 100, 1), region("b", 2, 2, 2)]);
-        let end = "lies behind, among them all that show b in ours.";
+        let end = "lies behind, including all that show b in ours.";
         assert!(sentence.is_some_and(|sentence| sentence.ends_with(end)));
     }
 }

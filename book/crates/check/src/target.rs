@@ -6,26 +6,26 @@ use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A picture to compare with: a locked one, or the scene of a name.
+/// A right picture to compare with: a locked one, or the scene that belongs to a name.
 pub(crate) struct Target {
-    /// Such as `the picture of glass`.
+    /// What a sentence calls it, such as `the picture of glass`.
     pub title: String,
-    /// The name of a locked picture; None of the scene of a name.
+    /// The name of the locked picture, or None for the scene of a name.
     pub name: Option<String>,
-    /// None of an exercise.
+    /// What draws it, or None for an exercise.
     pub scene: Option<StepScene>,
     pub picture: RgbImage,
 }
 
 impl Target {
-    /// The locked picture of a name.
+    /// The target for a locked picture.
     pub fn of_locked(name: &str, picture: RgbImage) -> Self {
         let scene = Step::from_name(name).map(StepScene::of_step);
         let title = format!("the picture of {name}");
         Self { title, name: Some(name.to_owned()), scene, picture }
     }
 
-    /// The scene that belongs to a name.
+    /// The target for the scene that belongs to a name.
     pub fn of_scene(name: &str) -> Self {
         let scene = StepScene::of_name(name);
         let picture = render(&camera(), 1, |ray| scene.colour(ray));
@@ -33,13 +33,13 @@ impl Target {
     }
 }
 
-/// A title such as `the scene of ada`.
+/// What a sentence calls a scene, such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }
 
-/// The one of `names` that a file's own name tells: `step03_nearest.png`,
-/// `my_lens-2.png`, `step3.png`.
+/// Finds one of `names` in the name of a file, such as `step03_nearest.png`, `my_lens-2.png` or
+/// `step3.png`. If there are several, takes the longest.
 pub(crate) fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -77,7 +77,7 @@ mod tests {
         assert_eq!(find("MyScene-2.png"), Some("my_scene"));
         assert_eq!(find("sunny.png"), None);
         assert_eq!(find("rings/picture.png"), None);
-        // The longer of two names.
+        // The longest of several names counts.
         assert_eq!(find("sun rings.png"), Some("rings"));
         assert_eq!(find("step4.png"), None);
     }

@@ -3,11 +3,12 @@
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// How many pixels may be compared to find a part, and the least that a part has.
+/// How many pixels may be compared to find a part, and the least pixels of a part.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// The position in a turned picture of a column and row of ours, of which the last are given.
+/// The position in a turned picture of a pixel of ours. The second argument is our last column and
+/// row.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
@@ -26,8 +27,8 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// A sentence about a picture of one colour, or about one that is the whole of ours, of this
-/// title, turned, cut out or enlarged; None for any other.
+/// A sentence about a picture that has one colour, or that is ours turned, cut out or enlarged.
+/// Returns None for any other picture. Ours has this title.
 pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
         return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
@@ -40,7 +41,7 @@ pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
-/// The colour of all pixels, where it is one.
+/// The colour of all pixels if they have the same.
 pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     let first = picture.get_pixel_checked(0, 0)?.0;
     // Each pixel is equal to the one before it.
@@ -48,15 +49,15 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Clauses such as `upside down`: how yours is the whole of ours turned, mirrored or with its
-/// channels in another order; of each turn the plainest.
+/// Clauses such as `upside down`, if your picture is ours turned, mirrored or with its channels in
+/// a different order. Each turn has the plainest order that fits.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
     }
     let (columns, rows) = ours.dimensions();
     let clauses = TURNS.iter().filter_map(|(turned, turn)| {
-        // A grey picture is the same in any order.
+        // A grey picture looks the same in any order.
         let (swapped, _) = ORDERS.iter().find(|(_, order)| {
             scattered_positions((columns, rows)).all(|position| {
                 let (i, j) = turn(position, (columns - 1, rows - 1));
@@ -70,7 +71,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// A clause such as `enlarged 2 times`: which part of ours yours is, or how many times larger.
+/// A clause such as `enlarged 2 times`, if your picture is a part of ours, or ours enlarged.
 fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {
@@ -83,7 +84,7 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// The corner of the part of `whole` in which all pixels of `part` are.
+/// The column and row in `whole` where `part` begins, if it is a part of it.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);

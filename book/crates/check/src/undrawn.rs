@@ -1,23 +1,24 @@
-//! Black or white pixels, as they are where a program draws nothing.
+//! Black or white pixels in a plain shape, which a program may never have drawn.
 
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The least pixels that count as undrawn, or as a picture with a border.
+/// Fewer pixels don't count as undrawn, nor as a picture inside a border.
 const LEAST_PIXELS: usize = 100;
 
 /// The most rectangles that a sentence names.
 const MOST_RECTANGLES: usize = 4;
 
-/// The largest distance of lines, or of pixels in reading order, that counts as a pattern.
+/// Lines that are farther apart, or pixels in reading order, don't count as a pattern.
 const LARGEST_PERIOD: u32 = 64;
 
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// A sentence about wrong pixels that are black or white and have a plain shape, as those do that
-/// nothing draws; or black in any shape, if all others are right, and a part of the sky is. Too much
-/// light makes pixels white, too, so it is left open why they are.
+/// A sentence about wrong pixels that are black or white and form a plain shape, as pixels do that
+/// were never drawn. Black ones may also form any shape if all other pixels are right and a part of
+/// the sky is. The sentence doesn't say why pixels are white, since too much light makes them
+/// white, too.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
@@ -58,29 +59,29 @@ struct Shape {
     cause: ShapeCause,
 }
 
-/// What most likely left out the pixels of a shape, if they are black.
+/// What most likely left out the pixels of a black shape.
 #[derive(Clone, Copy)]
 enum ShapeCause {
     /// The loops of a program.
     Loop,
-    /// An editor, which put more around a picture.
+    /// An editor that put a border around a finished picture.
     Editor,
-    /// Several scraps may be anything dark, if other pixels are wrong, too.
+    /// Several pieces may be anything dark if other pixels are wrong, too.
     Unknown,
 }
 
-/// What a pixel says of a shape.
+/// Whether a pixel belongs to a shape.
 #[derive(Clone, Copy, PartialEq)]
 enum Membership {
-    /// Wrong, and of the colour: in the shape.
+    /// It does: it is wrong and has the colour of the shape.
     Inside,
-    /// Right, and of the colour all the same.
+    /// It may: it has the colour of the shape, but is right.
     Either,
-    /// Of another colour: not in the shape.
+    /// It doesn't: it has a different colour.
     Outside,
 }
 
-/// The pixels of one colour in a reader's picture.
+/// Which pixels of a reader's picture have one colour.
 struct Mask {
     columns: u32,
     rows: u32,
@@ -89,7 +90,7 @@ struct Mask {
 }
 
 impl Mask {
-    /// The mask of a colour; None where too few wrong pixels have it.
+    /// The mask of a colour. Returns None if too few wrong pixels have it.
     fn new_with_enough(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
@@ -110,7 +111,7 @@ impl Mask {
         Self { columns, rows, memberships }
     }
 
-    /// Column, row and membership of each pixel.
+    /// The column, row and membership of each pixel.
     fn pixels(&self) -> impl Iterator<Item = (u32, u32, Membership)> {
         let index = |k: usize| k as u32;
         let memberships = self.memberships.iter().enumerate();
@@ -128,7 +129,7 @@ impl Mask {
         self.inside().count()
     }
 
-    /// Whether a shape has all pixels that are inside, and none that are outside.
+    /// Whether a shape contains all pixels that are inside and none that are outside.
     fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
         self.pixels().all(|(i, j, membership)| match membership {
             Membership::Inside => contains(i, j),
@@ -137,7 +138,7 @@ impl Mask {
         })
     }
 
-    /// The first shape of those we know that fits; None where it is the whole picture.
+    /// The first shape we know that fits. Returns None if none does, or if it is the whole picture.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -170,15 +171,15 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
-        // A bar on one side alone is a rectangle, and may be a loop that ends too soon; and a border
-        // is around something.
+        // A bar on only one side is a rectangle, which a loop leaves that ends too soon. And a
+        // border surrounds something.
         if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths = bars.iter().map(|(side, width)| format!("{width} {side}"));
         let widths = widths.collect::<Vec<_>>().join(", ");
-        // Loops may leave out the first and the last, but more is put around a finished picture.
+        // A loop may leave out the first and the last line. An editor's border is wider.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
@@ -196,7 +197,7 @@ impl Mask {
         is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
 
-    /// All but the crossings of some columns and rows, such as lines between tiles.
+    /// Everything except the crossings of some columns and rows, such as lines between tiles.
     fn find_rest(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
@@ -215,7 +216,7 @@ impl Mask {
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
-    /// A few rectangles, such as the tiles of processors that drew nothing.
+    /// A few rectangles, such as tiles that some threads never drew.
     fn find_rectangles(&self) -> Option<Shape> {
         let mut rest = self.memberships.clone();
         let index = |i: u32, j: u32| (j * self.columns + i) as usize;
@@ -243,7 +244,7 @@ impl Mask {
         Some(Shape { words: words.join(", and "), cause })
     }
 
-    /// Every so many pixels, counted row by row.
+    /// Every nth pixel, counted row by row.
     fn find_stride(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
         let (period, remainders) = self.find_period(number)?;
@@ -258,13 +259,14 @@ impl Mask {
                 format!("{}, {direction}", format_remainders("diagonal", period, &remainders));
             Shape { words, cause: ShapeCause::Loop }
         };
-        // The rows are added, so that the difference isn't below 0.
+        // Adding the rows keeps the difference from being negative.
         let falling = self.find_period(|i, j| i + self.rows - j);
         let falling = falling.map(|found| describe("falling to the right", found));
         falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
     }
 
-    /// The smallest period of a number of each pixel whose remainders tell the shape, and these remainders.
+    /// Numbers each pixel, and finds the smallest period by whose remainders the shape is
+    /// described. Returns the period and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
@@ -274,7 +276,8 @@ impl Mask {
         })
     }
 
-    /// Such as `row 3`, `rows 3 to 9`, `every 2nd row from 1 to 359`; None of all lines.
+    /// Formats lines as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns None for no
+    /// lines and for all lines.
     fn format_lines(&self, word: &str, lines: &BTreeSet<u32>) -> Option<String> {
         let all = if word == "row" { self.rows } else { self.columns };
         let (first, last) = (lines.first()?, lines.last()?);
@@ -290,7 +293,7 @@ impl Mask {
     }
 }
 
-/// Columns of rows; None where both are all.
+/// Joins columns and rows, such as `columns 3 to 9 of row 2`. Returns None if there are neither.
 fn join(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let both = [columns, rows].into_iter().flatten().map(String::as_str);
     let both: Vec<_> = both.collect();

@@ -6,7 +6,7 @@ use crate::step_scene::{ObjectHit, StepScene};
 use course::Step;
 use step05_phong::{Ray, normal};
 
-/// The wrong pixel that differs most: its colours, and what ours computes there.
+/// Describes the wrong pixel that differs most: both colours, and what our program computes there.
 pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Comparison) -> String {
     let Pixel { position: (i, j), ray, hit, yours, ours } = farthest;
     let computed = target.scene.as_ref().map(|scene| computed_values(scene, ray, *hit));
@@ -14,7 +14,7 @@ pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Compari
     format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())
 }
 
-/// The values that our program computes for one ray, in the book's letters, after a colon.
+/// A colon, and the values that our program computes for one ray, in the letters of the book.
 fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector(ray.direction));

@@ -39,7 +39,7 @@ impl Feedback {
     }
 }
 
-/// The feedback on a file of a student, in a table below that on their `earlier` pictures.
+/// The feedback on a file of a student. In the table it comes below the `earlier` pictures.
 pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureReport]) -> Feedback {
     let feedback = match result {
         Err(error) => Feedback {

@@ -40,17 +40,18 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     }
 }
 
-/// A name with each letter as one character (NFC). macOS writes the "ü" in a file's name as two.
+/// The name with each letter as one character (NFC). In the name of a file, macOS writes an "ü" as
+/// two.
 pub fn normalize_name(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// The name of a student's folder in one Unicode form; None if it isn't UTF-8.
+/// The name of a student's folder, normalized. Returns None if it isn't UTF-8.
 fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(normalize_name)
 }
 
-/// The names that several folders have, in different Unicode forms.
+/// The names that several folders have in different Unicode forms.
 pub(crate) struct Doubles(HashSet<String>);
 
 impl Doubles {
@@ -66,7 +67,7 @@ impl Doubles {
     }
 }
 
-/// A list of names, and which of them a folder has.
+/// A list of names, and whether there is a folder for each.
 pub(crate) struct NamedFolders<'a> {
     names: &'a [String],
     has_folder: HashMap<&'a str, bool>,
@@ -83,14 +84,14 @@ impl<'a> NamedFolders<'a> {
         Self { names, has_folder }
     }
 
-    /// Notes that the list doesn't have the name of this folder.
+    /// A note if the name of this folder isn't in the list.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
         let name = normalized_folder_name(student);
         let is_listed = name.is_some_and(|name| self.has_folder.contains_key(&*name));
         (!is_listed).then_some(Note::NotInList)
     }
 
-    /// The names that no folder has, in the order of the list.
+    /// The names without a folder, in the order of the list.
     pub fn absent(&self) -> impl Iterator<Item = &'a str> {
         let names = self.names.iter().map(|name| &**name);
         names.filter(|name| !self.has_folder[name])

@@ -1,12 +1,12 @@
-//! What in a folder isn't looked at, and why.
+//! Files and folders that aren't looked at, and why.
 
 use std::fmt::{self, Display, Formatter};
 
-/// The most names in a list, and the most in a clause.
+/// The most names in JSON, and the most in a clause.
 const MOST_LISTED: usize = 100;
 const MOST_IN_CLAUSE: usize = 8;
 
-/// What isn't looked at: the first of it, and how much it is in all.
+/// Everything that isn't looked at: its first items, and how many there are.
 #[derive(Default)]
 pub(crate) struct NotLookedAt {
     pub first: Vec<Skipped>,
@@ -22,9 +22,9 @@ pub(crate) struct Skipped {
 /// Why something isn't looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SkipReason {
-    /// The name of a file isn't that of a picture.
+    /// The file's name is not the name of a picture.
     OtherName,
-    /// A file lies beside the students' folders.
+    /// The file is beside the students' folders, not in one.
     BesideFolders,
     Link,
     ToolFolder,
@@ -46,8 +46,8 @@ impl NotLookedAt {
         self.count == 0
     }
 
-    /// A clause with the first names, and how many more there are; None if there are none. What
-    /// has a reason comes first.
+    /// A clause with the first names, and how many more there are. Names with a reason come first.
+    /// Returns None if everything was looked at.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);

@@ -1,5 +1,5 @@
-//! Sheets: the numbers of the scene that belongs to a name, from which a student writes it in
-//! Rust, and problems on paper with these numbers.
+//! The sheet of a name: the numbers of the scene that belongs to it, from which a student writes
+//! the scene in Rust, and problems on paper with these numbers.
 
 use crate::changed_number::owner_names;
 use crate::class::table::align;
@@ -16,7 +16,7 @@ use std::path::Path;
 use step05_phong::{Ray, Terms};
 use thiserror::Error;
 
-/// The files of all sheets on one page each, and of all answers.
+/// The file with all sheets, one on each page, and the file with all answers.
 const SHEETS_FILE: &str = "sheets.html";
 const ANSWERS_FILE: &str = "answers.html";
 
@@ -52,7 +52,7 @@ pub enum SheetError {
 /// What a sheet says.
 struct Sheet {
     name: String,
-    /// The numbers of the balls, the lights and the scene, each with a row of heads.
+    /// A table for the balls, one for the lights and one for the scene. The first row has the heads.
     tables: Vec<Vec<Vec<String>>>,
     instructions: Vec<String>,
     problems: Vec<String>,
@@ -63,19 +63,19 @@ struct Sheet {
 struct Spot {
     pixel: (u32, u32),
     ray: Ray,
-    /// The balls that the ray meets, in the order of their numbers.
+    /// The hits on all balls that the ray meets, in the order of the scene.
     balls: Vec<ObjectHit>,
     /// The hit that the pixel shows.
     visible: ObjectHit,
 }
 
-/// The sheet of a name, in Markdown. A secret word chooses another scene of the name.
+/// The sheet of a name, in Markdown. A secret word chooses a different scene for the name.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     Sheet::new(name, secret).to_markdown()
 }
 
-/// Writes the sheets of a class into a folder that doesn't exist yet: each into a file of its
-/// name, and all into one for printing. All are written, or none.
+/// Writes the sheets of a class into a folder that doesn't exist yet: a file for each name, and one
+/// with all sheets for printing. If one can't be written, none is.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,
@@ -106,7 +106,7 @@ pub fn write_sheets(
     Ok(write_new_folder(folder, &files)?)
 }
 
-/// The name of a sheet's file, without what file systems refuse and terminals obey.
+/// The name of a sheet's file, with `_` for characters that file systems refuse or terminals obey.
 fn file_name(name: &str) -> String {
     let is_refused = |c: char| is_obeyed_by_terminals(c) || "./\\:*?\"<>|".contains(c);
     format!("{}.md", name.replace(is_refused, "_"))
@@ -131,7 +131,7 @@ impl Sheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // Spellings of a name that have one scene have one pixel.
+        // The pixel depends on the numbers, so two spellings with the same scene get the same one.
         let skipped = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let spot = find_spot(&scene, skipped as usize);
         let (problems, answers) = spot.map(|spot| spot.problems(&scene)).unwrap_or_default();
@@ -147,7 +147,7 @@ impl Sheet {
     fn to_markdown(&self) -> String {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
-            // Indented, it is code.
+            // Markdown shows indented lines as code.
             let lines = align(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
@@ -182,7 +182,7 @@ impl Sheet {
     }
 }
 
-/// A table of all numbers of the objects, the lights or the scene, with a minus as Rust has it.
+/// A table with all numbers of the objects, the lights or the scene, as they are typed in Rust.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner && !one.needs_mirrors);
     let names = owner_names(scene, owner).into_iter().enumerate();
@@ -195,9 +195,9 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// A pixel that shows a ball in the light of both lights, with a highlight, and another ball behind
-/// it. If there is none, one ball is enough, and then one light. Each number of pixels to skip
-/// chooses one.
+/// A pixel that shows a ball in the light of both lights, with a highlight, and has a second ball
+/// behind it. If there is none, one ball is enough, and then one light. `skipped` is how many pixels
+/// to skip before the search, so that different numbers find different pixels.
 fn find_spot(scene: &StepScene, skipped: usize) -> Option<Spot> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
@@ -212,7 +212,8 @@ fn find_spot(scene: &StepScene, skipped: usize) -> Option<Spot> {
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// The balls on a ray; None if it shows none, or nearly touches one, where D loses digits.
+/// The balls on a ray. Returns None if it shows no ball, or if it nearly touches one, since D loses
+/// digits there.
 fn spot_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<Spot> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";
@@ -226,7 +227,7 @@ fn spot_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<Spot> {
 }
 
 impl Spot {
-    /// Whether each of the first lights is bright here, and one has a highlight.
+    /// Whether the first lights are all bright here, and at least one has a highlight.
     fn is_lit_by_first(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
         for light in &scene.own.scene.lights[..light_count] {
@@ -239,7 +240,7 @@ impl Spot {
         sum.specular.x > 0.02
     }
 
-    /// The problems, and the answer to each.
+    /// The problems, and their answers in the same order.
     fn problems(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
         let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
         let Self { pixel: (i, j), ray, balls, visible } = self;
@@ -301,7 +302,7 @@ fn join(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// A page to print, of a kind that its style knows.
+/// A page for printing. Its style depends on the kind.
 fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
     let sections: String = sections.map(|html| format!("<section>\n{html}</section>\n")).collect();
     format!(

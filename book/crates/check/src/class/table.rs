@@ -1,6 +1,6 @@
 //! Text in columns.
 
-/// Rows of words in columns, each as wide as its longest word.
+/// Formats rows in columns, each as wide as its longest cell.
 pub(crate) fn align(rows: &[Vec<String>]) -> String {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();

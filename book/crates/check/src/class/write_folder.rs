@@ -1,4 +1,4 @@
-//! Files that are written all or not at all, into a folder that doesn't exist yet.
+//! Writes all files of a new folder, or none.
 
 use crate::class::folder::printable_name;
 use std::path::Path;
@@ -9,7 +9,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum WriteFolderError {
     /// The path has no name at its end, as `..` has none.
-    #[error("{0} is no name of a new folder")]
+    #[error("{0} is not the name of a new folder")]
     NoName(String),
     /// Something has this path already.
     #[error("{0} exists already; choose a folder that doesn't")]
@@ -30,8 +30,8 @@ pub(crate) struct NewFile {
     pub text: String,
 }
 
-/// Writes files into a folder beside the one that is meant, and renames it when all are there.
-/// Returns lines that name them.
+/// Writes files into a folder with a temporary name, and renames it once all are there. Returns
+/// lines that name the files.
 pub(crate) fn write_new_folder(
     folder: &Path,
     files: &[NewFile],
