@@ -1,4 +1,4 @@
-//! What holds of all pictures and all bytes.
+//! Laws that hold for all pictures and all files.
 
 use crate::{check, encode, locked_file, map_locked};
 use check::{CheckError, Verdict, check_png};
@@ -39,7 +39,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // Below, the border of the picture doesn't show the sky, which tells the decimals.
+        // With smaller angles, the border doesn't show the sky, from which the decimals follow.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
@@ -72,7 +72,7 @@ fn angles_with_highlights_on_the_border_are_found() {
     }
 }
 
-/// No picture rules out that step 1 is wrong: its parts may be so in what the sky doesn't show.
+/// No picture rules out a mistake in step 1, since it may be in something that the sky doesn't show.
 #[test]
 fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
     for step in Step::ALL {

@@ -1,5 +1,5 @@
-//! `check`: what it says of every picture that a reader may bring. Answers are snapshots, to be
-//! read as a reader does.
+//! What `check` says about every kind of picture that a reader may have. The answers are snapshots:
+//! review them as a reader would read them.
 
 mod class;
 #[cfg(unix)]
@@ -28,18 +28,18 @@ fn locked_picture(name: &str) -> RgbImage {
     read_locked_picture(name).expect("a locked picture")
 }
 
-/// The locked picture `name` with each pixel made from its place and colour.
+/// The locked picture `name`, with each pixel changed according to its position and colour.
 fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = locked_picture(name);
     RgbImage::from_fn(640, 360, |i, j| Rgb(change(i, j, ours.get_pixel(i, j).0)))
 }
 
-/// The picture of a function from rays, by the camera of the course.
+/// Draws a function from rays to colours with the camera of the course.
 fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-/// The picture of the scene of a name.
+/// Draws the scene that belongs to a name.
 fn draw_scene(name: &str) -> RgbImage {
     let scene = named_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
@@ -56,7 +56,7 @@ fn check(picture: RgbImage, name: &str) -> Answer {
     answer.expect("a picture")
 }
 
-/// An answer as a snapshot has it.
+/// Formats an answer for a snapshot.
 fn format_answer(result: Result<Answer, CheckError>) -> String {
     let answer = match result {
         Ok(answer) => answer,
@@ -68,7 +68,7 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
     format!("[{}]\n{text}{causes}", answer.verdict.words())
 }
 
-/// Compares answers below their titles with the snapshot of this name.
+/// Compares answers, each below its title, with the snapshot of this name.
 #[track_caller]
 fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
     let answers = answers.into_iter();

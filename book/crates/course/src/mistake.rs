@@ -1,40 +1,51 @@
-//! The list of mistakes, and the marks in its files. A block of lines is a mistake: its
-//! title, `-` what stands there, `+` what is written instead. `@` names the file of those
-//! below. Where the book shows it: `!` the name of its picture (and of a step, if that is
-//! another than the file's), `?` why it is wrong, `/` the section to go back to, `"` what
-//! one sees.
+//! The list of mistakes.
+//!
+//! In the files of the list, each block of lines is a mistake. The first line is its title. The
+//! others begin with marks:
+//!
+//! - `-` the right code,
+//! - `+` the code that is written instead.
+//!
+//! A block that begins with `@` names the file of the mistakes below it. If the book shows a
+//! mistake, its block has four more lines:
+//!
+//! - `!` the name of its picture, and of the step that is drawn, unless that is the file's step;
+//!   there may be several,
+//! - `?` why it is wrong,
+//! - `/` the section to read again,
+//! - `"` what one sees in the picture.
 
 use crate::Step;
 use crate::mistake_files::mistake_texts;
 use std::sync::OnceLock;
 
-/// Mistake that a reader may make: a place of a file, and the text written there instead.
+/// A mistake that readers make: some code of a file, and what they write instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
-    /// Short description.
+    /// A short description.
     pub title: &'static str,
-    /// The first step whose program it is in.
+    /// The step whose crate has the file.
     pub step: Step,
-    /// The file of that step, seen from the root of the workspace.
+    /// The file, as a path from the root of the workspace.
     pub file: String,
-    /// Right text; blanks at the beginning of a line do not count.
+    /// The right code. Blanks at the start of a line don't count.
     pub old: String,
-    /// Text that is written instead.
+    /// The code that is written instead.
     pub new: String,
-    /// The name of each picture in the book, lower-case words with `-` between them, and the step
-    /// that is drawn with the mistake in it: after `! name`, or else that of its file. It has none
-    /// where the book does not show it, and none of the words below then.
+    /// The pictures of the mistake in the book: the name of each, lower-case words joined by `-`,
+    /// and the step that draws it. If the book doesn't show the mistake, there are none, and the
+    /// texts below are empty.
     pub pictures: Vec<(&'static str, Step)>,
-    /// How it comes about or what is right, in one sentence.
+    /// A sentence that says why it is wrong, or what is right.
     pub reason: &'static str,
-    /// The heading of its section, in a chapter of its step.
+    /// The heading of the section to read again, in a chapter of its step.
     pub section: &'static str,
-    /// Sentence about what its picture shows.
+    /// A sentence about what its picture shows.
     pub effect: &'static str,
 }
 
-/// All mistakes, in the order of the lists, which are parsed once. There are none in a module of a
-/// page before the page has provided the lists.
+/// All mistakes, in the order of the lists. The lists are parsed once. In a module of a page there
+/// are no mistakes until the page has provided the lists.
 pub fn mistakes() -> &'static [Mistake] {
     static MISTAKES: OnceLock<Vec<Mistake>> = OnceLock::new();
     let Some(texts) = mistake_texts() else { return &[] };
@@ -68,7 +79,7 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
     let pictures = marked('!').map(|picture| {
         let (name, drawn) = picture.split_once(' ').unwrap_or((picture, step.name()));
-        // A word that is no step stays a part of the name, which no name may have.
+        // If the word isn't a step, it stays in the name. A test finds such names.
         Step::from_name(drawn).map_or((picture, step), |drawn| (name, drawn))
     });
     Some(Mistake {
@@ -85,20 +96,21 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
 }
 
 impl Mistake {
-    /// The steps whose pictures it may spoil, in their order: its own and those after it.
+    /// The steps whose pictures the mistake may change: its own and the later ones.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
     }
 
-    /// Lines of the right text, each after a `-`, and those written instead, after `+`.
+    /// The mistake as a diff: the lines of the right code after `- `, and those that are written
+    /// instead after `+ `.
     pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// The text of its file with the mistake in it and without indentation. If the right text
-    /// isn't there exactly once, returns how many times it is.
+    /// The text of its file with the mistake in it, without indentation. If the right code isn't
+    /// there exactly once, returns how many times it is there.
     pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) = (unindent(file_text), unindent(&self.old));
         match file_text.matches(&old).count() {

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why something wasn't made anew. Its message goes to whoever has run the command.
+/// Why something wasn't regenerated. The message is for whoever has run the command.
 #[derive(Debug, Error)]
 pub enum XtaskError {
     #[error("cargo xtask takes no arguments, and got {0}")]
@@ -30,7 +30,7 @@ pub enum XtaskError {
 pub type XtaskResult<T> = Result<T, XtaskError>;
 
 impl XtaskError {
-    /// Makes the error of a file or folder from the system's.
+    /// Adds the path of the file or folder to an error of the system.
     pub fn of_file(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::File { path: path.to_owned(), source }
     }

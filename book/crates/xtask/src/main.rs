@@ -1,5 +1,5 @@
-//! Regenerates what is made from the code and checked in: the table and the small pictures of
-//! the mistakes, and the modules of the book's pages.
+//! Regenerates the files that are made from the code and checked in: the table and the small
+//! pictures of the mistakes, and the modules of the book's pages.
 
 mod error;
 mod mistake_program;
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
 }
 
 /// Draws the mistakes whose code or right picture has changed, and compiles the modules of the
-/// book's pages if their code has changed.
+/// book's pages if their sources have changed.
 fn regenerate() -> XtaskResult<()> {
     if let Some(argument) = env::args_os().nth(1) {
         return Err(XtaskError::Argument(argument.display().to_string()));

@@ -1,5 +1,5 @@
-//! Many mistakes in one program: each is a module, a copy of the steps from its own on with the
-//! mistake in it. What it does not touch is that of the course.
+//! A program that draws many mistakes. Each mistake is a module with a copy of its step and of the
+//! later ones, with the mistake in it. The earlier steps are those of the course.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{Mistake, Step, cargo_command, crate_as_module, target_folder, workspace};
@@ -7,10 +7,11 @@ use image::RgbImage;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The pictures that a mistake may spoil, each with its step; None where it panics.
+/// The pictures that a mistake may change, each with its step. A picture is None if the program
+/// panics.
 pub type Pictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The manifest of the program, up to the steps; the versions are those of the course's Cargo.lock.
+/// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
@@ -23,7 +24,7 @@ image = { version = "*", default-features = false }
 rayon = "*"
 "#;
 
-/// The program, up to its modules and the list of what it draws.
+/// The main file of the program, up to its modules and the list of what it draws.
 const MAIN: &str = "#![allow(warnings)]
 use rayon::prelude::*;
 
@@ -54,8 +55,7 @@ pub fn draw(mistakes: &[&Mistake]) -> XtaskResult<Vec<Pictures>> {
     Ok(mistakes.map(|(k, one)| one.affected_steps().map(|step| read(k, step)).collect()).collect())
 }
 
-/// The text of a mistake's file with the mistake in it, no line indented; an error where its
-/// place is not there once.
+/// The text of a mistake's file with the mistake in it, without indentation.
 pub fn text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
     mistake.apply_and_unindent(&text).map_err(|count| {
@@ -81,13 +81,12 @@ fn package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// The name under which the program of a step saves its picture with mistake `k`.
+/// The name under which the program saves the picture of a step with the mistake of this index.
 fn picture_name(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
 
-/// Writes the package: its manifest, a module for each mistake, and the list of what its main file
-/// draws.
+/// Writes the package of the program: its manifest, a module for each mistake, and its main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let (folder, mut manifest) = (package_folder(), MANIFEST.to_owned());
     for step in Step::NAMES {
@@ -111,7 +110,7 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     write_text(&folder.join("Cargo.lock"), &read_text(&workspace().join("Cargo.lock"))?)
 }
 
-/// Writes the library of a step, with the mistake, as a part of `module`.
+/// Writes the library of a step with the mistake in it, as a part of `module`.
 fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> XtaskResult<()> {
     let folder = source.join(module).join(step);
     fs::create_dir_all(&folder).map_err(XtaskError::of_file(&folder))?;

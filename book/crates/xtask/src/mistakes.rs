@@ -1,4 +1,4 @@
-//! The table of the mistakes, and the small pictures of those that the book shows.
+//! Draws mistakes, for the table and for the small pictures that the book shows.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
@@ -12,12 +12,12 @@ use image::imageops::replace;
 use std::collections::HashMap;
 use std::fs;
 
-/// The most mistakes in one program: as many as a compiler takes with little memory. What is
-/// drawn is written after each program, and not drawn again where the command was stopped.
+/// The most mistakes in one program. More would take the compiler too much memory. The results are
+/// written after each program, so that a command that was stopped goes on from there.
 const BATCH_SIZE: usize = 60;
 
-/// The mistakes, and what is made from them: the rows by their keys, the small pictures by their
-/// names.
+/// The mistakes, and what is known of their pictures: the rows of the table by their keys, and the
+/// small pictures by their names.
 pub struct Table {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
@@ -27,7 +27,7 @@ pub struct Table {
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
-/// Draws the mistakes that the table does not know.
+/// Draws the mistakes that aren't in the table.
 pub fn draw_unknown() -> XtaskResult<()> {
     let mut table = Table::read()?;
     let unknown: Vec<_> = table.unknown().copied().collect();
@@ -43,8 +43,8 @@ pub fn draw_unknown() -> XtaskResult<()> {
     table.write()
 }
 
-/// A hash of what decides about a mistake's pictures: its code, what is right, and the names and
-/// steps of those that the book shows.
+/// A hash of everything that determines a mistake's pictures: its code, the right pictures, and the
+/// names and steps of the pictures that the book shows.
 pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
@@ -55,7 +55,7 @@ pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
 }
 
 impl Table {
-    /// Reads the list, the right pictures, and what was made from both.
+    /// Reads the list, the right pictures, and what is checked in.
     pub fn read() -> XtaskResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
@@ -71,7 +71,7 @@ impl Table {
         Ok(Self { right, all, rows, small_pictures })
     }
 
-    /// The mistakes that were not drawn with the code and the right pictures of today.
+    /// The mistakes that haven't been drawn with the present code and right pictures.
     pub fn unknown(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let mut names = mistake.pictures.iter().map(|(name, _)| name);
@@ -86,7 +86,7 @@ impl Table {
         };
         let hashes: Vec<_> = pictures.iter().map(hash).collect();
         if hashes.iter().all(Option::is_none) {
-            println!("shows in no picture: {}", title_and_file(mistake));
+            println!("can be seen in no picture: {}", title_and_file(mistake));
         }
         self.rows.insert(key, hashes);
         for (name, shown_step) in &mistake.pictures {
@@ -105,8 +105,8 @@ impl Table {
         names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
     }
 
-    /// The table: the hashes of what is right, the names of the small pictures, and a row for
-    /// each mistake.
+    /// The table as text: the hashes of the right pictures, the names of the small pictures, and a
+    /// row for each mistake.
     pub fn text(&self) -> String {
         let mut text = String::new();
         for (name, hash) in &self.right {

@@ -1,6 +1,6 @@
-//! The modules of the book's pages: the package `page`, compiled for the browser with one feature
-//! each. They are checked in, so that nobody needs a second target to build the book; modules.txt
-//! has a hash of what they were made from, and the compiler.
+//! The modules of the book's pages. Each is the package `page`, compiled for the browser with one of
+//! its features. They are checked in, so that nobody needs a second target to build the book.
+//! modules.txt has a hash of their sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
@@ -11,13 +11,13 @@ use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Whether the modules were made from other sources than those of today.
+/// Whether the sources have changed since the modules were compiled.
 pub fn are_stale() -> XtaskResult<bool> {
     let text = fs::read_to_string(page_folder().join("modules.txt")).unwrap_or_default();
     Ok(text.split(' ').next() != Some(&*source_hash()?))
 }
 
-/// Compiles the modules, if they are stale.
+/// Compiles the modules if they are stale.
 pub fn compile_if_stale() -> XtaskResult<()> {
     if !are_stale()? {
         return Ok(());
@@ -82,7 +82,7 @@ fn cargo_home() -> PathBuf {
     home.unwrap_or_else(|| env::home_dir().unwrap_or_default().join(".cargo"))
 }
 
-/// The folders of the packages' sources, one for each registry.
+/// The folders in which Cargo keeps the sources of packages, one for each registry.
 fn registry_source_folders() -> Vec<PathBuf> {
     let folders = fs::read_dir(cargo_home().join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()

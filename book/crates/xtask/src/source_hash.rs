@@ -1,25 +1,25 @@
-//! Hashes of source text. What a page neither draws nor shows doesn't count: lines of comments and
-//! documentation, blank lines, indentation.
+//! Hashes of source code. Comments, documentation, blank lines and indentation don't count, unless
+//! a page shows them.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders of what a module may be made from.
+/// The folders with the sources of the modules.
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// What those folders have besides: the hash, the list of mistakes, which a page loads by itself,
-/// and tests.
+/// Files and folders in them that are not sources: the hash, the list of mistakes, which a page
+/// loads separately, and tests.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
-/// What a page shows as it is, and lets a reader copy: there comments and indentation count, too.
+/// Sources that a page shows, so that readers may copy them. Their comments and their indentation
+/// count, too.
 const SHOWN: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "course/src/scene_program.rs"];
 
-/// The hash of what the modules are made from: the code of all sources and manifests, and what a
-/// page shows.
+/// The hash of all sources of the modules, manifests included.
 pub fn source_hash() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
@@ -35,12 +35,12 @@ pub fn source_hash() -> XtaskResult<String> {
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// The hash of texts, one after the other.
+/// The hash of several texts.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
-/// The lines of code, but for blank ones and comments.
+/// The code without blank lines, comments and indentation.
 pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));

@@ -1,4 +1,4 @@
-//! What is checked in and made from the code is what the code says today.
+//! The files that are made from the code and checked in are up to date.
 
 use crate::mistake_program::title_and_file;
 use crate::mistakes::{Table, key};
@@ -14,7 +14,7 @@ fn modules_are_made_from_the_code_of_today() {
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || env::var("CI").as_deref() != Ok("true"), "{note}");
     if is_stale {
-        // What a test prints is hidden where it passes; this is not.
+        // Unlike println, this is shown even if the test passes.
         let _ = writeln!(stderr(), "\nNote: {note}");
     }
 }
@@ -23,9 +23,9 @@ fn modules_are_made_from_the_code_of_today() {
 fn the_table_knows_each_mistake_and_what_is_right() {
     let table = Table::read().expect("each mistake has its place, and the table can be read");
     let unknown: Vec<_> = table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect();
-    assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
+    assert!(unknown.is_empty(), "`cargo xtask` draws these new mistakes:\n{}", unknown.join("\n"));
     let texts = mistake_texts().expect("a program includes the texts");
-    assert!(table.text() == texts.table, "the table is another: `cargo xtask` writes it anew");
+    assert!(table.text() == texts.table, "the table has changed: `cargo xtask` writes it");
 }
 
 #[test]
