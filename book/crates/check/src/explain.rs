@@ -139,9 +139,9 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     if lines.len() > MOST_DIFF_LINES {
         lines.clear();
     }
-    if !mistake.reason.is_empty() {
-        lines.push(mistake.reason.to_owned());
-        lines.push(format!("See step {}, \"{}\".", mistake.step.number(), mistake.section));
+    if let Some(shown) = &mistake.shown {
+        lines.push(shown.reason.to_owned());
+        lines.push(format!("See step {}, \"{}\".", mistake.step.number(), shown.section));
     }
     lines
 }
@@ -178,6 +178,7 @@ fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use course::ShownMistake;
 
     fn mistake(title: &'static str, file: &str) -> Mistake {
         Mistake {
@@ -186,10 +187,7 @@ mod tests {
             file: file.to_owned(),
             old: "a".to_owned(),
             new: "b".to_owned(),
-            pictures: vec![],
-            reason: "",
-            section: "",
-            effect: "",
+            shown: None,
         }
     }
 
@@ -220,7 +218,9 @@ mod tests {
         let short = mistake("slip", "a.rs");
         assert_eq!(describe_mistake(&short), ["  - a", "  + b"]);
         let four_lines = "b\nb\nb\nb".to_owned();
-        let shown = Mistake { new: four_lines, reason: "It is b.", section: "Letters", ..short };
-        assert_eq!(describe_mistake(&shown), ["It is b.", "See step 2, \"Letters\"."]);
+        let shown =
+            ShownMistake { pictures: vec![], reason: "It is b.", section: "Letters", effect: "" };
+        let long = Mistake { new: four_lines, shown: Some(shown), ..short };
+        assert_eq!(describe_mistake(&long), ["It is b.", "See step 2, \"Letters\"."]);
     }
 }

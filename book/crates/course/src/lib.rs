@@ -22,7 +22,7 @@ pub use examples::{PICTURES, Picture, find_picture};
 mod mistake;
 mod mistake_files;
 mod mistake_table;
-pub use mistake::{Mistake, mistakes};
+pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
 pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
     SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,

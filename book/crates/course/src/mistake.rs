@@ -32,16 +32,30 @@ pub struct Mistake {
     pub old: String,
     /// The code that is written instead.
     pub new: String,
-    /// The pictures of the mistake in the book: the name of each, lower-case words joined by `-`,
-    /// and the step that draws it. If the book doesn't show the mistake, there are none, and the
-    /// texts below are empty.
-    pub pictures: Vec<(&'static str, Step)>,
+    /// What the book says about the mistake, if it shows it.
+    pub shown: Option<ShownMistake>,
+}
+
+/// How the book shows a mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownMistake {
+    /// Its pictures, at least one.
+    pub pictures: Vec<MistakePicture>,
     /// A sentence that says why it is wrong, or what is right.
     pub reason: &'static str,
     /// The heading of the section to read again, in a chapter of its step.
     pub section: &'static str,
     /// A sentence about what its picture shows.
     pub effect: &'static str,
+}
+
+/// A picture of a mistake in the book.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MistakePicture {
+    /// The name: lower-case words joined by `-`.
+    pub name: &'static str,
+    /// The step that draws it with the mistake.
+    pub step: Step,
 }
 
 /// All mistakes, in the order of the lists. The lists are parsed once. In a module of a page there
@@ -77,25 +91,31 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
-    let pictures = marked('!').map(|picture| {
-        let (name, drawn) = picture.split_once(' ').unwrap_or((picture, step.name()));
-        // If the word isn't a step, it stays in the name. A test finds such names.
-        Step::from_name(drawn).map_or((picture, step), |drawn| (name, drawn))
-    });
-    Some(Mistake {
-        title,
-        step,
-        file: file.to_owned(),
-        old: text('-'),
-        new: text('+'),
-        pictures: pictures.collect(),
+    let pictures: Vec<_> = marked('!').map(|words| parse_picture(step, words)).collect();
+    let shown = (!pictures.is_empty()).then(|| ShownMistake {
+        pictures,
         reason: first_marked('?'),
         section: first_marked('/'),
         effect: first_marked('"'),
-    })
+    });
+    Some(Mistake { title, step, file: file.to_owned(), old: text('-'), new: text('+'), shown })
+}
+
+/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name, and a test
+/// finds the blank there.
+fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
+    let name_and_step = words.rsplit_once(' ');
+    let name_and_step = name_and_step.and_then(|(name, step)| Some((name, Step::from_name(step)?)));
+    let (name, step) = name_and_step.unwrap_or((words, default_step));
+    MistakePicture { name, step }
 }
 
 impl Mistake {
+    /// The pictures of the mistake in the book. There are none if the book doesn't show it.
+    pub fn pictures(&self) -> &[MistakePicture] {
+        self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
+    }
+
     /// The steps whose pictures the mistake may change: its own and the later ones.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
@@ -154,20 +174,25 @@ one that the book shows
 
     #[test]
     fn block_is_a_mistake_of_the_file_above_it() {
-        let [short, shown] = &parse_list(Step::Nearest, LIST)[..] else { panic!("two mistakes") };
+        let [short, long] = &parse_list(Step::Nearest, LIST)[..] else { panic!("two mistakes") };
         assert_eq!(short.title, "a short one");
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
         assert_eq!(short.old, "let a = 1;\n    let b = 2;");
         assert_eq!(short.new, "let a = 2;");
-        assert_eq!((&short.pictures[..], short.reason), (&[][..], ""));
-        assert_eq!(shown.file, "steps/step03_nearest/src/ray.rs");
-        assert_eq!(
-            shown.pictures,
-            [("shown", Step::Nearest), ("later", Step::Phong), ("no step", Step::Nearest)]
-        );
-        assert_eq!(shown.reason, "It should be a.");
-        assert_eq!(shown.section, "The ray");
-        assert_eq!(shown.effect, "Everything is blue.");
+        assert_eq!(short.shown, None);
+        assert_eq!(long.file, "steps/step03_nearest/src/ray.rs");
+        let picture = |name, step| MistakePicture { name, step };
+        let shown = ShownMistake {
+            pictures: vec![
+                picture("shown", Step::Nearest),
+                picture("later", Step::Phong),
+                picture("no step", Step::Nearest),
+            ],
+            reason: "It should be a.",
+            section: "The ray",
+            effect: "Everything is blue.",
+        };
+        assert_eq!(long.shown, Some(shown));
     }
 
     #[test]

@@ -63,7 +63,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
         .collect();
     mistakes_and_names.sort_by_key(|(mistake, _)| {
         let size = mistake.old.len().abs_diff(mistake.new.len());
-        (mistake.pictures.is_empty(), mistake.new.lines().count(), size)
+        (mistake.shown.is_none(), mistake.new.lines().count(), size)
     });
     mistakes_and_names
 }

@@ -4,8 +4,8 @@ use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes, read_locked_picture,
-    read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
+    Mistake, MistakePicture, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes,
+    read_locked_picture, read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -49,7 +49,8 @@ pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
-    let shown = mistake.pictures.iter().map(|(name, step)| format!("{name} {}", step.name()));
+    let shown = mistake.pictures().iter();
+    let shown = shown.map(|picture| format!("{} {}", picture.name, picture.step.name()));
     let code = code_lines(&text_with_mistake(mistake)?);
     Ok(hash_texts(right.chain(shown).chain([code])) as u32)
 }
@@ -74,8 +75,9 @@ impl Table {
     /// The mistakes that haven't been drawn with the present code and right pictures.
     pub fn unknown(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
-            let mut names = mistake.pictures.iter().map(|(name, _)| name);
-            !self.rows.contains_key(key) || names.any(|one| !self.small_pictures.contains_key(one))
+            let has_picture =
+                |picture: &MistakePicture| self.small_pictures.contains_key(picture.name);
+            !self.rows.contains_key(key) || !mistake.pictures().iter().all(has_picture)
         })
     }
 
@@ -89,20 +91,20 @@ impl Table {
             println!("can be seen in no picture: {}", title_and_file(mistake));
         }
         self.rows.insert(key, hashes);
-        for (name, shown_step) in &mistake.pictures {
-            self.small_pictures.remove(name);
-            let picture = pictures.iter().find(|(step, _)| step == shown_step);
-            if let Some((_, Some(picture))) = picture {
-                self.small_pictures.insert(name, shrink(picture));
+        for shown in mistake.pictures() {
+            self.small_pictures.remove(shown.name);
+            let drawn = pictures.iter().find(|(step, _)| *step == shown.step);
+            if let Some((_, Some(drawn))) = drawn {
+                self.small_pictures.insert(shown.name, shrink(drawn));
             }
         }
     }
 
     /// The small pictures of a step with their names, in the order of the list.
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
-        let shown = self.all.iter().flat_map(|(_, mistake)| &mistake.pictures);
-        let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| *name);
-        names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
+        let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
+        let shown = shown.filter(|picture| picture.step == step);
+        shown.filter_map(|one| Some((one.name, self.small_pictures.get(one.name)?))).collect()
     }
 
     /// The table as text: the hashes of the right pictures, the names of the small pictures, and a
@@ -158,12 +160,12 @@ mod tests {
         let (mut without_row, mut without_picture) = (read(), read());
         let known = unknown_titles(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
-            !mistake.pictures.is_empty() && !known.contains(&title_and_file(mistake))
+            mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
         let (key, mistake) = without_row.all.iter().rfind(is_shown).copied().expect("a mistake");
         let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
-        without_picture.small_pictures.remove(mistake.pictures[0].0);
+        without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for table in [without_row, without_picture] {
             let mut titles = unknown_titles(&table);
             titles.retain(|title| !known.contains(title));

@@ -3,7 +3,7 @@
 use crate::mistake_program::title_and_file;
 use crate::mistakes::{Table, key};
 use crate::modules;
-use course::{Step, mistake_texts, mistakes};
+use course::{MistakePicture, Step, mistake_texts, mistakes};
 use std::collections::HashSet;
 use std::env;
 use std::io::{Write, stderr};
@@ -32,9 +32,15 @@ fn the_table_knows_each_mistake_and_what_is_right() {
 fn picture_of_another_name_or_step_is_drawn_again() {
     let mut mistake = mistakes()[0].clone();
     let known = key(&mistake, &[]).ok();
-    for picture in [("degrees", Step::Phong), ("another", Step::Rays)] {
-        mistake.pictures = vec![picture];
-        assert_ne!(known, key(&mistake, &[]).ok(), "{picture:?}");
+    let shown = mistake.shown.as_mut().expect("the book shows the first mistake");
+    let picture = shown.pictures[0];
+    for changed in [
+        MistakePicture { step: Step::Phong, ..picture },
+        MistakePicture { name: "another", ..picture },
+    ] {
+        let mut mistake = mistakes()[0].clone();
+        mistake.shown.as_mut().expect("it is shown").pictures = vec![changed];
+        assert_ne!(known, key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
 
@@ -44,8 +50,14 @@ fn each_mistake_is_a_change_and_listed_once() {
     for mistake in mistakes() {
         let title = title_and_file(mistake);
         assert_ne!(mistake.old, mistake.new, "{title}");
-        let is_of_step = |(name, step): &(&str, _)| !name.contains(' ') && *step >= mistake.step;
-        assert!(mistake.pictures.iter().all(is_of_step), "{title}: {:?}", mistake.pictures);
+        if let Some(shown) = &mistake.shown {
+            let is_valid = |picture: &MistakePicture| {
+                !picture.name.contains(' ') && picture.step >= mistake.step
+            };
+            assert!(shown.pictures.iter().all(is_valid), "{title}: {:?}", shown.pictures);
+            let texts = [shown.reason, shown.section, shown.effect];
+            assert!(texts.iter().all(|text| !text.is_empty()), "{title} lacks one of {texts:?}");
+        }
         let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
         assert!(is_new, "{title} is listed twice");
     }
