@@ -240,13 +240,37 @@ mod tests {
         assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
+    /// What `find_cameras` says about the picture of step 3 by a camera in which one number has
+    /// this value.
+    fn cameras_of_step_3(number: MatrixNumber, value: f64) -> Vec<String> {
+        let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
+        let scene = target.scene.as_ref().expect("a step");
+        let yours = step03_nearest::picture(&number.camera_with(value), 1);
+        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        find_cameras(&comparison, scene, &Budget::new(10_000_000))
+    }
+
     #[test]
-    fn written_cameras_are_all_different_from_ours() {
+    fn multiples_of_ours_and_whole_pixels_are_tried() {
+        let twice = 2.0 * D_U.ours();
+        let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
+        assert_eq!(cameras_of_step_3(D_U, twice), [words]);
+        let three_rows_lower = V_0.ours() + 3.0 * D_V.ours();
+        let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
+        assert_eq!(cameras_of_step_3(V_0, three_rows_lower), [words]);
+    }
+
+    #[test]
+    fn written_cameras_have_the_numbers_of_their_formulas() {
         let ours = camera().matrix;
-        let cameras = written_cameras();
-        assert!(cameras.iter().all(|(camera, _)| camera.matrix != ours));
-        let (camera, words) = &cameras[1];
-        assert_eq!(words, "y of D_v = −2 tan(θ/2)/hRes instead of −0.001807");
-        assert_eq!(camera.matrix.y_axis.y, ours.y_axis.y * 639.0 / 640.0);
+        let lines = written_cameras().into_iter().map(|(camera, words)| {
+            let numbers = MatrixNumber::all().filter_map(|number| {
+                let value = camera.matrix.col(number.column)[number.row];
+                (value != number.ours()).then(|| format!("{value:.9}"))
+            });
+            assert_ne!(camera.matrix, ours, "{words}");
+            format!("{words}: {}", numbers.collect::<Vec<_>>().join(", "))
+        });
+        insta::assert_snapshot!(lines.collect::<Vec<_>>().join("\n"));
     }
 }
