@@ -40,7 +40,7 @@ impl Sources {
             let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
             let right = files.get(&format!("{}.png", step.name()));
             let right = right.with_context(|| format!("{} has no locked picture", step.name()))?;
-            let right = course::shrink(&image::load_from_memory(right)?.into_rgb8());
+            let right = course::make_small_picture(&image::load_from_memory(right)?.into_rgb8());
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
                 files.insert(name, encode_png(&picture));
             }

@@ -17,7 +17,7 @@ const MOST_BYTES: usize = 3;
 const FIRST_PIXELS: usize = 500;
 
 /// Sentences about the bytes of each wrong pixel.
-pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
+pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
         if comparison.wrong.iter().all(holds) {
@@ -52,7 +52,7 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
 
 /// A sentence about bytes that follow from our bytes alone: each value of a byte is always replaced
 /// by the same value. Returns None if they don't.
-pub(crate) fn byte_map(comparison: &Comparison, scene: &StepScene) -> Option<String> {
+pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
         for (yours, ours) in zip(yours, ours) {
@@ -89,7 +89,7 @@ fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
 
 /// A sentence about bytes that follow from our intensity alone, and grow or fall with it. Returns
 /// None if they don't.
-pub(crate) fn byte_curve(comparison: &Comparison, scene: &StepScene) -> Option<String> {
+pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if is_sky_or_objects_alone(comparison, scene) {
         return None;
     }

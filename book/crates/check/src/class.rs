@@ -20,7 +20,7 @@ pub use write_folder::WriteFolderError;
 use crate::class::folder::{
     StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
 };
-use crate::class::names::{Doubles, NamedFolders};
+use crate::class::names::{DuplicateNames, NamedFolders};
 use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
@@ -33,12 +33,12 @@ pub fn report_on_class(
     required: &[&'static str],
 ) -> Result<ClassReport, FolderError> {
     let class = read_class_folder(folder)?;
-    let doubles = Doubles::new(&class.students);
+    let duplicates = DuplicateNames::new(&class.students);
     let named = names.map(|names| NamedFolders::new(names, &class.students));
     let check = |student: &StudentFolder| {
         let name = printable_name(&student.name);
         let mut report = check_student(name, find_files(student), required);
-        report.notes.extend(doubles.note(student));
+        report.notes.extend(duplicates.note(student));
         report.notes.extend(named.as_ref().and_then(|named| named.note(student)));
         report
     };

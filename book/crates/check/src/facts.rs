@@ -1,6 +1,8 @@
 //! What is true of the wrong pixels, whatever the cause.
 
-use crate::byte_facts::{byte_curve, byte_facts, byte_map, one_colour_sentence};
+use crate::byte_facts::{
+    byte_curve_sentence, byte_map_sentence, byte_sentences, one_colour_sentence,
+};
 use crate::comparison::{Comparison, Pixel};
 use crate::regions::{count_regions, hidden_sentence, region_sentence};
 use crate::step_scene::StepScene;
@@ -24,8 +26,9 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
     // Light that is too strong makes areas white, and a curve says more about those.
-    let curve = varied
-        .and_then(|scene| byte_curve(comparison, scene).or_else(|| byte_map(comparison, scene)));
+    let curve = varied.and_then(|scene| {
+        byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
+    });
     let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
     let mut facts: Vec<_> = undrawn.into_iter().collect();
     if facts.is_empty() {
@@ -35,11 +38,11 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
             if are_above_1(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
-            facts.extend(missing_light(&comparison.wrong, scene));
+            facts.extend(missing_light_sentence(&comparison.wrong, scene));
         }
         if is_varied {
             facts.extend(one_colour_sentence(&comparison.wrong));
-            facts.extend(byte_facts(comparison));
+            facts.extend(byte_sentences(comparison));
         }
         facts.truncate(MOST_FACTS);
     }
@@ -60,7 +63,7 @@ fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
 
 /// A sentence about the light that is missing from each wrong pixel, if our sum without some of its
 /// terms gives your colour there. It names as few terms as possible.
-fn missing_light(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
+fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
     let ambient = ["the ambient term".to_owned()];
     let names = [&ambient[..], &names_of("diffuse"), &names_of("specular")].concat();

@@ -42,9 +42,9 @@ pub enum ReadFileError {
 pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     let path = escape_for_terminal(&file.display().to_string());
     match read_at_most(file, FILE_BYTES) {
-        Ok(Contents::Bytes(bytes)) => Ok(bytes),
-        Ok(Contents::NotAFile) => Err(ReadFileError::NotAFile { path }),
-        Ok(Contents::TooLarge) => Err(ReadFileError::TooLarge { path }),
+        Ok(FileContents::Bytes(bytes)) => Ok(bytes),
+        Ok(FileContents::NotAFile) => Err(ReadFileError::NotAFile { path }),
+        Ok(FileContents::TooLarge) => Err(ReadFileError::TooLarge { path }),
         Err(error) if error.kind() == ErrorKind::NotFound => Err(ReadFileError::NotFound { path }),
         Err(source) => Err(ReadFileError::Io { path, source }),
     }
@@ -52,20 +52,20 @@ pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
 
 /// What is at a path.
 #[derive(Debug, PartialEq)]
-enum Contents {
+enum FileContents {
     Bytes(Vec<u8>),
     NotAFile,
     TooLarge,
 }
 
-fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<Contents> {
+fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<FileContents> {
     if !fs::metadata(path)?.is_file() {
-        return Ok(Contents::NotAFile);
+        return Ok(FileContents::NotAFile);
     }
     let mut bytes = vec![];
     File::open(path)?.take(most_bytes + 1).read_to_end(&mut bytes)?;
     let is_small = bytes.len() as u64 <= most_bytes;
-    Ok(if is_small { Contents::Bytes(bytes) } else { Contents::TooLarge })
+    Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
 /// The text with escapes for characters that a terminal obeys or that change the direction of
@@ -88,10 +88,10 @@ mod tests {
         let length = fs::metadata(&file).expect("a file").len();
         let read = |path: &Path, most| read_at_most(path, most).expect("it can be read");
         assert!(
-            matches!(read(&file, length), Contents::Bytes(bytes) if bytes.len() as u64 == length)
+            matches!(read(&file, length), FileContents::Bytes(bytes) if bytes.len() as u64 == length)
         );
-        assert_eq!(read(&file, length - 1), Contents::TooLarge);
-        assert_eq!(read(file.parent().expect("a folder"), length), Contents::NotAFile);
+        assert_eq!(read(&file, length - 1), FileContents::TooLarge);
+        assert_eq!(read(file.parent().expect("a folder"), length), FileContents::NotAFile);
     }
 
     #[test]

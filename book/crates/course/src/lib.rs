@@ -26,7 +26,7 @@ pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
 pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
     SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,
-    read_small_pictures, shrink, small_pictures_path, table_rows,
+    make_small_picture, read_small_pictures, small_pictures_path, table_rows,
 };
 
 mod place;

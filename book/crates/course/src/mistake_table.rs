@@ -78,7 +78,7 @@ pub fn locked_names() -> Vec<&'static str> {
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
 /// Makes the small picture of a picture.
-pub fn shrink(picture: &RgbImage) -> RgbImage {
+pub fn make_small_picture(picture: &RgbImage) -> RgbImage {
     let [columns, rows] = SMALL_SIZE;
     thumbnail(picture, columns, rows)
 }

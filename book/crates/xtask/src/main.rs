@@ -35,6 +35,6 @@ fn regenerate() -> XtaskResult<()> {
         eprintln!("Another cargo xtask is running here; waiting for it to finish.");
         lock.lock().map_err(XtaskError::of_file(&path))?;
     }
-    mistakes::draw_unknown()?;
+    mistakes::draw_new_mistakes()?;
     modules::compile_if_stale()
 }

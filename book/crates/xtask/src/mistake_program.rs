@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// The pictures that a mistake may change, each with its step. A picture is None if the program
 /// panics.
-pub type Pictures = Vec<(Step, Option<RgbImage>)>;
+pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
 /// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
 const MANIFEST: &str = r#"
@@ -35,7 +35,7 @@ fn main() {
 ";
 
 /// Draws mistakes in one program, and returns the pictures of each.
-pub fn draw(mistakes: &[&Mistake]) -> XtaskResult<Vec<Pictures>> {
+pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
     let folder = package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
     write_package(mistakes)?;

@@ -1,11 +1,12 @@
 //! Draws mistakes, for the table and for the small pictures that the book shows.
 
 use crate::error::{XtaskError, XtaskResult};
-use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
+use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, MistakePicture, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes,
-    read_locked_picture, read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
+    Mistake, MistakePicture, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture,
+    make_small_picture, mistakes, read_locked_picture, read_small_pictures, small_pictures_path,
+    table_rows, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -28,13 +29,15 @@ pub struct Table {
 }
 
 /// Draws the mistakes that aren't in the table.
-pub fn draw_unknown() -> XtaskResult<()> {
+pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut table = Table::read()?;
-    let unknown: Vec<_> = table.unknown().copied().collect();
-    println!("Mistakes to draw: {}", unknown.len());
-    for batch in unknown.chunks(BATCH_SIZE) {
+    let new: Vec<_> = table.new_mistakes().copied().collect();
+    println!("Mistakes to draw: {}", new.len());
+    for batch in new.chunks(BATCH_SIZE) {
         let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
-        for ((key, mistake), pictures) in batch.iter().zip(mistake_program::draw(&mistakes)?) {
+        for ((key, mistake), pictures) in
+            batch.iter().zip(mistake_program::draw_mistakes(&mistakes)?)
+        {
             table.insert(*key, mistake, &pictures);
         }
         table.write()?;
@@ -45,7 +48,7 @@ pub fn draw_unknown() -> XtaskResult<()> {
 
 /// A hash of everything that determines a mistake's pictures: its code, the right pictures, and the
 /// names and steps of the pictures that the book shows.
-pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
+pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
@@ -63,7 +66,7 @@ impl Table {
             right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in mistakes() {
-            all.push((key(mistake, &right)?, mistake));
+            all.push((mistake_key(mistake, &right)?, mistake));
         }
         let rows = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
         let rows = rows.map(|row| (row.key, row.hashes)).collect();
@@ -73,7 +76,7 @@ impl Table {
     }
 
     /// The mistakes that haven't been drawn with the present code and right pictures.
-    pub fn unknown(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
+    pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =
                 |picture: &MistakePicture| self.small_pictures.contains_key(picture.name);
@@ -81,7 +84,7 @@ impl Table {
         })
     }
 
-    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &Pictures) {
+    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
             (!self.right.contains(&(step.name(), hash))).then_some(hash)
@@ -95,7 +98,7 @@ impl Table {
             self.small_pictures.remove(shown.name);
             let drawn = pictures.iter().find(|(step, _)| *step == shown.step);
             if let Some((_, Some(drawn))) = drawn {
-                self.small_pictures.insert(shown.name, shrink(drawn));
+                self.small_pictures.insert(shown.name, make_small_picture(drawn));
             }
         }
     }
@@ -150,15 +153,15 @@ mod tests {
     use super::*;
     use crate::mistake_program::title_and_file;
 
-    fn unknown_titles(table: &Table) -> Vec<String> {
-        table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect()
+    fn new_titles(table: &Table) -> Vec<String> {
+        table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]
-    fn mistake_without_its_row_or_one_small_picture_is_unknown() {
+    fn mistake_without_its_row_or_one_small_picture_is_new() {
         let read = || Table::read().expect("the list and the table");
         let (mut without_row, mut without_picture) = (read(), read());
-        let known = unknown_titles(&without_row);
+        let known = new_titles(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
@@ -167,7 +170,7 @@ mod tests {
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for table in [without_row, without_picture] {
-            let mut titles = unknown_titles(&table);
+            let mut titles = new_titles(&table);
             titles.retain(|title| !known.contains(title));
             assert_eq!(titles, expected);
         }

@@ -1,7 +1,7 @@
 //! The files that are made from the code and checked in are up to date.
 
 use crate::mistake_program::title_and_file;
-use crate::mistakes::{Table, key};
+use crate::mistakes::{Table, mistake_key};
 use crate::modules;
 use course::{MistakePicture, Step, mistake_texts, mistakes};
 use std::collections::HashSet;
@@ -22,8 +22,8 @@ fn modules_are_made_from_the_code_of_today() {
 #[test]
 fn the_table_knows_each_mistake_and_what_is_right() {
     let table = Table::read().expect("each mistake has its place, and the table can be read");
-    let unknown: Vec<_> = table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect();
-    assert!(unknown.is_empty(), "`cargo xtask` draws these new mistakes:\n{}", unknown.join("\n"));
+    let new: Vec<_> = table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
+    assert!(new.is_empty(), "`cargo xtask` draws these new mistakes:\n{}", new.join("\n"));
     let texts = mistake_texts().expect("a program includes the texts");
     assert!(table.text() == texts.table, "the table has changed: `cargo xtask` writes it");
 }
@@ -31,7 +31,7 @@ fn the_table_knows_each_mistake_and_what_is_right() {
 #[test]
 fn picture_of_another_name_or_step_is_drawn_again() {
     let mut mistake = mistakes()[0].clone();
-    let known = key(&mistake, &[]).ok();
+    let known = mistake_key(&mistake, &[]).ok();
     let shown = mistake.shown.as_mut().expect("the book shows the first mistake");
     let picture = shown.pictures[0];
     for changed in [
@@ -40,7 +40,7 @@ fn picture_of_another_name_or_step_is_drawn_again() {
     ] {
         let mut mistake = mistakes()[0].clone();
         mistake.shown.as_mut().expect("it is shown").pictures = vec![changed];
-        assert_ne!(known, key(&mistake, &[]).ok(), "{changed:?}");
+        assert_ne!(known, mistake_key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
 

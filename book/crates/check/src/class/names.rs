@@ -52,9 +52,9 @@ fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
 }
 
 /// The names that several folders have in different Unicode forms.
-pub(crate) struct Doubles(HashSet<String>);
+pub(crate) struct DuplicateNames(HashSet<String>);
 
-impl Doubles {
+impl DuplicateNames {
     pub fn new(students: &[StudentFolder]) -> Self {
         let mut seen = HashSet::new();
         let names = students.iter().filter_map(normalized_folder_name);
@@ -110,8 +110,8 @@ mod tests {
     fn names_are_equal_in_each_unicode_form() {
         assert_eq!(normalize_name("Do\u{308}ra"), "D\u{f6}ra");
         let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
-        let doubles = Doubles::new(&students);
-        let notes = students.each_ref().map(|student| doubles.note(student));
+        let duplicates = DuplicateNames::new(&students);
+        let notes = students.each_ref().map(|student| duplicates.note(student));
         let both = Some(Note::SameNameInOtherForm);
         assert!(notes == [both, both, None]);
     }

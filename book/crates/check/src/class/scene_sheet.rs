@@ -60,7 +60,7 @@ struct Sheet {
 }
 
 /// A pixel to ask about.
-struct Spot {
+struct ProblemPixel {
     pixel: (u32, u32),
     ray: Ray,
     /// The hits on all balls that the ray meets, in the order of the scene.
@@ -132,9 +132,9 @@ impl Sheet {
             "Work with six decimals, and give four.".to_owned(),
         ];
         // The pixel depends on the numbers, so two spellings with the same scene get the same one.
-        let skipped = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
-        let spot = find_spot(&scene, skipped as usize);
-        let (problems, answers) = spot.map(|spot| spot.problems(&scene)).unwrap_or_default();
+        let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
+        let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
+        let (problems, answers) = pixel.map(|pixel| pixel.problems(&scene)).unwrap_or_default();
         Self {
             name: escape_for_terminal(name.trim()),
             tables,
@@ -196,25 +196,26 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
 }
 
 /// A pixel that shows a ball in the light of both lights, with a highlight, and has a second ball
-/// behind it. If there is none, one ball is enough, and then one light. `skipped` is how many pixels
-/// to skip before the search, so that different numbers find different pixels.
-fn find_spot(scene: &StepScene, skipped: usize) -> Option<Spot> {
+/// behind it. If there is none, one ball is enough, and then one light. Different
+/// numbers of pixels to skip find different ones.
+fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
         let pixels = scattered_positions((camera.h_res, camera.v_res));
-        let mut spots = pixels.skip(skipped).filter_map(|(i, j)| {
+        let mut pixels_with_balls = pixels.skip(pixels_to_skip).filter_map(|(i, j)| {
             let ray = camera.ray(i.into(), j.into());
-            spot_of_ray(scene, (i, j), ray)
+            problem_pixel_of_ray(scene, (i, j), ray)
         });
-        spots
-            .find(|spot| spot.balls.len() == ball_count && spot.is_lit_by_first(light_count, scene))
+        pixels_with_balls.find(|found| {
+            found.balls.len() == ball_count && found.is_lit_by_first(light_count, scene)
+        })
     };
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
 /// The balls on a ray. Returns None if it shows no ball, or if it nearly touches one, since D loses
 /// digits there.
-fn spot_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<Spot> {
+fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
@@ -223,10 +224,10 @@ fn spot_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<Spot> {
         let (a, b, c) = objects[hit.object].sphere.coefficients(&ray);
         b * b - 4.0 * a * c > 0.5
     };
-    balls.iter().all(is_clear).then_some(Spot { pixel, ray, balls, visible })
+    balls.iter().all(is_clear).then_some(ProblemPixel { pixel, ray, balls, visible })
 }
 
-impl Spot {
+impl ProblemPixel {
     /// Whether the first lights are all bright here, and at least one has a highlight.
     fn is_lit_by_first(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
